@@ -1,0 +1,163 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Renders VTK files (.vtu, .pvtu, .vtk or a .pvd series) to a PNG picture, without a display.
+
+    render.py [options] FILE... -o PICTURE.png
+
+Debian packages: python3-vtk9, and xvfb where no display is at hand:
+    xvfb-run -a /usr/bin/python3 doc/pictures/render.py ...
+"""
+import argparse
+import os
+import xml.etree.ElementTree as xml
+
+from vtkmodules.all import (vtkActor, vtkAppendFilter, vtkColorTransferFunction, vtkDataSetMapper,
+                            vtkDataSetSurfaceFilter, vtkPNGWriter, vtkRenderer, vtkRenderWindow,
+                            vtkScalarBarActor, vtkUnstructuredGridReader, vtkWarpVector,
+                            vtkWindowToImageFilter, vtkXMLPUnstructuredGridReader,
+                            vtkXMLUnstructuredGridReader)
+
+# muted colours that tell neighbouring materials apart
+PALETTE = [(0.80, 0.62, 0.36), (0.44, 0.60, 0.76), (0.78, 0.80, 0.84), (0.36, 0.48, 0.62),
+           (0.70, 0.42, 0.36), (0.62, 0.66, 0.70), (0.42, 0.45, 0.48), (0.52, 0.66, 0.52)]
+
+
+def files_of(name, time):
+    """The data files behind `name`: of a series, those of the time nearest to `time`."""
+    if not name.endswith(".pvd"):
+        return [name]
+    sets = [(float(s.get("timestep", 0)), s.get("file")) for s in xml.parse(name).iter("DataSet")]
+    last = max(t for t, _ in sets)
+    nearest = min((t for t, _ in sets), key=lambda t: abs(t - (last if time is None else time)))
+    return [os.path.join(os.path.dirname(name), f) for t, f in sets if t == nearest]
+
+
+def read(name):
+    reader = {".vtu": vtkXMLUnstructuredGridReader, ".pvtu": vtkXMLPUnstructuredGridReader,
+              ".vtk": vtkUnstructuredGridReader}[os.path.splitext(name)[1]]()
+    reader.SetFileName(name)
+    if isinstance(reader, vtkUnstructuredGridReader):
+        reader.ReadAllScalarsOn()
+    reader.Update()
+    return reader.GetOutput()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("files", nargs="+")
+    parser.add_argument("-o", "--output", required=True)
+    parser.add_argument("--time", type=float, help="of a series, default: the last")
+    parser.add_argument("--color", help="name of a cell or point array; default: one colour")
+    parser.add_argument("--range", nargs=2, type=float, help="of the colour scale")
+    parser.add_argument("--discrete", action="store_true", help="one colour per integer value")
+    parser.add_argument("--warp", help="name of a displacement array to add to the positions")
+    parser.add_argument("--scale", type=float, default=1., help="of the displacement")
+    parser.add_argument("--no-edges", action="store_true")
+    parser.add_argument("--view", nargs=3, type=float, default=[0.6, -0.8, 1.2],
+                        help="direction from the object to the eye")
+    parser.add_argument("--up", nargs=3, type=float, default=[0, 1, 0])
+    parser.add_argument("--focus", nargs=3, type=float, help="point in the middle of the picture")
+    parser.add_argument("--height", type=float, help="of the visible part, in the data's units")
+    parser.add_argument("--size", nargs=2, type=int, default=[1600, 1000])
+    arguments = parser.parse_args()
+
+    append = vtkAppendFilter()
+    for name in arguments.files:
+        for file in files_of(name, arguments.time):
+            append.AddInputData(read(file))
+    append.Update()
+    source = append
+    if arguments.warp:
+        source.GetOutput().GetPointData().SetActiveVectors(arguments.warp)
+        warp = vtkWarpVector()
+        warp.SetInputConnection(source.GetOutputPort())
+        warp.SetInputArrayToProcess(0, 0, 0, 0, arguments.warp)
+        warp.SetScaleFactor(arguments.scale)
+        source = warp
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputConnection(source.GetOutputPort())
+    surface.Update()
+
+    mapper = vtkDataSetMapper()
+    mapper.SetInputConnection(surface.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(PALETTE[2])
+    actor.GetProperty().SetAmbient(0.25)
+    actor.GetProperty().SetDiffuse(0.75)
+    actor.GetProperty().SetEdgeVisibility(not arguments.no_edges)
+    actor.GetProperty().SetEdgeColor(0.15, 0.15, 0.18)
+    actor.GetProperty().SetLineWidth(1.)
+
+    renderer = vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    renderer.AddActor(actor)
+    if arguments.color:
+        data = surface.GetOutput()
+        in_cells = data.GetCellData().HasArray(arguments.color)
+        array = (data.GetCellData() if in_cells else data.GetPointData()).GetArray(arguments.color)
+        if array is None:
+            parser.error("there is no array named '%s'" % arguments.color)
+        low, high = arguments.range or array.GetRange(-1 if array.GetNumberOfComponents() > 1 else 0)
+        colors = vtkColorTransferFunction()
+        if arguments.discrete:
+            for value in range(int(low), int(high) + 1):
+                colors.AddRGBPoint(value, *PALETTE[value % len(PALETTE)])
+        else:
+            colors.SetColorSpaceToDiverging()
+            colors.AddRGBPoint(low, 0.23, 0.30, 0.75)
+            colors.AddRGBPoint(high, 0.71, 0.02, 0.15)
+        if array.GetNumberOfComponents() > 1:
+            colors.SetVectorModeToMagnitude()
+        (mapper.SetScalarModeToUseCellFieldData if in_cells
+         else mapper.SetScalarModeToUsePointFieldData)()
+        mapper.SelectColorArray(arguments.color)
+        mapper.SetLookupTable(colors)
+        mapper.UseLookupTableScalarRangeOn()
+        if not arguments.discrete:
+            bar = vtkScalarBarActor()
+            bar.SetLookupTable(colors)
+            bar.SetTitle(arguments.color)
+            for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+                text.SetColor(0, 0, 0)
+            bar.SetPosition(0.9, 0.1)
+            bar.SetWidth(0.07)
+            renderer.AddActor2D(bar)
+    else:
+        mapper.ScalarVisibilityOff()
+
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    focus = arguments.focus or surface.GetOutput().GetCenter()
+    camera.SetFocalPoint(*focus)
+    camera.SetPosition(*[f + v for f, v in zip(focus, arguments.view)])
+    camera.SetViewUp(*arguments.up)
+    renderer.ResetCamera()
+    if arguments.focus or arguments.height:
+        distance = camera.GetDistance()
+        direction = camera.GetDirectionOfProjection()
+        camera.SetFocalPoint(*focus)
+        camera.SetPosition(*[f - distance * d for f, d in zip(focus, direction)])
+    if arguments.height:
+        camera.SetParallelScale(0.5 * arguments.height)
+    else:
+        camera.Zoom(1.3)
+    renderer.ResetCameraClippingRange()
+
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetSize(*arguments.size)
+    window.AddRenderer(renderer)
+    window.Render()
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.SetFileName(arguments.output)
+    writer.Write()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/contact/family.h>
+
+#include <memory>
+#include <vector>
+
+namespace chaindrive::contact
+{
+/// How often the search ran.
+struct SearchStatistics
+{
+  unsigned long searches = 0, evaluations = 0;
+};
+
+/// All interfaces of the scene behind one call, add_forces().
+///
+/// The search is driven by displacement: it lists the pairs closer than a reach, and runs again
+/// before any two bodies can have come nearer to each other by that reach. To that end the largest
+/// speed of any body, doubled because two bodies may approach each other, is summed over time; a
+/// pair that could touch is therefore never missed. On request it runs at every evaluation.
+class Contacts
+{
+public:
+  Contacts(const scene::Scene &scene, bool search_every_step);
+
+  /// Adds all contact forces; @p dt is the time since the last call [s], zero at the first one.
+  void add_forces(World &world, double dt);
+
+  /// The springs of all pairs within reach, held closed.
+  void add_springs(const World &world, std::vector<Spring> &springs) const;
+
+  /// Refuses (InputError) a start with surfaces that overlap by more than a nanometre, unless the
+  /// contact force there is no more than the @p prestress [N] of the chain: names the interface,
+  /// the joint and the overlap.
+  void refuse_overlap(World &world, double prestress);
+
+  void clear_peaks();
+
+  const std::vector<std::unique_ptr<Family>> &families() const { return families_; }
+
+  /// The family called @p name; null when the scene has none.
+  const Family *find(const std::string &name) const;
+
+  const SearchStatistics &search_statistics() const { return statistics_; }
+  std::size_t             memory_consumption() const;
+
+private:
+  void search_if_due(const World &world, double dt);
+
+  std::vector<std::unique_ptr<Family>> families_;
+  bool                                 every_step_;
+  bool                                 needs_search_ = false;
+  double                               reach_;         ///< m
+  double                               approach_ = 0.; ///< bound of approach since the search, m
+  bool                                 searched_ = false;
+  SearchStatistics                     statistics_;
+};
+} // namespace chaindrive::contact

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/contact/geometry.h>
+#include <chaindrive/contact/law.h>
+#include <chaindrive/world/spring.h>
+#include <chaindrive/world/world.h>
+
+#include <string>
+#include <vector>
+
+namespace chaindrive::contact
+{
+/// What is known of one interface at the instant of the last evaluation.
+struct Record
+{
+  unsigned int         master, slave;                            ///< bodies
+  unsigned int         joint;                                    ///< of the slave point
+  double               gap = std::numeric_limits<double>::max(); ///< m; unset while out of reach
+  dealii::Tensor<1, 3> force;                                    ///< on the slave, N
+  unsigned int         feature = 0;       ///< gap of the sprocket that the last touch was in
+  dealii::Tensor<1, 3> normal;            ///< of the last touch
+  double               normal_speed = 0.; ///< approach along the normal, m/s, while touching
+  double               peak         = 0.; ///< largest normal force since clear_peaks(), N
+};
+
+/// All interfaces of one kind: search -> geometry -> law for each of its pairs.
+class Family
+{
+public:
+  virtual ~Family() = default;
+
+  /// Chooses the pairs that may touch before any body has moved by @p reach [m].
+  virtual void search(const World &world, double reach) = 0;
+
+  /// Adds the contact forces at the present state and books their energy. @p dt is the time since
+  /// the last call [s], zero at the first one.
+  virtual void add_forces(World &world, double dt) = 0;
+
+  /// Appends the springs of every pair, held closed, for the stable step. Pairs of smooth surfaces
+  /// that the search has left out do not count.
+  virtual void add_springs(const World &world, std::vector<Spring> &springs) const = 0;
+
+  /// Whether this family needs search() at all.
+  virtual bool needs_search() const = 0;
+
+  const std::string         &name() const { return name_; }
+  const scene::Law          &law() const { return law_; }
+  const std::vector<Record> &records() const { return records_; }
+  unsigned int               n_touching() const;
+
+  /// Forgets the force peaks; called after every sample.
+  void clear_peaks();
+
+  std::size_t memory_consumption() const
+  {
+    return records_.size() * (sizeof(Record) + sizeof(TouchState));
+  }
+
+protected:
+  Family(std::string name, const scene::Law &law) : name_(std::move(name)), law_(law) {}
+
+  /// Law and bookkeeping of pair @p i whose geometry is @p touch.
+  void apply(World &world, unsigned int i, const Touch &touch, double dt);
+
+  /// Three springs (normal and two tangents) of pair @p i, closed along @p normal.
+  void add_closed(const World                &world,
+                  unsigned int                i,
+                  const dealii::Tensor<1, 3> &normal,
+                  const dealii::Tensor<1, 3> &point,
+                  std::vector<Spring>        &springs) const;
+
+  std::string             name_;
+  scene::Law              law_; ///< of one pair
+  std::vector<Record>     records_;
+  std::vector<TouchState> states_;
+};
+
+/// Cylinders in bores: every pair is near all the time.
+class Bores : public Family
+{
+public:
+  explicit Bores(const scene::BoreFamily &scene);
+
+  void search(const World &, double) override {}
+  void add_forces(World &world, double dt) override;
+  void add_springs(const World &world, std::vector<Spring> &springs) const override;
+  bool needs_search() const override { return false; }
+
+private:
+  std::vector<scene::BorePair> pairs_;
+};
+
+/// Rollers on the teeth of one sprocket: only those near its circumference are looked at.
+class Teeth : public Family
+{
+public:
+  explicit Teeth(const scene::ToothFamily &scene);
+
+  void search(const World &world, double reach) override;
+  void add_forces(World &world, double dt) override;
+  void add_springs(const World &world, std::vector<Spring> &springs) const override;
+  bool needs_search() const override { return true; }
+
+  unsigned int                     sprocket() const { return scene_.sprocket; }
+  const std::vector<unsigned int> &near() const { return near_; }
+
+private:
+  scene::ToothFamily        scene_;
+  std::vector<unsigned int> near_;  ///< pairs chosen by the last search
+  std::vector<unsigned int> hints_; ///< per pair, facet met last on an imported mesh
+};
+} // namespace chaindrive::contact

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/scene/interface.h>
+#include <chaindrive/world/ledger.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace chaindrive::contact
+{
+/// What one contact point remembers from step to step.
+struct TouchState
+{
+  double               overlap = 0.; ///< penetration of the last evaluation, m; 0 when apart
+  double               normal  = 0.; ///< force along the master's normal, N, never negative
+  dealii::Tensor<1, 2> slip;         ///< elastic part of the slip in the master's tangents, m
+  dealii::Tensor<1, 2> tangential;   ///< force on the slave along the master's tangents, N
+};
+
+/// Penalty force with damping and Coulomb friction of one point at one instant.
+///
+///   N = max(0, k d - c g'),  d = max(0, -g)            linear spring and dashpot (Kelvin-Voigt)
+///   T = - k_t s - c_t s',    |T| <= mu N               return mapping on the elastic slip s
+///
+/// With the return mapping a contact below the limit is an elastic spring that keeps its origin: it
+/// sticks and does not creep (Giannakopoulos 1989; Wriggers, Computational Contact Mechanics, 5.2).
+/// Stored energy and losses go to the ledger by the trapezoidal rule over the step.
+///
+/// @p gap g [m], negative when the surfaces overlap; @p gap_rate g' [m/s]; @p slip_rate velocity of
+/// the slave's material relative to the master's along the two tangents [m/s]; @p dt the time since
+/// the last evaluation [s]. Returns whether there is a force.
+inline bool update_touch(const scene::Law           &law,
+                         const double                gap,
+                         const double                gap_rate,
+                         const dealii::Tensor<1, 2> &slip_rate,
+                         const double                dt,
+                         TouchState                 &touch,
+                         Ledger                     &ledger)
+{
+  const TouchState before  = touch;
+  const double     overlap = std::max(0., -gap);
+
+  touch.overlap = overlap;
+  touch.normal = overlap > 0. ? std::max(0., law.stiffness * overlap - law.damping * gap_rate) : 0.;
+
+  // The work of the normal force on both bodies is stored in the spring or lost in the dashpot.
+  const double spring_before = 0.5 * law.stiffness * before.overlap * before.overlap;
+  const double spring        = 0.5 * law.stiffness * overlap * overlap;
+  ledger.contact += spring;
+  ledger.contact_damping +=
+      0.5 * (before.normal + touch.normal) * (overlap - before.overlap) - (spring - spring_before);
+
+  if (law.friction > 0.)
+    {
+      const dealii::Tensor<1, 2> increment = dt * slip_rate;
+      const double               limit     = law.friction * touch.normal;
+      if (limit > 0.)
+        {
+          touch.slip = before.slip + increment;
+          touch.tangential =
+              -law.tangential_stiffness * touch.slip - law.tangential_damping * slip_rate;
+          const double trial = touch.tangential.norm();
+          if (trial > limit)
+            {
+              touch.tangential *= limit / trial;
+              touch.slip = -touch.tangential / law.tangential_stiffness;
+            }
+        }
+      else
+        touch.slip = touch.tangential = dealii::Tensor<1, 2>();
+
+      const double stored_before = 0.5 * law.tangential_stiffness * before.slip.norm_square();
+      const double stored        = 0.5 * law.tangential_stiffness * touch.slip.norm_square();
+      ledger.contact += stored;
+      ledger.friction -=
+          0.5 * ((before.tangential + touch.tangential) * increment) + (stored - stored_before);
+    }
+  return touch.normal > 0.;
+}
+} // namespace chaindrive::contact

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/drive/fit.h>
+#include <chaindrive/parameters/drive.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace chaindrive::drive
+{
+/// What a layout may be, the best first. With a target the centre distances are approximate, and
+/// each route is yet to be solved for its own.
+struct Proposal
+{
+  std::optional<Fitter::Target> target; ///< none for a given centre distance
+  std::vector<Fit>              fits;
+};
+
+/// @param least_distance  at which the sprockets touch, m
+/// @param even            whether advice is for an even number of links
+/// @throws InputError when the chain does not reach or the sprockets overlap.
+Proposal
+propose(const Fitter &fitter, const parameters::Layout &layout, double least_distance, bool even);
+
+/// The number of links that makes up for the length @p missing [m], negative when there is too
+/// much.
+std::string advised_links(const Fitter &fitter, double missing, bool even);
+} // namespace chaindrive::drive

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/drive/catalogue.h>
+#include <chaindrive/parameters/drive.h>
+
+#include <string>
+#include <vector>
+
+namespace chaindrive::drive
+{
+/// Dimensions of a roller chain, in m.
+///
+/// Bushes and pins end in the mid-surfaces of the plates that carry them: bush_length is the
+/// distance of the inner plates' mid-surfaces, pin_length that of the outer plates'.
+struct ChainDimensions
+{
+  std::string designation;
+  double      pitch; ///< nominal
+  double      roller_diameter, roller_bore, roller_length;
+  double      bush_diameter, bush_bore, bush_length;
+  double      pin_diameter, pin_bore, pin_length; ///< pin_bore is 0 for a solid pin
+  double      inner_width;                        ///< between the inner plates
+  double      inner_plate_height, inner_plate_thickness, inner_plate_z; ///< z of the mid-surface
+  double      outer_plate_height, outer_plate_thickness, outer_plate_z; ///< z of the mid-surface
+  double      waist_ratio; ///< plate height at mid-pitch / plate height, at most 1
+  double      inner_hole_pitch, outer_hole_pitch;
+
+  std::vector<std::string> derived; ///< sentences on values that no table and no entry gave
+
+  /// Radial clearance between bush and roller.
+  double roller_clearance() const { return 0.5 * (roller_bore - bush_diameter); }
+
+  /// Radial clearance between pin and bush.
+  double pin_clearance() const { return 0.5 * (bush_bore - pin_diameter); }
+
+  /// Distance of the bush axes of an inner link: its hole pitch.
+  double loaded_inner_pitch() const { return inner_hole_pitch; }
+
+  /// Distance of the bush axes across an outer link whose pins are pulled against their bushes.
+  double loaded_outer_pitch() const { return outer_hole_pitch + 2. * pin_clearance(); }
+
+  /// Mean distance of consecutive rollers of the tight chain.
+  double loaded_pitch() const { return 0.5 * (loaded_inner_pitch() + loaded_outer_pitch()); }
+
+  /// Mean distance of consecutive rollers whose pins stand in the middle of their bushes.
+  double concentric_pitch() const { return 0.5 * (inner_hole_pitch + outer_hole_pitch); }
+};
+
+/// The chain that @p chain asks for: its own values first, then those of the standard's table, then
+/// derived ones, each of which is stated in ChainDimensions::derived.
+///
+/// Hole pitches by pitch set, for the pitch p and the radial pin clearance c:
+///   standard              inner p, outer p - 2 c: a chain under load measures p from roller to
+///   roller paper literal/nominal inner p, outer p: under load p and p + 2 c alternate, p + c in
+///   the mean
+/// Elongation lengthens both loaded pitches by the same factor.
+///
+/// @throws InputError for an unknown designation (names the nearest one and all others), a
+/// clearance that is negative, a wall without thickness, a roller that does not fit between the
+/// inner plates, plates that intersect.
+ChainDimensions make_chain(const parameters::Chain &chain);
+} // namespace chaindrive::drive

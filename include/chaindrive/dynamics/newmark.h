@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/load/programs.h>
+#include <chaindrive/world/world.h>
+
+namespace chaindrive::dynamics
+{
+/// Newmark's method with beta = 0 and gamma = 1/2 (central differences) in two halves, between
+/// which the forces are evaluated:
+///
+///   first half    v_{n+1/2} = v_n + dt/2 a_n,   x_{n+1} = x_n + dt v_{n+1/2}
+///   second half   v_{n+1}   = v_{n+1/2} + dt/2 a_{n+1}
+///
+/// Rotations follow the same pattern for the angular momentum L; the orientation advances by the
+/// rotation dt w with w from L at half the step (the explicit midpoint rule), so that L is constant
+/// to round-off when no moment acts. A prescribed hub is placed exactly at every step.
+/// Frames hold the half-step velocities after the first half and the full-step ones after the
+/// second.
+
+/// Newmark's first half: from world.time to world.time + @p dt. Forces must be those of world.time.
+void first_half(World &world, const load::SpeedProgram *program, double dt, double new_time);
+
+/// Newmark's second half, with the forces of the new time.
+void second_half(World &world, const load::SpeedProgram *program, double dt);
+
+/// Accelerations of the centres of mass from the present forces, three entries per body, m/s2.
+void accelerations(const World &world, std::vector<double> &result);
+} // namespace chaindrive::dynamics

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/contact/contacts.h>
+#include <chaindrive/dynamics/stable_step.h>
+#include <chaindrive/element/bars.h>
+#include <chaindrive/load/loads.h>
+#include <chaindrive/utilities/timing.h>
+#include <chaindrive/world/world.h>
+
+namespace chaindrive
+{
+struct Parameters;
+}
+
+namespace chaindrive::dynamics
+{
+/// Everything that moves and everything that pulls, with one evaluation of the forces.
+class System
+{
+public:
+  /// Builds the state and its forces from @p scene; refuses initial overlap (InputError).
+  System(const scene::Scene &scene, bool search_every_step);
+
+  /// Evaluates all forces at the present state. @p dt is the time since the last call [s].
+  void evaluate_forces(double dt);
+
+  /// One Newmark step of @p dt to the time @p new_time.
+  void advance(double dt, double new_time);
+
+  /// The stable step of each kind of spring alone and of all together.
+  std::vector<StepVote> votes() const;
+  double                stable_step_limit() const;
+
+  std::size_t memory_consumption() const;
+
+  World             world;
+  element::Bars     bars;
+  contact::Contacts contacts;
+  load::Loads       loads;
+  PhaseTimer        timer; ///< loads count as time integration
+
+private:
+  /// Books the kinetic energy at full steps.
+  void close_ledger();
+
+  PhaseTimer::Phase internal_force_ = PhaseTimer::rest, integration_ = PhaseTimer::rest,
+                    contact_ = PhaseTimer::rest;
+};
+
+/// The step of a run: the one asked for, if it does not exceed @p safety_factor times the limit
+/// (InputError otherwise, with both numbers); or, when none is asked for, the smaller of that
+/// product and a fortieth of the shortest period.
+StepChoice choose_step(const System &system, const Parameters &parameters);
+} // namespace chaindrive::dynamics

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/mesh/part.h>
+
+#include <string>
+#include <vector>
+
+namespace chaindrive::mesh
+{
+/// The file called @p name: as it is if the path is absolute, else in the first of @p folders that
+/// has it. Throws InputError, with the places looked at, if none has.
+std::string find_file(const std::string &name, const std::vector<std::string> &folders);
+
+/// A sprocket from the Gmsh file @p file (format 2.2 or 4.1, ASCII, lengths in mm).
+///
+/// The file holds hexahedra and a physical surface `tooth flanks`, the whole profile with its tips,
+/// and a physical surface `hub`, where the shaft holds the sprocket; a physical surface `sides` and
+/// physical volumes `rim` (elastic zone) and `hub zone` (rigid zone) may be there. The axis is the
+/// z axis, gap 0 is centred on +x; the mesh is moved along z so that its middle plane is z = 0.
+/// Mass and inertia are those of the mesh.
+///
+/// Throws InputError for a file that is missing, is no Gmsh mesh, has cells other than hexahedra,
+/// inverted cells or no surface of the required names, or whose teeth are elsewhere than those of
+/// @p form: it says where the largest deviation is. A vertex of the flanks may lie up to five
+/// percent of the pitch off the profile of @p form, so that real tooth shapes can be imported.
+Part import_sprocket(const std::string &file, const drive::ToothForm &form, double density);
+} // namespace chaindrive::mesh

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/utilities/rotation.h>
+
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/point.h>
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace chaindrive::output
+{
+/// The hexahedra of a part, made once and drawn for each of its bodies.
+struct PartPatches
+{
+  explicit PartPatches(const dealii::Triangulation<3> &mesh);
+
+  std::vector<dealii::Point<3>>            vertices; ///< in the part's frame [m], mesh's numbering
+  std::vector<std::array<unsigned int, 8>> cells;    ///< vertices of each cell, in VTK's order
+};
+
+/// A body at one instant. A rigid or lumped body follows its frames; an elastic one gives the
+/// displacement and velocity of each vertex (world axes, numbered as PartPatches::vertices).
+struct BodySnapshot
+{
+  const PartPatches   *part;
+  unsigned int         id;
+  int                  kind; ///< number of the kind of part, written as it is
+  Frame                initial;
+  Frame                now;           ///< ignored for an elastic body
+  dealii::Tensor<1, 3> contact_force; ///< resultant on the body [N]
+
+  dealii::ArrayView<const dealii::Tensor<1, 3>> displacement{}; ///< elastic bodies only [m]
+  dealii::ArrayView<const dealii::Tensor<1, 3>> velocity{};     ///< elastic bodies only [m/s]
+};
+
+/// A bar between two joints at one instant.
+struct BarSnapshot
+{
+  unsigned int                        id;
+  std::array<dealii::Point<3>, 2>     position;     ///< of its ends, now [m]
+  std::array<dealii::Tensor<1, 3>, 2> displacement; ///< since the start [m]
+  std::array<dealii::Tensor<1, 3>, 2> velocity;     ///< m/s
+  double                              tension;      ///< N
+};
+
+/// Pictures of the moving chain for ParaView: `bodies.pvd` and, when there are bars, `bars.pvd`,
+/// with one VTU file for each instant in the folder `fields` beside them.
+///
+/// Points lie where they are now and carry displacement and velocity, cells carry the body's
+/// number, the kind of its part and its contact force. Numbers are stored in single precision:
+/// 0.06 micrometres at 1 m. Every failure to write is a RunError; earlier instants stay readable.
+class Fields
+{
+public:
+  /// Makes the folder `fields` in @p directory.
+  explicit Fields(const std::string &directory);
+
+  void write(double                           time,
+             const std::vector<BodySnapshot> &bodies,
+             const std::vector<BarSnapshot>  &bars = {});
+
+private:
+  using Record = std::vector<std::pair<double, std::string>>; // time, file
+
+  const std::string directory_;
+  Record            bodies_, bars_;
+};
+} // namespace chaindrive::output

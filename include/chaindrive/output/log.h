@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <memory>
+#include <ostream>
+#include <string>
+
+namespace chaindrive::output
+{
+/// Where the program speaks: to the console and, once open() has named it, to a log file. What was
+/// said before open() is in the file as well.
+class Log : public std::ostream
+{
+public:
+  /// Without a console (`--quiet`, or a rank other than the first) only the file is written.
+  explicit Log(std::ostream *console);
+  ~Log() override;
+
+  /// Starts the file @p path; RunError when it cannot be written.
+  void open(const std::string &path);
+
+  /// Completes the file; RunError when something said could not be written to it.
+  void close();
+
+  /// A line for the console alone, which takes the place of the last one; it vanishes when
+  /// something else is said. For terminals.
+  void show_status(const std::string &line);
+
+  /// A line for the file alone.
+  void write_to_file(const std::string &line);
+
+private:
+  class Tee;
+  std::unique_ptr<Tee> tee_;
+};
+} // namespace chaindrive::output

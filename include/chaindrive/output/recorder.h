@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/dynamics/time_loop.h>
+#include <chaindrive/output/engagements.h>
+#include <chaindrive/output/fields.h>
+#include <chaindrive/output/histories.h>
+#include <chaindrive/output/progress.h>
+#include <chaindrive/output/spans.h>
+#include <chaindrive/output/summary.h>
+#include <chaindrive/parameters/parameters.h>
+#include <chaindrive/utilities/statistics.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace chaindrive::output
+{
+/// Watches a run: samples histories, writes fields, keeps the means and maxima of the summary.
+/// Means and maxima see every step, samples only theirs.
+class Recorder : public dynamics::Observer
+{
+public:
+  /// Results go to @p directory, which must exist; the hash of the parameters is stored with them.
+  Recorder(const scene::Scene     &scene,
+           const Parameters       &parameters,
+           const dynamics::System &system,
+           const std::string      &directory,
+           const std::string      &parameter_text,
+           PhaseTimer             &timer,
+           Log                    &log);
+
+  void observe(dynamics::System &system, unsigned long step, double dt) override;
+
+  /// Writes what is left and closes the histories.
+  void close();
+
+  /// The numbers of summary.json; their definitions are in doc/output.md.
+  Json summary(const dynamics::System      &system,
+               const dynamics::EnergyGuard &guard,
+               const dynamics::StepChoice  &step,
+               unsigned long                n_steps) const;
+
+private:
+  /// A channel and how to fill its row.
+  struct Source
+  {
+    Histories::Handle                                                        handle;
+    std::function<void(const dynamics::System &, dealii::ArrayView<double>)> fill;
+  };
+  using Fill = decltype(Source::fill);
+
+  /// Normal forces on the teeth of one sprocket, now and their peaks since the last sample, N.
+  struct ToothForces
+  {
+    const contact::Teeth *family;
+    std::string           name;
+    std::vector<double>   roller, roller_peak; ///< per joint
+    std::vector<double>   gap, gap_peak;       ///< per gap of the sprocket
+  };
+
+  /// The same of one kind of joint contact.
+  struct BoreForces
+  {
+    const contact::Family *family;
+    std::vector<double>    joint, peak;
+  };
+
+  void add_channels();
+  void add_hub_channels();
+  void add_roller_channels();
+  void add_link_channels();
+  void add_tooth_channels();
+  void add_energy_channels();
+  void add(const Channel &channel, Fill fill);
+
+  void keep_peaks(const dynamics::System &system);
+  void keep_means(const dynamics::System &system, double dt);
+  void sample(dynamics::System &system);
+  void write_fields(const dynamics::System &system);
+
+  const scene::Scene &scene_;
+  const Parameters   &parameters_;
+  PhaseTimer::Phase   phase_;
+
+  Histories                          histories_;
+  std::vector<Source>                sources_;
+  std::unique_ptr<Fields>            fields_;
+  std::map<scene::Kind, PartPatches> patches_;
+  std::unique_ptr<Progress>          progress_; ///< until close()
+
+  Spans       spans_;
+  Engagements engagements_;
+
+  std::vector<unsigned int> rollers_; ///< chosen for the histories
+  std::vector<ToothForces>  teeth_;
+  std::vector<BoreForces>   bores_;
+  std::vector<double>       acceleration_; ///< of all bodies at the present sample
+  std::vector<double>       link_peak_;    ///< N
+
+  WindowMean driven_speed_, driver_torque_, tight_tension_, slack_tension_, span_speed_;
+  double     tight_tension_start_ = 0.;
+
+  unsigned long next_sample_ = 0, next_field_ = 0;
+};
+} // namespace chaindrive::output

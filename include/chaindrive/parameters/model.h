@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <optional>
+#include <string>
+
+namespace chaindrive::parameters
+{
+/// Section `Model`: which bodies there are, how they move, what they weigh and how stiff they are.
+struct Model
+{
+  std::string           fidelity = "simple"; ///< simple | layered
+  std::optional<double> mass_per_pitch;      ///< kg, of the whole chain per pitch
+  std::optional<double> stiffness_per_pitch; ///< N/m, of the chain in a pull test, per pitch
+  std::optional<double> driven_inertia;      ///< kg m2, of all that turns with the driven hub
+  double                chain_damping_ratio = 0.01; ///< of two lumps on their bar, simple only
+
+  /// Declares an entry for each member, which takes every value that is set. The object must
+  /// outlive @p prm.
+  void declare(dealii::ParameterHandler &prm);
+};
+
+/// Section `Material`: linear elastic, isotropic, the same for every part.
+struct Material
+{
+  double youngs_modulus = 210e9; ///< Pa
+  double poissons_ratio = 0.3;
+  double density        = 7600.; ///< kg/m3
+
+  /// Declares an entry for each member, which takes every value that is set. The object must
+  /// outlive @p prm.
+  void declare(dealii::ParameterHandler &prm);
+};
+
+/// Section `Mesh`: of the parts' reference meshes.
+struct Mesh
+{
+  unsigned int refinement = 0; ///< 0 (coarse, for pictures) ... 4
+
+  /// Declares an entry for each member, which takes every value that is set. The object must
+  /// outlive @p prm.
+  void declare(dealii::ParameterHandler &prm);
+};
+} // namespace chaindrive::parameters

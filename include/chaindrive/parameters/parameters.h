@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/parameters/contact.h>
+#include <chaindrive/parameters/drive.h>
+#include <chaindrive/parameters/loads.h>
+#include <chaindrive/parameters/model.h>
+#include <chaindrive/parameters/run.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace chaindrive
+{
+/// Everything a .prm file says, in SI units, one member per section.
+struct Parameters
+{
+  parameters::Drive    drive;
+  parameters::Model    model;
+  parameters::Material material;
+  parameters::Mesh     mesh;
+  parameters::Contact  contact;
+  parameters::Effects  effects;
+  parameters::Loads    loads;
+  parameters::Time     time;
+  parameters::Output   output;
+
+  /// Declares an entry for each member, which takes every value that is set. The object must
+  /// outlive @p prm.
+  void declare(dealii::ParameterHandler &prm);
+};
+} // namespace chaindrive

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/parameters/parameters.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace chaindrive::parameters
+{
+/// What was read: the parameters, and what is to be said about them.
+struct Input
+{
+  Parameters               parameters;
+  std::vector<std::string> notes;    ///< harmless oddities, a sentence each, for the log
+  std::string              resolved; ///< every entry with its value, as a .prm file
+};
+
+/// Reads the .prm file @p file, then applies @p overrides ("Section/Entry=value", such as
+/// "Drive/Layout/Slack in mm=1") in their order, then checks across sections.
+///
+/// Throws InputError with a sentence for every mistake found, one per line: a file that cannot be
+/// read, a name that does not exist (with its line and the nearest valid name), a value that is not
+/// allowed (with what is), and contradictions.
+Input read_parameters(const std::string &file, const std::vector<std::string> &overrides = {});
+
+/// Writes a .prm file with every entry at its default, each with its meaning and allowed values.
+void write_template(std::ostream &out);
+
+/// The reference of all entries in Markdown: doc/parameters.md.
+std::string parameter_documentation();
+} // namespace chaindrive::parameters

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace chaindrive::parameters
+{
+/// Section `Time`.
+struct Time
+{
+  double                start = 0.;           ///< s
+  double                end   = 30e-3;        ///< s
+  std::optional<double> step;                 ///< s; auto: from accuracy and the stable step
+  double                safety_factor = 0.9;  ///< largest accepted step / stable step
+  double                energy_limit  = 0.05; ///< imbalance / drive work at which a run stops
+
+  /// Declares an entry for each member, which takes every value that is set. The object must
+  /// outlive @p prm.
+  void declare(dealii::ParameterHandler &prm);
+};
+
+/// Section `Output`.
+struct Output
+{
+  std::string               directory;                ///< empty: results/<name of the .prm file>
+  double                    history_interval = 20e-6; ///< s
+  double                    field_interval   = 1e-3;  ///< s; 0 writes no fields
+  std::vector<unsigned int> rollers;                  ///< chosen rollers; empty: all
+  bool                      csv          = false;     ///< histories as CSV beside HDF5
+  double                    window_start = 10e-3;     ///< s, of the averages in summary.json
+  std::optional<double>     window_end;               ///< s; auto: the end of the run
+
+  /// Declares an entry for each member, which takes every value that is set. The object must
+  /// outlive @p prm.
+  void declare(dealii::ParameterHandler &prm);
+};
+} // namespace chaindrive::parameters

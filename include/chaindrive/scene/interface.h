@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/base/point.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace chaindrive::drive
+{
+struct ToothForm;
+}
+
+namespace chaindrive::mesh
+{
+class FacetSurface;
+}
+
+namespace chaindrive::scene
+{
+/// Penalty and friction law of one slave point on one master surface.
+struct Law
+{
+  double stiffness            = 0.; ///< N/m, normal penalty
+  double damping              = 0.; ///< N s/m, acts while the surfaces overlap
+  double friction             = 0.; ///< Coulomb's coefficient
+  double tangential_stiffness = 0.; ///< N/m, of the sticking contact
+  double tangential_damping   = 0.; ///< N s/m, of the sticking contact
+
+  /// The law of one of @p n equal points that share this interface's stiffness.
+  Law shared_by(const unsigned int n) const
+  {
+    return {stiffness / n, damping / n, friction, tangential_stiffness / n, tangential_damping / n};
+  }
+};
+
+/// A point of a body's axis that carries a radius: the slave side of a rigid cylinder.
+struct SlavePoint
+{
+  unsigned int     body;
+  dealii::Point<3> point;  ///< in the body's frame, m
+  double           radius; ///< m; 0 for a mesh node
+  unsigned int     joint;  ///< joint of the chain it belongs to
+};
+
+/// A slave point inside a cylindrical bore of a master body; the bore's axis is the body's z axis.
+struct BorePair
+{
+  unsigned int     master;
+  dealii::Point<3> axis;   ///< a point of the bore's axis in the master's frame, m
+  double           radius; ///< of the bore, m
+  SlavePoint       slave;
+};
+
+/// All bores of one kind in the scene: roller-bush or bush-pin.
+struct BoreFamily
+{
+  std::string           name;
+  Law                   law;
+  std::vector<BorePair> pairs;
+};
+
+/// The flanks of one sprocket and every roller that could ever meet them.
+struct ToothFamily
+{
+  std::string                               name;
+  unsigned int                              sprocket; ///< master body
+  std::shared_ptr<const drive::ToothForm>   form;     ///< exact arcs
+  std::shared_ptr<const mesh::FacetSurface> facets;   ///< of an imported mesh; null: the arcs rule
+  unsigned int                              teeth;    ///< of the sprocket
+  double                                    outer_radius; ///< of the sprocket, m
+  double                                    half_width;   ///< of the sprocket, m
+  Law                                       law;
+  bool                                      rolls_freely; ///< lumped rollers: slip of their centre
+  std::vector<SlavePoint>                   slaves;
+};
+
+/// A massless elastic bar between the centres of two bodies.
+struct Bar
+{
+  unsigned int first, second;
+  double       length;    ///< unloaded, m
+  double       stiffness; ///< N/m
+  double       damping;   ///< N s/m
+};
+} // namespace chaindrive::scene

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/parameters/parameters.h>
+#include <chaindrive/scene/effects.h>
+#include <chaindrive/scene/interface.h>
+#include <chaindrive/utilities/rotation.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace chaindrive::mesh
+{
+struct Part;
+}
+
+namespace chaindrive::scene
+{
+/// What a body is; pictures and histories tell bodies apart by it.
+enum class Kind
+{
+  roller,
+  inner_link,
+  outer_link,
+  driver,
+  driven
+};
+
+/// How a body may move.
+enum class Motion
+{
+  lumped, ///< three translations of a rigid shape
+  rigid   ///< six degrees of freedom
+};
+
+/// What holds a body.
+enum class Support
+{
+  none,           ///< free in space
+  prescribed_hub, ///< turns about z through its origin as the speed program says
+  loaded_hub      ///< turns about z through its origin under contact forces and the load torque
+};
+
+/// One instance of a part, placed in the world.
+struct Body
+{
+  Kind                 kind;
+  unsigned int         number; ///< of the roller's joint or of the link; 0 for sprockets
+  Motion               motion;
+  Support              support;
+  double               mass;    ///< kg
+  dealii::Tensor<1, 3> inertia; ///< principal moments about the body's axes, kg m2
+  Frame                initial; ///< at the start time
+};
+
+/// Who is there, what touches what, what pulls: a pure description, from which a World is made.
+struct Scene
+{
+  std::vector<Body>        bodies; ///< rollers first (in joint order), then links, then sprockets
+  std::vector<Bar>         bars;   ///< simple fidelity: bar k joins rollers k and k+1
+  std::vector<BoreFamily>  bores;
+  std::vector<ToothFamily> teeth;
+  parameters::Loads        loads;     ///< with the coefficients of effects that are off set to zero
+  double torque_angle_offset = 0.;    ///< rad by which the load torque's ramp is ahead
+  double start_time          = 0.;    ///< s
+  double prestress           = 0.;    ///< N, in the spans at the start
+  bool   at_speed            = false; ///< the drive starts at full speed
+  int    sense               = 1;     ///< +1: counter-clockwise drive
+  std::map<Kind, std::shared_ptr<const mesh::Part>> parts; ///< those that pictures or contact need
+  std::vector<Effect>                               effects;
+  std::vector<std::string> notes; ///< what the log must say about choices made
+
+  std::vector<char>    seated; ///< per joint: it starts on a sprocket, not in a span
+  unsigned int         n_joints        = 0;
+  unsigned int         driver          = 0; ///< body numbers of the sprockets
+  unsigned int         driven          = 0;
+  unsigned int         driver_teeth    = 0;
+  unsigned int         driven_teeth    = 0;
+  double               centre_distance = 0.;     ///< m
+  double               pitch           = 0.;     ///< loaded, mean, m
+  dealii::Tensor<1, 3> span_direction;           ///< of travel of the tight span, unit
+  dealii::Tensor<1, 3> span_normal;              ///< outward, unit
+  double               mass_per_pitch      = 0.; ///< kg
+  double               stiffness_per_pitch = 0.; ///< N/m
+
+  /// Kinetic energy of the chain at the full speed of the drive, J: the scale of all energies.
+  double nominal_energy() const;
+};
+} // namespace chaindrive::scene

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace chaindrive
+{
+/// Time-weighted mean of a quantity over the window [start, end].
+class WindowMean
+{
+public:
+  WindowMean(const double start, const double end) : start_(start), end_(end) {}
+
+  /// The quantity is @p value from @p time to @p time + @p duration; only the part of this interval
+  /// that lies in the window counts.
+  void add(const double time, const double duration, const double value)
+  {
+    const double inside = std::min(time + duration, end_) - std::max(time, start_);
+    if (inside > 0.)
+      {
+        weight_ += inside;
+        sum_ += inside * value;
+      }
+  }
+
+  /// Not a number when nothing fell into the window.
+  double mean() const { return weight_ > 0. ? sum_ / weight_ : std::nan(""); }
+
+  /// The part of the window seen so far [s].
+  double duration() const { return weight_; }
+
+private:
+  double start_, end_;
+  double weight_ = 0., sum_ = 0.;
+};
+
+/// The largest value since it was last taken: what a sample would miss between two instants.
+class PeakHold
+{
+public:
+  void add(const double value) { peak_ = std::max(peak_, value); }
+
+  /// The largest value since the last call, or since the start; minus infinity when there was none.
+  double take() { return std::exchange(peak_, -std::numeric_limits<double>::infinity()); }
+
+  double peak() const { return peak_; }
+
+private:
+  double peak_ = -std::numeric_limits<double>::infinity();
+};
+} // namespace chaindrive

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace chaindrive
+{
+/// @p value with at most @p digits significant digits and no trailing zeros, for messages and logs.
+std::string to_text(double value, int digits = 6);
+
+/// The member of @p candidates with the smallest edit distance to @p name, upper and lower case
+/// counted as equal; empty when nothing is closer than half the length of @p name.
+std::string nearest_name(const std::string &name, const std::vector<std::string> &candidates);
+} // namespace chaindrive

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+namespace chaindrive
+{
+/// The program's version, set in the top-level CMakeLists.txt.
+inline constexpr const char *version = CHAINDRIVE_VERSION;
+} // namespace chaindrive

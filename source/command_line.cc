@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/command_line.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+#include <chaindrive/version.h>
+
+#include <deal.II/base/config.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <boost/program_options.hpp>
+
+#include <sstream>
+
+namespace chaindrive
+{
+namespace
+{
+namespace options = boost::program_options;
+
+options::options_description visible_options(CommandLine &c)
+{
+  options::options_description visible(/*line_length=*/100);
+  const auto                   add = [&](const char *name, bool &flag, const char *meaning) {
+    visible.add_options()(name, options::bool_switch(&flag), meaning);
+  };
+  visible.add_options()("set",
+                        options::value(&c.overrides)->value_name("\"SECTION/ENTRY=VALUE\""),
+                        "override an entry of the file; may be repeated");
+  visible.add_options()("output",
+                        options::value(&c.output_directory)->value_name("DIRECTORY"),
+                        "write the results there");
+  add("plan", c.plan, "print what would be computed and what it costs, and stop");
+  add("quiet", c.quiet, "print warnings and errors only");
+  add("write-parameters", c.write_parameters, "print a commented template of FILE.prm");
+  add("write-documentation",
+      c.write_documentation,
+      "print the reference of all entries (Markdown)");
+  add("version", c.version, "print versions, SIMD and MPI facts");
+  add("help", c.help, "print this text");
+  return visible;
+}
+
+std::vector<std::string> long_names(const options::options_description &description)
+{
+  std::vector<std::string> names;
+  for (const auto &option : description.options())
+    names.push_back("--" + option->long_name());
+  return names;
+}
+
+/// The widest vector instructions of this processor that a compiler of today would use.
+std::string processor_simd()
+{
+#if defined(__x86_64__) || defined(__i386__)
+  if (__builtin_cpu_supports("avx512f"))
+    return "AVX-512, 512 bits";
+  if (__builtin_cpu_supports("avx2"))
+    return "AVX2, 256 bits";
+  if (__builtin_cpu_supports("avx"))
+    return "AVX, 256 bits";
+  if (__builtin_cpu_supports("sse2"))
+    return "SSE2, 128 bits";
+  return "none";
+#elif defined(__aarch64__)
+  return "NEON, 128 bits";
+#else
+  return "not known for this processor";
+#endif
+}
+} // namespace
+
+CommandLine parse_command_line(const int argc, const char *const *const argv)
+{
+  CommandLine                  c;
+  std::vector<std::string>     files;
+  options::options_description visible = visible_options(c), all;
+  all.add(visible);
+  bool short_help = false;
+  all.add_options()("file", options::value(&files));
+  all.add_options()(",h", options::bool_switch(&short_help));
+  options::positional_options_description positional;
+  positional.add("file", -1);
+
+  namespace style = options::command_line_style;
+  try
+    {
+      options::variables_map values;
+      options::store(options::command_line_parser(argc, argv)
+                         .options(all)
+                         .positional(positional)
+                         .style(style::unix_style & ~style::allow_guessing)
+                         .run(),
+                     values);
+      options::notify(values);
+    }
+  catch (const options::unknown_option &error)
+    {
+      const std::string name    = error.get_option_name();
+      const std::string nearest = nearest_name(name, long_names(visible));
+      throw InputError("There is no option " + name + ". " +
+                       (nearest.empty() ? "chaindrive --help lists the options." :
+                                          "Did you mean " + nearest + "?"));
+    }
+  catch (const options::multiple_occurrences &error)
+    {
+      throw InputError("The option " + error.get_option_name() + " may be given only once.");
+    }
+  catch (const options::invalid_command_line_syntax &error)
+    {
+      const bool missing =
+          error.kind() == options::invalid_command_line_syntax::missing_parameter ||
+          error.kind() == options::invalid_command_line_syntax::empty_adjacent_parameter;
+      throw InputError("The option " + error.get_option_name() +
+                       (missing ? " needs a value after it." : " takes no value."));
+    }
+  catch (const options::error &)
+    {
+      throw InputError("The options are not understood. chaindrive --help lists them.");
+    }
+
+  c.help = c.help || short_help;
+  if (files.size() > 1)
+    throw InputError("One run takes one parameter file, but there are '" + files[0] + "' and '" +
+                     files[1] +
+                     "'. An override needs --set before it, and quotes if it contains "
+                     "blanks.");
+  if (!files.empty())
+    c.parameter_file = files.front();
+  else if (!(c.help || c.version || c.write_parameters || c.write_documentation))
+    throw InputError(
+        "Which drive? Name a parameter file: chaindrive FILE.prm. chaindrive --help says "
+        "more.");
+  return c;
+}
+
+std::string help_text()
+{
+  CommandLine        defaults;
+  std::ostringstream out;
+  out << "usage: chaindrive FILE.prm [OPTION]...\n\n"
+         "Simulates the roller chain drive that FILE.prm describes.\n\n"
+      << visible_options(defaults)
+      << "\nExample: chaindrive prm/paper/simple.prm --set \"Contact/Friction coefficient=0.2\"\n";
+  return out.str();
+}
+
+std::string version_text()
+{
+  std::ostringstream out;
+  out << "chaindrive " << version << '\n'
+      << "deal.II    " << DEAL_II_PACKAGE_VERSION << ", vectorization "
+      << (DEAL_II_VECTORIZATION_WIDTH_IN_BITS == 0 ?
+              std::string("disabled") :
+              std::to_string(DEAL_II_VECTORIZATION_WIDTH_IN_BITS) + " bits")
+      << '\n'
+      << "processor  " << processor_simd() << '\n'
+      << "MPI ranks  "
+      << (dealii::Utilities::MPI::job_supports_mpi() ?
+              dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) :
+              1)
+      << '\n';
+  return out.str();
+}
+} // namespace chaindrive

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/contacts.h>
+#include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace chaindrive::contact
+{
+Contacts::Contacts(const scene::Scene &scene, const bool search_every_step)
+    : every_step_(search_every_step)
+{
+  double smallest_radius = std::numeric_limits<double>::max();
+  for (const scene::ToothFamily &teeth : scene.teeth)
+    {
+      families_.push_back(std::make_unique<Teeth>(teeth));
+      for (const scene::SlavePoint &slave : teeth.slaves)
+        if (slave.radius > 0.)
+          smallest_radius = std::min(smallest_radius, slave.radius);
+    }
+  for (const scene::BoreFamily &bores : scene.bores)
+    families_.push_back(std::make_unique<Bores>(bores));
+
+  for (const auto &family : families_)
+    needs_search_ = needs_search_ || family->needs_search();
+  reach_ = needs_search_ ? smallest_radius : 0.; // larger: fewer searches but longer lists
+}
+
+void Contacts::search_if_due(const World &world, const double dt)
+{
+  double largest = 0.;
+  if (!every_step_)
+    for (const Frame &frame : world.frames)
+      largest = std::max(largest, frame.velocity.norm_square());
+  approach_ += 2. * std::sqrt(largest) * dt;
+
+  if (!searched_ || every_step_ || approach_ >= reach_)
+    {
+      for (const auto &family : families_)
+        family->search(world, reach_);
+      approach_ = 0.;
+      searched_ = true;
+      ++statistics_.searches;
+    }
+  ++statistics_.evaluations;
+}
+
+void Contacts::add_forces(World &world, const double dt)
+{
+  if (needs_search_)
+    search_if_due(world, dt);
+  for (const auto &family : families_)
+    family->add_forces(world, dt);
+}
+
+void Contacts::add_springs(const World &world, std::vector<Spring> &springs) const
+{
+  for (const auto &family : families_)
+    family->add_springs(world, springs);
+}
+
+void Contacts::refuse_overlap(World &world, const double prestress)
+{
+  constexpr double tolerance = 1e-9;
+  add_forces(world, 0.);
+  const Record *worst = nullptr;
+  std::string   where;
+  for (const auto &family : families_)
+    for (const Record &record : family->records())
+      if (record.gap < -tolerance && record.force.norm() > 1.01 * prestress &&
+          (worst == nullptr || record.gap < worst->gap))
+        {
+          worst = &record;
+          where = family->name();
+        }
+  if (worst != nullptr)
+    throw InputError("The bodies overlap at the start: interface " + where + ", joint " +
+                     std::to_string(worst->joint) + ", by " + to_text(-worst->gap * 1e3) +
+                     " mm, where at most 1e-06 mm is accepted. Choose clearances, pitch set and "
+                     "tooth form so that the chain fits the sprockets.");
+}
+
+void Contacts::clear_peaks()
+{
+  for (const auto &family : families_)
+    family->clear_peaks();
+}
+
+const Family *Contacts::find(const std::string &name) const
+{
+  for (const auto &family : families_)
+    if (family->name() == name)
+      return family.get();
+  return nullptr;
+}
+
+std::size_t Contacts::memory_consumption() const
+{
+  std::size_t bytes = 0;
+  for (const auto &family : families_)
+    bytes += family->memory_consumption();
+  return bytes;
+}
+} // namespace chaindrive::contact

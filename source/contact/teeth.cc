@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/family.h>
+#include <chaindrive/drive/tooth_form.h>
+#include <chaindrive/mesh/facet_surface.h>
+
+#include <deal.II/base/numbers.h>
+
+namespace chaindrive::contact
+{
+namespace
+{
+/// The gap between two teeth that the point @p p of the sprocket's frame is nearest to.
+unsigned int gap_of(const dealii::Tensor<1, 3> &p, const unsigned int teeth)
+{
+  const double gaps = std::atan2(p[1], p[0]) * teeth / (2. * dealii::numbers::PI);
+  return (static_cast<int>(std::lround(gaps)) + teeth) % teeth;
+}
+
+/// A slave of radius r over the flanks of a sprocket: gap = distance of its centre - r. A slave
+/// outside the sprocket's width touches nothing. @p hint is the facet found last time, if any.
+Touch touch_tooth(const scene::ToothFamily &family,
+                  const scene::SlavePoint  &point,
+                  const Frame              &master,
+                  const Frame              &slave,
+                  unsigned int             &hint)
+{
+  const dealii::Tensor<1, 3> centre = to_world(slave, point.point);
+  const dealii::Tensor<1, 3> local =
+      dealii::transpose(master.rotation) * (centre - master.position);
+
+  Touch touch;
+  if (std::abs(local[2]) > family.half_width)
+    return touch;
+  dealii::Tensor<1, 3> normal;
+  if (family.facets)
+    {
+      const auto nearest =
+          family.facets->closest_point(dealii::Point<3>(local), 2. * point.radius, hint);
+      if (!nearest.found)
+        return touch;
+      touch.gap = nearest.distance - point.radius;
+      normal    = nearest.normal;
+      hint      = nearest.facet;
+      if (touch.gap < 0.)
+        touch.feature = gap_of(local, family.teeth);
+    }
+  else
+    {
+      const auto nearest = family.form->closest_point(dealii::Point<2>(local[0], local[1]));
+      touch.gap          = nearest.distance - point.radius;
+      normal[0]          = nearest.normal[0];
+      normal[1]          = nearest.normal[1];
+      touch.feature      = nearest.gap;
+    }
+  if (touch.gap < 0.)
+    {
+      touch.normal = master.rotation * normal;
+      touch.point  = family.rolls_freely ? centre : centre - point.radius * touch.normal;
+      set_tangents(touch, master);
+    }
+  return touch;
+}
+} // namespace
+
+Teeth::Teeth(const scene::ToothFamily &scene) : Family(scene.name, scene.law), scene_(scene)
+{
+  for (const scene::SlavePoint &slave : scene_.slaves)
+    records_.push_back({scene_.sprocket,
+                        slave.body,
+                        slave.joint,
+                        std::numeric_limits<double>::max(),
+                        {},
+                        0,
+                        {},
+                        0.,
+                        0.});
+  states_.resize(records_.size());
+  hints_.assign(records_.size(), mesh::Projection::no_facet);
+}
+
+void Teeth::search(const World &world, const double reach)
+{
+  near_.clear();
+  const Frame &sprocket = world.frames[scene_.sprocket];
+  for (unsigned int i = 0; i < scene_.slaves.size(); ++i)
+    {
+      const scene::SlavePoint &slave = scene_.slaves[i];
+      const double             distance =
+          (to_world(world.frames[slave.body], slave.point) - sprocket.position).norm();
+      if (distance < scene_.outer_radius + slave.radius + reach)
+        near_.push_back(i);
+      else
+        records_[i].gap = std::numeric_limits<double>::max();
+    }
+}
+
+void Teeth::add_forces(World &world, const double dt)
+{
+  const Frame &sprocket = world.frames[scene_.sprocket];
+  for (const unsigned int i : near_)
+    apply(world,
+          i,
+          touch_tooth(
+              scene_, scene_.slaves[i], sprocket, world.frames[scene_.slaves[i].body], hints_[i]),
+          dt);
+}
+
+void Teeth::add_springs(const World &world, std::vector<Spring> &springs) const
+{
+  const Frame &sprocket = world.frames[scene_.sprocket];
+  for (const unsigned int i : near_)
+    {
+      const scene::SlavePoint &slave  = scene_.slaves[i];
+      const Frame             &frame  = world.frames[slave.body];
+      dealii::Tensor<1, 3>     centre = to_world(frame, slave.point);
+      dealii::Tensor<1, 3>     normal = centre - sprocket.position;
+      normal -= (normal * axis_of(sprocket, 2)) * axis_of(sprocket, 2);
+      normal /= normal.norm();
+      // the coupling of spin and slip is the same wherever on its circumference a roller touches
+      add_closed(
+          world, i, normal, scene_.rolls_freely ? centre : centre - slave.radius * normal, springs);
+    }
+}
+} // namespace chaindrive::contact

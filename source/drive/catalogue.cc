@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/catalogue.h>
+
+#include <array>
+
+namespace chaindrive::drive
+{
+namespace
+{
+constexpr double mm = 1e-3, kN = 1e3;
+
+/// ANSI/ASME B29.1: plate heights are at most 0.95 and 0.82 of the pitch.
+CatalogueChain ansi(const std::string &designation,
+                    const double       p,
+                    const double       d1,
+                    const double       b1,
+                    const double       d2,
+                    const double       t,
+                    const double       strength,
+                    const double       mass,
+                    const bool         has_rollers = true)
+{
+  return {designation,
+          p * mm,
+          d1 * mm,
+          b1 * mm,
+          d2 * mm,
+          0.95 * p * mm,
+          0.82 * p * mm,
+          t * mm,
+          t * mm,
+          strength * kN,
+          mass,
+          has_rollers};
+}
+
+CatalogueChain iso_a(const std::string &designation,
+                     const double       p,
+                     const double       d1,
+                     const double       b1,
+                     const double       d2,
+                     const double       h2,
+                     const double       ansi_t,
+                     const bool         has_rollers = true)
+{
+  return {designation,
+          p * mm,
+          d1 * mm,
+          b1 * mm,
+          d2 * mm,
+          h2 * mm,
+          0.82 * p * mm,
+          ansi_t * mm,
+          ansi_t * mm,
+          0.,
+          0.,
+          has_rollers};
+}
+
+CatalogueChain iso_b(const std::string &designation,
+                     const double       p,
+                     const double       b1,
+                     const double       d1,
+                     const double       d2,
+                     const double       h2,
+                     const double       h3,
+                     const double       t_inner,
+                     const double       t_outer,
+                     const double       strength,
+                     const double       mass)
+{
+  return {designation,
+          p * mm,
+          d1 * mm,
+          b1 * mm,
+          d2 * mm,
+          h2 * mm,
+          h3 * mm,
+          t_inner * mm,
+          t_outer * mm,
+          strength * kN,
+          mass};
+}
+
+CatalogueChain
+motorcycle(const std::string &designation, const double p, const double d1, const double b1)
+{
+  return {designation, p * mm, d1 * mm, b1 * mm, 0., 0., 0., 0., 0., 0., 0.};
+}
+} // namespace
+
+const std::vector<CatalogueChain> &ansi_chains()
+{
+  static const std::vector<CatalogueChain> rows = {
+      ansi("25", 6.350, 3.30, 3.18, 2.30, 0.76, 3.47, 0.125, false),
+      ansi("35", 9.525, 5.08, 4.78, 3.58, 1.27, 7.83, 0.313, false),
+      ansi("41", 12.70, 7.77, 6.35, 3.58, 1.27, 6.67, 0.417),
+      ansi("40", 12.70, 7.92, 7.92, 3.96, 1.52, 13.9, 0.610),
+      ansi("50", 15.875, 10.16, 9.53, 5.08, 2.03, 21.7, 1.012),
+      ansi("60", 19.05, 11.91, 12.70, 5.94, 2.39, 31.3, 1.488),
+      ansi("80", 25.40, 15.88, 15.88, 7.92, 3.18, 55.6, 2.515),
+      ansi("100", 31.75, 19.05, 19.05, 9.53, 3.96, 86.9, 3.706),
+      ansi("120", 38.10, 22.23, 25.40, 11.10, 4.75, 125.1, 5.462),
+      ansi("140", 44.45, 25.40, 25.40, 12.70, 5.56, 170.3, 7.337),
+      ansi("160", 50.80, 28.58, 31.75, 14.27, 6.35, 222.4, 9.569),
+      ansi("180", 57.15, 35.71, 35.71, 17.45, 7.14, 281.5, 12.95),
+      ansi("200", 63.50, 39.67, 38.10, 19.84, 7.92, 347.5, 15.64),
+      ansi("240", 76.20, 47.63, 47.63, 23.80, 9.53, 500.4, 25.15)};
+  return rows;
+}
+
+const std::vector<CatalogueChain> &iso_a_chains()
+{
+  static const std::vector<CatalogueChain> rows = {
+      iso_a("04C", 6.350, 3.30, 3.10, 2.31, 6.02, 0.76, false),
+      iso_a("06C", 9.525, 5.08, 4.68, 3.60, 9.05, 1.27, false),
+      iso_a("085", 12.70, 7.77, 6.25, 3.60, 9.91, 1.27),
+      iso_a("08A", 12.70, 7.92, 7.85, 3.98, 12.07, 1.52),
+      iso_a("10A", 15.875, 10.16, 9.40, 5.09, 15.09, 2.03),
+      iso_a("12A", 19.05, 11.91, 12.57, 5.96, 18.10, 2.39),
+      iso_a("16A", 25.40, 15.88, 15.75, 7.94, 24.13, 3.18),
+      iso_a("20A", 31.75, 19.05, 18.90, 9.54, 30.17, 3.96),
+      iso_a("24A", 38.10, 22.23, 25.22, 11.11, 36.20, 4.75),
+      iso_a("28A", 44.45, 25.40, 25.22, 12.71, 42.23, 5.56),
+      iso_a("32A", 50.80, 28.58, 31.55, 14.29, 48.26, 6.35),
+      iso_a("36A", 57.15, 35.71, 35.48, 17.46, 54.30, 7.14),
+      iso_a("40A", 63.50, 39.67, 37.85, 19.85, 60.33, 7.92),
+      iso_a("48A", 76.20, 47.63, 47.35, 23.81, 72.39, 9.53)};
+  return rows;
+}
+
+const std::vector<CatalogueChain> &iso_b_chains()
+{
+  static const std::vector<CatalogueChain> rows = {
+      iso_b("05B", 8.00, 3.00, 5.00, 2.31, 7.11, 7.11, 0.75, 0.75, 4.4, 0.18),
+      iso_b("06B", 9.525, 5.72, 6.35, 3.28, 8.26, 8.26, 1.30, 1.00, 8.9, 0.41),
+      iso_b("08B", 12.70, 7.75, 8.51, 4.45, 11.81, 10.92, 1.60, 1.60, 17.8, 0.70),
+      iso_b("10B", 15.875, 9.65, 10.16, 5.08, 14.73, 13.72, 1.70, 1.70, 22.2, 0.95),
+      iso_b("12B", 19.05, 11.68, 12.07, 5.72, 16.13, 16.13, 1.85, 1.85, 28.9, 1.25),
+      iso_b("16B", 25.40, 17.02, 15.88, 8.28, 21.08, 21.08, 4.15, 3.10, 60.0, 2.70),
+      iso_b("20B", 31.75, 19.56, 19.05, 10.19, 26.42, 26.42, 4.50, 3.50, 95.0, 3.60),
+      iso_b("24B", 38.10, 25.40, 25.40, 14.63, 33.40, 33.40, 6.00, 4.80, 160., 6.70),
+      iso_b("28B", 44.45, 30.99, 27.94, 15.90, 37.08, 37.08, 7.50, 6.00, 200., 8.30),
+      iso_b("32B", 50.80, 30.99, 29.21, 17.81, 42.29, 42.29, 7.00, 6.00, 250., 10.5),
+      iso_b("40B", 63.50, 38.10, 39.37, 22.89, 52.96, 52.96, 8.50, 8.00, 355., 16.0),
+      iso_b("48B", 76.20, 45.72, 48.26, 29.24, 63.88, 63.88, 12.0, 10.0, 560., 25.0)};
+  return rows;
+}
+
+const std::vector<CatalogueChain> &motorcycle_chains()
+{
+  static const std::vector<CatalogueChain> rows = [] {
+    std::vector<CatalogueChain> chains = {motorcycle("420", 12.70, 7.77, 6.35),
+                                          motorcycle("428", 12.70, 8.51, 7.94),
+                                          motorcycle("520", 15.875, 10.16, 6.35),
+                                          motorcycle("525", 15.875, 10.16, 7.94),
+                                          motorcycle("530", 15.875, 10.16, 9.53),
+                                          motorcycle("532", 15.875, 11.10, 9.53),
+                                          motorcycle("630", 19.05, 11.91, 9.53)};
+    // Table 2 of Zheng et al.; plates of the heights of a 10A, which has the same pitch and roller
+    CatalogueChain &chain_525       = chains[3];
+    chain_525.pin_diameter          = 5.24 * mm;
+    chain_525.inner_plate_height    = 15.09 * mm;
+    chain_525.outer_plate_height    = 13.02 * mm;
+    chain_525.inner_plate_thickness = 2.0 * mm;
+    chain_525.outer_plate_thickness = 2.0 * mm;
+    return chains;
+  }();
+  return rows;
+}
+
+namespace
+{
+std::array<const std::vector<CatalogueChain> *, 4> tables()
+{
+  return {{&ansi_chains(), &iso_a_chains(), &iso_b_chains(), &motorcycle_chains()}};
+}
+} // namespace
+
+const CatalogueChain *find_chain(const std::string &designation)
+{
+  for (const auto *table : tables())
+    for (const CatalogueChain &chain : *table)
+      if (chain.designation == designation)
+        return &chain;
+  return nullptr;
+}
+
+std::vector<std::string> chain_designations()
+{
+  std::vector<std::string> names;
+  for (const auto *table : tables())
+    for (const CatalogueChain &chain : *table)
+      names.push_back(chain.designation);
+  return names;
+}
+} // namespace chaindrive::drive

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/centre_distance.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <cmath>
+
+namespace chaindrive::drive
+{
+namespace
+{
+using Target = Fitter::Target;
+
+std::string in_mm(const double length) { return to_text(length * 1e3, 7) + " mm"; }
+
+Target wanted(const parameters::Layout &layout)
+{
+  if (layout.centre_distance_from == "slack")
+    return {Target::Kind::slack, layout.slack};
+  if (layout.centre_distance_from == "sag")
+    return {Target::Kind::sag, layout.sag};
+  return {Target::Kind::slack, 0.}; // pre-tension: the link lengths hold the stretch
+}
+} // namespace
+
+std::string advised_links(const Fitter &fitter, const double missing, const bool even)
+{
+  const double wanted = fitter.n_links + missing / fitter.mean_length();
+  const double step   = even ? 2. : 1.;
+  return std::to_string(static_cast<long>(
+      step * (missing > 0. ? std::ceil(wanted / step - 1e-9) : std::floor(wanted / step + 1e-9))));
+}
+
+Proposal propose(const Fitter             &fitter,
+                 const parameters::Layout &layout,
+                 const double              least_distance,
+                 const bool                even)
+{
+  const std::string the_chain = "A chain of " + std::to_string(fitter.n_links) + " links";
+  const double      given     = layout.centre_distance;
+  const bool        is_given  = layout.centre_distance_from == "given";
+  if (is_given && given <= least_distance)
+    throw InputError("Drive/Layout/Centre distance in mm = " + to_text(given * 1e3, 7) +
+                     ": the sprockets overlap; it must exceed " + in_mm(least_distance) + ".");
+
+  const auto   closest = fitter.fits(least_distance, true, 1);
+  const double most_slack =
+      closest.empty() ? -4. * fitter.mean_length() : closest.front().slack.slack;
+  if (most_slack < 0.)
+    throw InputError(the_chain + " is too short for sprockets of " +
+                     std::to_string(fitter.driver_teeth) + " and " +
+                     std::to_string(fitter.driven_teeth) + " teeth; it takes at least " +
+                     advised_links(fitter, -most_slack, even) + " links.");
+
+  const double farthest = 0.5 * fitter.mean_length() * fitter.n_links;
+  if (is_given)
+    {
+      const auto missing = -fitter.fits(given, true, 1).front().slack.slack;
+      if (missing > 1e-12)
+        throw InputError("Drive/Layout/Centre distance in mm = " + to_text(given * 1e3, 7) + ": " +
+                         the_chain + " is " + in_mm(missing) +
+                         " too short; the distance must be at most " +
+                         in_mm(fitter.solve({Target::Kind::slack, 0.}, least_distance, farthest)) +
+                         ", or the chain must have at least " +
+                         advised_links(fitter, missing, even) + " links.");
+      return {{}, fitter.fits(given, false)};
+    }
+
+  const Target target   = wanted(layout);
+  const bool   is_slack = target.kind == Target::Kind::slack;
+  if (!(target.value >= 0.))
+    throw InputError("Drive/Layout/" + std::string(is_slack ? "Slack in mm" : "Sag in percent") +
+                     " must not be negative.");
+  if (is_slack && most_slack < target.value)
+    throw InputError("Drive/Layout/Slack in mm = " + to_text(target.value * 1e3) + ": " +
+                     the_chain + " has at most " + in_mm(most_slack) +
+                     " of slack before the sprockets touch; it takes at least " +
+                     advised_links(fitter, target.value - most_slack, even) + " links.");
+  return {target, fitter.fits(fitter.solve(target, least_distance, farthest), false)};
+}
+} // namespace chaindrive::drive

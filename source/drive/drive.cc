@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/drive.h>
+#include <chaindrive/drive/stiffness.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+
+namespace chaindrive::drive
+{
+namespace
+{
+std::string in_mm(const double length) { return to_text(length * 1e3, 5) + " mm"; }
+
+/// ISO 606: the tooth is narrower than the space between the inner plates.
+double tooth_width(const ChainDimensions &chain)
+{
+  return (chain.pitch <= 12.7e-3 ? 0.93 : 0.95) * chain.inner_width;
+}
+
+/// A bore of a third and a hub of six tenths of the root diameter: a plain disc on a stout shaft.
+void choose_hub(const std::string           &name,
+                const ToothForm             &form,
+                const std::optional<double> &given_bore,
+                const std::optional<double> &given_hub,
+                double                      &bore,
+                double                      &hub,
+                std::vector<std::string>    &notes)
+{
+  bore = given_bore.value_or(form.root_diameter / 3.);
+  hub  = given_hub.value_or(std::max(bore, 0.6 * form.root_diameter));
+  if (!given_bore)
+    notes.push_back(name + " bore " + in_mm(bore) + ", a third of the root diameter.");
+  if (!given_hub)
+    notes.push_back(name + " rigid zone up to the diameter " + in_mm(hub) + ".");
+  if (!(bore > 0. && bore <= hub && hub < form.root_diameter))
+    throw InputError("Drive/Sprockets: " + name + " bore " + in_mm(bore) + " and hub diameter " +
+                     in_mm(hub) +
+                     " must be positive, the bore not larger than the hub, the hub "
+                     "smaller than the root diameter " +
+                     in_mm(form.root_diameter) + ".");
+}
+
+void append(std::vector<std::string> &notes, const std::vector<std::string> &more)
+{
+  notes.insert(notes.end(), more.begin(), more.end());
+}
+} // namespace
+
+Drive make_drive(const Parameters &parameters)
+{
+  const parameters::Sprockets &sprockets = parameters.drive.sprockets;
+  const double                 density   = parameters.material.density;
+  const Elasticity steel{parameters.material.youngs_modulus, parameters.material.poissons_ratio};
+
+  Drive d;
+  d.chain  = make_chain(parameters.drive.chain);
+  d.driver = make_tooth_form(parameters.drive.driver_teeth, d.chain, sprockets, true);
+  d.driven = make_tooth_form(parameters.drive.driven_teeth, d.chain, sprockets, false);
+  append(d.notes, d.chain.derived);
+  append(d.notes, d.driver.derived);
+  append(d.notes, d.driven.derived);
+
+  d.sprocket_width = sprockets.width.value_or(tooth_width(d.chain));
+  if (!sprockets.width)
+    d.notes.push_back("Sprocket width " + in_mm(d.sprocket_width) + " after ISO 606.");
+  if (!(d.sprocket_width > 0. && d.sprocket_width < d.chain.inner_width))
+    throw InputError("Drive/Sprockets/Width = " + in_mm(d.sprocket_width) +
+                     " must be positive and less than the " + in_mm(d.chain.inner_width) +
+                     " between the inner plates.");
+  choose_hub("Driver",
+             d.driver,
+             sprockets.driver_bore,
+             sprockets.driver_hub_diameter,
+             d.driver_bore,
+             d.driver_hub_diameter,
+             d.notes);
+  choose_hub("Driven",
+             d.driven,
+             sprockets.driven_bore,
+             sprockets.driven_hub_diameter,
+             d.driven_bore,
+             d.driven_hub_diameter,
+             d.notes);
+
+  d.roller_solid     = roller_solid(d.chain, density);
+  d.inner_link_solid = inner_link_solid(d.chain, density);
+  d.outer_link_solid = outer_link_solid(d.chain, density);
+  d.driver_solid     = sprocket_solid(d.driver, d.driver_bore, d.sprocket_width, density);
+  d.driven_solid     = sprocket_solid(d.driven, d.driven_bore, d.sprocket_width, density);
+  d.mass_per_pitch =
+      d.roller_solid.mass + 0.5 * (d.inner_link_solid.mass + d.outer_link_solid.mass);
+
+  d.nominal_tension = parameters.loads.resisting_torque / (0.5 * d.driven.pitch_diameter);
+  // contact stiffness depends on the load: without one, a load that strains steel visibly
+  const double reference_load = d.nominal_tension > 0. ?
+                                    d.nominal_tension :
+                                    1e-5 * steel.youngs_modulus * d.chain.pitch * d.chain.pitch;
+  d.roller_tooth_stiffness    = roller_tooth_stiffness(d.chain, steel);
+  d.roller_bush_stiffness     = roller_bush_stiffness(d.chain, reference_load, steel);
+  d.stiffness_per_pitch       = parameters.model.stiffness_per_pitch.value_or(
+      chain_stiffness(d.chain, reference_load, steel));
+  d.notes.push_back("Stiffness per pitch " + to_text(d.stiffness_per_pitch, 4) + " N/m (" +
+                    (parameters.model.stiffness_per_pitch ?
+                         "given" :
+                         "auto: plates and joint contact at " + to_text(reference_load, 4) + " N") +
+                    ")");
+
+  d.layout = make_layout(parameters.drive,
+                         d.chain,
+                         d.driver,
+                         d.driven,
+                         parameters.model.fidelity != "simple",
+                         d.stiffness_per_pitch,
+                         parameters.loads.driver_speed,
+                         d.nominal_tension);
+  return d;
+}
+} // namespace chaindrive::drive

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/centre_distance.h>
+#include <chaindrive/drive/layout.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace chaindrive::drive
+{
+using dealii::Point;
+using dealii::Tensor;
+using dealii::numbers::PI;
+
+namespace
+{
+constexpr double overlap_tolerance = 1e-9; // m
+
+std::string in_mm(const double length) { return to_text(length * 1e3, 7) + " mm"; }
+
+LinkLengths stretched(const LinkLengths &lengths, const bool clearances, const double stretch)
+{
+  // per pitch; rigid links with clearances stretch in the two joints of every outer link
+  return clearances ? LinkLengths{lengths.inner, lengths.outer + 2. * stretch} :
+                      LinkLengths{lengths.inner + stretch, lengths.outer + stretch};
+}
+
+Fitter make_fitter(const parameters::Drive &drive,
+                   const ChainDimensions   &chain,
+                   const bool               clearances,
+                   const double             stiffness_per_pitch,
+                   const double             tight_tension)
+{
+  const parameters::Layout &layout = drive.layout;
+  Fitter                    fitter;
+  fitter.driver_teeth = drive.driver_teeth;
+  fitter.driven_teeth = drive.driven_teeth;
+  fitter.n_links      = drive.n_links;
+  fitter.phase        = layout.start_phase;
+  // the tight span above: the slack one hangs away from it; below: it sags towards it
+  fitter.bulge = layout.tight_span == "lower" ? -1 : 1;
+
+  const double mean = chain.loaded_pitch();
+  fitter.seats = clearances ? LinkLengths{chain.loaded_inner_pitch(), chain.loaded_outer_pitch()} :
+                              LinkLengths{mean, mean};
+  fitter.tight = fitter.slack = fitter.seats;
+  if (clearances && layout.start == "concentric")
+    fitter.tight = fitter.slack = {chain.inner_hole_pitch, chain.outer_hole_pitch};
+
+  const double everywhere =
+      layout.centre_distance_from == "pretension" ? layout.pretension / stiffness_per_pitch : 0.;
+  const double in_tight = layout.start == "warm" ? tight_tension / stiffness_per_pitch : everywhere;
+  fitter.tight          = stretched(fitter.tight, clearances, in_tight);
+  fitter.slack          = stretched(fitter.slack, clearances, everywhere);
+  return fitter;
+}
+
+void check_choices(const parameters::Drive &drive, const bool clearances)
+{
+  const parameters::Layout &layout = drive.layout;
+  const auto one_of = [](const std::string &entry, const std::string &value, const auto &names) {
+    std::string list;
+    for (const char *name : names)
+      {
+        if (value == name)
+          return;
+        list += (list.empty() ? "" : ", ") + std::string(name);
+      }
+    throw InputError("Drive/Layout/" + entry + " = " + value + " must be one of: " + list + ".");
+  };
+  using Names = std::initializer_list<const char *>;
+  one_of("Start", layout.start, Names{"taut", "concentric", "warm"});
+  one_of("Tight span", layout.tight_span, Names{"upper", "lower"});
+  one_of("Centre distance from",
+         layout.centre_distance_from,
+         Names{"given", "slack", "sag", "pretension"});
+
+  if (!(layout.start_phase >= 0. && layout.start_phase < 1.))
+    throw InputError("Drive/Layout/Start phase = " + to_text(layout.start_phase) +
+                     " must be at least 0 and less than 1.");
+  if (clearances && drive.n_links % 2 == 1)
+    throw InputError("Drive/Number of links = " + std::to_string(drive.n_links) +
+                     " is odd: inner and outer links would not alternate without an offset link, "
+                     "which there is not; take an even number.");
+  if (layout.start == "concentric" && layout.centre_distance_from == "pretension")
+    throw InputError("Drive/Layout/Start = concentric has no contact in its joints, so Centre "
+                     "distance from = pretension cannot be; take start = taut.");
+}
+
+int modulo(const int a, const unsigned int n)
+{
+  const int m = static_cast<int>(n);
+  return ((a % m) + m) % m;
+}
+
+/// The joints of @p fit and its hubs, both sprockets turning counter-clockwise.
+Layout lay(const Fit &fit, const Fitter &fitter)
+{
+  const TightSpan   &tight = fit.tight;
+  const SlackSpan   &slack = fit.slack;
+  const unsigned int n     = fitter.n_links;
+
+  Layout layout{};
+  layout.centre_distance = fit.centre_distance;
+  layout.sense           = 1;
+  layout.driver_angle    = tight.entry;
+  layout.driven_angle    = tight.exit - slack.driven_links * fit.driven.pitch_angle;
+  layout.slack           = slack.slack;
+  layout.sag             = fit.sag();
+  layout.tight_links     = tight.links;
+  layout.slack_links     = slack.links;
+  layout.driver_seats    = slack.driver_links + 1;
+  layout.driven_seats    = slack.driven_links + 1;
+
+  const auto wrap = [&](const Wheel         &wheel,
+                        const unsigned int   seats,
+                        const double         first,
+                        const Layout::Region region) {
+    for (unsigned int i = 0; i < seats; ++i)
+      {
+        const double       seat = first + i * wheel.pitch_angle;
+        const unsigned int k    = layout.joints.size();
+        layout.joints.push_back({wheel.roller(seat),
+                                 wheel.bush(seat, k),
+                                 {},
+                                 region,
+                                 static_cast<int>(i % wheel.teeth)});
+      }
+  };
+  wrap(fit.driver, layout.driver_seats, layout.driver_angle, Layout::Region::driver);
+  for (const Point<2> &p : slack_joints(slack, fitter.slack))
+    layout.joints.push_back({p, p, {}, Layout::Region::slack, -1});
+  wrap(fit.driven, layout.driven_seats, layout.driven_angle, Layout::Region::driven);
+  const Tensor<1, 2> along = (tight.to - tight.from) / tight.from.distance(tight.to);
+  for (unsigned int i = 1; i < tight.links; ++i)
+    {
+      const Point<2> p = tight.from + fitter.tight.sum(n - tight.links, i) * along;
+      layout.joints.push_back({p, p, {}, Layout::Region::tight, -1});
+    }
+  layout.tight_direction = along;
+  layout.tight_normal[0] = along[1];
+  layout.tight_normal[1] = -along[0];
+  return layout;
+}
+
+/// Velocities of a drive at speed: the tight span is rigid, spans move as their ends do.
+void set_in_motion(Layout &layout, const double driver_speed)
+{
+  const auto cross = [](const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
+    return a[0] * b[1] - a[1] * b[0];
+  };
+  const unsigned int n = layout.joints.size();
+  const Point<2>     driven_centre(layout.centre_distance, 0.);
+  const Point<2>    &to = layout.joints[0].bush, &from = layout.joints[n - layout.tight_links].bush;
+  layout.driver_speed = driver_speed;
+  layout.driven_speed =
+      driver_speed * cross(to, to - from) / cross(from - driven_centre, to - from);
+
+  for (Layout::Joint &joint : layout.joints)
+    if (joint.gap >= 0)
+      {
+        const bool         driver = joint.region == Layout::Region::driver;
+        const double       speed  = driver ? layout.driver_speed : layout.driven_speed;
+        const Tensor<1, 2> arm = driver ? Tensor<1, 2>(joint.roller) : joint.roller - driven_centre;
+        joint.velocity[0]      = -speed * arm[1];
+        joint.velocity[1]      = speed * arm[0];
+      }
+  const auto interpolate = [&](const unsigned int first, const unsigned int links) {
+    const Tensor<1, 2> a = layout.joints[first].velocity;
+    const Tensor<1, 2> b = layout.joints[(first + links) % n].velocity;
+    for (unsigned int i = 1; i < links; ++i)
+      layout.joints[first + i].velocity = a + static_cast<double>(i) / links * (b - a);
+  };
+  interpolate(layout.driver_seats - 1, layout.slack_links);
+  interpolate(n - layout.tight_links, layout.tight_links);
+}
+
+/// y -> -y: the lower span is tight, both sprockets turn clockwise.
+void mirror(Layout &layout, const Wheel &driver, const Wheel &driven)
+{
+  layout.sense = -1;
+  for (double *value : {&layout.driver_angle,
+                        &layout.driven_angle,
+                        &layout.driver_speed,
+                        &layout.driven_speed,
+                        &layout.tight_direction[1],
+                        &layout.tight_normal[1]})
+    *value = -*value;
+  for (Layout::Joint &joint : layout.joints)
+    {
+      joint.roller[1]   = -joint.roller[1];
+      joint.bush[1]     = -joint.bush[1];
+      joint.velocity[1] = -joint.velocity[1];
+      if (joint.gap >= 0)
+        joint.gap = modulo(-joint.gap,
+                           joint.region == Layout::Region::driver ? driver.teeth : driven.teeth);
+    }
+}
+
+void set_links(Layout &layout)
+{
+  const unsigned int n = layout.joints.size();
+  for (unsigned int k = 0; k < n; ++k)
+    {
+      const Point<2> &a = layout.joints[k].bush, &b = layout.joints[(k + 1) % n].bush;
+      layout.links.push_back(
+          {Point<2>(0.5 * (a + b)), std::atan2(b[1] - a[1], b[0] - a[0]), k % 2 == 0});
+    }
+}
+
+/// What is wrong with the layout, in a sentence; empty if nothing is.
+std::string find_overlap(const Layout          &layout,
+                         const ChainDimensions &chain,
+                         const ToothForm       &driver,
+                         const ToothForm       &driven,
+                         const bool             clearances)
+{
+  const double radius = 0.5 * chain.roller_diameter;
+  for (unsigned int k = 0; k < layout.joints.size(); ++k)
+    {
+      const Layout::Joint &joint = layout.joints[k];
+      for (const bool first : {true, false})
+        {
+          const ToothForm   &form  = first ? driver : driven;
+          const double       angle = first ? layout.driver_angle : layout.driven_angle;
+          const Tensor<1, 2> arm = joint.roller - Point<2>(first ? 0. : layout.centre_distance, 0.);
+          if (arm.norm() > 0.5 * form.outside_diameter + radius)
+            continue;
+          const double c = std::cos(angle), s = std::sin(angle);
+          const auto   nearest =
+              form.closest_point(Point<2>(c * arm[0] + s * arm[1], c * arm[1] - s * arm[0]));
+          if (const double gap = nearest.distance - radius; gap < -overlap_tolerance)
+            return "roller " + std::to_string(k) + " overlaps gap " + std::to_string(nearest.gap) +
+                   " of the " + (first ? "driver" : "driven sprocket") + " by " + in_mm(-gap) +
+                   " at the start: chain and sprocket do not fit (loaded pitch " +
+                   in_mm(chain.loaded_pitch()) + ", bottom diameter " + in_mm(form.root_diameter) +
+                   ").";
+        }
+      const double offset = joint.bush.distance(joint.roller);
+      if (clearances && offset > chain.roller_clearance() + overlap_tolerance)
+        return "the bush of joint " + std::to_string(k) + " overlaps its roller by " +
+               in_mm(offset - chain.roller_clearance()) + " at the start: the loaded pitches " +
+               in_mm(chain.loaded_inner_pitch()) + " and " + in_mm(chain.loaded_outer_pitch()) +
+               " differ by more than the clearance " + in_mm(chain.roller_clearance()) +
+               " between bush and roller makes up for.";
+    }
+  return "";
+}
+
+/// The slack span must neither turn back nor, where it hangs inwards, lie on the tight one.
+void check_slack(const Fit &fit, const Fitter &fitter, const double height, const bool even)
+{
+  const SlackSpan &slack = fit.slack;
+  if ((slack.links - 1) * std::abs(slack.turn) > PI)
+    {
+      const SlackSpan taut  = fitter.fits(fit.centre_distance, true, 1).front().slack;
+      const double    chord = taut.from.distance(taut.to);
+      throw InputError(
+          "Drive/Layout: the chain has " + in_mm(taut.slack) + " of slack at the centre distance " +
+          in_mm(fit.centre_distance) + ", so that the slack span would turn back; at most " +
+          advised_links(fitter, (0.5 * PI - 1.) * chord - taut.slack, even) + " links fit.");
+    }
+  const Tensor<1, 2> along =
+      (fit.tight.to - fit.tight.from) / fit.tight.from.distance(fit.tight.to);
+  for (const Point<2> &p : slack_joints(slack, fitter.slack))
+    {
+      const Tensor<1, 2> from_tight = p - fit.tight.from;
+      if (along[0] * from_tight[1] - along[1] * from_tight[0] < height)
+        throw InputError("Drive/Layout: with " + in_mm(slack.slack) +
+                         " of slack the upper span would hang down onto the tight one; use fewer "
+                         "links, a greater centre distance, or Tight span = upper.");
+    }
+}
+} // namespace
+
+Layout make_layout(const parameters::Drive &drive,
+                   const ChainDimensions   &chain,
+                   const ToothForm         &driver,
+                   const ToothForm         &driven,
+                   const bool               clearances,
+                   const double             stiffness_per_pitch,
+                   const double             driver_speed,
+                   const double             tight_tension)
+{
+  check_choices(drive, clearances);
+  const Fitter   fitter = make_fitter(drive, chain, clearances, stiffness_per_pitch, tight_tension);
+  const Proposal proposal = propose(
+      fitter, drive.layout, 0.5 * (driver.outside_diameter + driven.outside_diameter), clearances);
+
+  // The best route may leave a roller just short of its seat, touching a flank: then it belongs on
+  // the sprocket, which is one of the next routes.
+  std::string problem = "the chain closes on no route around these sprockets.";
+  bool        first   = true;
+  for (const Fit &near : proposal.fits)
+    {
+      const std::optional<Fit> found =
+          proposal.target ? fitter.solve(*proposal.target, near.route, near.centre_distance) : near;
+      if (!found || found->slack.links < 1)
+        continue;
+      const Fit &fit = *found;
+      check_slack(
+          fit, fitter, std::max(chain.inner_plate_height, chain.outer_plate_height), clearances);
+      Layout layout = lay(fit, fitter);
+      if (drive.layout.start == "warm")
+        set_in_motion(layout, std::abs(driver_speed));
+      if (fitter.bulge < 0)
+        mirror(layout, fit.driver, fit.driven);
+      const std::string overlap = find_overlap(layout, chain, driver, driven, clearances);
+      if (overlap.empty())
+        {
+          layout.driver_angle = std::remainder(layout.driver_angle, 2. * PI);
+          layout.driven_angle = std::remainder(layout.driven_angle, 2. * PI);
+          set_links(layout);
+          return layout;
+        }
+      if (first)
+        problem = overlap;
+      first = false;
+    }
+  throw InputError("Drive: " + problem);
+}
+} // namespace chaindrive::drive

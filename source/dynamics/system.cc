@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/dynamics/newmark.h>
+#include <chaindrive/dynamics/system.h>
+#include <chaindrive/parameters/parameters.h>
+#include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+
+namespace chaindrive::dynamics
+{
+System::System(const scene::Scene &scene, const bool search_every_step)
+    : world(scene), bars(scene.bars), contacts(scene, search_every_step), loads(scene)
+{
+  // a phase that nothing in the scene calls for is not made and has no row in the table
+  if (bars.size() > 0)
+    internal_force_ = timer.add("Internal force");
+  integration_ = timer.add("Time integration");
+  if (!contacts.families().empty())
+    contact_ = timer.add("Contact algorithm");
+
+  contacts.refuse_overlap(world, scene.prestress);
+  evaluate_forces(0.);
+  close_ledger();
+  world.ledger.initial = world.ledger.stored();
+}
+
+void System::evaluate_forces(const double dt)
+{
+  world.clear_forces();
+  world.ledger.clear_stored();
+  loads.add_forces(world, dt);
+  if (bars.size() > 0)
+    {
+      const PhaseTimer::Scope scope(timer, internal_force_);
+      bars.add_forces(world, dt);
+    }
+  if (!contacts.families().empty())
+    {
+      const PhaseTimer::Scope scope(timer, contact_);
+      contacts.add_forces(world, dt);
+    }
+  loads.add_work(world);
+}
+
+void System::advance(const double dt, const double new_time)
+{
+  const PhaseTimer::Scope scope(timer, integration_);
+  first_half(world, &loads.speed_program(), dt, new_time);
+  evaluate_forces(dt);
+  second_half(world, &loads.speed_program(), dt);
+  close_ledger();
+}
+
+void System::close_ledger() { world.ledger.kinetic = world.kinetic_energy(); }
+
+std::vector<StepVote> System::votes() const
+{
+  std::vector<StepVote> votes;
+  std::vector<Spring>   springs;
+  if (bars.size() > 0)
+    {
+      bars.add_springs(world, springs);
+      votes.push_back({"bars", stable_step(world, springs)});
+    }
+  for (const auto &family : contacts.families())
+    {
+      springs.clear();
+      family->add_springs(world, springs);
+      votes.push_back({family->name(), stable_step(world, springs)});
+    }
+  return votes;
+}
+
+double System::stable_step_limit() const
+{
+  std::vector<Spring> springs;
+  bars.add_springs(world, springs);
+  contacts.add_springs(world, springs);
+  return stable_step(world, springs);
+}
+
+std::size_t System::memory_consumption() const
+{
+  return world.memory_consumption() + bars.memory_consumption() + contacts.memory_consumption();
+}
+
+StepChoice choose_step(const System &system, const Parameters &parameters)
+{
+  const parameters::Time &time = parameters.time;
+  StepChoice              choice;
+  choice.votes         = system.votes();
+  choice.limit         = system.stable_step_limit();
+  const double largest = time.safety_factor * choice.limit;
+  if (time.step)
+    {
+      if (*time.step > largest)
+        throw InputError("Time/Step in us = " + to_text(*time.step * 1e6) +
+                         " is above the stable step: at most " + to_text(largest * 1e6, 4) +
+                         " us (safety factor " + to_text(time.safety_factor) + " times the limit " +
+                         to_text(choice.limit * 1e6, 4) +
+                         " us) is allowed; choose a smaller step or auto.");
+      choice.step   = *time.step;
+      choice.reason = "asked for";
+      return choice;
+    }
+  // The fastest mode has the period pi times the limit; a fortieth of it leaves its frequency
+  // 0.1 % wrong, and an impact of half its period twenty steps.
+  const double accurate = dealii::numbers::PI * choice.limit / 40.;
+  choice.step           = std::min(largest, accurate);
+  choice.reason         = accurate < largest ? "auto: a fortieth of the shortest period" :
+                                               "auto: the stable step times the safety factor";
+  return choice;
+}
+} // namespace chaindrive::dynamics

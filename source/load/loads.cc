@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/load/loads.h>
+#include <chaindrive/scene/scene.h>
+
+namespace chaindrive::load
+{
+Loads::Loads(const scene::Scene &scene)
+    : speed_(scene)
+    , torque_(scene)
+    , gravity_(scene.loads.gravity)
+    , drag_(scene.loads.drag)
+    , sense_(scene.sense)
+{
+}
+
+void Loads::add_forces(World &world, const double dt)
+{
+  if (gravity_ != 0.)
+    for (unsigned int b = 0; b < world.n_bodies(); ++b)
+      if (world.inverse_mass[b] > 0.)
+        {
+          world.force.local_element(3 * b + 1) -= world.mass[b] * gravity_;
+          world.ledger.potential +=
+              world.mass[b] * gravity_ * world.displacement.local_element(3 * b + 1);
+        }
+  if (drag_ != 0.)
+    for (unsigned int b = 0; b < world.n_bodies(); ++b)
+      if (world.inverse_mass[b] > 0.)
+        {
+          const dealii::Tensor<1, 3> &v = world.frames[b].velocity;
+          for (unsigned int d = 0; d < 3; ++d)
+            world.force.local_element(3 * b + d) -= drag_ * world.mass[b] * v[d];
+          world.ledger.drag += drag_ * world.mass[b] * v.norm_square() * dt;
+        }
+}
+
+void Loads::add_work(World &world)
+{
+  // trapezoidal rule over the step that ended now: both torques belong to its two ends
+  for (const World::Hub &hub : world.hubs)
+    {
+      double &moment = world.moment.local_element(3 * hub.body + 2);
+      if (hub.prescribed)
+        {
+          const double torque = -moment; // supplied against the contacts
+          if (booked_)
+            world.ledger.drive_work += 0.5 * (drive_torque_ + torque) * (hub.angle - drive_angle_);
+          drive_torque_ = torque;
+          drive_angle_  = hub.angle;
+        }
+      else
+        {
+          const double torque = torque_.torque(hub.angle);
+          if (booked_)
+            world.ledger.resisting_work -=
+                0.5 * (load_torque_ + torque) * (hub.angle - load_angle_);
+          load_torque_ = torque;
+          load_angle_  = hub.angle;
+          moment += torque;
+        }
+    }
+  booked_ = true;
+}
+} // namespace chaindrive::load

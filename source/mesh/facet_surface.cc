@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/mesh/facet_surface.h>
+
+#include <chaindrive/mesh/smooth_patches.h>
+#include <chaindrive/utilities/errors.h>
+
+#include <boost/container/small_vector.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace chaindrive::mesh
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+/// The faces of @p part with the boundary id @p surface, counter-clockwise seen from outside.
+std::vector<std::array<unsigned int, 4>> boundary_quads(const Part &part, const Surface surface)
+{
+  std::vector<std::array<unsigned int, 4>> quads;
+  for (const auto &cell : part.mesh->active_cell_iterators())
+    for (const auto &face : cell->face_iterators())
+      if (face->at_boundary() && face->boundary_id() == surface)
+        {
+          std::array<unsigned int, 4> q = {{face->vertex_index(0),
+                                            face->vertex_index(1),
+                                            face->vertex_index(3),
+                                            face->vertex_index(2)}};
+          const Tensor<1, 3> normal = dealii::cross_product_3d(face->vertex(3) - face->vertex(0),
+                                                               face->vertex(2) - face->vertex(1));
+          if (normal * (face->center() - cell->center()) < 0.)
+            std::swap(q[1], q[3]);
+          quads.push_back(q);
+        }
+  if (quads.empty())
+    throw InputError("The mesh of the " + part.name + " has no surface named '" +
+                     surface_name(surface) + "'.");
+  return quads;
+}
+
+Projection make_projection(const CoonsPatch::Foot &foot, const unsigned int facet)
+{
+  Projection result;
+  result.found    = true;
+  result.distance = foot.distance;
+  result.point    = Point<3>(foot.ray.x);
+  result.normal   = foot.ray.n;
+  result.facet    = facet;
+  const double u = foot.u, v = foot.v;
+  result.weights = {{(1. - u) * (1. - v), u * (1. - v), u * v, (1. - u) * v}};
+  return result;
+}
+
+/// Looks for the nearest point of one facet and keeps it in @p best if it is nearer than that.
+void search_facet(const CoonsPatch  &patch,
+                  const unsigned int facet,
+                  const Point<3>    &p,
+                  Projection        &best)
+{
+  const CoonsPatch::Foot foot   = patch.foot(p);
+  bool                   inside = foot.inside;
+  if (!inside)
+    {
+      bool open = false;
+      for (unsigned int e = 0; e < 4; ++e)
+        {
+          const CoonsPatch::Edge &edge = patch.edge(e);
+          if (edge.crease)
+            {
+              const CoonsPatch::Foot on_edge = patch.foot_on_edge(p, e);
+              if (on_edge.inside && std::abs(on_edge.distance) < std::abs(best.distance))
+                best = make_projection(on_edge, facet);
+            }
+          const bool here = (e == 0 && foot.v == 0.) || (e == 1 && foot.u == 1.) ||
+                            (e == 2 && foot.v == 1.) || (e == 3 && foot.u == 0.);
+          open = open || (here && edge.open);
+        }
+      // a point that round-off drops between two facets, or any at the centre of an arc
+      inside = !open && foot.obliquity < 1e-6 * std::abs(foot.distance);
+    }
+  if (inside && std::abs(foot.distance) < std::abs(best.distance))
+    best = make_projection(foot, facet);
+}
+} // namespace
+
+FacetSurface::FacetSurface(const Part &part, const Surface surface, const double crease_angle)
+    : FacetSurface(part.mesh->get_vertices(), boundary_quads(part, surface), crease_angle)
+{
+}
+
+FacetSurface::FacetSurface(const std::vector<Point<3>>                    &vertices,
+                           const std::vector<std::array<unsigned int, 4>> &quads,
+                           const double                                    crease_angle)
+    : quads_(quads), patches_(smooth_patches(vertices, quads, crease_angle))
+{
+  std::vector<std::pair<dealii::BoundingBox<3>, unsigned int>> boxes;
+  boxes.reserve(patches_.size());
+  for (unsigned int f = 0; f < patches_.size(); ++f)
+    boxes.emplace_back(patches_[f].bounding_box(), f);
+  tree_ = dealii::pack_rtree(boxes);
+}
+
+Projection FacetSurface::closest_point(const Point<3>    &p,
+                                       const double       search_radius,
+                                       const unsigned int hint) const
+{
+  Projection best;
+  if (hint < n_facets())
+    search_facet(patches_[hint], hint, p, best);
+
+  // facets whose boxes are near, nearest first, until the next box is farther than what was found
+  const double   reach = std::min(search_radius, std::abs(best.distance));
+  const Point<3> margin(reach, reach, reach);
+  boost::container::small_vector<std::pair<double, unsigned int>, 256> near;
+  tree_.query(boost::geometry::index::intersects(
+                  dealii::BoundingBox<3>({p - Tensor<1, 3>(margin), p + Tensor<1, 3>(margin)})),
+              boost::make_function_output_iterator([&](const auto &entry) {
+                const double bound = patches_[entry.second].distance_bound(p);
+                if (bound <= reach && entry.second != hint)
+                  near.emplace_back(bound, entry.second);
+              }));
+  std::sort(near.begin(), near.end());
+  for (const auto &[bound, facet] : near)
+    {
+      if (bound > std::abs(best.distance))
+        break;
+      search_facet(patches_[facet], facet, p, best);
+    }
+  return std::abs(best.distance) <= search_radius ? best : Projection();
+}
+} // namespace chaindrive::mesh

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/output/fields.h>
+#include <chaindrive/output/file.h>
+#include <chaindrive/output/vtu.h>
+#include <chaindrive/utilities/errors.h>
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/exceptions.h>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace chaindrive::output
+{
+PartPatches::PartPatches(const dealii::Triangulation<3> &mesh) : vertices(mesh.get_vertices())
+{
+  // deal.II numbers the vertices of a cell lexicographically, VTK around its two faces
+  constexpr std::array<unsigned int, 8> lexicographic{{0, 1, 3, 2, 4, 5, 7, 6}};
+  cells.reserve(mesh.n_active_cells());
+  for (const auto &cell : mesh.active_cell_iterators())
+    {
+      cells.emplace_back();
+      for (unsigned int v = 0; v < 8; ++v)
+        cells.back()[v] = cell->vertex_index(lexicographic[v]);
+    }
+}
+
+namespace
+{
+void append(std::vector<float> &values, const dealii::Tensor<1, 3> &v)
+{
+  values.insert(values.end(), {float(v[0]), float(v[1]), float(v[2])});
+}
+
+VtuGrid grid_of(const std::vector<BodySnapshot> &bodies)
+{
+  std::size_t n_points = 0, n_cells = 0;
+  for (const BodySnapshot &body : bodies)
+    {
+      n_points += body.part->vertices.size();
+      n_cells += body.part->cells.size();
+    }
+
+  std::vector<float>        displacement, velocity, contact_force;
+  std::vector<std::int32_t> id, kind;
+  VtuGrid                   grid;
+  for (auto *values : {&displacement, &velocity, &grid.points})
+    values->reserve(3 * n_points);
+  grid.connectivity.reserve(8 * n_cells);
+  contact_force.reserve(3 * n_cells);
+  id.reserve(n_cells);
+  kind.reserve(n_cells);
+
+  std::int32_t first_point = 0;
+  for (const BodySnapshot &body : bodies)
+    {
+      const auto &vertices = body.part->vertices;
+      const bool  elastic  = body.displacement.size() > 0;
+      Assert(!elastic || (body.displacement.size() == vertices.size() &&
+                          body.velocity.size() == vertices.size()),
+             dealii::ExcMessage("One displacement and one velocity per vertex"));
+      for (std::size_t v = 0; v < vertices.size(); ++v)
+        {
+          const dealii::Tensor<1, 3> start =
+              body.initial.position + body.initial.rotation * vertices[v];
+          const dealii::Tensor<1, 3> arm = body.now.rotation * vertices[v];
+          const dealii::Tensor<1, 3> u =
+              elastic ? body.displacement[v] : body.now.position + arm - start;
+          append(grid.points, start + u);
+          append(displacement, u);
+          append(velocity,
+                 elastic ? body.velocity[v] :
+                           body.now.velocity + cross_product_3d(body.now.angular_velocity, arm));
+        }
+      for (const auto &cell : body.part->cells)
+        {
+          for (const unsigned int v : cell)
+            grid.connectivity.push_back(first_point + v);
+          append(contact_force, body.contact_force);
+          id.push_back(body.id);
+          kind.push_back(body.kind);
+        }
+      first_point += vertices.size();
+    }
+
+  grid.point_data   = {{"displacement", 3, std::move(displacement)},
+                       {"velocity", 3, std::move(velocity)}};
+  grid.cell_data    = {{"contact_force", 3, std::move(contact_force)}};
+  grid.cell_numbers = {{"body", std::move(id)}, {"kind", std::move(kind)}};
+  return grid;
+}
+
+VtuGrid grid_of(const std::vector<BarSnapshot> &bars)
+{
+  VtuGrid grid;
+  grid.cell         = VtuGrid::Cell::line;
+  grid.point_data   = {{"displacement", 3, {}}, {"velocity", 3, {}}};
+  grid.cell_data    = {{"tension", 1, {}}};
+  grid.cell_numbers = {{"bar", {}}};
+  for (const BarSnapshot &bar : bars)
+    {
+      for (const unsigned int end : {0, 1})
+        {
+          grid.connectivity.push_back(grid.connectivity.size());
+          append(grid.points, bar.position[end]);
+          append(grid.point_data[0].values, bar.displacement[end]);
+          append(grid.point_data[1].values, bar.velocity[end]);
+        }
+      grid.cell_data[0].values.push_back(static_cast<float>(bar.tension));
+      grid.cell_numbers[0].values.push_back(bar.id);
+    }
+  return grid;
+}
+
+/// Writes the next file of a series and the list of all its files, in this order: what the list
+/// names exists.
+void write_next(const std::string                           &directory,
+                const std::string                           &name,
+                const VtuGrid                               &grid,
+                const double                                 time,
+                std::vector<std::pair<double, std::string>> &record)
+{
+  char file[64];
+  std::snprintf(file, sizeof(file), "fields/%s_%06zu.vtu", name.c_str(), record.size());
+  write_file(directory + "/" + file, [&](std::ostream &out) { write_vtu(out, grid, time); });
+  record.emplace_back(time, file);
+  write_file(directory + "/" + name + ".pvd",
+             [&](std::ostream &out) { dealii::DataOutBase::write_pvd_record(out, record); });
+}
+} // namespace
+
+Fields::Fields(const std::string &directory) : directory_(directory)
+{
+  std::error_code error;
+  std::filesystem::create_directories(directory + "/fields", error);
+  if (error)
+    throw RunError(write_failure(directory + "/fields", error.value()));
+}
+
+void Fields::write(const double                     time,
+                   const std::vector<BodySnapshot> &bodies,
+                   const std::vector<BarSnapshot>  &bars)
+{
+  write_next(directory_, "bodies", grid_of(bodies), time, bodies_);
+  if (!bars.empty())
+    write_next(directory_, "bars", grid_of(bars), time, bars_);
+}
+} // namespace chaindrive::output

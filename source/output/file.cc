@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/output/file.h>
+#include <chaindrive/utilities/errors.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <fstream>
+#include <sstream>
+#include <streambuf>
+#include <system_error>
+#include <unistd.h>
+
+namespace chaindrive::output
+{
+std::string write_failure(const std::string &path, const int error_number)
+{
+  return "Cannot write '" + path + "': " + std::generic_category().message(error_number) + ".";
+}
+
+/// Writes to a file descriptor and keeps the first error number, which std::filebuf would lose.
+class File::Buffer : public std::streambuf
+{
+public:
+  explicit Buffer(const std::string &path)
+      : descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666))
+      , error_(descriptor_ < 0 ? errno : 0)
+  {
+    setp(text_.data(), text_.data() + text_.size());
+  }
+
+  int error() const { return error_; }
+
+  /// Everything handed over is final; after an error the file is cut back to its last final state.
+  void complete()
+  {
+    flush();
+    if (error_ == 0)
+      final_size_ = size_;
+    else if (descriptor_ >= 0)
+        // nothing to be done if this fails too: the original error is the one that is reported
+        [[maybe_unused]]
+      const int ignored = ::ftruncate(descriptor_, final_size_);
+  }
+
+  void close()
+  {
+    if (descriptor_ >= 0 && ::close(descriptor_) != 0 && error_ == 0)
+      error_ = errno;
+    descriptor_ = -1;
+  }
+
+protected:
+  int_type overflow(const int_type c) override
+  {
+    if (!flush())
+      return traits_type::eof();
+    if (!traits_type::eq_int_type(c, traits_type::eof()))
+      sputc(traits_type::to_char_type(c));
+    return traits_type::not_eof(c);
+  }
+
+  int sync() override { return flush() ? 0 : -1; }
+
+private:
+  bool flush()
+  {
+    const char *next = pbase();
+    while (next != pptr() && error_ == 0)
+      {
+        const ssize_t n = ::write(descriptor_, next, pptr() - next);
+        if (n >= 0)
+          {
+            next += n;
+            size_ += n;
+          }
+        else if (errno != EINTR)
+          error_ = errno;
+      }
+    setp(text_.data(), text_.data() + text_.size());
+    return error_ == 0;
+  }
+
+  int                     descriptor_, error_;
+  off_t                   size_ = 0, final_size_ = 0;
+  std::array<char, 65536> text_;
+};
+
+File::File(const std::string &path, const std::string &name)
+    : std::ostream(nullptr)
+    , name_(name.empty() ? path : name)
+    , buffer_(std::make_unique<Buffer>(path))
+{
+  if (buffer_->error() != 0)
+    throw RunError(write_failure(name_, buffer_->error()));
+  rdbuf(buffer_.get());
+}
+
+File::~File()
+{
+  buffer_->complete();
+  buffer_->close();
+}
+
+void File::complete()
+{
+  buffer_->complete();
+  if (buffer_->error() != 0)
+    throw RunError(write_failure(name_, buffer_->error()));
+}
+
+void File::close()
+{
+  complete();
+  buffer_->close();
+  if (buffer_->error() != 0)
+    throw RunError(write_failure(name_, buffer_->error()));
+}
+
+void write_file(const std::string &path, const std::function<void(std::ostream &)> &write)
+{
+  const std::string part = path + ".part";
+  try
+    {
+      File file(part, path);
+      write(file);
+      file.close();
+      if (std::rename(part.c_str(), path.c_str()) != 0)
+        throw RunError(write_failure(path, errno));
+    }
+  catch (...)
+    {
+      ::unlink(part.c_str());
+      throw;
+    }
+}
+
+void write_text(const std::string &path, const std::string &text)
+{
+  write_file(path, [&text](std::ostream &out) { out << text; });
+}
+
+std::string read_text(const std::string &path)
+{
+  std::ifstream     in(path, std::ios::binary);
+  std::stringstream text;
+  if (!in || (in.peek() != std::ifstream::traits_type::eof() && !(text << in.rdbuf())))
+    throw InputError("Cannot read '" + path + "'.");
+  return text.str();
+}
+} // namespace chaindrive::output

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/dynamics/newmark.h>
+#include <chaindrive/mesh/part.h>
+#include <chaindrive/output/recorder.h>
+#include <chaindrive/version.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace chaindrive::output
+{
+namespace
+{
+/// Samples are taken at the first step at or after multiples of the interval.
+bool due(const double time, const double start, const double interval, unsigned long &next)
+{
+  if (time < start + next * interval * (1. - 1e-12))
+    return false;
+  next = static_cast<unsigned long>((time - start) / interval + 1e-9) + 1;
+  return true;
+}
+
+std::size_t expected_samples(const Parameters &p)
+{
+  return static_cast<std::size_t>((p.time.end - p.time.start) / p.output.history_interval) + 2;
+}
+
+double window_end(const Parameters &p) { return p.output.window_end.value_or(p.time.end); }
+} // namespace
+
+Recorder::Recorder(const scene::Scene     &scene,
+                   const Parameters       &parameters,
+                   const dynamics::System &system,
+                   const std::string      &directory,
+                   const std::string      &parameter_text,
+                   PhaseTimer             &timer,
+                   Log                    &log)
+    : scene_(scene)
+    , parameters_(parameters)
+    , phase_(timer.add("Output"))
+    , histories_(
+          directory + "/histories",
+          {{"program", std::string("chaindrive ") + version},
+           {"parameters", parameter_text},
+           {"parameter_hash", std::to_string(std::hash<std::string>()(parameter_text))},
+           {"axes", "driver at the origin, driven at (C, 0); z along the shafts; gravity -y"}},
+          expected_samples(parameters),
+          parameters.output.csv)
+    , progress_(std::make_unique<Progress>(log, parameters.time.start, parameters.time.end))
+    , spans_(scene, system)
+    , engagements_(scene, system)
+    , driven_speed_(parameters.output.window_start, window_end(parameters))
+    , driver_torque_(driven_speed_)
+    , tight_tension_(driven_speed_)
+    , slack_tension_(driven_speed_)
+    , span_speed_(driven_speed_)
+{
+  rollers_ = parameters.output.rollers;
+  if (rollers_.empty())
+    for (unsigned int k = 0; k < scene.n_joints; ++k)
+      rollers_.push_back(k);
+
+  link_peak_.assign(scene.n_joints, 0.);
+  for (const scene::ToothFamily &teeth : scene.teeth)
+    {
+      const unsigned int n_gaps =
+          teeth.sprocket == scene.driver ? scene.driver_teeth : scene.driven_teeth;
+      teeth_.push_back({dynamic_cast<const contact::Teeth *>(system.contacts.find(teeth.name)),
+                        teeth.sprocket == scene.driver ? "driver" : "driven",
+                        std::vector<double>(scene.n_joints, 0.),
+                        std::vector<double>(scene.n_joints, 0.),
+                        std::vector<double>(n_gaps, 0.),
+                        std::vector<double>(n_gaps, 0.)});
+    }
+  for (const scene::BoreFamily &bores : scene.bores)
+    bores_.push_back({system.contacts.find(bores.name),
+                      std::vector<double>(scene.n_joints, 0.),
+                      std::vector<double>(scene.n_joints, 0.)});
+
+  add_channels();
+
+  if (parameters.output.field_interval > 0.)
+    {
+      fields_ = std::make_unique<Fields>(directory);
+      for (const auto &[kind, part] : scene.parts)
+        patches_.emplace(kind, PartPatches(*part->mesh));
+    }
+}
+
+void Recorder::observe(dynamics::System &system, const unsigned long, const double dt)
+{
+  const PhaseTimer::Scope scope(system.timer, phase_);
+  spans_.update(system);
+  engagements_.observe(system, dt);
+  keep_peaks(system);
+  keep_means(system, dt);
+
+  const double time = system.world.time, start = parameters_.time.start;
+  if (due(time, start, parameters_.output.history_interval, next_sample_))
+    sample(system);
+  if (fields_ != nullptr && due(time, start, parameters_.output.field_interval, next_field_))
+    write_fields(system);
+  progress_->update(time);
+}
+
+void Recorder::keep_peaks(const dynamics::System &system)
+{
+  for (ToothForces &teeth : teeth_)
+    {
+      const std::vector<contact::Record> &records = teeth.family->records();
+      for (const unsigned int i : teeth.family->near())
+        {
+          teeth.roller[records[i].joint] = 0.;
+          teeth.gap[records[i].feature]  = 0.;
+        }
+      for (const unsigned int i : teeth.family->near())
+        {
+          const double normal = records[i].force * records[i].normal;
+          teeth.roller[records[i].joint] += normal;
+          teeth.gap[records[i].feature] += normal;
+        }
+      for (const unsigned int i : teeth.family->near())
+        {
+          const unsigned int joint = records[i].joint, gap = records[i].feature;
+          teeth.roller_peak[joint] = std::max(teeth.roller_peak[joint], teeth.roller[joint]);
+          teeth.gap_peak[gap]      = std::max(teeth.gap_peak[gap], teeth.gap[gap]);
+        }
+    }
+  for (BoreForces &bores : bores_)
+    {
+      std::fill(bores.joint.begin(), bores.joint.end(), 0.);
+      for (const contact::Record &record : bores.family->records())
+        bores.joint[record.joint] += record.force * record.normal;
+      for (unsigned int k = 0; k < bores.joint.size(); ++k)
+        bores.peak[k] = std::max(bores.peak[k], bores.joint[k]);
+    }
+  const std::vector<double> &tension = spans_.link_tension();
+  for (unsigned int k = 0; k < tension.size(); ++k)
+    link_peak_[k] = std::max(link_peak_[k], tension[k]);
+
+  if (system.world.time - parameters_.time.start <= 10e-3)
+    tight_tension_start_ = std::max(tight_tension_start_, spans_.tight_tension);
+}
+
+void Recorder::keep_means(const dynamics::System &system, const double dt)
+{
+  // values at the end of the step stand for the step that led there
+  const double from = system.world.time - dt;
+  for (const World::Hub &hub : system.world.hubs)
+    if (hub.body == scene_.driven)
+      driven_speed_.add(from, dt, scene_.sense * hub.speed);
+  driver_torque_.add(from, dt, system.loads.driver_torque());
+  tight_tension_.add(from, dt, spans_.tight_tension);
+  slack_tension_.add(from, dt, spans_.slack_tension);
+  span_speed_.add(from, dt, spans_.tight_speed);
+}
+
+void Recorder::sample(dynamics::System &system)
+{
+  dynamics::accelerations(system.world, acceleration_);
+  histories_.begin_sample(system.world.time);
+  for (const Source &source : sources_)
+    source.fill(system, histories_.values(source.handle));
+  histories_.end_sample();
+
+  system.contacts.clear_peaks();
+  system.bars.clear_peaks();
+  std::fill(link_peak_.begin(), link_peak_.end(), -std::numeric_limits<double>::max());
+  for (ToothForces &teeth : teeth_)
+    {
+      std::fill(teeth.roller_peak.begin(), teeth.roller_peak.end(), 0.);
+      std::fill(teeth.gap_peak.begin(), teeth.gap_peak.end(), 0.);
+    }
+  for (BoreForces &bores : bores_)
+    std::fill(bores.peak.begin(), bores.peak.end(), 0.);
+}
+
+void Recorder::write_fields(const dynamics::System &system)
+{
+  const World &world = system.world;
+
+  std::vector<dealii::Tensor<1, 3>> contact_force(world.n_bodies());
+  for (const auto &family : system.contacts.families())
+    for (const contact::Record &record : family->records())
+      {
+        contact_force[record.slave] += record.force;
+        contact_force[record.master] -= record.force;
+      }
+
+  std::vector<BodySnapshot> bodies;
+  for (unsigned int b = 0; b < world.n_bodies(); ++b)
+    bodies.push_back({&patches_.at(scene_.bodies[b].kind),
+                      b,
+                      static_cast<int>(scene_.bodies[b].kind),
+                      scene_.bodies[b].initial,
+                      world.frames[b],
+                      contact_force[b],
+                      {},
+                      {}});
+
+  std::vector<BarSnapshot> bars;
+  for (unsigned int i = 0; i < system.bars.size(); ++i)
+    {
+      const scene::Bar &bar = system.bars.bars()[i];
+      BarSnapshot       snapshot;
+      snapshot.id = i;
+      for (const unsigned int end : {0U, 1U})
+        {
+          const unsigned int body    = end == 0 ? bar.first : bar.second;
+          const Frame       &now     = world.frames[body];
+          snapshot.position[end]     = dealii::Point<3>(now.position);
+          snapshot.displacement[end] = now.position - world.origin[body];
+          snapshot.velocity[end]     = now.velocity;
+        }
+      snapshot.tension = system.bars.tension()[i];
+      bars.push_back(snapshot);
+    }
+  fields_->write(world.time, bodies, bars);
+}
+
+void Recorder::close()
+{
+  progress_.reset();
+  histories_.close();
+}
+
+Json Recorder::summary(const dynamics::System      &system,
+                       const dynamics::EnergyGuard &guard,
+                       const dynamics::StepChoice  &step,
+                       const unsigned long          n_steps) const
+{
+  const Ledger &ledger = system.world.ledger;
+  Json          json;
+  for (const World::Hub &hub : system.world.hubs)
+    if (hub.body == scene_.driven)
+      json["driven_angle_end"] = scene_.sense * hub.angle;
+  json["driven_speed_mean"] = driven_speed_.mean();
+  json["span_speed_mean"]   = span_speed_.mean();
+  json["pitch_time_mean"] =
+      engagements_.mean_pitch_time(parameters_.output.window_start, window_end(parameters_));
+  json["tight_tension_mean"]      = tight_tension_.mean();
+  json["slack_tension_mean"]      = slack_tension_.mean();
+  json["tight_tension_max_start"] = tight_tension_start_;
+  json["driver_torque_mean"]      = driver_torque_.mean();
+  json["drive_work"]              = ledger.drive_work;
+  json["resisting_work"]          = ledger.resisting_work;
+  json["energy_imbalance_max"]    = guard.largest_imbalance() / std::abs(ledger.drive_work);
+  json["energy"]                  = {{"kinetic", ledger.kinetic},
+                                     {"potential", ledger.potential},
+                                     {"bar", ledger.bar},
+                                     {"contact", ledger.contact},
+                                     {"friction_loss", ledger.friction},
+                                     {"contact_damping_loss", ledger.contact_damping},
+                                     {"chain_damping_loss", ledger.chain_damping},
+                                     {"drag_loss", ledger.drag}};
+  json["stable_step"]             = step.limit;
+  json["step"]                    = step.step;
+  json["steps"]                   = n_steps;
+  json["searches"]                = system.contacts.search_statistics().searches;
+  json["window"] = {{"start", parameters_.output.window_start}, {"end", window_end(parameters_)}};
+  json["cpu_seconds"] = cpu_seconds(system.timer);
+
+  Json list = Json::array();
+  for (const Engagement &e : engagements_.found())
+    list.push_back({{"sprocket", e.sprocket},
+                    {"roller", e.roller},
+                    {"time", e.time},
+                    {"relative_speed", e.relative_speed},
+                    {"normal_speed", e.normal_speed},
+                    {"peak_force", e.peak_force},
+                    {"impulse", e.impulse},
+                    {"complete", e.complete}});
+  json["engagements"] = list;
+  return json;
+}
+} // namespace chaindrive::output

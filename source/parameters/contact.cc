@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/contact.h>
+#include <chaindrive/parameters/entries.h>
+
+namespace chaindrive::parameters
+{
+void Contact::declare(dealii::ParameterHandler &prm)
+{
+  const Subsection section(prm, "Contact");
+  add(prm,
+      "Roller-tooth stiffness in N/m",
+      roller_tooth_stiffness,
+      unit::si,
+      above(0., 1e13),
+      "Force over approach of roller and tooth. For a rigid roller this is physics, not numerics: "
+      "the peak of an impact grows with its square root. auto: the roller as an elastic ring and "
+      "its line contact in series.");
+  add(prm,
+      "Roller-bush stiffness in N/m",
+      roller_bush_stiffness,
+      unit::si,
+      above(0., 1e13),
+      "Force over approach of roller and bush; layered fidelity only. auto: conforming contact of "
+      "the two cylinders at the tension that the load asks for.");
+  add(prm,
+      "Damping ratio",
+      damping_ratio,
+      unit::si,
+      between(0., 1.),
+      "Damping of a contact over the critical damping of its two bodies on its spring; it acts "
+      "while they touch. 0 lets a roller bounce 5 to 8 times when it meets a tooth, 0.1 three to "
+      "four times.");
+  add(prm,
+      "Friction coefficient",
+      friction_coefficient,
+      unit::si,
+      between(0., 2.),
+      "Coulomb friction of every interface not named below. Dry steel has 0.1 to 0.3, a "
+      "lubricated chain 0.05 to 0.12.");
+  add(prm,
+      "Roller-tooth friction",
+      roller_tooth_friction,
+      unit::si,
+      between(0., 2.),
+      "Friction coefficient between rollers and teeth. Lumped rollers roll freely and so feel "
+      "little of it. auto: the general coefficient.");
+  add(prm,
+      "Roller-bush friction",
+      roller_bush_friction,
+      unit::si,
+      between(0., 2.),
+      "Friction coefficient between rollers and bushes; layered fidelity only. auto: the general "
+      "coefficient.");
+  add(prm,
+      "Bush-pin friction",
+      bush_pin_friction,
+      unit::si,
+      between(0., 2.),
+      "Friction coefficient in the joints, where the links turn and wear happens; layered "
+      "fidelity only. auto: the general coefficient.");
+  add(prm,
+      "Tangential ratio",
+      tangential_ratio,
+      unit::si,
+      above(0., 1.),
+      "Stiffness of a sticking contact along the surface over its stiffness across. Two elastic "
+      "half-spaces have 2 (1 - nu) / (2 - nu), which is 0.82 for steel. A smaller value allows a "
+      "longer stable step.");
+  add(prm,
+      "Search",
+      search,
+      {"displacement", "every step"},
+      "When the program looks anew for surfaces that may touch. displacement: after anything has "
+      "moved far enough to matter; no contact is missed. every step: only to compare with "
+      "programs that do so; gives the same results more slowly.");
+}
+} // namespace chaindrive::parameters

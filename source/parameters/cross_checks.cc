@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/cross_checks.h>
+#include <chaindrive/parameters/entries.h>
+#include <chaindrive/utilities/errors.h>
+
+#include <algorithm>
+
+namespace chaindrive::parameters
+{
+namespace
+{
+/// Sentences found so far: contradictions stop the run, notes do not.
+struct Findings
+{
+  std::vector<std::string> contradictions, notes;
+
+  void contradiction(const bool found, const std::string &sentence)
+  {
+    if (found)
+      contradictions.push_back(sentence);
+  }
+  void note(const bool found, const std::string &sentence)
+  {
+    if (found)
+      notes.push_back(sentence);
+  }
+};
+
+std::string ms(const double value) { return to_entry_text(value, unit::milli) + " ms"; }
+std::string us(const double value) { return to_entry_text(value, unit::micro) + " us"; }
+
+void check_times(const Parameters &p, Findings &findings)
+{
+  const Time   &time   = p.time;
+  const Output &output = p.output;
+  const double  start = time.start, end = time.end, duration = end - start;
+
+  findings.contradiction(end <= start,
+                         "The run would end before it starts: Time/End time in ms must be above "
+                         "Time/Start time in ms; they are " +
+                             ms(end) + " and " + ms(start) + ".");
+  if (end <= start)
+    return; // everything below would only repeat it
+
+  findings.contradiction(
+      time.step && *time.step > duration,
+      "Time/Step in us is longer than the whole run: " + us(time.step.value_or(0.)) + " against " +
+          ms(duration) + "; choose a smaller step or auto.");
+  findings.contradiction(
+      output.history_interval > duration,
+      "Output/History interval in us is longer than the whole run: " + us(output.history_interval) +
+          " against " + ms(duration) + "; choose a shorter interval.");
+  findings.note(time.step && output.history_interval < *time.step,
+                "Output/History interval in us is shorter than the step: every step is a sample.");
+  findings.note(output.field_interval > duration,
+                "Output/Field interval in ms is longer than the whole run: only its first state "
+                "is written for ParaView.");
+
+  findings.contradiction(output.window_start >= end,
+                         "Output/Window start in ms lies at or after the end of the run, so that "
+                         "nothing would be averaged: " +
+                             ms(output.window_start) + " against " + ms(end) +
+                             "; begin the window earlier or run longer.");
+  findings.contradiction(
+      output.window_end && *output.window_end <= output.window_start,
+      "Output/Window end in ms must be above Output/Window start in ms; they are " +
+          ms(output.window_end.value_or(0.)) + " and " + ms(output.window_start) + ".");
+  findings.contradiction(output.window_end && *output.window_end > end,
+                         "Output/Window end in ms lies after the end of the run: " +
+                             ms(output.window_end.value_or(0.)) + " against " + ms(end) +
+                             "; end the window earlier, choose auto, or run longer.");
+  findings.note(
+      output.window_start < start,
+      "Output/Window start in ms lies before the start of the run: the averages begin with the "
+      "run.");
+}
+
+void check_chain(const Parameters &p, Findings &findings)
+{
+  const Drive     &drive     = p.drive;
+  const Sprockets &sprockets = drive.sprockets;
+  const bool       layered   = p.model.fidelity != "simple";
+  const bool       odd       = drive.n_links % 2 != 0;
+  const bool       bottoms   = sprockets.seat_centre == "bottom diameter";
+
+  findings.contradiction(layered && odd,
+                         "Drive/Number of links = " + std::to_string(drive.n_links) +
+                             " is odd, but Model/Fidelity = layered takes inner and outer links "
+                             "by turns, which needs an even number; use one link more or less.");
+  findings.note(!layered && odd,
+                "Drive/Number of links = " + std::to_string(drive.n_links) +
+                    " is odd: a real chain needs an offset link, which the simple model does not "
+                    "tell from the others.");
+
+  findings.contradiction(
+      bottoms && !(sprockets.driver_bottom_diameter && sprockets.driven_bottom_diameter),
+      "Drive/Sprockets/Seat centre = bottom diameter needs both Driver bottom diameter in mm and "
+      "Driven bottom diameter in mm; give them, or choose iso or pitch.");
+  findings.note(!bottoms && (sprockets.driver_bottom_diameter || sprockets.driven_bottom_diameter),
+                "The bottom diameters of Drive/Sprockets have no effect, since Seat centre is " +
+                    sprockets.seat_centre + ".");
+  findings.contradiction(
+      drive.chain.pitch_set == "paper literal" && !bottoms,
+      "Drive/Chain/Pitch set = paper literal makes the loaded chain a radial clearance per pitch "
+      "longer than nominal, but Drive/Sprockets/Seat centre = " +
+          sprockets.seat_centre +
+          " cuts the seats for the nominal pitch: the rollers would ride up the flanks as on worn "
+          "sprockets. Choose Seat centre = bottom diameter with both bottom diameters, or Pitch "
+          "set = standard.");
+  findings.note(
+      drive.chain.pitch_set == "nominal",
+      "Drive/Chain/Pitch set = nominal: the loaded chain is a radial clearance per pitch longer "
+      "than its sprockets are cut for, and rides up their flanks like a worn chain.");
+
+  for (const bool driver : {true, false})
+    findings.note(
+        !(driver ? sprockets.driver_mesh : sprockets.driven_mesh).empty(),
+        std::string("The ") + (driver ? "driver" : "driven sprocket") +
+            " touches with the flanks of its mesh; Drive/Sprockets/Tooth form serves only to lay "
+            "the chain on it.");
+
+  findings.contradiction(
+      !p.output.rollers.empty() && p.output.rollers.back() >= drive.n_links,
+      "Output/Rollers names roller " +
+          std::to_string(p.output.rollers.empty() ? 0 : p.output.rollers.back()) +
+          ", but a chain of " + std::to_string(drive.n_links) + " links has the rollers 0 to " +
+          std::to_string(drive.n_links - 1) + ".");
+}
+
+void check_model(const Parameters &p, Findings &findings)
+{
+  const bool         simple = p.model.fidelity == "simple";
+  const std::string &start  = p.drive.layout.start;
+
+  findings.contradiction(
+      simple && start == "concentric",
+      "Drive/Layout/Start = concentric centres pins in their bushes, but Model/Fidelity = simple "
+      "has no joints; choose taut or warm, or Model/Fidelity = layered.");
+  findings.note(
+      start == "warm",
+      "Drive/Layout/Start = warm begins at full speed under full load: Loads/Speed ramp, Ramp "
+      "time in ms and Torque ramp angle in rad have no effect.");
+  findings.note(
+      start != "warm" && p.loads.ramp_time > p.time.end,
+      "Loads/Ramp time in ms ends after the run: the driver does not reach its full speed.");
+
+  const Contact &contact = p.contact;
+  findings.note(simple && (contact.roller_bush_stiffness || contact.roller_bush_friction ||
+                           contact.bush_pin_friction),
+                "The roller-bush and bush-pin entries of section Contact have no effect, since "
+                "Model/Fidelity = simple has no bushes and pins.");
+
+  const auto insist = [&findings](const std::string &name,
+                                  const std::string &choice,
+                                  const double       coefficient,
+                                  const std::string &coefficient_name) {
+    findings.contradiction(choice == "on" && coefficient == 0.,
+                           "Effects/" + name + " = on contradicts " + coefficient_name +
+                               " = 0; give a value above zero, or choose auto or off.");
+  };
+  const Effects &effects = p.effects;
+  // the largest coefficient that any interface of this fidelity has
+  double friction = contact.roller_tooth_friction.value_or(contact.friction_coefficient);
+  if (!simple)
+    for (const auto &own : {contact.roller_bush_friction, contact.bush_pin_friction})
+      friction = std::max(friction, own.value_or(contact.friction_coefficient));
+  insist("Friction", effects.friction, friction, "Contact/Friction coefficient");
+  insist(
+      "Contact damping", effects.contact_damping, contact.damping_ratio, "Contact/Damping ratio");
+  insist("Gravity", effects.gravity, p.loads.gravity, "Loads/Gravity in m/s2");
+  insist("Drag", effects.drag, p.loads.drag, "Loads/Drag in 1/s");
+  if (simple)
+    insist("Chain damping",
+           effects.chain_damping,
+           p.model.chain_damping_ratio,
+           "Model/Chain damping ratio");
+  else
+    findings.contradiction(
+        effects.chain_damping == "on",
+        "Effects/Chain damping = on contradicts Model/Fidelity = layered, whose links are rigid: "
+        "Contact/Damping ratio damps its joints. Choose auto or off.");
+}
+} // namespace
+
+std::vector<std::string> cross_check(const Parameters &parameters)
+{
+  Findings findings;
+  check_times(parameters, findings);
+  check_chain(parameters, findings);
+  check_model(parameters, findings);
+
+  std::string message;
+  for (const std::string &sentence : findings.contradictions)
+    message += (message.empty() ? "" : "\n") + sentence;
+  if (!message.empty())
+    throw InputError(message);
+  return findings.notes;
+}
+} // namespace chaindrive::parameters

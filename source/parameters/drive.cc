@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/drive.h>
+#include <chaindrive/parameters/entries.h>
+
+namespace chaindrive::parameters
+{
+void Chain::declare(dealii::ParameterHandler &prm)
+{
+  const Subsection section(prm, "Chain");
+  add_text(
+      prm,
+      "Designation",
+      designation,
+      "a designation of ISO 606 (such as 08B or 12A), ANSI (such as 40 or 60) or a motorcycle "
+      "chain (such as 428, 525 or 630)",
+      "Size of the chain in the standards' tables, from which all dimensions below follow unless "
+      "they are given. The default is the chain of the drive in prm/paper.");
+  add(prm,
+      "Pitch set",
+      pitch_set,
+      {"standard", "paper literal", "nominal"},
+      "Distance of the holes in the plates. standard: outer plates are shorter by the joint "
+      "clearance, so that the chain under load has its nominal pitch everywhere; right for all "
+      "chains made to a standard. nominal: inner and outer plates have the nominal pitch, so that "
+      "the loaded chain is longer by a radial clearance per pitch, like a worn one. paper "
+      "literal: as nominal, for sprockets cut to that longer pitch by their bottom diameters "
+      "(Seat centre = bottom diameter).");
+  add(prm,
+      "Elongation in percent",
+      elongation,
+      unit::percent,
+      between(0., 5.),
+      "Wear: how much longer than new the loaded pitch is. Chains are usually replaced at 2 to 3 "
+      "percent. Default: a new chain.");
+  const auto length = [&prm](const std::string     &name,
+                             std::optional<double> &member,
+                             const Range           &range,
+                             const std::string     &meaning) {
+    add(prm, name, member, unit::milli, range, meaning);
+  };
+  const std::string listed = " auto: from the table.";
+  const std::string scaled =
+      " auto: from the table; where it is silent, scaled from the 525 chain by the roller "
+      "diameter.";
+  length("Pitch in mm", pitch, above(0., 1000.), "Nominal pitch." + listed);
+  length("Roller diameter in mm",
+         roller_diameter,
+         above(0., 1000.),
+         "Outside diameter of the roller. Give it, and the other dimensions, for a chain that no "
+         "table lists." +
+             listed);
+  length("Roller bore in mm",
+         roller_bore,
+         above(0., 1000.),
+         "Bore of the roller; with the bush diameter it sets the clearance between the two. auto: "
+         "a radial clearance of 0.045 mm.");
+  length("Roller length in mm",
+         roller_length,
+         above(0., 1000.),
+         "Length of the roller, less than the inner width of the chain. auto: 0.88 of the inner "
+         "width, as in the 525 chain.");
+  length("Bush diameter in mm",
+         bush_diameter,
+         above(0., 1000.),
+         "Outside diameter of the bush." + scaled);
+  length("Bush bore in mm",
+         bush_bore,
+         above(0., 1000.),
+         "Bore of the bush; with the pin diameter it sets the joint clearance. auto: a radial "
+         "clearance of 0.045 mm.");
+  length("Bush length in mm",
+         bush_length,
+         above(0., 1000.),
+         "Length of the bush, from middle to middle of the inner plates: inner width and one "
+         "plate's thickness together." +
+             listed);
+  length("Pin diameter in mm",
+         pin_diameter,
+         above(0., 1000.),
+         "Outside diameter of the pin." + scaled);
+  length("Pin bore in mm",
+         pin_bore,
+         between(0., 1000.),
+         "Bore of a hollow pin; 0 is a solid pin. auto: solid, but for the 525 chain.");
+  length("Pin length in mm",
+         pin_length,
+         above(0., 1000.),
+         "Length of the pin, from middle to middle of the outer plates. auto: leaves a gap "
+         "between inner and outer plates that is scaled from the 525 chain.");
+  length("Inner plate height in mm",
+         inner_plate_height,
+         above(0., 1000.),
+         "Height of the inner plates at the holes. auto: from the table, or 0.95 of the pitch.");
+  length("Inner plate thickness in mm",
+         inner_plate_thickness,
+         above(0., 100.),
+         "Thickness of one inner plate." + scaled);
+  length("Outer plate height in mm",
+         outer_plate_height,
+         above(0., 1000.),
+         "Height of the outer plates at the holes. auto: from the table, or 0.82 of the pitch.");
+  length("Outer plate thickness in mm",
+         outer_plate_thickness,
+         above(0., 100.),
+         "Thickness of one outer plate." + scaled);
+  add(prm,
+      "Waist ratio",
+      waist_ratio,
+      unit::si,
+      above(0., 1.),
+      "Height of a plate in the middle between its holes over its height at the holes; 1 gives "
+      "plates with straight flanks. The default is an estimate from pictures of chains: no "
+      "standard rules it.");
+}
+
+void Sprockets::declare(dealii::ParameterHandler &prm)
+{
+  const Subsection section(prm, "Sprockets");
+  add(prm,
+      "Tooth form",
+      tooth_form,
+      {"iso min", "iso mid", "iso max", "ansi"},
+      "Shape of the tooth gap. ISO 606 limits it by a minimum and a maximum form, between which "
+      "makers are free; iso mid takes the means of seat radius, angle and flank radius. ansi is "
+      "the form of ANSI B29.1. The form moves the impact peaks as much as 50 um of seat radius "
+      "do. Default: the form that keeps a tip land up to the largest outside diameter.");
+  add(prm,
+      "Seat centre",
+      seat_centre,
+      {"iso", "pitch", "bottom diameter"},
+      "Where the seat of a gap lies. iso: the bottom of the gap is on the root circle, so that a "
+      "roller seated there has its centre on the pitch circle. pitch: the seat arc's centre is on "
+      "the pitch circle, as in ANSI forms. bottom diameter: the bottom of the gap is on the "
+      "bottom diameter below, as measured on a real sprocket.");
+  const auto length =
+      [&prm](const std::string &name, std::optional<double> &member, const std::string &meaning) {
+        add(prm, name, member, unit::milli, above(0., 10000.), meaning);
+      };
+  const std::string outside = "Diameter over the tips of the ";
+  const std::string tips = " teeth. auto: the middle of the range of ISO 606 as far as the tooth "
+                           "keeps a tip land, or the value of ANSI B29.1. A value that leaves no "
+                           "tip land is refused.";
+  length("Driver outside diameter in mm", driver_outside_diameter, outside + "driver's" + tips);
+  length("Driven outside diameter in mm",
+         driven_outside_diameter,
+         outside + "driven sprocket's" + tips);
+  const std::string bottom = ", used with Seat centre = bottom diameter only. Measure it with "
+                             "pins, since it decides where the rollers sit.";
+  length("Driver bottom diameter in mm",
+         driver_bottom_diameter,
+         "Diameter at the bottom of the driver's gaps" + bottom);
+  length("Driven bottom diameter in mm",
+         driven_bottom_diameter,
+         "Diameter at the bottom of the driven sprocket's gaps" + bottom);
+  const std::string bore =
+      " shaft. It counts for the inertia and the pictures only. auto: a third of the root "
+      "diameter.";
+  length("Driver bore in mm", driver_bore, "Bore for the driver's" + bore);
+  length("Driven bore in mm", driven_bore, "Bore for the driven sprocket's" + bore);
+  const std::string hub = " rigid zone, which the mesh joins to the shaft. auto: six tenths of "
+                          "the root diameter.";
+  length("Driver hub diameter in mm", driver_hub_diameter, "Diameter of the driver's" + hub);
+  length(
+      "Driven hub diameter in mm", driven_hub_diameter, "Diameter of the driven sprocket's" + hub);
+  length("Width in mm",
+         width,
+         "Width of the teeth of both sprockets. auto: 0.93 of the chain's inner width up to a "
+         "pitch of 12.7 mm and 0.95 above, as in ISO 606.");
+  const std::string meshed =
+      ": a Gmsh .msh file with the named surfaces that meshes/README.md lists, relative to the "
+      "directory that the program is started in. Give it for teeth that no form above describes. "
+      "Default: the mesh is made from the tooth form.";
+  add_text(
+      prm, "Driver mesh", driver_mesh, "a file name or nothing", "Mesh of the driver" + meshed);
+  add_text(prm,
+           "Driven mesh",
+           driven_mesh,
+           "a file name or nothing",
+           "Mesh of the driven sprocket" + meshed);
+}
+
+void Layout::declare(dealii::ParameterHandler &prm)
+{
+  const Subsection section(prm, "Layout");
+  add(prm,
+      "Centre distance from",
+      centre_distance_from,
+      {"given", "slack", "sag", "pretension"},
+      "Which of the four entries below decides how far the shafts are apart; the other three are "
+      "not used. The distance that follows is printed with the plan.");
+  add(prm,
+      "Centre distance in mm",
+      centre_distance,
+      unit::milli,
+      above(0., 100000.),
+      "Distance of the shafts. A chain too short to be laid round them is refused with the "
+      "numbers. Default: the drive in prm/paper with 0.5 mm of slack.");
+  add(prm,
+      "Slack in mm",
+      slack,
+      unit::milli,
+      between(0., 1000.),
+      "Length of chain beyond what two straight spans need, measured on the chain as laid, with "
+      "its clearances taken up. More slack means less tension in the slack span and a softer "
+      "start. Default: a drive adjusted almost tight.");
+  add(prm,
+      "Sag in percent",
+      sag,
+      unit::percent,
+      between(0., 10.),
+      "Sag of the slack span in its middle over its length. Makers ask for 1 to 3 percent; "
+      "steeper or reversing drives for less.");
+  add(prm,
+      "Pretension in N",
+      pretension,
+      unit::si,
+      between(0., 1e6),
+      "Tension in both spans at rest, in place of slack. Keep it far below the working tension.");
+  add(prm,
+      "Tight span",
+      tight_span,
+      {"upper", "lower"},
+      "Which span pulls the driven sprocket. upper: both sprockets turn counter-clockwise, the "
+      "driver on the left. lower: everything is mirrored and they turn clockwise; only gravity "
+      "tells the two apart.");
+  add(prm,
+      "Start phase",
+      start_phase,
+      unit::si,
+      from_to_below(0., 1.),
+      "How far the driver is turned at the start, as a fraction of a tooth. Peak forces of single "
+      "rollers depend on it by chance: judge them over several phases.");
+  add(prm,
+      "Start",
+      start,
+      {"taut", "concentric", "warm"},
+      "Where the parts of the joints are at the start. taut: at rest, clearances taken up in the "
+      "pulling direction. concentric: at rest, pins and bushes centred, so that the drive first "
+      "hauls in the clearances and then jerks; layered fidelity only. warm: moving at full speed "
+      "under full load; saves the time of the ramp.");
+}
+
+void Drive::declare(dealii::ParameterHandler &prm)
+{
+  const Subsection section(prm, "Drive");
+  add(prm,
+      "Number of links",
+      n_links,
+      10,
+      10000,
+      "Inner plus outer links of the endless chain; even, unless it has an offset link. Default: "
+      "the drive in prm/paper.");
+  add(prm,
+      "Driver teeth",
+      driver_teeth,
+      9,
+      500,
+      "Teeth of the sprocket whose speed is prescribed. Below 17 the polygonal motion grows "
+      "quickly; the standards' tooth forms end at 9. Default: the drive in prm/paper.");
+  add(prm,
+      "Driven teeth",
+      driven_teeth,
+      9,
+      500,
+      "Teeth of the sprocket that carries the load torque. Default: the drive in prm/paper.");
+  chain.declare(prm);
+  sprockets.declare(prm);
+  layout.declare(prm);
+}
+} // namespace chaindrive::parameters

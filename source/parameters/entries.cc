@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/entries.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <memory>
+
+namespace chaindrive::parameters
+{
+namespace
+{
+/// Accepts what a function accepts, and says what that is in words fit for a message to the user.
+class Pattern : public dealii::Patterns::PatternBase
+{
+public:
+  Pattern(const std::string &allowed, const std::function<bool(const std::string &)> &accepts)
+      : allowed_(allowed), accepts_(accepts)
+  {
+  }
+
+  bool match(const std::string &value) const override { return accepts_(value); }
+
+  std::string description(const OutputStyle) const override { return allowed_; }
+
+  std::unique_ptr<PatternBase> clone() const override { return std::make_unique<Pattern>(*this); }
+
+private:
+  std::string                              allowed_;
+  std::function<bool(const std::string &)> accepts_;
+};
+
+/// Reads all of @p text as a T; empty if there is anything else in it.
+template <typename T>
+std::optional<T> read_all(const std::string &text)
+{
+  T           value{};
+  const char *begin = text.data(), *end = begin + text.size();
+  if (begin != end && *begin == '+')
+    ++begin;
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc() || stop != end)
+    return {};
+  return value;
+}
+
+bool is_in(const std::string &text, const Range &range)
+{
+  const std::optional<double> value = from_entry_text(text, unit::si);
+  return value && range.contains(*value);
+}
+
+std::vector<std::string> split_at_commas(const std::string &text)
+{
+  return dealii::Utilities::split_string_list(text, ',');
+}
+
+std::string join(const std::vector<std::string> &words)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + words[i];
+  return text;
+}
+
+void declare(dealii::ParameterHandler                       &prm,
+             const std::string                              &name,
+             const std::string                              &default_value,
+             const Pattern                                  &pattern,
+             const std::string                              &meaning,
+             const std::function<void(const std::string &)> &store)
+{
+  prm.declare_entry(name, default_value, pattern, meaning);
+  prm.add_action(name, store); // stores the default, too: from text and back it is unchanged
+}
+} // namespace
+
+bool Range::contains(const double value) const
+{
+  return (lower_included ? value >= lower : value > lower) &&
+         (upper_included ? value <= upper : value < upper);
+}
+
+std::string Range::text() const
+{
+  const std::string low = to_entry_text(lower, 0);
+  if (std::isinf(upper) && std::isinf(lower))
+    return "a number";
+  if (std::isinf(upper))
+    return (lower_included ? "a number of at least " : "a number above ") + low;
+  const std::string high = to_entry_text(upper, 0);
+  if (lower_included)
+    return "a number from " + low + (upper_included ? " to " : " to below ") + high;
+  return "a number above " + low + (upper_included ? " and up to " : " and below ") + high;
+}
+
+std::string to_entry_text(const double value, const int exponent)
+{
+  // "d.ddde+xx" with the fewest digits that tell this number from its neighbours
+  char       buffer[40];
+  const auto written = std::to_chars(buffer, buffer + 40, value, std::chars_format::scientific);
+  const std::string text(buffer, written.ptr);
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos || value == 0.)
+    return value == 0. ? "0" : text;
+
+  const bool  negative = text[0] == '-';
+  std::string digits;
+  std::copy_if(text.begin(), text.begin() + e, std::back_inserter(digits), [](const char c) {
+    return c >= '0' && c <= '9';
+  });
+  const int   power = std::stoi(text.substr(e + 1)) - exponent;
+  const int   n     = static_cast<int>(digits.size());
+  std::string result;
+  if (power >= std::max(6, n) || power < -3)
+    result =
+        digits.substr(0, 1) + (n > 1 ? "." + digits.substr(1) : "") + "e" + std::to_string(power);
+  else if (power < 0)
+    result = "0." + std::string(-power - 1, '0') + digits;
+  else if (n <= power + 1)
+    result = digits + std::string(power + 1 - n, '0');
+  else
+    result = digits.substr(0, power + 1) + "." + digits.substr(power + 1);
+  return (negative ? "-" : "") + result;
+}
+
+std::optional<double> from_entry_text(const std::string &text, const int exponent)
+{
+  const std::optional<double> plain = read_all<double>(text);
+  if (!plain || !std::isfinite(*plain) || exponent == 0)
+    return plain && std::isfinite(*plain) ? plain : std::nullopt;
+  const std::size_t e     = text.find_first_of("eE");
+  const int         power = e == std::string::npos ? 0 : *read_all<int>(text.substr(e + 1));
+  return read_all<double>(text.substr(0, e) + "e" + std::to_string(power + exponent));
+}
+
+void add(dealii::ParameterHandler &prm,
+         const std::string        &name,
+         double                   &member,
+         const int                 exponent,
+         const Range              &range,
+         const std::string        &meaning)
+{
+  declare(prm,
+          name,
+          to_entry_text(member, exponent),
+          Pattern(range.text(), [range](const std::string &text) { return is_in(text, range); }),
+          meaning,
+          [&member, exponent](const std::string &text) {
+            member = from_entry_text(text, exponent).value_or(0.); // below the smallest double
+          });
+}
+
+void add(dealii::ParameterHandler &prm,
+         const std::string        &name,
+         std::optional<double>    &member,
+         const int                 exponent,
+         const Range              &range,
+         const std::string        &meaning)
+{
+  declare(
+      prm,
+      name,
+      member ? to_entry_text(*member, exponent) : "auto",
+      Pattern("auto or " + range.text(),
+              [range](const std::string &text) { return text == "auto" || is_in(text, range); }),
+      meaning,
+      [&member, exponent](const std::string &text) {
+        if (text == "auto")
+          member.reset();
+        else
+          member = from_entry_text(text, exponent).value_or(0.);
+      });
+}
+
+void add(dealii::ParameterHandler &prm,
+         const std::string        &name,
+         unsigned int             &member,
+         const unsigned int        lower,
+         const unsigned int        upper,
+         const std::string        &meaning)
+{
+  declare(prm,
+          name,
+          std::to_string(member),
+          Pattern("a whole number from " + std::to_string(lower) + " to " + std::to_string(upper),
+                  [lower, upper](const std::string &text) {
+                    const auto value = read_all<unsigned int>(text);
+                    return value && *value >= lower && *value <= upper;
+                  }),
+          meaning,
+          [&member](const std::string &text) { member = *read_all<unsigned int>(text); });
+}
+
+void add(dealii::ParameterHandler       &prm,
+         const std::string              &name,
+         std::string                    &member,
+         const std::vector<std::string> &choices,
+         const std::string              &meaning)
+{
+  declare(prm,
+          name,
+          member,
+          Pattern(join(choices),
+                  [choices](const std::string &text) {
+                    return std::find(choices.begin(), choices.end(), text) != choices.end();
+                  }),
+          meaning,
+          [&member](const std::string &text) { member = text; });
+}
+
+void add_text(dealii::ParameterHandler &prm,
+              const std::string        &name,
+              std::string              &member,
+              const std::string        &allowed,
+              const std::string        &meaning)
+{
+  declare(prm,
+          name,
+          member,
+          Pattern(allowed, [](const std::string &) { return true; }),
+          meaning,
+          [&member](const std::string &text) { member = text; });
+}
+
+void add(dealii::ParameterHandler &prm,
+         const std::string        &name,
+         bool                     &member,
+         const std::string        &meaning)
+{
+  declare(prm,
+          name,
+          member ? "true" : "false",
+          Pattern("true or false",
+                  [](const std::string &text) { return text == "true" || text == "false"; }),
+          meaning,
+          [&member](const std::string &text) { member = text == "true"; });
+}
+
+void add(dealii::ParameterHandler  &prm,
+         const std::string         &name,
+         std::vector<unsigned int> &member,
+         const std::string         &meaning)
+{
+  std::string default_value = member.empty() ? "all" : "";
+  for (const unsigned int number : member)
+    default_value += (default_value.empty() ? "" : ", ") + std::to_string(number);
+  declare(prm,
+          name,
+          default_value,
+          Pattern("all or whole numbers separated by commas",
+                  [](const std::string &text) {
+                    const auto words = split_at_commas(text);
+                    return text == "all" ||
+                           (!words.empty() &&
+                            std::all_of(words.begin(), words.end(), [](const std::string &word) {
+                              return read_all<unsigned int>(word).has_value();
+                            }));
+                  }),
+          meaning,
+          [&member](const std::string &text) {
+            member.clear();
+            if (text != "all")
+              for (const std::string &word : split_at_commas(text))
+                member.push_back(*read_all<unsigned int>(word));
+            std::sort(member.begin(), member.end());
+            member.erase(std::unique(member.begin(), member.end()), member.end());
+          });
+}
+} // namespace chaindrive::parameters

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/entries.h>
+#include <chaindrive/parameters/loads.h>
+
+namespace chaindrive::parameters
+{
+void Effects::declare(dealii::ParameterHandler &prm)
+{
+  const Subsection section(prm, "Effects");
+  const auto       effect =
+      [&prm](const std::string &name, std::string &member, const std::string &meaning) {
+        add(prm, name, member, {"auto", "on", "off"}, meaning);
+      };
+  const std::string common =
+      " off drops it, at no cost, without touching the coefficient; on insists on it and refuses "
+      "a coefficient of zero.";
+  effect("Friction",
+         friction,
+         "Coulomb friction of all interfaces. auto: on when a friction coefficient is not zero." +
+             common);
+  effect("Contact damping",
+         contact_damping,
+         "Damping of bodies that touch. auto: on when Contact/Damping ratio is not zero." + common);
+  effect("Chain damping",
+         chain_damping,
+         "Damping of the chain's bars; simple fidelity only. auto: on when Model/Chain damping "
+         "ratio is not zero." +
+             common);
+  effect("Gravity",
+         gravity,
+         "Weight of the chain. auto: on when Loads/Gravity in m/s2 is not zero." + common);
+  effect("Drag",
+         drag,
+         "Resistance of air or oil to the chain. auto: on when Loads/Drag in 1/s is not zero." +
+             common);
+}
+
+void Loads::declare(dealii::ParameterHandler &prm)
+{
+  const Subsection section(prm, "Loads");
+  add(prm,
+      "Driver speed in rad/s",
+      driver_speed,
+      unit::si,
+      between(0., 1e5),
+      "Speed of the driver after the ramp; 1 rad/s is 9.549 revolutions per minute. Its sense "
+      "follows from Drive/Layout/Tight span. Default: 1153 rpm, a motorcycle at 50 km/h, as in "
+      "prm/paper.");
+  add(prm,
+      "Speed ramp",
+      speed_ramp,
+      {"linear", "cosine"},
+      "How the driver's speed grows from zero. linear: constant acceleration, which begins and "
+      "ends with a jerk. cosine: half a cosine wave, which excites the drive less.");
+  add(prm,
+      "Ramp time in ms",
+      ramp_time,
+      unit::milli,
+      between(0., 1e6),
+      "How long the driver takes to its full speed. A short ramp saves time and costs a "
+      "transient: the tension of the start can be twice that of steady running.");
+  add(prm,
+      "Resisting torque in N m",
+      resisting_torque,
+      unit::si,
+      between(0., 1e7),
+      "Torque of the load, which resists the rotation of the driven sprocket. Default: as in "
+      "prm/paper.");
+  add(prm,
+      "Torque ramp angle in rad",
+      torque_ramp_angle,
+      unit::si,
+      between(0., 100.),
+      "Rotation of the driven sprocket over which the torque grows to its full value; before "
+      "that, the load only resists in proportion to the rotation. Default: as in prm/paper.");
+  add(prm,
+      "Gravity in m/s2",
+      gravity,
+      unit::si,
+      between(0., 1000.),
+      "Acceleration of gravity, downwards along -y: the shafts lie at the same height.");
+  add(prm,
+      "Drag in 1/s",
+      drag,
+      unit::si,
+      between(0., 1e4),
+      "Resisting force on every body of the chain over its mass and velocity: the time in which a "
+      "chain moving freely slows down to 37 percent is its inverse. Default: none.");
+}
+} // namespace chaindrive::parameters

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/catalogue.h>
+#include <chaindrive/parameters/cross_checks.h>
+#include <chaindrive/parameters/parameter_file.h>
+#include <chaindrive/parameters/reader.h>
+#include <chaindrive/parameters/writer.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <utility>
+
+namespace chaindrive::parameters
+{
+namespace
+{
+using dealii::Utilities::trim;
+
+std::string join(const std::vector<std::string> &words)
+{
+  std::string text;
+  for (const std::string &word : words)
+    text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string last_part(const std::string &path) { return path.substr(path.rfind('/') + 1); }
+
+std::string enclosing(const std::string &path)
+{
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "" : path.substr(0, slash);
+}
+
+/// The member of @p names that was probably meant by @p name: users forget sections and units.
+std::string closest(const std::string &name, const std::vector<std::string> &names)
+{
+  std::vector<std::string> candidates = names; // then the same without units
+  for (const std::string &candidate : names)
+    {
+      const bool ends = candidate.size() > name.size() &&
+                        candidate.substr(candidate.size() - name.size() - 1) == "/" + name;
+      const bool begins = candidate.compare(0, name.size() + 1, name + " ") == 0;
+      if (!name.empty() && (ends || begins))
+        return candidate;
+      candidates.push_back(candidate.substr(0, candidate.rfind(" in ")));
+    }
+  const auto nearest =
+      std::find(candidates.begin(), candidates.end(), nearest_name(name, candidates));
+  return nearest == candidates.end() ? "" : names[(nearest - candidates.begin()) % names.size()];
+}
+
+/// Reads statements into a ParameterHandler and collects a sentence for every mistake.
+///
+/// ParameterHandler's own parser reads the same grammar, but stops at the first mistake, in words
+/// for programmers; here names are checked first, and only valid statements reach it.
+class Reader
+{
+public:
+  Reader(dealii::ParameterHandler &prm, Input &input) : prm_(prm), input_(input), catalogue_(prm) {}
+
+  void read_file(const std::string &file)
+  {
+    const std::vector<Line> lines = statements(read_text(file));
+    if (lines.empty())
+      throw InputError(
+          "The parameter file '" + file +
+          "' contains no entries. To start from a template, use: chaindrive --write-parameters");
+    for (const Line &line : lines)
+      read_statement(line, file + ", line " + std::to_string(line.number) + ": ");
+    if (!open_.empty())
+      errors_.push_back(file + ": section " + last_part(open_.back().first) + ", opened in line " +
+                        std::to_string(open_.back().second) +
+                        ", is not closed: an 'end' is missing.");
+  }
+
+  void read_override(const std::string &text)
+  {
+    const std::string where  = "--set \"" + text + "\": ";
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos)
+      {
+        errors_.push_back(where + "an override is written \"Section/Entry=value\".");
+        return;
+      }
+    // the unit in an entry's name may itself contain a slash: compare whole paths
+    const std::string        path = trim(text.substr(0, equals));
+    std::vector<std::string> paths;
+    for (const Entry &entry : catalogue_.entries())
+      {
+        if (entry.path() == path)
+          {
+            set_value(entry, trim(text.substr(equals + 1)), where);
+            return;
+          }
+        paths.push_back(entry.path());
+      }
+    const std::string nearest = closest(path, paths);
+    errors_.push_back(where + "there is no entry '" + path + "'." +
+                      (nearest.empty() ? " chaindrive --write-parameters lists all entries." :
+                                         " Did you mean '" + nearest + "'?"));
+  }
+
+  /// Throws the mistakes found so far.
+  void throw_errors() const
+  {
+    std::string message;
+    for (const std::string &error : errors_)
+      message += (message.empty() ? "" : "\n") + error;
+    if (!errors_.empty())
+      throw InputError(message);
+  }
+
+  /// All entries with their values.
+  std::string resolved() const
+  {
+    std::ostringstream out;
+    write_prm(out, catalogue_, values_, false);
+    return out.str();
+  }
+
+private:
+  void read_statement(const Line &line, const std::string &where)
+  {
+    const std::size_t blank   = line.text.find(' ');
+    const std::string keyword = line.text.substr(0, blank);
+    const std::string rest    = blank == std::string::npos ? "" : trim(line.text.substr(blank + 1));
+    if (keyword == "subsection" || keyword == "SUBSECTION")
+      open_section(rest, line.number, where);
+    else if (keyword == "end" || keyword == "END")
+      close_section(rest, where);
+    else if (keyword == "set" || keyword == "SET")
+      read_set(rest, where);
+    else if (keyword == "include" || keyword == "INCLUDE")
+      errors_.push_back(where + "files are not included in one another, so that one file tells "
+                                "all about a run; copy the entries, or override them with --set.");
+    else
+      errors_.push_back(
+          where + "'" + line.text +
+          "' is not understood: a line begins with 'subsection', 'set', 'end' or '#'." +
+          (line.text.find('=') != std::string::npos ? " Is 'set' missing?" : ""));
+  }
+
+  void open_section(const std::string &name, const unsigned int line, const std::string &where)
+  {
+    const std::string outer = open_.empty() ? "" : open_.back().first;
+    const std::string path  = outer.empty() ? name : outer + "/" + name;
+    // what stands in an unknown section is passed over: one sentence for it is enough
+    if (catalogue_.has_section(outer) && !catalogue_.has_section(path))
+      errors_.push_back(where + unknown_section(name, outer));
+    open_.emplace_back(path, line);
+  }
+
+  std::string unknown_section(const std::string &name, const std::string &outer) const
+  {
+    const std::string begin =
+        (outer.empty() ? "there is" : "section " + outer + " has") + " no section '" + name + "'.";
+    for (const std::string &path : catalogue_.sections())
+      if (last_part(path) == name)
+        return begin + (enclosing(path).empty() ?
+                            " It is a section of its own: is an 'end' missing above?" :
+                            " It belongs in section " + enclosing(path) + ".");
+    return begin + suggestion(closest(name, catalogue_.section_names(outer)),
+                              catalogue_.section_names(outer));
+  }
+
+  void close_section(const std::string &rest, const std::string &where)
+  {
+    if (!rest.empty())
+      errors_.push_back(where + "nothing may follow 'end' but a comment.");
+    if (open_.empty())
+      errors_.push_back(where + "this 'end' closes no section.");
+    else
+      open_.pop_back();
+  }
+
+  void read_set(const std::string &rest, const std::string &where)
+  {
+    const std::string section = open_.empty() ? "" : open_.back().first;
+    const std::size_t equals  = rest.find('=');
+    if (equals == std::string::npos)
+      {
+        errors_.push_back(where + "an entry is written 'set Name = value'; the '=' is missing.");
+        return;
+      }
+    if (!catalogue_.has_section(section))
+      return;
+    const std::string name = trim(rest.substr(0, equals));
+    if (const Entry *entry = catalogue_.find(section, name))
+      {
+        if (values_.count(entry->path()) > 0)
+          input_.notes.push_back(where + entry->path() + " was set before; the last value holds.");
+        set_value(*entry, trim(rest.substr(equals + 1)), where);
+      }
+    else
+      errors_.push_back(where + unknown_entry(name, section));
+  }
+
+  std::string unknown_entry(const std::string &name, const std::string &section) const
+  {
+    const std::string begin = section.empty() ?
+                                  "the entry '" + name + "' stands outside all sections." :
+                                  "section " + section + " has no entry '" + name + "'.";
+    for (const Entry &entry : catalogue_.entries())
+      if (entry.name == name)
+        return begin + " It belongs in section " + entry.section + ".";
+    return begin + suggestion(closest(name, catalogue_.entry_names(section)),
+                              catalogue_.entry_names(section));
+  }
+
+  static std::string suggestion(const std::string &nearest, const std::vector<std::string> &all)
+  {
+    if (!nearest.empty())
+      return " Did you mean '" + nearest + "'?";
+    return all.empty() ? "" : " There are: " + join(all) + ".";
+  }
+
+  /// @p where begins a message.
+  void set_value(const Entry &entry, const std::string &value, const std::string &where)
+  {
+    try
+      {
+        set(prm_, entry, value, where);
+        values_[entry.path()] = value;
+      }
+    catch (const InputError &error)
+      {
+        errors_.push_back(error.what());
+      }
+  }
+
+  dealii::ParameterHandler                         &prm_;
+  Input                                            &input_;
+  const Catalogue                                   catalogue_;
+  std::vector<std::pair<std::string, unsigned int>> open_;   ///< path, line of each open section
+  std::map<std::string, std::string>                values_; ///< of all entries set, by path
+  std::vector<std::string>                          errors_;
+};
+} // namespace
+
+Input read_parameters(const std::string &file, const std::vector<std::string> &overrides)
+{
+  Input                    input;
+  dealii::ParameterHandler prm;
+  input.parameters.declare(prm);
+
+  Reader reader(prm, input);
+  reader.read_file(file);
+  for (const std::string &override_text : overrides)
+    reader.read_override(override_text);
+  reader.throw_errors();
+
+  for (const std::string &note : cross_check(input.parameters))
+    input.notes.push_back(note);
+  input.resolved = reader.resolved();
+  return input;
+}
+} // namespace chaindrive::parameters

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/entries.h>
+#include <chaindrive/parameters/run.h>
+
+namespace chaindrive::parameters
+{
+void Time::declare(dealii::ParameterHandler &prm)
+{
+  const Subsection section(prm, "Time");
+  add(prm,
+      "Start time in ms",
+      start,
+      unit::milli,
+      between(0., 1e9),
+      "Time at which the run begins. It only shifts the axis of time in the results: the ramps "
+      "begin with the run.");
+  add(prm,
+      "End time in ms",
+      end,
+      unit::milli,
+      above(0., 1e9),
+      "Time at which the run ends. Speeds and tensions need about ten pitch times after the "
+      "start-up transient. Default: as in prm/paper, nearly nine pitch times.");
+  add(prm,
+      "Step in us",
+      step,
+      unit::micro,
+      above(0., 1e6),
+      "Time step. A step above the stable one is refused, not shortened. auto: a fortieth of the "
+      "shortest period of vibration.");
+  add(prm,
+      "Safety factor",
+      safety_factor,
+      unit::si,
+      above(0., 1.),
+      "Largest accepted step over the stable step, whose bound holds for linear vibration. "
+      "Default: leaves ten percent for what is not linear.");
+  add(prm,
+      "Energy limit in percent",
+      energy_limit,
+      unit::percent,
+      above(0., 100.),
+      "Imbalance of energy, over the drive work, at which a run stops. A sound run stays below "
+      "0.1 (simple) or 0.5 (layered); a larger imbalance means too large a step. Default: what "
+      "can no longer be trusted.");
+}
+
+void Output::declare(dealii::ParameterHandler &prm)
+{
+  const Subsection section(prm, "Output");
+  add_text(prm,
+           "Directory",
+           directory,
+           "a directory name or nothing",
+           "Where the results go, relative to the directory that the program is started in. "
+           "Default: results/ and the name of the .prm file. The option --output overrides it.");
+  add(prm,
+      "History interval in us",
+      history_interval,
+      unit::micro,
+      above(0., 1e9),
+      "Time between two samples of the histories. Every force is also recorded by its maximum "
+      "since the last sample, since an impact may last 20 us only.");
+  add(prm,
+      "Field interval in ms",
+      field_interval,
+      unit::milli,
+      between(0., 1e9),
+      "Time between two pictures of all bodies for ParaView; 0 writes none.");
+  add(prm,
+      "Rollers",
+      rollers,
+      "Numbers of the rollers whose motion goes into the histories. Roller 0 sits on the driver "
+      "where the tight span arrives; numbers grow in the direction of travel.");
+  add(prm, "CSV", csv, "Whether the histories are also written as CSV files, beside HDF5.");
+  add(prm,
+      "Window start in ms",
+      window_start,
+      unit::milli,
+      between(0., 1e9),
+      "Begin of the window over which summary.json averages; choose it after the start-up "
+      "transient. Default: the drive in prm/paper has settled by then.");
+  add(prm,
+      "Window end in ms",
+      window_end,
+      unit::milli,
+      above(0., 1e9),
+      "End of that window. auto: the end of the run.");
+}
+} // namespace chaindrive::parameters

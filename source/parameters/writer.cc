@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/parameters.h>
+#include <chaindrive/parameters/reader.h>
+#include <chaindrive/parameters/writer.h>
+
+#include <algorithm>
+#include <ostream>
+#include <sstream>
+
+namespace chaindrive::parameters
+{
+namespace
+{
+std::vector<std::string> parts_of(const std::string &section)
+{
+  return dealii::Utilities::split_string_list(section, '/');
+}
+
+/// Closes the sections in @p open that @p section does not lie in, and opens those that are
+/// missing.
+void change_section(std::ostream &out, std::vector<std::string> &open, const std::string &section)
+{
+  const std::vector<std::string> parts  = parts_of(section);
+  const auto                     indent = [&] { return std::string(2 * open.size(), ' '); };
+
+  const std::size_t common =
+      std::mismatch(open.begin(), open.end(), parts.begin(), parts.end()).first - open.begin();
+  while (open.size() > common)
+    {
+      open.pop_back();
+      out << indent() << "end\n";
+    }
+  for (std::size_t i = common; i < parts.size(); ++i)
+    {
+      out << (i == 0 || i > common ? "" : "\n") << indent() << "subsection " << parts[i] << '\n';
+      open.push_back(parts[i]);
+    }
+}
+
+Catalogue default_catalogue()
+{
+  Parameters               parameters;
+  dealii::ParameterHandler prm;
+  parameters.declare(prm);
+  return Catalogue(prm);
+}
+
+/// A bar would end a cell of a Markdown table.
+std::string cell(const std::string &text)
+{
+  std::string escaped;
+  for (const char c : text)
+    escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+  return escaped;
+}
+} // namespace
+
+void write_prm(std::ostream                             &out,
+               const Catalogue                          &catalogue,
+               const std::map<std::string, std::string> &values,
+               const bool                                documented)
+{
+  std::vector<std::string> open;
+  for (const Entry &entry : catalogue.entries())
+    {
+      if (open.empty() || parts_of(entry.section) != open)
+        {
+          if (!open.empty() && open.front() != parts_of(entry.section).front())
+            {
+              change_section(out, open, "");
+              out << '\n';
+            }
+          change_section(out, open, entry.section);
+        }
+      else if (documented)
+        out << '\n';
+
+      const std::string indent(2 * open.size(), ' ');
+      if (documented)
+        for (const std::string &line : dealii::Utilities::break_text_into_lines(
+                 entry.meaning + " Allowed: " + entry.allowed + ".", 96 - indent.size()))
+          out << indent << "# " << line << '\n';
+      const auto         given = values.find(entry.path());
+      const std::string &value = given == values.end() ? entry.default_value : given->second;
+      out << indent << "set " << entry.name << " =" << (value.empty() ? "" : " ") << value
+          << (documented || value == entry.default_value ? "" :
+                                                           " # default: " + entry.default_value)
+          << '\n';
+    }
+  change_section(out, open, "");
+}
+
+void write_template(std::ostream &out)
+{
+  out << "# SPDX-License-Identifier: LGPL-2.1-or-later\n#\n# A roller chain drive: every entry "
+         "that chaindrive knows, with its default. Entries that are\n# left out keep their "
+         "defaults, so a file of your own needs only what differs.\n\n";
+  write_prm(out, default_catalogue(), {}, true);
+}
+
+std::string parameter_documentation()
+{
+  const Catalogue    catalogue = default_catalogue();
+  std::ostringstream out;
+  out << "# Parameters\n\nEvery entry of a `.prm` file, written by `chaindrive "
+         "--write-documentation`. Sections are\nnested (`Drive/Chain` is `subsection Chain` "
+         "inside `subsection Drive`), an entry is set with\n`set Name = value`, and `#` begins a "
+         "comment. The unit belongs to the entry's name. What is\nleft out keeps its default; "
+         "`auto` lets the program find the value, which the log then states.\nOn the command "
+         "line, `--set \"Section/Entry=value\"` overrides the file.\n";
+  std::string section;
+  for (const Entry &entry : catalogue.entries())
+    {
+      if (entry.section != section)
+        out << "\n## " << entry.section
+            << "\n\n| Entry | Default | Allowed | Meaning |\n|---|---|---|---|\n";
+      section = entry.section;
+      out << "| `" << entry.name << "` | "
+          << (entry.default_value.empty() ? "(empty)" : "`" + entry.default_value + "`") << " | "
+          << cell(entry.allowed) << " | " << cell(entry.meaning) << " |\n";
+    }
+  return out.str();
+}
+} // namespace chaindrive::parameters

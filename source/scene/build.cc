@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/mesh/facet_surface.h>
+#include <chaindrive/mesh/import.h>
+#include <chaindrive/scene/build.h>
+#include <chaindrive/scene/placement.h>
+#include <chaindrive/utilities/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace chaindrive::scene
+{
+namespace
+{
+/// Coefficients of effects that are off become zero: nothing downstream asks about effects again.
+parameters::Loads effective_loads(const Parameters &p, const std::vector<Effect> &effects)
+{
+  parameters::Loads loads = p.loads;
+  if (!is_on(effects, "gravity"))
+    loads.gravity = 0.;
+  if (!is_on(effects, "drag"))
+    loads.drag = 0.;
+  return loads;
+}
+
+Tensor3 embed(const dealii::Tensor<1, 2> &v)
+{
+  Tensor3 result;
+  result[0] = v[0];
+  result[1] = v[1];
+  return result;
+}
+} // namespace
+
+double Scene::nominal_energy() const
+{
+  const double pitch_radius = 0.5 * pitch / std::sin(dealii::numbers::PI / driver_teeth);
+  const double speed        = pitch_radius * loads.driver_speed;
+  return 0.5 * n_joints * mass_per_pitch * speed * speed;
+}
+
+Law make_law(const Parameters           &parameters,
+             const std::vector<Effect>  &effects,
+             const double                k,
+             const double                mass,
+             const std::optional<double> friction)
+{
+  const parameters::Contact &contact = parameters.contact;
+  Law                        law;
+  law.stiffness = k;
+  if (is_on(effects, "contact damping"))
+    law.damping = 2. * contact.damping_ratio * std::sqrt(k * mass);
+  if (is_on(effects, "friction"))
+    law.friction = friction.value_or(contact.friction_coefficient);
+  if (law.friction > 0.)
+    {
+      law.tangential_stiffness = contact.tangential_ratio * k;
+      law.tangential_damping   = contact.tangential_ratio * law.damping;
+    }
+  return law;
+}
+
+Scene build_scene(const Parameters               &parameters,
+                  const drive::Drive             &drive,
+                  const std::vector<std::string> &folders)
+{
+  const drive::Layout &layout = drive.layout;
+  Scene                scene;
+  scene.start_time      = parameters.time.start;
+  scene.effects         = decide_effects(parameters);
+  scene.loads           = effective_loads(parameters, scene.effects);
+  scene.sense           = layout.sense;
+  scene.at_speed        = layout.driver_speed != 0.;
+  scene.n_joints        = static_cast<unsigned int>(layout.joints.size());
+  scene.driver_teeth    = parameters.drive.driver_teeth;
+  scene.driven_teeth    = parameters.drive.driven_teeth;
+  scene.centre_distance = layout.centre_distance;
+  scene.pitch           = drive.chain.loaded_pitch();
+  for (const drive::Layout::Joint &joint : layout.joints)
+    scene.seated.push_back(joint.gap >= 0);
+  scene.span_direction      = embed(layout.tight_direction);
+  scene.span_normal         = embed(layout.tight_normal);
+  scene.stiffness_per_pitch = drive.stiffness_per_pitch;
+  scene.notes               = drive.notes;
+  if (parameters.drive.layout.centre_distance_from == "pretension")
+    scene.prestress = parameters.drive.layout.pretension;
+  if (scene.at_speed)
+    scene.prestress = std::max(scene.prestress, drive.nominal_tension);
+  if (scene.at_speed) // a warm start finds the load torque fully applied
+    scene.torque_angle_offset = scene.loads.torque_ramp_angle;
+
+  if (parameters.model.fidelity == "simple")
+    add_simple_chain(parameters, drive, scene);
+  else
+    add_layered_chain(parameters, drive, scene);
+  add_sprockets(parameters, drive, folders, scene);
+  return scene;
+}
+
+void add_sprockets(const Parameters               &parameters,
+                   const drive::Drive             &drive,
+                   const std::vector<std::string> &folders,
+                   Scene                          &scene)
+{
+  const drive::Layout &layout = drive.layout;
+  const double         tooth_stiffness =
+      parameters.contact.roller_tooth_stiffness.value_or(drive.roller_tooth_stiffness);
+  const bool   lumped      = parameters.model.fidelity == "simple";
+  const double roller_mass = scene.bodies.front().mass;
+  scene.notes.push_back("Roller-tooth stiffness " + to_text(tooth_stiffness, 4) + " N/m (" +
+                        (parameters.contact.roller_tooth_stiffness ?
+                             "given" :
+                             "auto: ring and line contact in series") +
+                        "); a smaller value lowers impact peaks in proportion to its square root");
+
+  for (const bool driver : {true, false})
+    {
+      const unsigned int body                = static_cast<unsigned int>(scene.bodies.size());
+      (driver ? scene.driver : scene.driven) = body;
+      const drive::MassProperties &solid     = driver ? drive.driver_solid : drive.driven_solid;
+
+      Body sprocket;
+      sprocket.kind    = driver ? Kind::driver : Kind::driven;
+      sprocket.number  = 0;
+      sprocket.motion  = Motion::rigid;
+      sprocket.support = driver ? Support::prescribed_hub : Support::loaded_hub;
+      sprocket.mass    = solid.mass;
+      for (unsigned int d = 0; d < 3; ++d)
+        sprocket.inertia[d] = solid.inertia[d][d];
+      if (!driver)
+        {
+          sprocket.inertia[2] = parameters.model.driven_inertia.value_or(solid.inertia[2][2]);
+          scene.notes.push_back(
+              "Driven inertia " + to_text(sprocket.inertia[2], 4) + " kg m2 (" +
+              (parameters.model.driven_inertia ? "given" : "auto: the sprocket alone") + ")");
+        }
+      sprocket.initial = placed(dealii::Point<2>(driver ? 0. : layout.centre_distance, 0.),
+                                driver ? layout.driver_angle : layout.driven_angle,
+                                dealii::Tensor<1, 2>(),
+                                driver ? layout.driver_speed : layout.driven_speed);
+      scene.bodies.push_back(sprocket);
+
+      const drive::ToothForm &form = driver ? drive.driver : drive.driven;
+      const std::string      &file =
+          driver ? parameters.drive.sprockets.driver_mesh : parameters.drive.sprockets.driven_mesh;
+      ToothFamily teeth;
+      teeth.name         = std::string("roller-") + (driver ? "driver" : "driven");
+      teeth.sprocket     = body;
+      teeth.form         = std::make_shared<const drive::ToothForm>(form);
+      teeth.teeth        = form.teeth;
+      teeth.outer_radius = 0.5 * form.outside_diameter;
+      teeth.half_width   = 0.5 * drive.sprocket_width;
+      teeth.rolls_freely = lumped;
+      if (!file.empty())
+        {
+          const std::string path = mesh::find_file(file, folders);
+          auto              part = std::make_shared<const mesh::Part>(
+              mesh::import_sprocket(path, form, parameters.material.density));
+          teeth.facets =
+              std::make_shared<const mesh::FacetSurface>(*part, mesh::Surface::tooth_flanks);
+          for (const dealii::Point<3> &vertex : part->mesh->get_vertices())
+            teeth.outer_radius = std::max(teeth.outer_radius, std::hypot(vertex[0], vertex[1]));
+          scene.parts[sprocket.kind] = part;
+          scene.notes.push_back(teeth.name + ": flanks of the imported mesh " + file);
+        }
+      else if (is_on(scene.effects, "fields"))
+        scene.parts[sprocket.kind] = make_sprocket_part(parameters, drive, driver);
+
+      const Law law = make_law(parameters,
+                               scene.effects,
+                               tooth_stiffness,
+                               roller_mass,
+                               parameters.contact.roller_tooth_friction);
+      // A lumped roller touches in its middle plane. A rigid one touches at two points that give
+      // its line of contact the same moment of resistance against tilting.
+      const double contact_length = std::min(drive.chain.roller_length, drive.sprocket_width);
+      const std::vector<double> stations =
+          lumped ? std::vector<double>{0.} : line_stations(contact_length);
+      teeth.law = law.shared_by(static_cast<unsigned int>(stations.size()));
+      for (unsigned int k = 0; k < scene.n_joints; ++k)
+        for (const double z : stations)
+          teeth.slaves.push_back(
+              {k, dealii::Point<3>(0., 0., z), 0.5 * drive.chain.roller_diameter, k});
+      scene.teeth.push_back(std::move(teeth));
+    }
+}
+} // namespace chaindrive::scene

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/parameters.h>
+#include <chaindrive/scene/effects.h>
+#include <chaindrive/utilities/text.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace chaindrive::scene
+{
+namespace
+{
+Effect decide(const std::string &name,
+              const std::string &choice,
+              const double       coefficient,
+              const std::string &coefficient_text)
+{
+  if (choice == "off")
+    return {name, false, "switched off in section Effects"};
+  const bool on = coefficient != 0.;
+  return {name, on, coefficient_text + (on ? "" : " is zero")};
+}
+} // namespace
+
+std::vector<Effect> decide_effects(const Parameters &p)
+{
+  const bool   layered  = p.model.fidelity != "simple";
+  const double friction = std::max({p.contact.friction_coefficient,
+                                    p.contact.roller_tooth_friction.value_or(0.),
+                                    p.contact.roller_bush_friction.value_or(0.),
+                                    p.contact.bush_pin_friction.value_or(0.)});
+
+  std::vector<Effect> effects;
+  effects.push_back({"joint clearances",
+                     layered,
+                     layered ? "fidelity layered: roller, bush and pin are bodies of their own" :
+                               "fidelity simple: roller, bush and pin are one lump"});
+  effects.push_back({"chain bars",
+                     !layered,
+                     layered ?
+                         "fidelity layered: links are rigid, their compliance sits in the joints" :
+                         "fidelity simple: plates are elastic bars"});
+  effects.push_back(decide(
+      "friction", p.effects.friction, friction, "friction coefficient " + to_text(friction)));
+  effects.push_back(decide("contact damping",
+                           p.effects.contact_damping,
+                           p.contact.damping_ratio,
+                           "damping ratio " + to_text(p.contact.damping_ratio)));
+  Effect chain_damping = decide("chain damping",
+                                p.effects.chain_damping,
+                                p.model.chain_damping_ratio,
+                                "chain damping ratio " + to_text(p.model.chain_damping_ratio));
+  if (layered)
+    chain_damping = {"chain damping", false, "links are rigid: the joints' contact damping acts"};
+  effects.push_back(chain_damping);
+  effects.push_back(decide("gravity",
+                           p.effects.gravity,
+                           p.loads.gravity,
+                           "acceleration " + to_text(p.loads.gravity) + " m/s2"));
+  effects.push_back(decide(
+      "drag", p.effects.drag, p.loads.drag, "coefficient " + to_text(p.loads.drag) + " 1/s"));
+  effects.push_back({"elastic bodies", false, "no group of bodies is elastic in this fidelity"});
+  effects.push_back({"fields",
+                     p.output.field_interval > 0.,
+                     "field interval " + to_text(p.output.field_interval * 1e3) + " ms"});
+  return effects;
+}
+
+bool is_on(const std::vector<Effect> &effects, const std::string &name)
+{
+  for (const Effect &effect : effects)
+    if (effect.name == name)
+      return effect.on;
+  throw std::logic_error("no effect is called " + name);
+}
+} // namespace chaindrive::scene

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/scene/plan.h>
+#include <chaindrive/utilities/text.h>
+
+#include <iomanip>
+#include <map>
+#include <ostream>
+
+namespace chaindrive::scene
+{
+namespace
+{
+// CPU time per object and step, s: fitted to tests/benchmarks/speed.py, see doc/performance.md
+constexpr double cost_of_lumped = 15e-9;
+constexpr double cost_of_rigid  = 90e-9;
+constexpr double cost_of_bar    = 15e-9;
+constexpr double cost_of_bore   = 45e-9;
+constexpr double cost_of_tooth  = 60e-9;
+
+// share of a tooth family's pairs that the search leaves near the sprocket, roughly the wrap
+constexpr double near_share = 0.25;
+
+const char *name_of(const Kind kind)
+{
+  switch (kind)
+    {
+    case Kind::roller:
+      return "rollers";
+    case Kind::inner_link:
+      return "inner links";
+    case Kind::outer_link:
+      return "outer links";
+    case Kind::driver:
+      return "driver sprocket";
+    case Kind::driven:
+      return "driven sprocket";
+    }
+  return "";
+}
+
+std::string motion_of(const Body &body)
+{
+  if (body.support == Support::prescribed_hub)
+    return "rigid, hub turned by the speed program";
+  if (body.support == Support::loaded_hub)
+    return "rigid, one rotation against the load torque";
+  return body.motion == Motion::lumped ? "lumped, 3 translations" : "rigid, 6 degrees of freedom";
+}
+
+std::string law_text(const Law &law)
+{
+  std::string text = "k " + to_text(law.stiffness, 4) + " N/m";
+  text += law.damping > 0. ? ", c " + to_text(law.damping, 4) + " N s/m" : ", undamped";
+  text += law.friction > 0. ? ", mu " + to_text(law.friction) : ", frictionless";
+  return text + " (each point)";
+}
+} // namespace
+
+double step_cost(const Scene &scene)
+{
+  double cost = cost_of_bar * scene.bars.size();
+  for (const Body &body : scene.bodies)
+    cost += body.motion == Motion::lumped ? cost_of_lumped : cost_of_rigid;
+  for (const BoreFamily &bores : scene.bores)
+    cost += cost_of_bore * bores.pairs.size();
+  for (const ToothFamily &teeth : scene.teeth)
+    cost += cost_of_tooth * near_share * teeth.slaves.size();
+  return cost;
+}
+
+void print_plan(std::ostream       &out,
+                const Scene        &scene,
+                const std::size_t   memory,
+                const unsigned long n_steps)
+{
+  out << "Bodies\n";
+  std::map<Kind, unsigned int> count;
+  for (const Body &body : scene.bodies)
+    ++count[body.kind];
+  for (const auto &[kind, n] : count)
+    for (const Body &body : scene.bodies)
+      if (body.kind == kind)
+        {
+          out << "  " << std::setw(4) << n << ' ' << name_of(kind) << ": " << motion_of(body)
+              << '\n';
+          break;
+        }
+
+  out << "Interfaces\n";
+  for (const BoreFamily &bores : scene.bores)
+    out << "  " << std::setw(4) << bores.pairs.size() << " points " << bores.name << ": "
+        << law_text(bores.law) << '\n';
+  for (const ToothFamily &teeth : scene.teeth)
+    out << "  " << std::setw(4) << teeth.slaves.size() << " points " << teeth.name
+        << " (those near the sprocket are looked at): " << law_text(teeth.law) << '\n';
+  if (!scene.bars.empty())
+    out << "  " << std::setw(4) << scene.bars.size() << " bars: k "
+        << to_text(scene.bars.front().stiffness, 4) << " N/m, c "
+        << to_text(scene.bars.front().damping, 4) << " N s/m\n";
+
+  out << "Effects\n";
+  for (const Effect &effect : scene.effects)
+    out << "  " << std::left << std::setw(18) << effect.name << std::right
+        << (effect.on ? "on   " : "off  ") << effect.reason << '\n';
+
+  out << "Choices\n";
+  for (const std::string &note : scene.notes)
+    out << "  " << note << '\n';
+
+  out << "Cost: state " << to_text(memory / 1024., 4) << " KiB; about "
+      << to_text(step_cost(scene) * 1e6, 2) << " us per step, "
+      << to_text(step_cost(scene) * n_steps, 2) << " s of CPU time for " << n_steps
+      << " steps, outputs not counted\n";
+}
+} // namespace chaindrive::scene

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/scene/build.h>
+#include <chaindrive/scene/placement.h>
+#include <chaindrive/utilities/text.h>
+
+#include <cmath>
+
+namespace chaindrive::scene
+{
+void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
+{
+  const double mass    = parameters.model.mass_per_pitch.value_or(drive.mass_per_pitch);
+  scene.mass_per_pitch = mass;
+  scene.notes.push_back("Mass per pitch " + to_text(mass * 1e3, 4) + " g (" +
+                        (parameters.model.mass_per_pitch ? "given" : "auto: from the parts") +
+                        "), lumped at the rollers");
+
+  for (unsigned int k = 0; k < scene.n_joints; ++k)
+    {
+      const drive::Layout::Joint &joint = drive.layout.joints[k];
+      Body                        roller;
+      roller.kind    = Kind::roller;
+      roller.number  = k;
+      roller.motion  = Motion::lumped;
+      roller.support = Support::none;
+      roller.mass    = mass;
+      roller.initial = placed(joint.roller, 0., joint.velocity, 0.);
+      scene.bodies.push_back(roller);
+    }
+  if (is_on(scene.effects, "fields"))
+    scene.parts[Kind::roller] = make_roller_part(parameters, drive);
+
+  const double k       = drive.stiffness_per_pitch;
+  double       damping = 0.;
+  if (is_on(scene.effects, "chain damping")) // of two lumps on one bar: reduced mass m/2
+    damping = 2. * parameters.model.chain_damping_ratio * std::sqrt(k * 0.5 * mass);
+  for (unsigned int i = 0; i < scene.n_joints; ++i)
+    scene.bars.push_back({i, (i + 1) % scene.n_joints, drive.chain.loaded_pitch(), k, damping});
+}
+} // namespace chaindrive::scene

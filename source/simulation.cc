@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/drive.h>
+#include <chaindrive/dynamics/time_loop.h>
+#include <chaindrive/mesh/report.h>
+#include <chaindrive/output/directory.h>
+#include <chaindrive/output/file.h>
+#include <chaindrive/output/recorder.h>
+#include <chaindrive/parameters/reader.h>
+#include <chaindrive/scene/build.h>
+#include <chaindrive/scene/plan.h>
+#include <chaindrive/simulation.h>
+#include <chaindrive/utilities/text.h>
+
+#include <filesystem>
+#include <iostream>
+
+// READ THIS FILE FIRST. What flows through the program, in the order in which it does:
+//
+//   .prm -> Parameters -> Drive -> Scene -> System (World, forces) -> time loop -> Recorder
+
+namespace chaindrive
+{
+namespace
+{
+std::string output_directory(const CommandLine &command_line, const Parameters &parameters)
+{
+  if (!command_line.output_directory.empty())
+    return command_line.output_directory;
+  if (!parameters.output.directory.empty())
+    return parameters.output.directory;
+  return "results/" + std::filesystem::path(command_line.parameter_file).stem().string();
+}
+
+void print_step(std::ostream &log, const dynamics::StepChoice &choice, const unsigned long n)
+{
+  log << "Stable step (us): ";
+  for (const dynamics::StepVote &vote : choice.votes)
+    log << vote.voter << " " << to_text(vote.limit * 1e6, 4) << ", ";
+  log << "all coupled " << to_text(choice.limit * 1e6, 4) << '\n'
+      << "Step: " << to_text(choice.step * 1e6, 4) << " us (" << choice.reason << "), " << n
+      << " steps\n";
+}
+} // namespace
+
+void simulate(const CommandLine &command_line)
+{
+  output::Log log(command_line.quiet ? nullptr : &std::cout);
+
+  const parameters::Input input =
+      parameters::read_parameters(command_line.parameter_file, command_line.overrides);
+  const Parameters  &parameters = input.parameters;
+  const drive::Drive drive      = drive::make_drive(parameters);
+  const std::string  folder =
+      std::filesystem::path(command_line.parameter_file).parent_path().string();
+  const scene::Scene scene =
+      scene::build_scene(parameters, drive, {folder.empty() ? "." : folder, "."});
+
+  dynamics::System           system(scene, parameters.contact.search == "every step");
+  const dynamics::StepChoice choice = dynamics::choose_step(system, parameters);
+  const double               start = parameters.time.start, end = parameters.time.end;
+  const unsigned long        n_steps = dynamics::n_steps(start, end, choice.step);
+
+  for (const std::string &note : input.notes)
+    log << note << '\n';
+  scene::print_plan(log, scene, system.memory_consumption(), n_steps);
+  for (const auto &[kind, part] : scene.parts)
+    mesh::print(log, mesh::make_report(*part, parameters.material));
+  print_step(log, choice, n_steps);
+  if (command_line.plan)
+    return;
+
+  const std::string directory = output_directory(command_line, parameters);
+  const std::string original  = output::read_text(command_line.parameter_file);
+  output::prepare_directory(directory);
+  output::write_text(directory + "/input.prm", original);
+  output::write_text(directory + "/parameters.prm", input.resolved);
+  log.open(directory + "/log.txt");
+
+  output::Recorder recorder(
+      scene, parameters, system, directory, input.resolved, system.timer, log);
+  dynamics::EnergyGuard guard(parameters.time.energy_limit, 1e-3 * scene.nominal_energy());
+  dynamics::run(system, recorder, guard, start, end, choice.step);
+  recorder.close();
+
+  const output::Json summary = recorder.summary(system, guard, choice, n_steps);
+  output::write_json(directory + "/summary.json", summary);
+  output::print_summary(log, summary);
+  system.timer.print(log);
+  log << "Results: " << directory << '\n';
+  log.close();
+}
+} // namespace chaindrive

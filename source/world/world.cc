@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/scene/scene.h>
+#include <chaindrive/world/world.h>
+
+#include <cmath>
+
+namespace chaindrive
+{
+namespace
+{
+/// Angular momentum R I R^T w of a body with principal moments @p inertia.
+dealii::Tensor<1, 3> angular_momentum(const Frame &frame, const dealii::Tensor<1, 3> &inertia)
+{
+  dealii::Tensor<1, 3> in_body = dealii::transpose(frame.rotation) * frame.angular_velocity;
+  for (unsigned int d = 0; d < 3; ++d)
+    in_body[d] *= inertia[d];
+  return frame.rotation * in_body;
+}
+} // namespace
+
+World::World(const scene::Scene &scene) : time(scene.start_time)
+{
+  const unsigned int     n     = static_cast<unsigned int>(scene.bodies.size());
+  const dealii::IndexSet owned = dealii::complete_index_set(3 * n);
+  for (Vector *vector : {&displacement, &velocity, &force, &moment})
+    vector->reinit(owned, MPI_COMM_SELF);
+
+  frames.reserve(n);
+  for (unsigned int b = 0; b < n; ++b)
+    {
+      const scene::Body &body = scene.bodies[b];
+      frames.push_back(body.initial);
+      origin.push_back(body.initial.position);
+      mass.push_back(body.mass);
+      inverse_mass.push_back(body.support == scene::Support::none ? 1. / body.mass : 0.);
+      for (unsigned int d = 0; d < 3; ++d)
+        velocity.local_element(3 * b + d) = body.initial.velocity[d];
+
+      const Quaternion orientation = to_quaternion(body.initial.rotation);
+      if (body.support != scene::Support::none)
+        hubs.push_back({b,
+                        body.support == scene::Support::prescribed_hub,
+                        body.inertia[2],
+                        0.,
+                        body.initial.angular_velocity[2],
+                        2. * std::atan2(orientation.z, orientation.w)});
+      else if (body.motion == scene::Motion::rigid)
+        rotations.push_back(
+            {b, orientation, angular_momentum(body.initial, body.inertia), body.inertia});
+    }
+}
+
+void World::clear_forces()
+{
+  force  = 0.;
+  moment = 0.;
+}
+
+double World::kinetic_energy() const
+{
+  double energy = 0.;
+  for (unsigned int b = 0; b < n_bodies(); ++b)
+    if (inverse_mass[b] > 0.)
+      energy += 0.5 * mass[b] * frames[b].velocity.norm_square();
+  for (const Rotation &r : rotations)
+    energy += 0.5 * (r.momentum * frames[r.body].angular_velocity);
+  for (const Hub &hub : hubs)
+    if (!hub.prescribed)
+      energy += 0.5 * hub.inertia * hub.speed * hub.speed;
+  return energy;
+}
+
+std::size_t World::memory_consumption() const
+{
+  return displacement.memory_consumption() * 4 + n_bodies() * (sizeof(Frame) + 5 * sizeof(double)) +
+         rotations.size() * sizeof(Rotation) + hubs.size() * sizeof(Hub);
+}
+} // namespace chaindrive

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Drives that cannot be laid: each refusal says what would fit.
+
+#include "compare.h"
+
+#include <chaindrive/drive/layout.h>
+
+using namespace chaindrive;
+
+namespace
+{
+void refuse(const std::string &what, const parameters::Drive &drive, const bool clearances = false)
+{
+  expect_refusal(what, [&] {
+    const auto chain = drive::make_chain(drive.chain);
+    drive::make_layout(drive,
+                       chain,
+                       drive::make_tooth_form(drive.driver_teeth, chain, drive.sprockets, true),
+                       drive::make_tooth_form(drive.driven_teeth, chain, drive.sprockets, false),
+                       clearances,
+                       3e8,
+                       0.,
+                       0.);
+  });
+}
+} // namespace
+
+int main()
+{
+  using parameters::Drive;
+  Drive d;
+  d.layout.centre_distance_from = "given";
+  d.layout.centre_distance      = 0.65;
+  refuse("too few links for the centre distance", d);
+  refuse("too few links, clearances", d, true);
+  d.layout.centre_distance = 0.14;
+  refuse("sprockets that overlap", d);
+  d.layout.centre_distance = 0.3;
+  refuse("far too many links", d);
+
+  d         = Drive();
+  d.n_links = 30;
+  refuse("a chain that does not reach around", d);
+  d         = Drive();
+  d.n_links = 111;
+  refuse("odd number of links with clearances", d, true);
+  d              = Drive();
+  d.layout.slack = 1.2;
+  refuse("more slack than there is", d);
+
+  d                                  = Drive();
+  d.sprockets.seat_centre            = "bottom diameter";
+  d.sprockets.driver_bottom_diameter = 66.28e-3;
+  d.sprockets.driven_bottom_diameter = 202.82e-3;
+  refuse("bottom diameters too large for the chain", d);
+  refuse("bottom diameters too large for the chain, clearances", d, true);
+
+  d              = Drive();
+  d.driver_teeth = d.driven_teeth = 9;
+  d.layout.tight_span             = "lower";
+  d.layout.centre_distance_from   = "sag";
+  d.layout.sag                    = 0.1;
+  refuse("slack span that would lie on the tight one", d);
+  d                             = Drive();
+  d.layout.start                = "concentric";
+  d.layout.centre_distance_from = "pretension";
+  refuse("pre-tension without contact", d, true);
+  d.layout.centre_distance_from = "given";
+  refuse("concentric joints at a distance for a taut chain", d, true);
+  d                    = Drive();
+  d.layout.start_phase = 1.;
+  refuse("start phase", d);
+  d              = Drive();
+  d.layout.start = "tight";
+  refuse("unknown start", d);
+}

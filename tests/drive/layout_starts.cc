@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Starts of the 525 drive: mirrored tight span, gravity, alternation of links, a warm start whose
+// velocities fit together.
+
+#include "compare.h"
+
+#include <chaindrive/drive/four_bar.h>
+#include <chaindrive/drive/layout.h>
+
+using namespace chaindrive;
+
+namespace
+{
+drive::Layout make(const parameters::Drive &drive, const bool clearances)
+{
+  const auto chain = drive::make_chain(drive.chain);
+  return drive::make_layout(
+      drive,
+      chain,
+      drive::make_tooth_form(drive.driver_teeth, chain, drive.sprockets, true),
+      drive::make_tooth_form(drive.driven_teeth, chain, drive.sprockets, false),
+      clearances,
+      3e8,
+      120.74,
+      1412.);
+}
+} // namespace
+
+int main()
+{
+  parameters::Drive drive;
+  const auto        upper = make(drive, true);
+  std::cout << "links: tight " << upper.tight_links << ", slack " << upper.slack_links
+            << "; seats: driver " << upper.driver_seats << ", driven " << upper.driven_seats
+            << '\n';
+  compare(
+      "direction of the tight span, x", upper.tight_direction[0], -std::cos(6.0714 / 57.29578), 3);
+  verdict("its normal is outward, to the right of the travel",
+          upper.tight_normal[1] > 0.99 &&
+              std::abs(upper.tight_normal * upper.tight_direction) < 1e-15);
+  verdict("even links are inner links", upper.links[0].inner && !upper.links[1].inner);
+  verdict("nothing moves", upper.driver_speed == 0. && upper.joints[3].velocity.norm() == 0.);
+
+  std::cout << "== lower span tight, little slack: the mirror image\n";
+  drive.layout.slack      = 0.;
+  const auto straight     = make(drive, true);
+  drive.layout.tight_span = "lower";
+  const auto lower        = make(drive, true);
+  double     difference   = 0.;
+  for (unsigned int k = 0; k < drive.n_links; ++k)
+    difference = std::max(difference,
+                          std::abs(lower.joints[k].bush[0] - straight.joints[k].bush[0]) +
+                              std::abs(lower.joints[k].bush[1] + straight.joints[k].bush[1]));
+  verdict("joints mirrored to 1e-8 m", difference < 1e-8);
+  verdict("clockwise, travel of the tight span to the driver",
+          lower.sense == -1 && lower.tight_direction[0] < -0.99 && lower.tight_normal[1] < -0.99);
+  verdict("driver gap angles follow", std::abs(lower.driver_angle + straight.driver_angle) < 1e-12);
+
+  std::cout << "== the slack span hangs down, whichever it is\n";
+  drive.layout.centre_distance_from = "sag";
+  for (const std::string tight : {"upper", "lower"})
+    {
+      drive.layout.tight_span = tight;
+      const auto         l    = make(drive, true);
+      const unsigned int a = l.driver_seats - 1, n = l.slack_links;
+      const auto        &first = l.joints[a].bush, &last = l.joints[a + n].bush;
+      const auto        &middle = l.joints[a + n / 2].bush;
+      const double       t      = (middle[0] - first[0]) / (last[0] - first[0]);
+      compare(tight + ": middle below the chord, over the sag",
+              (first[1] + t * (last[1] - first[1]) - middle[1]) / l.sag,
+              1.,
+              1);
+    }
+
+  std::cout << "== warm\n";
+  drive.layout.tight_span  = "upper";
+  drive.layout.start       = "warm";
+  drive.layout.start_phase = 0.4;
+  for (const bool clearances : {false, true})
+    {
+      const auto warm = make(drive, clearances);
+      compare("driven over driver speed, over the four-bar's",
+              warm.driven_speed / warm.driver_speed /
+                  drive::four_bar_ratio(warm.centre_distance, 15.875e-3, 15, 42, 0.4),
+              1.,
+              3);
+      const auto        &j = warm.joints;
+      const unsigned int n = drive.n_links, exit = n - warm.tight_links;
+      compare("both ends of the tight span move alike along it, m/s",
+              j[exit].velocity * warm.tight_direction,
+              j[0].velocity * warm.tight_direction,
+              3);
+      double jump = 0.;
+      for (unsigned int k = 0; k < n; ++k)
+        jump = std::max(jump, (j[k].velocity - j[(k + 1) % n].velocity).norm());
+      verdict("neighbours differ by no more than p w1", jump < 15.9e-3 * 120.74);
+      const auto &mid = j[exit + warm.tight_links / 2];
+      compare(
+          "chain speed within the polygon's range 4.509 ... 4.610", mid.velocity.norm(), 4.56, 1);
+    }
+  drive.layout.tight_span = "lower";
+  const auto clockwise    = make(drive, true);
+  verdict("mirrored: both speeds negative",
+          clockwise.driver_speed == -120.74 && clockwise.driven_speed < 0.);
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The prescribed hub follows its program exactly; the load torque follows its curve; a hub that the
+// torque alone pulls moves as the closed form says.
+#include "../support/scenes.h"
+
+using namespace test;
+
+int main()
+{
+  const double full = 120.74, ramp = 5e-3, dt = 0.25e-6;
+  for (const int sense : {1, -1})
+    for (const std::string shape : {"linear", "cosine"})
+      {
+        scene::Scene scene       = empty_scene();
+        scene.sense              = sense;
+        scene.loads.driver_speed = full;
+        scene.loads.ramp_time    = ramp;
+        scene.loads.speed_ramp   = shape;
+        scene.bodies             = {ground()};
+        dynamics::System system(scene, false);
+        double           worst_angle = 0., worst_speed = 0.;
+        advance(system, 40000, dt, [&]() {
+          const double t = system.world.time, s = std::min(t / ramp, 1.);
+          double       speed = full * s, angle = full * ramp * 0.5 * s * s;
+          if (shape == "cosine")
+            {
+              speed = full * 0.5 * (1. - std::cos(dealii::numbers::PI * s));
+              angle = full * ramp *
+                      (0.5 * s - std::sin(dealii::numbers::PI * s) / (2. * dealii::numbers::PI));
+            }
+          angle += t > ramp ? full * (t - ramp) : 0.;
+          const Frame &frame = system.world.frames[0];
+          worst_speed        = std::max(
+              worst_speed, std::abs(sense * system.world.hubs[0].speed / full - speed / full));
+          worst_angle =
+              std::max(worst_angle,
+                       std::abs(std::sin(std::atan2(frame.rotation[1][0], frame.rotation[0][0]) -
+                                         sense * angle)));
+        });
+        verdict((sense > 0 ? "counter-clockwise, " : "clockwise, ") + shape +
+                    ": speed to 1e-9, angle to 1e-12 rad",
+                worst_speed < 1e-9 && worst_angle < 1e-12);
+      }
+
+  // Load torque growing linearly over the angle is a torsion spring until 0.03 rad.
+  scene::Scene scene                          = empty_scene();
+  scene.loads.resisting_torque                = 150.;
+  scene.loads.torque_ramp_angle               = 0.03;
+  scene.bodies                                = {ground()};
+  scene.bodies[0].support                     = scene::Support::loaded_hub;
+  scene.bodies[0].inertia                     = vector(1., 1., 9.88e-3);
+  const double w                              = std::sqrt(150. / 0.03 / 9.88e-3);
+  scene.bodies[0].initial.angular_velocity[2] = 0.02 * w; // swings to 0.02 rad
+  dynamics::System system(scene, false);
+  const double     quarter = 0.5 * dealii::numbers::PI / w;
+  advance(system, 4000, quarter / 4000, []() {});
+  ratio("swing of the loaded hub", system.world.hubs[0].angle, 0.02);
+  ratio("torque there", system.loads.load_torque(), 100.);
+  ratio("work against the torque",
+        system.world.ledger.resisting_work,
+        0.5 * 150. / 0.03 * 0.02 * 0.02);
+  const load::TorqueCurve curve(scene);
+  double                  worst = 0.;
+  for (double angle = -0.01; angle < 0.1; angle += 1e-4)
+    worst = std::max(
+        worst, std::abs(curve.torque(angle) + 150. * std::min(std::max(angle / 0.03, 0.), 1.)));
+  verdict("curve as prescribed to 1e-9", worst < 1e-9 * 150.);
+}

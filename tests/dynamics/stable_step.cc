@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The printed stable step against exact limits: a spring pair, a chain of bars, a bar with a
+// dashpot, a rigid roller on a frictional surface; and runs just below and just above it.
+#include "../support/scenes.h"
+
+using namespace test;
+
+namespace
+{
+/// Largest amplitude after many steps of @p share of the limit, over the initial one.
+double growth(const scene::Scene &scene, const double share, const double kick)
+{
+  dynamics::System system(scene, false);
+  const double     dt = share * system.stable_step_limit();
+  system.world.velocity.local_element(0) += kick;
+  double largest = 0.;
+  advance(system, 20000, dt, [&]() {
+    largest =
+        std::max(largest, std::min(1e300, std::abs(system.world.velocity.local_element(0)) / kick));
+  });
+  return largest;
+}
+} // namespace
+
+int main()
+{
+  {
+    const double m = 0.0107, k = 3e8;
+    scene::Scene scene = empty_scene();
+    scene.bodies       = {lump(m, Vector3()), lump(m, vector(0.01, 0.))};
+    scene.bars         = {{0, 1, 0.01, k, 0.}};
+    ratio("two lumps and a bar",
+          dynamics::System(scene, false).stable_step_limit(),
+          2. / std::sqrt(2. * k / m));
+    verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
+    verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
+
+    const double xi = 0.1, w = std::sqrt(2. * k / m);
+    scene.bars[0].damping = 2. * xi * std::sqrt(k * 0.5 * m);
+    ratio("with a dashpot",
+          dynamics::System(scene, false).stable_step_limit(),
+          2. / w * (std::sqrt(1. + xi * xi) - xi));
+    verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
+    verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
+  }
+  {
+    const double       m = 0.0107, k = 3e8;
+    const unsigned int n     = 60;
+    scene::Scene       scene = empty_scene();
+    for (unsigned int i = 0; i < n; ++i)
+      scene.bodies.push_back(lump(m, vector(0.01 * i, 0.)));
+    for (unsigned int i = 0; i + 1 < n; ++i)
+      scene.bars.push_back({i, i + 1, 0.01, k, 0.});
+    const double w = 2. * std::sqrt(k / m) * std::sin(0.5 * dealii::numbers::PI * (n - 1) / n);
+    ratio("chain of 60 lumps", dynamics::System(scene, false).stable_step_limit(), 2. / w, 4);
+    verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
+    verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
+  }
+  {
+    // slip of the surface u - R phi: 1/m + R^2/I, and the normal spring at 1/m
+    const double m = 1.95e-3, inertia = 3.895e-8, r = 5.08e-3, k = 2e8;
+    scene::Scene scene  = empty_scene();
+    scene.loads.gravity = 1e5; // keeps the contact closed
+    scene.bodies        = {body(scene::Motion::rigid,
+                         scene::Support::none,
+                         m,
+                         vector(inertia, inertia, inertia),
+                         vector(0., r - 0.9e-9)),
+                           ground()};
+    scene.teeth.push_back(on_surface(1,
+                                     plane(1., vector(0., 0., 1.), vector(1., 0., 0.)),
+                                     {k, 0., 100., 0.8 * k, 0.},
+                                     {{0, dealii::Point<3>(), r, 0}}));
+    const double w = std::sqrt(0.8 * k * (1. / m + r * r / inertia));
+    ratio("roller that sticks", dynamics::System(scene, false).stable_step_limit(), 2. / w);
+    verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
+    verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 100.);
+  }
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a user is told about a mesh file that cannot be used.
+
+#include <chaindrive/mesh/import.h>
+#include <chaindrive/utilities/errors.h>
+
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <sstream>
+
+using namespace chaindrive;
+
+namespace
+{
+std::string read(const std::string &file)
+{
+  std::ifstream     in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::string replaced(std::string text, const std::string &old, const std::string &by)
+{
+  const auto at = text.find(old);
+  if (at == std::string::npos)
+    throw std::logic_error("the good mesh has no '" + old + "'");
+  return text.replace(at, old.size(), by);
+}
+
+void expect_error(const std::string &what, const std::function<void()> &action)
+{
+  std::cout << what << '\n';
+  try
+    {
+      action();
+      std::cout << "  accepted\n";
+    }
+  catch (const InputError &error)
+    {
+      std::cout << "  " << error.what() << '\n';
+    }
+}
+
+/// Twelve corners of two cubes side by side, and @p elements made of them.
+std::string cubes(const std::string &elements)
+{
+  return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+         "$PhysicalNames\n2\n2 1 \"tooth flanks\"\n2 2 \"hub\"\n$EndPhysicalNames\n"
+         "$Nodes\n12\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n"
+         "9 2 0 0\n10 2 1 0\n11 2 0 1\n12 2 1 1\n$EndNodes\n"
+         "$Elements\n" +
+         elements + "$EndElements\n";
+}
+} // namespace
+
+int main()
+{
+  const auto            chain = drive::make_chain(parameters::Chain());
+  parameters::Sprockets sprockets;
+  sprockets.driver_outside_diameter = 81.8e-3;
+  const auto        form            = drive::make_tooth_form(15, chain, sprockets, true);
+  const std::string good            = read(SOURCE_DIR "/../../meshes/sprocket-15.msh");
+
+  const auto import = [&form](const std::string &text, const drive::ToothForm &teeth) {
+    std::ofstream("mesh.msh") << text;
+    mesh::import_sprocket("mesh.msh", teeth, 7600.);
+  };
+  const auto reject = [&](const std::string &what, const std::string &text) {
+    expect_error(what, [&] { import(text, form); });
+  };
+
+  reject("good file", good);
+  expect_error("missing", [] { mesh::find_file("none.msh", {"here", "there"}); });
+  expect_error("missing, absolute", [] { mesh::find_file("/nowhere/none.msh", {"here"}); });
+  expect_error("not there", [&] { mesh::import_sprocket("none.msh", form, 7600.); });
+  reject("empty", "");
+  reject("no mesh", "solid sprocket\n");
+  reject("old format", replaced(good, "2.2 0 8", "2.1 0 8"));
+  reject("binary", replaced(good, "2.2 0 8", "4.1 1 8"));
+  reject("cut in the vertices", good.substr(0, good.size() / 2));
+  reject("cut in the cells", good.substr(0, good.size() - 20000));
+  reject("no flanks", replaced(good, "tooth flanks", "teeth"));
+  reject("no names",
+         replaced(replaced(replaced(good, "tooth flanks", ""), "hub", ""), "sides", ""));
+  reject("tetrahedra", cubes("1\n1 4 2 0 0 1 2 3 5\n"));
+  reject("surface only", cubes("1\n1 3 2 1 1 1 2 3 4\n"));
+
+  const std::string side = "3 3 2 1 1 1 2 3 4\n", first = "1 5 2 0 0 1 2 3 4 5 6 7 8\n";
+  reject("another body", cubes("3\n" + first + "2 5 2 0 0 2 9 10 3 6 11 12 7\n" + side));
+  reject("one cell upside down", cubes("3\n" + first + "2 5 2 0 0 6 11 12 7 2 9 10 3\n" + side));
+  reject("one cell tangled", cubes("3\n" + first + "2 5 2 0 0 2 9 10 3 12 6 11 7\n" + side));
+  reject("one corner inside out",
+         replaced(cubes("3\n" + first + "2 5 2 0 0 2 9 10 3 6 11 12 7\n" + side),
+                  "12 2 1 1",
+                  "12 1.1 0.1 0.6"));
+  expect_error("other number of teeth", [&] {
+    import(good, drive::make_tooth_form(16, chain, parameters::Sprockets(), true));
+  });
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Files that cannot be run: what the user reads about each.
+#include <chaindrive/parameters/reader.h>
+#include <chaindrive/utilities/errors.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+using namespace chaindrive;
+
+void read(const std::string &file)
+{
+  try
+    {
+      const auto input = parameters::read_parameters(file);
+      std::cout << "  accepted" << std::endl;
+      for (const std::string &note : input.notes)
+        std::cout << "  note: " << note << std::endl;
+    }
+  catch (const InputError &error)
+    {
+      std::cout << "  " << error.what() << std::endl;
+    }
+}
+
+void read_text(const std::string &title, const std::string &text)
+{
+  std::cout << title << std::endl;
+  std::ofstream("bad.prm", std::ios::binary) << text;
+  read("bad.prm");
+}
+
+int main()
+{
+  std::cout << "files" << std::endl;
+  read("no_such_file.prm");
+  std::filesystem::create_directory("a_directory");
+  read("a_directory");
+  read_text("empty", "");
+  read_text("comments only", "# nothing\n\n   \n");
+  read_text("binary", std::string("set x\0 = 1\n", 11));
+  read_text("control bytes", "\x1f\x8b\x08 compressed");
+  read_text("too large", std::string(2 << 20, ' '));
+
+  read_text("misspelt section", "subsection Drve\n  set Driver teeth = 15\nend\n");
+  read_text("misspelt inner section", "subsection Drive\n  subsection Chian\n  end\nend\n");
+  read_text("section elsewhere", "subsection Layout\nend\n");
+  read_text("section far from all names", "subsection Xyzzy\nend\n");
+  read_text("misspelt entry", "subsection Drive\n\n  set Driver tooth = 15\nend\n");
+  read_text("entry elsewhere", "subsection Drive\n  set Friction coefficient = 0.1\nend\n");
+  read_text("entry without its unit", "subsection Time\n  set End = 30\nend\n");
+  read_text("entry outside all sections", "set Foo = 15\n");
+
+  read_text("below its range", "subsection Drive\n  set Driver teeth = 8\nend\n");
+  read_text("not a whole number", "subsection Drive\n  set Driver teeth = 15.5\nend\n");
+  read_text("not a number", "subsection Time\n  set End time in ms = 30 ms\nend\n");
+  read_text("decimal comma", "subsection Time\n  set End time in ms = 0,5\nend\n");
+  read_text("end of an open range",
+            "subsection Drive\n  subsection Layout\n    set Start phase = 1\n  end\nend\n");
+  read_text("no number at all", "subsection Model\n  set Mass per pitch in g = heavy\nend\n");
+  read_text("nothing", "subsection Model\n  set Fidelity =\nend\n");
+  read_text("no such choice", "subsection Model\n  set Fidelity = full\nend\n");
+  read_text("no list", "subsection Output\n  set Rollers = 1, two\nend\n");
+
+  read_text("end too many", "subsection Model\nend\nend\n");
+  read_text("end missing", "subsection Drive\n  subsection Chain\n  end\n");
+  read_text("end missing before the next section",
+            "subsection Drive\n  subsection Chain\n  end\n\nsubsection Model\nend\n");
+  read_text("text after end", "subsection Model\nend Model\n");
+  read_text("no set", "subsection Drive\n  Driver teeth = 15\nend\n");
+  read_text("no equals", "subsection Drive\n  set Driver teeth 15\nend\n");
+  read_text("not a statement", "Drive:\n  teeth: 15\n");
+  read_text("include", "include other.prm\n");
+
+  read_text("several mistakes at once",
+            "subsection Drive\n  set Driver teeth = 5\n  set Driven tooth = 42\nend\n"
+            "subsection Modle\n  set Fidelity = simple\nend\n");
+  read_text("set twice",
+            "subsection Drive\n  set Driver teeth = 15\n  set Driver teeth = 16\nend\n");
+  read_text("Windows line ends and byte order mark",
+            "\xef\xbb\xbfsubsection Drive\r\n  set Driver teeth = 15\r\nend\r\n");
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Options of the program, and what is said about those it does not have.
+#include <chaindrive/command_line.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/version.h>
+
+#include <deal.II/base/config.h>
+
+#include <algorithm>
+#include <iostream>
+
+using namespace chaindrive;
+
+void parse(std::vector<const char *> arguments)
+{
+  arguments.insert(arguments.begin(), "chaindrive");
+  try
+    {
+      const CommandLine c = parse_command_line(arguments.size(), arguments.data());
+      std::cout << "file '" << c.parameter_file << "' output '" << c.output_directory << "' plan "
+                << c.plan << " quiet " << c.quiet << " parameters " << c.write_parameters
+                << " documentation " << c.write_documentation << " version " << c.version
+                << " help " << c.help << std::endl;
+      for (const std::string &text : c.overrides)
+        std::cout << "  override '" << text << "'" << std::endl;
+    }
+  catch (const InputError &error)
+    {
+      std::cout << error.what() << std::endl;
+    }
+}
+
+int main()
+{
+  parse({"a.prm"});
+  parse({"--set",
+         "Time/End time in ms=5",
+         "a.prm",
+         "--set=Drive/Driver teeth=17",
+         "--output",
+         "there"});
+  parse({"a.prm", "--plan", "--quiet"});
+  parse({"--write-parameters"});
+  parse({"--write-documentation"});
+  parse({"--version"});
+  parse({"-h"});
+
+  parse({});
+  parse({"--plan"});
+  parse({"a.prm", "b.prm"});
+  parse({"a.prm", "--pland"});
+  parse({"a.prm", "--outptu", "there"});
+  parse({"a.prm", "--zzzzzzzzzz"});
+  parse({"a.prm", "-x"});
+  parse({"a.prm", "--plan=yes"});
+  parse({"a.prm", "--output"});
+  parse({"a.prm", "--output", "a", "--output", "b"});
+  parse({"a.prm", "--set"});
+  parse({"a.prm", "--se", "x=1"});
+
+  std::cout << help_text();
+  const std::string text = version_text();
+  std::cout << "version_text names version " << (text.find(version) != std::string::npos)
+            << ", deal.II " << (text.find(DEAL_II_PACKAGE_VERSION) != std::string::npos)
+            << ", lines " << std::count(text.begin(), text.end(), '\n') << std::endl;
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Entries that are allowed one by one but contradict each other.
+#include <chaindrive/parameters/cross_checks.h>
+#include <chaindrive/utilities/errors.h>
+
+#include <functional>
+#include <iostream>
+
+using chaindrive::Parameters;
+
+void check(const std::function<void(Parameters &)> &change)
+{
+  Parameters p;
+  change(p);
+  try
+    {
+      for (const std::string &note : chaindrive::parameters::cross_check(p))
+        std::cout << "note: " << note << std::endl;
+    }
+  catch (const chaindrive::InputError &error)
+    {
+      std::cout << error.what() << std::endl;
+    }
+  std::cout << std::endl;
+}
+
+int main()
+{
+  std::cout << "defaults" << std::endl;
+  check([](Parameters &) {});
+
+  std::cout << "times" << std::endl;
+  check([](Parameters &p) { p.time.start = p.time.end; });
+  check([](Parameters &p) { p.time.step = 31e-3; });
+  check([](Parameters &p) { p.output.history_interval = 31e-3; });
+  check([](Parameters &p) { p.time.end = 10e-3; });
+  check([](Parameters &p) { p.output.window_end = 40e-3; });
+  check([](Parameters &p) { p.output.window_end = 5e-3; });
+  check([](Parameters &p) {
+    p.time.step               = 1e-6;
+    p.output.history_interval = 0.5e-6;
+    p.output.field_interval   = 50e-3;
+  });
+  check([](Parameters &p) {
+    p.time.start          = 5e-3;
+    p.output.window_start = 0.;
+  });
+
+  std::cout << "chain and sprockets" << std::endl;
+  check([](Parameters &p) {
+    p.model.fidelity = "layered";
+    p.drive.n_links  = 111;
+  });
+  check([](Parameters &p) { p.drive.n_links = 111; });
+  check([](Parameters &p) {
+    p.drive.sprockets.seat_centre            = "bottom diameter";
+    p.drive.sprockets.driver_bottom_diameter = 66.28e-3;
+  });
+  check([](Parameters &p) { p.drive.sprockets.driven_bottom_diameter = 202.82e-3; });
+  check([](Parameters &p) { p.drive.chain.pitch_set = "paper literal"; });
+  check([](Parameters &p) {
+    p.drive.chain.pitch_set                  = "paper literal";
+    p.drive.sprockets.seat_centre            = "bottom diameter";
+    p.drive.sprockets.driver_bottom_diameter = 66.28e-3;
+    p.drive.sprockets.driven_bottom_diameter = 202.82e-3;
+  });
+  check([](Parameters &p) { p.drive.chain.pitch_set = "nominal"; });
+  check([](Parameters &p) { p.drive.sprockets.driver_mesh = "driver.msh"; });
+  check([](Parameters &p) { p.output.rollers = {0, 109, 110}; });
+
+  std::cout << "fidelity and start" << std::endl;
+  check([](Parameters &p) { p.drive.layout.start = "concentric"; });
+  check([](Parameters &p) {
+    p.drive.layout.start = "concentric";
+    p.model.fidelity     = "layered";
+  });
+  check([](Parameters &p) { p.drive.layout.start = "warm"; });
+  check([](Parameters &p) { p.loads.ramp_time = 40e-3; });
+  check([](Parameters &p) { p.contact.bush_pin_friction = 0.2; });
+
+  std::cout << "effects" << std::endl;
+  check([](Parameters &p) {
+    p.effects.friction             = "on";
+    p.contact.friction_coefficient = 0.;
+  });
+  check([](Parameters &p) { // on by the coefficient of one interface
+    p.effects.friction             = "on";
+    p.contact.friction_coefficient = 0.;
+    p.contact.bush_pin_friction    = 0.1;
+    p.model.fidelity               = "layered";
+  });
+  check([](Parameters &p) { // which the simple model does not have
+    p.effects.friction             = "on";
+    p.contact.friction_coefficient = 0.;
+    p.contact.bush_pin_friction    = 0.1;
+  });
+  check([](Parameters &p) {
+    p.effects.contact_damping = p.effects.chain_damping = p.effects.gravity = p.effects.drag = "on";
+    p.contact.damping_ratio = p.model.chain_damping_ratio = p.loads.gravity = 0.;
+  });
+  check([](Parameters &p) {
+    p.effects.chain_damping = "on";
+    p.model.fidelity        = "layered";
+  });
+  check([](Parameters &p) { p.effects.drag = "off"; });
+}

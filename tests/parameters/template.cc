@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The template can be read again and gives the defaults; so does the file of all values that a run
+// leaves among its results.
+#include <chaindrive/parameters/catalogue.h>
+#include <chaindrive/parameters/reader.h>
+#include <chaindrive/parameters/writer.h>
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+using namespace chaindrive;
+using namespace chaindrive::parameters;
+
+int main()
+{
+  Parameters               defaults;
+  dealii::ParameterHandler prm;
+  defaults.declare(prm);
+  const Catalogue    catalogue(prm);
+  std::ostringstream expected;
+  write_prm(expected, catalogue, {}, false);
+
+  std::ofstream template_file("template.prm");
+  write_template(template_file);
+  template_file.close();
+  const Input from_template = read_parameters("template.prm");
+  std::cout << "template gives the defaults: " << (from_template.resolved == expected.str())
+            << ", notes: " << from_template.notes.size() << std::endl;
+
+  std::ofstream("short.prm") << "subsection Drive\nset Driver teeth = 17\nend\n"
+                                "subsection Contact\nset Damping ratio = 0.25\nend\n"
+                                "subsection Output\nset Rollers = 3, 1, 3\nend\n";
+  const Input given = read_parameters("short.prm");
+  std::ofstream("resolved.prm") << given.resolved;
+  const Input again = read_parameters("resolved.prm");
+  std::cout << "file of all values gives the same values: " << (again.resolved == given.resolved)
+            << std::endl;
+  std::cout << "teeth " << again.parameters.drive.driver_teeth << ", damping ratio "
+            << again.parameters.contact.damping_ratio << ", rollers";
+  for (const unsigned int roller : again.parameters.output.rollers)
+    std::cout << ' ' << roller;
+  std::cout << std::endl;
+
+  // what differs from the default can be seen
+  std::istringstream lines(given.resolved);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("default:") != std::string::npos)
+      std::cout << line << std::endl;
+
+  unsigned int n_undocumented = 0, n_without_full_stop = 0;
+  for (const Entry &entry : catalogue.entries())
+    {
+      n_undocumented += entry.meaning.size() < 20 || entry.allowed.empty();
+      n_without_full_stop += entry.meaning.back() != '.';
+    }
+  std::cout << "entries without documentation: " << n_undocumented
+            << ", without a full stop: " << n_without_full_stop << std::endl;
+
+  const std::string documentation = parameter_documentation();
+  unsigned int      n_missing     = 0;
+  for (const Entry &entry : catalogue.entries())
+    n_missing += documentation.find("| `" + entry.name + "` |") == std::string::npos;
+  std::cout << "entries missing in the documentation: " << n_missing << std::endl;
+}

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The rules of style that a script can check.
+
+Each rule takes the tree as a dictionary {path: text} and returns its violations, one line each.
+test_rules.py shows for every rule a tree that it accepts and one that it does not.
+"""
+
+import posixpath
+import re
+
+LICENCE = "SPDX-License-Identifier: LGPL-2.1-or-later"
+MAX_LINES = 600
+MAX_BYTES = 1_000_000
+
+# Beyond the order of rooms: what a room may not reach, directly or through our own headers.
+OUT_OF_BOUNDS = {
+    "drive": (r"mpi\.h|deal\.II/base/mpi|deal\.II/dofs/", "pure geometry knows neither MPI nor DoFHandler"),
+    "report": (r"chaindrive/world/", "a report is made from histories, never from state"),
+}
+
+# The hosts that documentation may point to.
+HOSTS = {
+    "dealii.org", "debian.org", "doi.org", "github.com", "gmsh.info", "gnu.org", "hdfgroup.org",
+    "keepachangelog.com", "paraview.org", "semver.org", "www.dealii.org", "www.debian.org",
+    "www.gnu.org", "www.paraview.org",
+}
+
+
+def is_code(path):
+    return path.endswith((".cc", ".h", ".py", ".cmake", ".sh", "CMakeLists.txt", "run", "check"))
+
+
+def is_cxx(path):
+    return path.endswith((".cc", ".h"))
+
+
+# ---- rooms
+
+
+def rooms_to_the_left(tree):
+    """{room: set of rooms it may include}, from the list in source/rooms.txt."""
+    allowed, left = {}, set()
+    for line in tree["source/rooms.txt"].splitlines():
+        if not line.startswith("#"):
+            allowed.update({room: left | {room} for room in line.split()})
+            left = left | set(line.split())
+    return allowed
+
+
+def room_of(path):
+    match = re.match(r"(?:include/chaindrive|source)/(\w+)/", path)
+    return match and match[1]
+
+
+def includes(text):
+    return re.findall(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', text, re.MULTILINE)
+
+
+def reach(tree, path):
+    """The headers that a file includes, directly or through headers of this project."""
+    found, pending = set(), [path]
+    while pending:
+        for _, header in includes(tree.get(pending.pop(), "")):
+            if header not in found:
+                found.add(header)
+                pending.append("include/" + header)
+    return found
+
+
+def layering(tree):
+    allowed, violations = rooms_to_the_left(tree), []
+    for path in filter(is_cxx, tree):
+        room = room_of(path)
+        if room is None:
+            continue
+        if room not in allowed:
+            violations.append(f"{path}: source/rooms.txt has no room '{room}'")
+            continue
+        for quote, header in includes(tree[path]):
+            target = re.match(r"chaindrive/(\w+)/", header)
+            if quote == '"':
+                violations.append(f'{path}: write <chaindrive/room/...> instead of "{header}"')
+            elif target and target[1] not in allowed[room]:
+                violations.append(f"{path}: '{room}' may not include <{header}>")
+        pattern, reason = OUT_OF_BOUNDS.get(room, (r"(?!)", ""))
+        for header in sorted(reach(tree, path)):
+            if re.match(pattern, header):
+                violations.append(f"{path}: '{room}' reaches <{header}>, but {reason}")
+    return violations
+
+
+# ---- files
+
+
+def licence(tree):
+    """The licence in the first line, below the interpreter of a script."""
+    violations = []
+    for path, text in tree.items():
+        lines = text.splitlines()
+        if lines and lines[0].startswith("#!"):
+            lines = lines[1:]
+        script = text.startswith("#!") or path.startswith(".clang")
+        if not (is_code(path) or script or path.endswith((".prm", ".prm.in", ".geo"))):
+            continue
+        mark = "//" if path.endswith((".cc", ".h", ".geo")) else "#"
+        if not lines or lines[0] != f"{mark} {LICENCE}":
+            violations.append(f"{path}: the first line is not '{mark} {LICENCE}'")
+    return violations
+
+
+def length(tree):
+    violations = [
+        f"{path}: {text.count(chr(10))} lines, more than {MAX_LINES}"
+        for path, text in tree.items()
+        if is_code(path) and text.count("\n") > MAX_LINES
+    ]
+    violations += [
+        f"{path}: {len(text)} bytes, more than {MAX_BYTES}"
+        for path, text in tree.items()
+        if len(text) > MAX_BYTES
+    ]
+    return violations
+
+
+def words(tree):
+    """Nothing that belongs to one machine or one day."""
+    bans = [
+        (r"(?<![\w.$}])/(?:home|root|work|tmp|Users|mnt|media)/", "a path of one machine"),
+        (r"\b(?:TO[D]O|FIX[M]E|XX[X])\b", "unfinished work"),
+        (r"^[^$]*(?<!\w)@[A-Z]+@", "a placeholder"),
+        (r"^(?:<<<<<<< |>>>>>>> )", "a conflict of merging"),
+        (r"[ \t]+$", "blanks at the end of a line"),
+    ]
+    violations = []
+    for path, text in tree.items():
+        if path.endswith((".output", ".msh", ".prm.in")) or path == "LICENSE":
+            continue
+        for number, line in enumerate(text.splitlines(), 1):
+            violations += [
+                f"{path}:{number}: {what}: {line.strip()}" for ban, what in bans if re.search(ban, line)
+            ]
+            violations += [
+                f"{path}:{number}: a host not in the list of rules.py: {host}"
+                for host in re.findall(r"\w+://([\w.-]+)", line)
+                if host not in HOSTS
+            ]
+    return violations
+
+
+def links(tree):
+    """Relative links of the documentation lead to files (or folders) that exist."""
+    folders = {posixpath.dirname(path) for path in tree}
+    folders |= {posixpath.dirname(folder) for folder in folders}
+    violations = []
+    for path, text in tree.items():
+        if not path.endswith(".md"):
+            continue
+        for target in re.findall(r"\]\(([^)\s#]+)(?:#[^)]*)?\)", text):
+            if "://" in target:
+                continue
+            file = posixpath.normpath(posixpath.join(posixpath.dirname(path), target))
+            if file not in tree and file not in folders:
+                violations.append(f"{path}: the link to {target} leads nowhere")
+    return violations
+
+
+def prm_listed(tree):
+    """Every .prm for users is in a table that says what it answers."""
+    tables = tree.get("README.md", "") + tree.get("prm/README.md", "")
+    return [
+        f"{path} is neither in README.md nor in prm/README.md"
+        for path in tree
+        if path.startswith("prm/") and path.endswith(".prm") and path.removeprefix("prm/") not in tables
+    ]
+
+
+RULES = {rule.__name__: rule for rule in (layering, licence, length, words, links, prm_listed)}

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every check of style must be able to fail: each is shown something good and something bad."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import documentation
+import plans
+import rules
+import style
+import tidy
+
+ROOMS = {"source/rooms.txt": "# a list\nutilities\ndrive\nelement contact\nworld\nreport\n"}
+
+
+def header(*names):
+    return "".join(f"#include <{name}>\n" for name in names)
+
+
+class Layering(unittest.TestCase):
+    def violations(self, **files):
+        tree = {f"include/chaindrive/{name.replace('__', '/')}.h": text for name, text in files.items()}
+        return rules.layering({**ROOMS, **tree})
+
+    def test_rooms_to_the_left_are_allowed(self):
+        self.assertEqual(self.violations(contact__a=header("chaindrive/drive/b.h", "chaindrive/contact/c.h")), [])
+
+    def test_rooms_to_the_right_and_on_the_same_line_are_not(self):
+        self.assertEqual(len(self.violations(drive__a=header("chaindrive/contact/b.h"))), 1)
+        self.assertEqual(len(self.violations(element__a=header("chaindrive/contact/b.h"))), 1)
+
+    def test_unknown_rooms_and_quoted_includes_are_not(self):
+        self.assertEqual(len(self.violations(attic__a="")), 1)
+        self.assertEqual(len(self.violations(drive__a='#include "b.h"\n')), 1)
+
+    def test_drive_knows_no_mpi_not_even_through_another_header(self):
+        self.assertEqual(len(self.violations(drive__a=header("deal.II/dofs/dof_handler.h"))), 1)
+        self.assertEqual(
+            len(self.violations(drive__a=header("chaindrive/utilities/b.h"), utilities__b=header("deal.II/base/mpi.h"))), 1
+        )
+        self.assertEqual(self.violations(contact__a=header("deal.II/base/mpi.h")), [])
+
+    def test_report_never_sees_the_world(self):
+        self.assertEqual(len(self.violations(report__a=header("chaindrive/world/b.h"))), 1)
+
+
+class Files(unittest.TestCase):
+    def assert_rule(self, rule, good, bad):
+        self.assertEqual(rule(good), [])
+        for path, text in bad.items():
+            self.assertTrue(rule({**good, path: text}), f"{path} was accepted")
+
+    def test_licence(self):
+        self.assert_rule(
+            rules.licence,
+            {
+                "a.cc": f"// {rules.LICENCE}\nint a;\n",
+                "b.prm": f"# {rules.LICENCE}\n",
+                "run": f"#!/bin/sh\n# {rules.LICENCE}\n",
+                "c.md": "no licence\n",
+            },
+            {"a.h": "int a;\n", "d.prm": "", "tool": "#!/bin/sh\nls\n", "e.cc": f"# {rules.LICENCE}\n"},
+        )
+
+    def test_length(self):
+        self.assert_rule(
+            rules.length,
+            {"a.cc": "\n" * rules.MAX_LINES, "a.output": "\n" * 2 * rules.MAX_LINES},
+            {"b.cc": "\n" * (rules.MAX_LINES + 1), "b.output": "0" * (rules.MAX_BYTES + 1)},
+        )
+
+    def test_words(self):
+        self.assert_rule(
+            rules.words,
+            {"a.md": "see https://www.dealii.org/ and prm/tmp/a.prm, $ROOT/work/b\n"},
+            {
+                "b.cc": '"/ho' + 'me/somebody/a.prm"',
+                "c.md": "cd /wo" + "rk/here",
+                "d.cc": "// TO" + "DO: later",
+                "e.md": "http" + "://registry.example/x",
+                "f.cc": "int a; \n",
+                "g.cc": "<<<<" + "<<< ours\n",
+                "h.prm": "# takes @TI" + "ME@ s\n",
+            },
+        )
+
+    def test_links(self):
+        self.assert_rule(
+            rules.links,
+            {"doc/a.md": "[b](b.md#part) [up](../README.md) [folder](../prm/) [web](https://www.dealii.org)", "doc/b.md": "",
+             "README.md": "[a](doc/a.md)", "prm/paper/a.prm": ""},
+            {"doc/c.md": "[gone](gone.md)"},
+        )
+
+    def test_prm_listed(self):
+        self.assert_rule(
+            rules.prm_listed,
+            {"README.md": "| `prm/paper/a.prm` |", "prm/paper/a.prm": "", "tests/runs/b.prm": ""},
+            {"prm/paper/c.prm": ""},
+        )
+
+    def test_formatting(self):
+        with tempfile.TemporaryDirectory() as folder:
+            good, bad = Path(folder, "good.cc"), Path(folder, "bad.cc")
+            good.write_text("int a = 1;\n")
+            bad.write_text("int   a=1;\n")
+            self.assertEqual(style.clang_format([good]), [])
+            self.assertTrue(style.clang_format([bad]))
+
+
+class Repository(unittest.TestCase):
+    def test_both_ways_of_listing_see_the_sources(self):
+        walked = style.found_by_walking()
+        self.assertIn("source/rooms.txt", walked)
+        self.assertFalse([name for name in walked if name.startswith((".git/", "build/"))])
+        listed = style.listed_by_git()
+        self.assertTrue(not listed or "source/rooms.txt" in listed)
+
+
+class Documentation(unittest.TestCase):
+    def test_a_missing_line_is_noticed(self):
+        self.assertEqual(documentation.difference("a\nb\n", "a\nb\n"), [])
+        self.assertTrue(documentation.difference("a\n", "a\nb\n"))
+
+
+class Plans(unittest.TestCase):
+    def test_a_program_that_refuses_is_noticed(self):
+        self.assertEqual(plans.refused("true", ["a.prm"]), {})
+        self.assertEqual(plans.refused("false", ["a.prm"]), {"a.prm": ""})
+
+
+class Tidy(unittest.TestCase):
+    def lint(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "a.cc")
+            file.write_text(text)
+            return tidy.lint(file, ["-std=c++17"]), tidy.compiles(file, ["-std=c++17"])
+
+    def test_a_clean_file_passes(self):
+        self.assertEqual(self.lint("int twice(int a) { return 2 * a; }\n"), ("", ""))
+
+    def test_a_suspicious_one_does_not(self):
+        complaint, error = self.lint("double half(int a) { return a / 2; }\n")
+        self.assertIn("bugprone", complaint)
+        self.assertEqual(error, "")
+
+    def test_nor_one_that_does_not_include_what_it_needs(self):
+        _, error = self.lint("std::vector<int> a;\n")
+        self.assertIn("error", error)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+// Small scenes for closed-form cases: a few bodies, one interface, one load.
+
+#include <chaindrive/dynamics/system.h>
+#include <chaindrive/mesh/facet_surface.h>
+#include <chaindrive/scene/scene.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+
+namespace test
+{
+using namespace chaindrive;
+using Vector3 = dealii::Tensor<1, 3>;
+
+inline Vector3 vector(const double x, const double y, const double z = 0.)
+{
+  Vector3 v;
+  v[0] = x;
+  v[1] = y;
+  v[2] = z;
+  return v;
+}
+
+/// A scene with nothing in it: no gravity, no drag, a drive that stands still.
+inline scene::Scene empty_scene()
+{
+  scene::Scene scene;
+  scene.loads.gravity = scene.loads.drag = scene.loads.driver_speed = 0.;
+  scene.loads.resisting_torque                                      = 0.;
+  return scene;
+}
+
+inline scene::Body body(const scene::Motion  motion,
+                        const scene::Support support,
+                        const double         mass,
+                        const Vector3       &inertia,
+                        const Vector3       &position,
+                        const Vector3       &velocity = Vector3())
+{
+  scene::Body body;
+  body.kind             = scene::Kind::roller;
+  body.number           = 0;
+  body.motion           = motion;
+  body.support          = support;
+  body.mass             = mass;
+  body.inertia          = inertia;
+  body.initial.position = position;
+  body.initial.velocity = velocity;
+  body.initial.rotation = to_matrix(Quaternion());
+  return body;
+}
+
+inline scene::Body
+lump(const double mass, const Vector3 &position, const Vector3 &velocity = Vector3())
+{
+  return body(scene::Motion::lumped, scene::Support::none, mass, Vector3(), position, velocity);
+}
+
+/// A body turned about z by the speed program; with a drive that stands still, the fixed ground.
+inline scene::Body ground()
+{
+  return body(
+      scene::Motion::rigid, scene::Support::prescribed_hub, 1., vector(1., 1., 1.), Vector3());
+}
+
+/// A flat square of side 2 @p half [m] through the origin, spanned by @p along and @p across; its
+/// outside is along x across.
+inline std::shared_ptr<const mesh::FacetSurface>
+plane(const double half, const Vector3 &along, const Vector3 &across)
+{
+  std::vector<dealii::Point<3>> corners;
+  for (const auto &[a, b] : {std::pair{-1., -1.}, {1., -1.}, {1., 1.}, {-1., 1.}})
+    corners.emplace_back(half * (a * along + b * across));
+  return std::make_shared<const mesh::FacetSurface>(
+      corners, std::vector<std::array<unsigned int, 4>>{{{0, 1, 2, 3}}});
+}
+
+/// An interface of slave points with a facet surface of @p master.
+inline scene::ToothFamily on_surface(const unsigned int                        master,
+                                     std::shared_ptr<const mesh::FacetSurface> surface,
+                                     const scene::Law                         &law,
+                                     const std::vector<scene::SlavePoint>     &slaves)
+{
+  scene::ToothFamily family;
+  family.name         = "surface";
+  family.sprocket     = master;
+  family.facets       = std::move(surface);
+  family.teeth        = 1;
+  family.outer_radius = family.half_width = 1e6;
+  family.law                              = law;
+  family.rolls_freely                     = false;
+  family.slaves                           = slaves;
+  return family;
+}
+
+/// Advances @p system by @p n steps of @p dt [s] from its present time, calling @p look after each.
+template <typename Look>
+void advance(dynamics::System &system, const unsigned long n, const double dt, const Look &look)
+{
+  const double start = system.world.time;
+  for (unsigned long i = 1; i <= n; ++i)
+    {
+      system.advance(dt, start + i * dt);
+      look();
+    }
+}
+
+/// A line of a test's output: what was obtained over what was expected.
+inline void
+ratio(const std::string &what, const double obtained, const double expected, const int digits = 4)
+{
+  std::cout << what << ": " << std::fixed << std::setprecision(digits) << obtained / expected
+            << std::defaultfloat << " of the expected value\n";
+}
+
+inline void verdict(const std::string &what, const bool yes)
+{
+  std::cout << what << ": " << (yes ? "yes" : "NO") << '\n';
+}
+} // namespace test
