@@ -54,14 +54,15 @@ void sort_by_misfit(std::vector<Span> &spans)
 
 double LinkLengths::sum(const unsigned int first, const unsigned int n) const
 {
-  return n / 2 * (inner + outer) + (n % 2 == 1 ? of(first) : 0.);
+  const unsigned int pairs = n / 2;
+  return pairs * (inner + outer) + (n % 2 == 1 ? of(first) : 0.);
 }
 
-Wheel::Wheel(const unsigned int z, const Point<2> &c, const LinkLengths &lengths)
-    : teeth(z), centre(c), pitch_angle(2. * PI / z)
+Wheel::Wheel(const unsigned int n_teeth, const Point<2> &position, const LinkLengths &lengths)
+    : teeth(n_teeth), centre(position), pitch_angle(2. * PI / n_teeth)
 {
   // inner = 2 r sin(pi/z - shift), outer = 2 r sin(pi/z + shift)
-  const double half = PI / z, mean = 0.5 * (lengths.inner + lengths.outer);
+  const double half = PI / teeth, mean = 0.5 * (lengths.inner + lengths.outer);
   shift         = std::atan(std::tan(half) * 0.5 * (lengths.outer - lengths.inner) / mean);
   bush_radius   = 0.5 * lengths.inner / std::sin(half - shift);
   roller_radius = 0.5 * mean / std::sin(half);

@@ -134,10 +134,9 @@ std::vector<Point<2>> ToothForm::polyline(const unsigned int per_segment) const
   for (unsigned int k = 0; k < teeth; ++k)
     {
       for (std::size_t i = 0; i + 1 < half.size(); ++i)
-        points.push_back(Point<2>(rotated(half[i], rotations[k])));
+        points.emplace_back(rotated(half[i], rotations[k]));
       for (std::size_t i = half.size() - 1; i > 0; --i)
-        points.push_back(
-            Point<2>(rotated(Point<2>(half[i][0], -half[i][1]), rotations[(k + 1) % teeth])));
+        points.emplace_back(rotated(Point<2>(half[i][0], -half[i][1]), rotations[(k + 1) % teeth]));
     }
   return points;
 }

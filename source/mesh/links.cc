@@ -129,19 +129,19 @@ void add_tube(PlanarMesh        &section,
 
 PlanarMesh link_section(const LinkShape &shape, const LinkGrid &grid)
 {
-  const unsigned int n = grid.around;
+  const unsigned int n = grid.around, half = n / 2;
   PlanarMesh         section;
 
   // The outline's points: equal angles, but the corner at mid-pitch takes the nearest of them.
   const double       corner_angle = std::atan2(shape.plate.waist, -shape.plate.hole_pitch);
   const unsigned int corner =
-      std::min(static_cast<unsigned int>(std::lround(corner_angle / (2. * PI / n))), n / 2 - 1);
+      std::min(static_cast<unsigned int>(std::lround(corner_angle / (2. * PI / n))), half - 1);
   std::vector<Point<2>> outline(n);
-  for (unsigned int i = 0; i <= n / 2; ++i)
+  for (unsigned int i = 0; i <= half; ++i)
     {
       double phi = i <= corner ?
                        corner_angle * i / corner :
-                       corner_angle + (PI - corner_angle) * (i - corner) / (n / 2 - corner);
+                       corner_angle + (PI - corner_angle) * (i - corner) / (half - corner);
       if (2 * i == n)
         phi = PI;
       outline[i] = outline_of_half(shape.plate, corner_angle, phi);

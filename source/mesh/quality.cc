@@ -11,7 +11,6 @@
 
 namespace chaindrive::mesh
 {
-using dealii::Point;
 using dealii::Tensor;
 
 Corners corners_of(const dealii::Triangulation<3>::active_cell_iterator &cell)
@@ -22,7 +21,7 @@ Corners corners_of(const dealii::Triangulation<3>::active_cell_iterator &cell)
   return corners;
 }
 
-double scaled_jacobian(const Corners &x)
+double scaled_jacobian(const Corners &corners)
 {
   double worst = std::numeric_limits<double>::max();
   for (unsigned int v = 0; v < 8; ++v)
@@ -31,7 +30,7 @@ double scaled_jacobian(const Corners &x)
       for (unsigned int d = 0; d < 3; ++d)
         {
           // the other end of the edge along direction d
-          e[d] = x[v ^ (1u << d)] - x[v];
+          e[d] = corners[v ^ (1u << d)] - corners[v];
           e[d] /= (v >> d) & 1u ? -e[d].norm() : e[d].norm();
         }
       worst = std::min(worst, dealii::cross_product_3d(e[0], e[1]) * e[2]);
@@ -39,8 +38,9 @@ double scaled_jacobian(const Corners &x)
   return worst;
 }
 
-double
-largest_frequency(const Corners &x, const parameters::Material &material, const double density)
+double largest_frequency(const Corners              &corners,
+                         const parameters::Material &material,
+                         const double                density)
 {
   const double E = material.youngs_modulus, nu = material.poissons_ratio;
   const double lambda = E * nu / ((1. + nu) * (1. - 2. * nu)), mu = 0.5 * E / (1. + nu);
@@ -53,7 +53,7 @@ largest_frequency(const Corners &x, const parameters::Material &material, const 
     {
       Tensor<2, 3> jacobian; // dx_i / dxi_j
       for (unsigned int a = 0; a < 8; ++a)
-        jacobian += outer_product(Tensor<1, 3>(x[a]), fe.shape_grad(a, quadrature.point(q)));
+        jacobian += outer_product(Tensor<1, 3>(corners[a]), fe.shape_grad(a, quadrature.point(q)));
       const double                volume  = determinant(jacobian) * quadrature.weight(q);
       const Tensor<2, 3>          inverse = invert(jacobian);
       std::array<Tensor<1, 3>, 8> gradient;

@@ -14,7 +14,6 @@
 
 namespace chaindrive::mesh
 {
-using dealii::Point;
 using dealii::Tensor;
 
 namespace

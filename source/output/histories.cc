@@ -156,7 +156,7 @@ Histories::Histories(const std::string                                      &pre
   data_->channels.push_back({"", "time", "s", "Time of each sample", 1, {}});
 }
 
-Histories::Histories(Histories &&) = default;
+Histories::Histories(Histories &&) noexcept = default;
 
 Histories::~Histories()
 {

@@ -148,6 +148,7 @@ struct HistoryFile::Data
     const Object  attribute(
         check(H5Acreate2(to, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT)));
     std::vector<const char *> pointers;
+    pointers.reserve(n);
     for (const std::string &text : texts)
       pointers.push_back(text.c_str());
     check(H5Awrite(attribute, type, pointers.data()));

@@ -167,8 +167,9 @@ void Sprockets::declare(dealii::ParameterHandler &prm)
          "Width of the teeth of both sprockets. auto: 0.93 of the chain's inner width up to a "
          "pitch of 12.7 mm and 0.95 above, as in ISO 606.");
   const std::string meshed =
-      ": a Gmsh .msh file with the named surfaces that meshes/README.md lists, relative to the "
-      "directory that the program is started in. Give it for teeth that no form above describes. "
+      ": a Gmsh .msh file with the named surfaces that meshes/README.md lists, looked up in the "
+      "parameter file's directory, then in the one the program is started in. Give it for teeth "
+      "that no form above describes. "
       "Default: the mesh is made from the tooth form.";
   add_text(
       prm, "Driver mesh", driver_mesh, "a file name or nothing", "Mesh of the driver" + meshed);

@@ -227,7 +227,7 @@ private:
       }
     catch (const InputError &error)
       {
-        errors_.push_back(error.what());
+        errors_.emplace_back(error.what());
       }
   }
 

@@ -35,7 +35,7 @@ struct Wheel
   double           bush_radius;
   double           shift;
 
-  Wheel(unsigned int teeth, const dealii::Point<2> &centre, const LinkLengths &lengths);
+  Wheel(unsigned int n_teeth, const dealii::Point<2> &position, const LinkLengths &lengths);
 
   dealii::Point<2> roller(double seat) const;
   dealii::Point<2> bush(double seat, unsigned int joint) const;

@@ -47,7 +47,7 @@ public:
             const std::vector<std::pair<std::string, std::string>> &attributes,
             std::size_t                                             expected_samples,
             bool                                                    csv = false);
-  Histories(Histories &&);
+  Histories(Histories &&) noexcept;
 
   /// Closes the files; a failure then is not reported.
   ~Histories();
