@@ -5,6 +5,7 @@
 
 #include <streambuf>
 #include <string_view>
+#include <utility>
 
 namespace chaindrive::output
 {

@@ -21,10 +21,10 @@ public:
                   const unsigned int         components,
                   const std::vector<Number> &values)
   {
-    const std::string xml = "<DataArray type=\"" + type + "\" Name=\"" + name +
-                            "\" NumberOfComponents=\"" + std::to_string(components) +
-                            "\" format=\"appended\" offset=\"" + std::to_string(binary_.size()) +
-                            "\"/>\n";
+    std::string xml = "<DataArray type=\"" + type + "\" Name=\"" + name +
+                      "\" NumberOfComponents=\"" + std::to_string(components) +
+                      "\" format=\"appended\" offset=\"" + std::to_string(binary_.size()) +
+                      "\"/>\n";
     append(reinterpret_cast<const char *>(values.data()), values.size() * sizeof(Number));
     return xml;
   }
