@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/report.h>
+#include <chaindrive/mesh/stiffness.h>
 
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/mesh/quality.h>

@@ -5,8 +5,8 @@
 // roller.
 
 #include <chaindrive/mesh/links.h>
-#include <chaindrive/mesh/quality.h>
 #include <chaindrive/mesh/report.h>
+#include <chaindrive/mesh/stiffness.h>
 
 #include <cmath>
 #include <iomanip>

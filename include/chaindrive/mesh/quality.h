@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/parameters/model.h>
-
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
@@ -18,9 +16,4 @@ Corners corners_of(const dealii::Triangulation<3>::active_cell_iterator &cell);
 /// Worst corner of the hexahedron: determinant of the unit vectors along its edges, 1 for a brick,
 /// not positive for an inverted cell.
 double scaled_jacobian(const Corners &corners);
-
-/// Largest natural frequency [rad/s] of the free trilinear hexahedron, fully integrated, with
-/// lumped masses; @p density in kg/m3.
-double
-largest_frequency(const Corners &corners, const parameters::Material &material, double density);
 } // namespace chaindrive::mesh
