@@ -21,13 +21,10 @@ int main()
         std::uniform_real_distribution<double> uniform(-1., 1.);
         for (int lane = 0; lane < n_lanes; ++lane)
           {
-            const Tensor<2, 3> turned = turn(0.7 * lane), axes = turn(0.4 * lane);
-            for (unsigned int i = 0; i < 3; ++i)
-              for (unsigned int j = 0; j < 3; ++j)
-                batch.rotation[(3 * i + j) * n_lanes + lane] = axes[i][j];
+            const Tensor<2, 3> turned = turn(0.7 * lane);
             // a turned body, with noise of a micrometre
-            batch.set(batch.displacement, lane, [&](const Point<3> &x, unsigned int) {
-              Tensor<1, 3> u = turned * x - axes * x;
+            batch.set(batch.position, lane, [&](const Point<3> &x, unsigned int) {
+              Tensor<1, 3> u = turned * x;
               for (unsigned int i = 0; i < 3; ++i)
                 u[i] += 1e-6 * uniform(random);
               return u;
@@ -54,15 +51,9 @@ int main()
           Tensor<1, 3> sum, turning;
           for (unsigned int node = 0; node < reference.n_nodes(); ++node)
             {
-              Tensor<2, 3> axes;
-              for (unsigned int i = 0; i < 3; ++i)
-                for (unsigned int j = 0; j < 3; ++j)
-                  axes[i][j] = scalar.rotation[(3 * i + j) * n_lanes + lane];
               const Tensor<1, 3> f = scalar.get(scalar.force, node, lane);
               sum += f;
-              turning += cross_product_3d(axes * Tensor<1, 3>(reference.position[node]) +
-                                              scalar.get(scalar.displacement, node, lane),
-                                          f);
+              turning += cross_product_3d(scalar.get(scalar.position, node, lane), f);
             }
           resultant = std::max(resultant, sum.norm() / scale);
           moment    = std::max(moment, turning.norm() / (scale * 5e-3));
@@ -74,11 +65,11 @@ int main()
       double       work = 0.;
       fill(forth);
       fill(back);
-      for (unsigned int i = 0; i < forth.displacement.size(); ++i)
+      for (unsigned int i = 0; i < forth.position.size(); ++i)
         {
           const double direction = std::sin(1. + i);
-          forth.displacement[i] += step * direction;
-          back.displacement[i] -= step * direction;
+          forth.position[i] += step * direction;
+          back.position[i] -= step * direction;
           if (i % n_lanes == 3)
             work -= scalar.force[i] * direction;
         }

@@ -59,14 +59,12 @@ public:
       : kernels(kernels), reference(reference)
   {
     const unsigned int n = 3 * reference.n_nodes() * n_lanes;
-    displacement.resize(n, 0.);
+    position.resize(n, 0.);
     velocity.resize(n, 0.);
     force.resize(n, 0.);
-    rotation.resize(9 * n_lanes, 0.);
     energy.resize(3 * n_lanes, 0.);
-    for (unsigned int d = 0; d < 3; ++d)
-      for (int lane = 0; lane < n_lanes; ++lane)
-        rotation[(4 * d) * n_lanes + lane] = 1.;
+    for (int lane = 0; lane < n_lanes; ++lane)
+      set(position, lane, [](const Point<3> &x, unsigned int) { return Tensor<1, 3>(x); });
   }
 
   static unsigned int index(const unsigned int node, const unsigned int i, const unsigned int lane)
@@ -101,8 +99,7 @@ public:
   {
     energy.fill(0.);
     element::ForceArguments arg = reference.arguments();
-    arg.rotation                = rotation.data();
-    arg.displacement            = displacement.data();
+    arg.position                = position.data();
     arg.force                   = force.data();
     arg.strain_energy           = energy.data();
     arg.hourglass_energy        = energy.data() + n_lanes;
@@ -118,7 +115,7 @@ public:
     kernels.update({reference.n_nodes(),
                     dt,
                     reference.mass.data(),
-                    displacement.data(),
+                    position.data(),
                     velocity.data(),
                     force.data(),
                     energy.data() + 2 * n_lanes});
@@ -134,7 +131,7 @@ public:
 
   const element::Kernels       &kernels;
   const Reference              &reference;
-  dealii::AlignedVector<double> displacement, velocity, force, rotation, energy;
+  dealii::AlignedVector<double> position, velocity, force, energy;
 };
 
 /// Turns by @p angle about the axis (1, 2, 3).

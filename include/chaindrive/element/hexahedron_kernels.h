@@ -85,12 +85,11 @@ CHAINDRIVE_ALWAYS_INLINE void subtract_hourglass(const P (&r)[4], P (&x)[8])
   x[7] -= r[1] + d3;
 }
 
-/// Component @p i of the displacements of an element's vertices.
+/// Component @p i of the positions of an element's vertices.
 template <typename P, int width>
 CHAINDRIVE_ALWAYS_INLINE void
 gather(const unsigned int (&node)[8], const int i, const double *from, P (&x)[8])
 {
-  CHAINDRIVE_UNROLL
   for (int a = 0; a < 8; ++a)
     x[a] = P::load(from + (3 * node[a] + i) * n_lanes);
 }
@@ -99,13 +98,7 @@ gather(const unsigned int (&node)[8], const int i, const double *from, P (&x)[8]
 template <int width, Formulation formulation>
 CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const int lane)
 {
-  using P = Pack<double, width>;
-  P Q[3][3];
-  CHAINDRIVE_UNROLL
-  for (int i = 0; i < 3; ++i)
-    CHAINDRIVE_UNROLL
-  for (int j = 0; j < 3; ++j)
-    Q[i][j] = P::load(arg.rotation + (3 * i + j) * n_lanes + lane);
+  using P            = Pack<double, width>;
   P strain_energy    = P::load(arg.strain_energy + lane);
   P hourglass_energy = P::load(arg.hourglass_energy + lane);
 
@@ -114,30 +107,24 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
       const Hexahedron &element = arg.elements[e];
 
       P F[3][3], q[3][4]; // q: component, amplitude
-      CHAINDRIVE_UNROLL
       for (int i = 0; i < 3; ++i)
         {
-          P u[8];
-          gather<P, width>(element.node, i, arg.displacement + lane, u);
-          hourglass_sums(u, q[i]);
-          CHAINDRIVE_UNROLL
+          P x[8];
+          gather<P, width>(element.node, i, arg.position + lane, x);
+          hourglass_sums(x, q[i]);
           for (int j = 0; j < 3; ++j)
             {
-              P gradient = u[0] * P(element.gradient[j][0]);
-              CHAINDRIVE_UNROLL
+              F[i][j] = x[0] * P(element.gradient[j][0]);
               for (int a = 1; a < 8; ++a)
-                gradient += u[a] * P(element.gradient[j][a]);
-              CHAINDRIVE_UNROLL
+                F[i][j] += x[a] * P(element.gradient[j][a]);
               for (int alpha = 0; alpha < 4; ++alpha)
-                q[i][alpha] -= gradient * P(element.shift[alpha][j]);
-              F[i][j] = Q[i][j] + gradient;
+                q[i][alpha] -= F[i][j] * P(element.shift[alpha][j]);
             }
         }
 
       const Symmetric<P> S =
           stress(green_strain(F), P(arg.lambda), P(arg.mu), P(element.volume), strain_energy);
       P T[3][3]; // V F S and what follows: the force on vertex a is -T B_a - h r
-      CHAINDRIVE_UNROLL
       for (int i = 0; i < 3; ++i)
         times(F[i], S, P(element.volume), T[i]);
 
@@ -146,63 +133,50 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
         {
           // Amplitudes in the part's axes: F^T q is the same however the element has turned.
           P pulled[12], s[12];
-          CHAINDRIVE_UNROLL
           for (int alpha = 0; alpha < 4; ++alpha)
-            CHAINDRIVE_UNROLL
-          for (int k = 0; k < 3; ++k)
-            pulled[3 * alpha + k] =
-                F[0][k] * q[0][alpha] + F[1][k] * q[1][alpha] + F[2][k] * q[2][alpha];
+            for (int k = 0; k < 3; ++k)
+              pulled[3 * alpha + k] =
+                  F[0][k] * q[0][alpha] + F[1][k] * q[1][alpha] + F[2][k] * q[2][alpha];
           const HourglassStiffness &K = arg.hourglass[e];
           P                         twice_energy(0.);
-          CHAINDRIVE_UNROLL
           for (int m = 0; m < 12; ++m)
             {
               s[m] = P(K.k[m][0]) * pulled[0];
-              CHAINDRIVE_UNROLL
               for (int n = 1; n < 12; ++n)
                 s[m] += P(K.k[m][n]) * pulled[n];
               twice_energy += s[m] * pulled[m];
             }
           hourglass_energy += P(0.5) * twice_energy;
-          CHAINDRIVE_UNROLL
           for (int i = 0; i < 3; ++i)
-            CHAINDRIVE_UNROLL
-          for (int alpha = 0; alpha < 4; ++alpha)
-            {
-              r[i][alpha] =
-                  F[i][0] * s[3 * alpha] + F[i][1] * s[3 * alpha + 1] + F[i][2] * s[3 * alpha + 2];
-              CHAINDRIVE_UNROLL
-              for (int k = 0; k < 3; ++k)
-                T[i][k] += q[i][alpha] * s[3 * alpha + k];
-            }
+            for (int alpha = 0; alpha < 4; ++alpha)
+              {
+                r[i][alpha] = F[i][0] * s[3 * alpha] + F[i][1] * s[3 * alpha + 1] +
+                              F[i][2] * s[3 * alpha + 2];
+                for (int k = 0; k < 3; ++k)
+                  T[i][k] += q[i][alpha] * s[3 * alpha + k];
+              }
         }
       else
         {
           const P k(arg.hourglass_stiffness[e]);
           P       twice_energy(0.);
-          CHAINDRIVE_UNROLL
           for (int i = 0; i < 3; ++i)
-            CHAINDRIVE_UNROLL
-          for (int alpha = 0; alpha < 4; ++alpha)
-            {
-              r[i][alpha] = k * q[i][alpha];
-              twice_energy += r[i][alpha] * q[i][alpha];
-            }
+            for (int alpha = 0; alpha < 4; ++alpha)
+              {
+                r[i][alpha] = k * q[i][alpha];
+                twice_energy += r[i][alpha] * q[i][alpha];
+              }
           hourglass_energy += P(0.5) * twice_energy;
         }
 
-      CHAINDRIVE_UNROLL
       for (int i = 0; i < 3; ++i)
         {
-          CHAINDRIVE_UNROLL
           for (int j = 0; j < 3; ++j)
-            CHAINDRIVE_UNROLL
-          for (int alpha = 0; alpha < 4; ++alpha)
-            T[i][j] -= r[i][alpha] * P(element.shift[alpha][j]);
+            for (int alpha = 0; alpha < 4; ++alpha)
+              T[i][j] -= r[i][alpha] * P(element.shift[alpha][j]);
           P f[8];
           gather<P, width>(element.node, i, arg.force + lane, f);
           subtract_hourglass(r[i], f);
-          CHAINDRIVE_UNROLL
           for (int a = 0; a < 8; ++a)
             {
               f[a] -= T[i][0] * P(element.gradient[0][a]) + T[i][1] * P(element.gradient[1][a]) +
@@ -225,46 +199,39 @@ CHAINDRIVE_ALWAYS_INLINE void add_full_forces(const ForceArguments &arg, const i
   for (unsigned int e = 0; e < arg.n_elements; ++e)
     {
       const Hexahedron &element = arg.elements[e];
-      P                 u[3][8], f[3][8];
-      CHAINDRIVE_UNROLL
+      P                 x[3][8], f[3][8];
       for (int i = 0; i < 3; ++i)
         {
-          gather<P, width>(element.node, i, arg.displacement + lane, u[i]);
+          gather<P, width>(element.node, i, arg.position + lane, x[i]);
           gather<P, width>(element.node, i, arg.force + lane, f[i]);
         }
+#pragma GCC unroll 1
       for (int point = 0; point < 8; ++point)
         {
           const double(&gradient)[3][8] = arg.points[e].gradient[point];
           const P volume(arg.points[e].volume[point]);
           P       F[3][3];
-          CHAINDRIVE_UNROLL
           for (int i = 0; i < 3; ++i)
-            CHAINDRIVE_UNROLL
-          for (int j = 0; j < 3; ++j)
-            {
-              F[i][j] = P::load(arg.rotation + (3 * i + j) * n_lanes + lane);
-              CHAINDRIVE_UNROLL
-              for (int a = 0; a < 8; ++a)
-                F[i][j] += u[i][a] * P(gradient[j][a]);
-            }
+            for (int j = 0; j < 3; ++j)
+              {
+                F[i][j] = x[i][0] * P(gradient[j][0]);
+                for (int a = 1; a < 8; ++a)
+                  F[i][j] += x[i][a] * P(gradient[j][a]);
+              }
           const Symmetric<P> S =
               stress(green_strain(F), P(arg.lambda), P(arg.mu), volume, strain_energy);
-          CHAINDRIVE_UNROLL
           for (int i = 0; i < 3; ++i)
             {
               P T[3];
               times(F[i], S, volume, T);
-              CHAINDRIVE_UNROLL
               for (int a = 0; a < 8; ++a)
                 f[i][a] -=
                     T[0] * P(gradient[0][a]) + T[1] * P(gradient[1][a]) + T[2] * P(gradient[2][a]);
             }
         }
-      CHAINDRIVE_UNROLL
       for (int i = 0; i < 3; ++i)
-        CHAINDRIVE_UNROLL
-      for (int a = 0; a < 8; ++a)
-        f[i][a].store(arg.force + (3 * element.node[a] + i) * n_lanes + lane);
+        for (int a = 0; a < 8; ++a)
+          f[i][a].store(arg.force + (3 * element.node[a] + i) * n_lanes + lane);
     }
   strain_energy.store(arg.strain_energy + lane);
 }
@@ -291,7 +258,6 @@ CHAINDRIVE_ALWAYS_INLINE void update(const UpdateArguments &arg)
         {
           const P factor(arg.dt / arg.mass[node]);
           P       twice(0.);
-          CHAINDRIVE_UNROLL
           for (int i = 0; i < 3; ++i)
             {
               const unsigned int at       = (3 * node + i) * n_lanes + lane;
@@ -300,7 +266,7 @@ CHAINDRIVE_ALWAYS_INLINE void update(const UpdateArguments &arg)
               const P            mean     = before + velocity;
               twice += mean * mean;
               velocity.store(arg.velocity + at);
-              (P::load(arg.displacement + at) + dt * velocity).store(arg.displacement + at);
+              (P::load(arg.position + at) + dt * velocity).store(arg.position + at);
               P(0.).store(arg.force + at);
             }
           energy += P(0.125 * arg.mass[node]) * twice;

@@ -42,6 +42,8 @@ struct PointGradients
 };
 
 /// One batch: n_lanes copies of a part, side by side in memory as [node][component][lane].
+/// Positions instead of displacements: wherever a copy was placed and turned at the start, their
+/// gradients are its deformation gradient times that turn, which Green's strain does not see.
 struct ForceArguments
 {
   unsigned int              n_elements;
@@ -50,21 +52,20 @@ struct ForceArguments
   const double             *hourglass_stiffness; ///< formulation one_point: of every amplitude, N/m
   const PointGradients     *points;              ///< formulation full
   double                    lambda, mu;          ///< Lamé's constants, Pa
-  const double             *rotation;         ///< [3][3][lane]: from the part's axes to the copy's
-  const double             *displacement;     ///< since the reference position, world axes, m
-  double                   *force;            ///< to which the internal forces are added, N
-  double                   *strain_energy;    ///< [lane], to which is added, J
-  double                   *hourglass_energy; ///< [lane], to which is added, J
+  const double             *position;            ///< world axes, m
+  double                   *force;               ///< to which the internal forces are added, N
+  double                   *strain_energy;       ///< [lane], to which is added, J
+  double                   *hourglass_energy;    ///< [lane], to which is added, J
 };
 
-/// One step of a batch: v += dt f / m, then u += dt v. Forces are set to zero.
+/// One step of a batch: v += dt f / m, then x += dt v. Forces are set to zero.
 struct UpdateArguments
 {
   unsigned int  n_nodes;
   double        dt;             ///< s
   const double *mass;           ///< per node, kg
-  double       *displacement;   ///< m
-  double       *velocity;       ///< half a step behind the displacement, m/s
+  double       *position;       ///< m
+  double       *velocity;       ///< half a step behind the position, m/s
   double       *force;          ///< N
   double       *kinetic_energy; ///< [lane], to which that of the mean velocity is added, J
 };

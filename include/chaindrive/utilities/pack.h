@@ -6,9 +6,6 @@
 
 #define CHAINDRIVE_ALWAYS_INLINE inline __attribute__((always_inline))
 
-/// Before a loop of a few turns: only without the loop do small arrays live in registers.
-#define CHAINDRIVE_UNROLL _Pragma("GCC unroll 16")
-
 namespace chaindrive
 {
 /// How many copies of a number lie side by side in memory, on every machine.
