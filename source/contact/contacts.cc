@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/contacts.h>
+#include <chaindrive/contact/node_teeth.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -9,13 +10,16 @@
 
 namespace chaindrive::contact
 {
-Contacts::Contacts(const scene::Scene &scene, const bool search_every_step)
+Contacts::Contacts(const scene::Scene &scene, const World &world, const bool search_every_step)
     : every_step_(search_every_step)
 {
   double smallest_radius = std::numeric_limits<double>::max();
   for (const scene::ToothFamily &teeth : scene.teeth)
     {
-      families_.push_back(std::make_unique<Teeth>(teeth));
+      if (teeth.elastic)
+        families_.push_back(std::make_unique<NodeTeeth>(teeth, world, search_every_step));
+      else
+        families_.push_back(std::make_unique<Teeth>(teeth));
       for (const scene::SlavePoint &slave : teeth.slaves)
         if (slave.radius > 0.)
           smallest_radius = std::min(smallest_radius, slave.radius);
@@ -53,6 +57,15 @@ void Contacts::add_forces(World &world, const double dt)
     search_if_due(world, dt);
   for (const auto &family : families_)
     family->add_forces(world, dt);
+}
+
+double Contacts::largest_node_eigenvalue(const World &world) const
+{
+  // families meet different nodes of a body: their largest eigenvalues do not add up
+  double largest = 0.;
+  for (const auto &family : families_)
+    largest = std::max(largest, family->largest_node_eigenvalue(world));
+  return largest;
 }
 
 void Contacts::add_springs(const World &world, std::vector<Spring> &springs) const

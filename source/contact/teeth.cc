@@ -16,15 +16,15 @@ unsigned int gap_of(const dealii::Tensor<1, 3> &p, const unsigned int teeth)
   return (static_cast<int>(std::lround(gaps)) + teeth) % teeth;
 }
 
-/// A slave of radius r over the flanks of a sprocket: gap = distance of its centre - r. A slave
-/// outside the sprocket's width touches nothing. @p hint is the facet found last time, if any.
-Touch touch_tooth(const scene::ToothFamily &family,
-                  const scene::SlavePoint  &point,
-                  const Frame              &master,
-                  const Frame              &slave,
-                  unsigned int             &hint)
+} // namespace
+
+Touch touch_flanks(const scene::ToothFamily   &family,
+                   const dealii::Tensor<1, 3> &centre,
+                   const double                radius,
+                   const double                within,
+                   const Frame                &master,
+                   unsigned int               &hint)
 {
-  const dealii::Tensor<1, 3> centre = to_world(slave, point.point);
   const dealii::Tensor<1, 3> local =
       dealii::transpose(master.rotation) * (centre - master.position);
 
@@ -34,11 +34,10 @@ Touch touch_tooth(const scene::ToothFamily &family,
   dealii::Tensor<1, 3> normal;
   if (family.facets)
     {
-      const auto nearest =
-          family.facets->closest_point(dealii::Point<3>(local), 2. * point.radius, hint);
+      const auto nearest = family.facets->closest_point(dealii::Point<3>(local), within, hint);
       if (!nearest.found)
         return touch;
-      touch.gap = nearest.distance - point.radius;
+      touch.gap = nearest.distance - radius;
       normal    = nearest.normal;
       hint      = nearest.facet;
       if (touch.gap < 0.)
@@ -47,7 +46,7 @@ Touch touch_tooth(const scene::ToothFamily &family,
   else
     {
       const auto nearest = family.form->closest_point(dealii::Point<2>(local[0], local[1]));
-      touch.gap          = nearest.distance - point.radius;
+      touch.gap          = nearest.distance - radius;
       normal[0]          = nearest.normal[0];
       normal[1]          = nearest.normal[1];
       touch.feature      = nearest.gap;
@@ -55,12 +54,11 @@ Touch touch_tooth(const scene::ToothFamily &family,
   if (touch.gap < 0.)
     {
       touch.normal = master.rotation * normal;
-      touch.point  = family.rolls_freely ? centre : centre - point.radius * touch.normal;
+      touch.point  = family.rolls_freely ? centre : centre - radius * touch.normal;
       set_tangents(touch, master);
     }
   return touch;
 }
-} // namespace
 
 Teeth::Teeth(const scene::ToothFamily &scene) : Family(scene.name, scene.law), scene_(scene)
 {
@@ -98,11 +96,18 @@ void Teeth::add_forces(World &world, const double dt)
 {
   const Frame &sprocket = world.frames[scene_.sprocket];
   for (const unsigned int i : near_)
-    apply(world,
-          i,
-          touch_tooth(
-              scene_, scene_.slaves[i], sprocket, world.frames[scene_.slaves[i].body], hints_[i]),
-          dt);
+    {
+      const scene::SlavePoint &slave = scene_.slaves[i];
+      apply(world,
+            i,
+            touch_flanks(scene_,
+                         to_world(world.frames[slave.body], slave.point),
+                         slave.radius,
+                         2. * slave.radius,
+                         sprocket,
+                         hints_[i]),
+            dt);
+    }
 }
 
 void Teeth::add_springs(const World &world, std::vector<Spring> &springs) const

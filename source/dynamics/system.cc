@@ -8,16 +8,23 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace chaindrive::dynamics
 {
 System::System(const scene::Scene &scene, const bool search_every_step)
-    : world(scene), bars(scene.bars), contacts(scene, search_every_step), loads(scene)
+    : world(scene)
+    , bars(scene.bars)
+    , elastic(scene, world)
+    , contacts(scene, world, search_every_step)
+    , loads(scene)
 {
   // a phase that nothing in the scene calls for is not made and has no row in the table
   if (bars.size() > 0)
     internal_force_ = timer.add("Internal force");
+  if (!elastic.empty())
+    elastic.add_phase(timer);
   integration_ = timer.add("Time integration");
   if (!contacts.families().empty())
     contact_ = timer.add("Contact algorithm");
@@ -43,19 +50,24 @@ void System::evaluate_forces(const double dt)
       const PhaseTimer::Scope scope(timer, contact_);
       contacts.add_forces(world, dt);
     }
+  if (!elastic.empty())
+    elastic.advance(world, {dt, loads.gravity(), loads.drag()}, timer);
   loads.add_work(world);
 }
 
 void System::advance(const double dt, const double new_time)
 {
   const PhaseTimer::Scope scope(timer, integration_);
+  if (!elastic.empty() && !elastic_started_)
+    elastic.start(world, {dt, loads.gravity(), loads.drag()}, timer);
+  elastic_started_ = true;
   first_half(world, &loads.speed_program(), dt, new_time);
   evaluate_forces(dt);
   second_half(world, &loads.speed_program(), dt);
   close_ledger();
 }
 
-void System::close_ledger() { world.ledger.kinetic = world.kinetic_energy(); }
+void System::close_ledger() { world.ledger.kinetic += world.kinetic_energy(); }
 
 std::vector<StepVote> System::votes() const
 {
@@ -66,11 +78,15 @@ std::vector<StepVote> System::votes() const
       bars.add_springs(world, springs);
       votes.push_back({"bars", stable_step(world, springs)});
     }
+  for (const auto &limit : elastic.limits())
+    votes.push_back({"elements of the " + limit.part, limit.step});
   for (const auto &family : contacts.families())
     {
       springs.clear();
       family->add_springs(world, springs);
-      votes.push_back({family->name(), stable_step(world, springs)});
+      const double nodes = family->largest_node_eigenvalue(world);
+      votes.push_back(
+          {family->name(), nodes > 0. ? 2. / std::sqrt(nodes) : stable_step(world, springs)});
     }
   return votes;
 }
@@ -80,12 +96,18 @@ double System::stable_step_limit() const
   std::vector<Spring> springs;
   bars.add_springs(world, springs);
   contacts.add_springs(world, springs);
-  return stable_step(world, springs);
+  double limit = stable_step(world, springs);
+  // the largest eigenvalue of a sum is at most the sum of the largest ones (Weyl)
+  const double contact = contacts.largest_node_eigenvalue(world);
+  for (const auto &part : elastic.limits())
+    limit = std::min(limit, 2. / std::sqrt(4. / (part.step * part.step) + contact));
+  return limit;
 }
 
 std::size_t System::memory_consumption() const
 {
-  return world.memory_consumption() + bars.memory_consumption() + contacts.memory_consumption();
+  return world.memory_consumption() + bars.memory_consumption() + elastic.memory_consumption() +
+         contacts.memory_consumption();
 }
 
 StepChoice choose_step(const System &system, const Parameters &parameters)

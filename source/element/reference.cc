@@ -14,8 +14,6 @@ namespace chaindrive::element
 {
 namespace
 {
-constexpr unsigned int no_node = static_cast<unsigned int>(-1);
-
 /// The hourglass vectors of deal.II's vertices, see Hexahedron.
 double h(const unsigned int alpha, const unsigned int vertex)
 {
@@ -123,41 +121,23 @@ hourglass_stiffness_of(const Hexahedron &element, const double coefficient, cons
 } // namespace
 
 Reference::Reference(const mesh::Part           &part,
+                     const mesh::Nodes          &nodes,
                      const parameters::Material &material,
                      const Formulation           how,
                      const double                hourglass_coefficient)
-    : formulation(how)
+    : formulation(how), mass(nodes.mass), position(nodes.position)
 {
   const double E = material.youngs_modulus, nu = material.poissons_ratio;
   lambda = E * nu / ((1. + nu) * (1. - 2. * nu));
   mu     = 0.5 * E / (1. + nu);
 
-  std::vector<unsigned int> node_of(part.mesh->n_vertices(), no_node);
   for (const auto &cell : part.mesh->active_cell_iterators())
     {
       if (cell->material_id() == mesh::hub_zone)
         continue;
-      std::array<unsigned int, 8> nodes;
-      for (const unsigned int v : cell->vertex_indices())
-        {
-          unsigned int &node = node_of[cell->vertex_index(v)];
-          if (node == no_node)
-            {
-              node = n_nodes();
-              mass.push_back(0.);
-              position.push_back(cell->vertex(v));
-              vertex.push_back(cell->vertex_index(v));
-            }
-          nodes[v] = node;
-        }
-
       const mesh::Corners corners = mesh::corners_of(cell);
       const auto          gauss   = mesh::gauss_points(corners);
-      const auto          masses = mesh::lumped_masses(gauss, part.density_of(cell->material_id()));
-      for (unsigned int a = 0; a < 8; ++a)
-        mass[nodes[a]] += masses[a];
-
-      elements.push_back(make_hexahedron(corners, gauss, nodes));
+      elements.push_back(make_hexahedron(corners, gauss, nodes.cells[elements.size()]));
       const Hexahedron &element = elements.back();
       switch (formulation)
         {
@@ -281,10 +261,11 @@ double Reference::largest_frequency() const
   // The conjugate gradient method finds the extreme eigenvalues of M^-1 K on its way (Saad,
   // Iterative Methods for Sparse Linear Systems, 6.7).
   double                                   largest = 0.;
-  dealii::IterationNumberControl           control(400, 0.);
+  dealii::IterationNumberControl           control(400, 1e-8 * force.l2_norm());
   dealii::SolverCG<dealii::Vector<double>> solver(control);
   solver.connect_eigenvalues_slot([&](const std::vector<double> &values) {
-    largest = *std::max_element(values.begin(), values.end());
+    for (const double value : values)
+      largest = std::max(largest, value);
   });
   start = 0.;
   solver.solve(matrix, start, force, inverse_mass);
@@ -295,6 +276,6 @@ std::size_t Reference::memory_consumption() const
 {
   return elements.size() * sizeof(Hexahedron) + hourglass.size() * sizeof(HourglassStiffness) +
          hourglass_stiffness.size() * sizeof(double) + points.size() * sizeof(PointGradients) +
-         mass.size() * (sizeof(double) + sizeof(dealii::Point<3>) + sizeof(unsigned int));
+         mass.size() * (sizeof(double) + sizeof(dealii::Point<3>));
 }
 } // namespace chaindrive::element

@@ -3,6 +3,8 @@
 #include <chaindrive/world/world.h>
 
 #include <cmath>
+#include <map>
+#include <numeric>
 
 namespace chaindrive
 {
@@ -32,9 +34,11 @@ World::World(const scene::Scene &scene) : time(scene.start_time)
       frames.push_back(body.initial);
       origin.push_back(body.initial.position);
       mass.push_back(body.mass);
-      inverse_mass.push_back(body.support == scene::Support::none ? 1. / body.mass : 0.);
+      const bool free =
+          body.support == scene::Support::none && body.motion != scene::Motion::elastic;
+      inverse_mass.push_back(free ? 1. / body.mass : 0.);
       for (unsigned int d = 0; d < 3; ++d)
-        velocity.local_element(3 * b + d) = body.initial.velocity[d];
+        velocity.local_element(3 * b + d) = free ? body.initial.velocity[d] : 0.;
 
       const Quaternion orientation = to_quaternion(body.initial.rotation);
       if (body.support != scene::Support::none)
@@ -48,12 +52,25 @@ World::World(const scene::Scene &scene) : time(scene.start_time)
         rotations.push_back(
             {b, orientation, angular_momentum(body.initial, body.inertia), body.inertia});
     }
+
+  std::map<scene::Kind, std::vector<unsigned int>> elastic;
+  for (unsigned int b = 0; b < n; ++b)
+    if (scene.bodies[b].motion == scene::Motion::elastic)
+      elastic[scene.bodies[b].kind].push_back(b);
+  for (const auto &[kind, bodies] : elastic)
+    copies.emplace_back(scene.parts.at(kind), bodies, scene.bodies);
+  places.resize(n);
+  for (unsigned int g = 0; g < copies.size(); ++g)
+    for (unsigned int k = 0; k < copies[g].n_copies(); ++k)
+      places[copies[g].bodies[k]] = {g, k};
 }
 
 void World::clear_forces()
 {
   force  = 0.;
   moment = 0.;
+  for (Copies &c : copies)
+    c.force = 0.;
 }
 
 double World::kinetic_energy() const
@@ -73,6 +90,9 @@ double World::kinetic_energy() const
 std::size_t World::memory_consumption() const
 {
   return displacement.memory_consumption() * 4 + n_bodies() * (sizeof(Frame) + 5 * sizeof(double)) +
-         rotations.size() * sizeof(Rotation) + hubs.size() * sizeof(Hub);
+         rotations.size() * sizeof(Rotation) + hubs.size() * sizeof(Hub) +
+         std::accumulate(copies.begin(), copies.end(), std::size_t(0), [](auto sum, const auto &c) {
+           return sum + c.memory_consumption();
+         });
 }
 } // namespace chaindrive

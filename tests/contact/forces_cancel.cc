@@ -38,7 +38,7 @@ int main()
                         5.05e-3,
                         {1, dealii::Point<3>(0.01, 0., 2e-3), 5e-3, 0}}}}};
       World             world(scene);
-      contact::Contacts contacts(scene, false);
+      contact::Contacts contacts(scene, world, false);
       contacts.add_forces(world, 1e-7);
       Vector3 force, moment;
       double  size = 0.;

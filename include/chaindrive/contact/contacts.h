@@ -23,7 +23,10 @@ struct SearchStatistics
 class Contacts
 {
 public:
-  Contacts(const scene::Scene &scene, bool search_every_step);
+  Contacts(const scene::Scene &scene, const World &world, bool search_every_step);
+
+  /// Largest eigenvalue [1/s2] that contacts of elastic nodes can add: see Family.
+  double largest_node_eigenvalue(const World &world) const;
 
   /// Adds all contact forces; @p dt is the time since the last call [s], zero at the first one.
   void add_forces(World &world, double dt);

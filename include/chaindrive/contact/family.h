@@ -41,6 +41,10 @@ public:
   /// that the search has left out do not count.
   virtual void add_springs(const World &world, std::vector<Spring> &springs) const = 0;
 
+  /// Largest eigenvalue [1/s2] that the contact of elastic nodes, held closed, can add to the
+  /// squared frequencies of their bodies; 0 for rigid and lumped slaves, whose springs are above.
+  virtual double largest_node_eigenvalue(const World &) const { return 0.; }
+
   /// Whether this family needs search() at all.
   virtual bool needs_search() const = 0;
 
@@ -91,6 +95,17 @@ private:
   std::vector<scene::BorePair> pairs_;
 };
 
+/// A cylinder (or a node, with the radius 0) over the flanks of the sprocket @p master: its gap is
+/// the distance of its @p centre [m, world] less its @p radius [m]. Outside the sprocket's width
+/// nothing touches. Facets of an imported mesh are looked for @p within a distance [m]; @p hint is
+/// the facet found last time, if any.
+Touch touch_flanks(const scene::ToothFamily   &family,
+                   const dealii::Tensor<1, 3> &centre,
+                   double                      radius,
+                   double                      within,
+                   const Frame                &master,
+                   unsigned int               &hint);
+
 /// Rollers on the teeth of one sprocket: only those near its circumference are looked at.
 class Teeth : public Family
 {
@@ -105,9 +120,11 @@ public:
   unsigned int                     sprocket() const { return scene_.sprocket; }
   const std::vector<unsigned int> &near() const { return near_; }
 
-private:
+protected:
   scene::ToothFamily        scene_;
-  std::vector<unsigned int> near_;  ///< pairs chosen by the last search
+  std::vector<unsigned int> near_; ///< pairs chosen by the last search
+
+private:
   std::vector<unsigned int> hints_; ///< per pair, facet met last on an imported mesh
 };
 } // namespace chaindrive::contact

@@ -4,6 +4,7 @@
 #include <chaindrive/contact/contacts.h>
 #include <chaindrive/dynamics/stable_step.h>
 #include <chaindrive/element/bars.h>
+#include <chaindrive/element/elastic.h>
 #include <chaindrive/load/loads.h>
 #include <chaindrive/utilities/timing.h>
 #include <chaindrive/world/world.h>
@@ -36,13 +37,16 @@ public:
 
   World             world;
   element::Bars     bars;
+  element::Elastic  elastic;
   contact::Contacts contacts;
   load::Loads       loads;
   PhaseTimer        timer; ///< loads count as time integration
 
 private:
-  /// Books the kinetic energy at full steps.
+  /// Books the kinetic energy of rigid and lumped bodies at full steps.
   void close_ledger();
+
+  bool elastic_started_ = false; ///< positions of elastic bodies are a step ahead
 
   PhaseTimer::Phase internal_force_ = PhaseTimer::rest, integration_ = PhaseTimer::rest,
                     contact_ = PhaseTimer::rest;

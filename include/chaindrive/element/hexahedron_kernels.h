@@ -250,28 +250,41 @@ template <int width>
 CHAINDRIVE_ALWAYS_INLINE void update(const UpdateArguments &arg)
 {
   using P = Pack<double, width>;
-  const P dt(arg.dt);
+  const P half(0.5), drag(arg.kick * arg.drag);
   for (int lane = 0; lane < n_lanes; lane += width)
     {
-      P energy = P::load(arg.kinetic_energy + lane);
+      P energy = P::load(arg.kinetic_energy + lane), moment[3], momentum[3];
+      for (int i = 0; i < 3; ++i)
+        {
+          moment[i]   = P::load(arg.first_moment + i * n_lanes + lane);
+          momentum[i] = P::load(arg.momentum + i * n_lanes + lane);
+        }
       for (unsigned int node = 0; node < arg.n_nodes; ++node)
         {
-          const P factor(arg.dt / arg.mass[node]);
-          P       twice(0.);
+          const P mass(arg.mass[node]), factor(arg.kick / arg.mass[node]);
+          P       square(0.);
           for (int i = 0; i < 3; ++i)
             {
-              const unsigned int at       = (3 * node + i) * n_lanes + lane;
-              const P            before   = P::load(arg.velocity + at);
-              const P            velocity = before + factor * P::load(arg.force + at);
-              const P            mean     = before + velocity;
-              twice += mean * mean;
+              const unsigned int at = (3 * node + i) * n_lanes + lane;
+              const P before = P::load(arg.velocity + at), x = P::load(arg.position + at);
+              const P velocity = before + factor * P::load(arg.force + at) +
+                                 P(arg.kick * arg.gravity[i]) - drag * before;
+              const P mean = half * (before + velocity);
+              square += mean * mean;
+              moment[i] += mass * x;
+              momentum[i] += mass * mean;
               velocity.store(arg.velocity + at);
-              (P::load(arg.position + at) + dt * velocity).store(arg.position + at);
+              (x + P(arg.drift) * velocity).store(arg.position + at);
               P(0.).store(arg.force + at);
             }
-          energy += P(0.125 * arg.mass[node]) * twice;
+          energy += P(0.5 * arg.mass[node]) * square;
         }
       energy.store(arg.kinetic_energy + lane);
+      for (int i = 0; i < 3; ++i)
+        {
+          moment[i].store(arg.first_moment + i * n_lanes + lane);
+          momentum[i].store(arg.momentum + i * n_lanes + lane);
+        }
     }
 }
 } // namespace chaindrive::element::bodies

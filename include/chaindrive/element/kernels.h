@@ -58,16 +58,22 @@ struct ForceArguments
   double                   *hourglass_energy;    ///< [lane], to which is added, J
 };
 
-/// One step of a batch: v += dt f / m, then x += dt v. Forces are set to zero.
+/// One step of a batch: v += kick (f / m + g - drag v), then x += drift v. Forces are set to zero.
+/// What is summed belongs to the instant of the forces: positions before, velocities in the middle
+/// of the kick.
 struct UpdateArguments
 {
   unsigned int  n_nodes;
-  double        dt;             ///< s
+  double        kick, drift;    ///< s
+  double        gravity[3];     ///< g, m/s2
+  double        drag;           ///< 1/s
   const double *mass;           ///< per node, kg
   double       *position;       ///< m
   double       *velocity;       ///< half a step behind the position, m/s
   double       *force;          ///< N
-  double       *kinetic_energy; ///< [lane], to which that of the mean velocity is added, J
+  double       *kinetic_energy; ///< [lane], to which is added, J
+  double       *first_moment;   ///< [component][lane], to which sum m x is added, kg m
+  double       *momentum;       ///< [component][lane], to which sum m v is added, kg m/s
 };
 
 /// The kernels of one instruction set.

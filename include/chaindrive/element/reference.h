@@ -2,7 +2,7 @@
 #pragma once
 
 #include <chaindrive/element/kernels.h>
-#include <chaindrive/mesh/part.h>
+#include <chaindrive/mesh/nodes.h>
 #include <chaindrive/parameters/model.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -13,17 +13,24 @@
 namespace chaindrive::element
 {
 /// What the kernels need of a part, made once for all its copies: gradients, volumes and hourglass
-/// stiffnesses of its elastic elements, lumped masses and positions of their nodes. Nodes are
-/// numbered in the order in which the elements first use them. A sprocket's rigid zone is left out;
-/// nodes on its border are there.
+/// stiffnesses of its elastic elements, lumped masses and positions of their nodes. A sprocket's
+/// rigid zone is left out; nodes on its border are there.
 class Reference
 {
 public:
-  /// @p hourglass_coefficient is that of Flanagan and Belytschko, used by Formulation::one_point.
+  /// @p nodes are those of @p part; @p hourglass_coefficient is that of Flanagan and Belytschko,
+  /// used by Formulation::one_point.
   Reference(const mesh::Part           &part,
+            const mesh::Nodes          &nodes,
             const parameters::Material &material,
             Formulation                 formulation,
             double                      hourglass_coefficient = 0.1);
+
+  /// The same with the nodes made for the occasion.
+  Reference(const mesh::Part &part, const parameters::Material &material, Formulation formulation)
+      : Reference(part, mesh::Nodes(part), material, formulation)
+  {
+  }
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(mass.size()); }
   unsigned int n_elements() const { return static_cast<unsigned int>(elements.size()); }
@@ -38,7 +45,7 @@ public:
   dealii::FullMatrix<double> element_stiffness(unsigned int e) const;
 
   /// Largest natural frequency [rad/s] of the free part at small amplitudes: the largest Ritz value
-  /// of 400 conjugate gradient steps, less than one in a thousand too small.
+  /// of up to 400 conjugate gradient steps, less than one in a thousand too small.
   double largest_frequency() const;
 
   std::size_t memory_consumption() const;
@@ -50,7 +57,6 @@ public:
   std::vector<double>             hourglass_stiffness;
   std::vector<PointGradients>     points;
   std::vector<double>             mass;     ///< per node, kg
-  std::vector<dealii::Point<3>>   position; ///< per node, m
-  std::vector<unsigned int>       vertex;   ///< of the part's mesh, per node
+  std::vector<dealii::Point<3>>   position; ///< per node, in the part's frame, m
 };
 } // namespace chaindrive::element

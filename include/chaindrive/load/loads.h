@@ -23,6 +23,11 @@ public:
 
   const SpeedProgram &speed_program() const { return speed_; }
 
+  /// What acts on every node of an elastic body as it does on the others: gravity, m/s2 along -y,
+  /// and drag, 1/s.
+  double gravity() const { return gravity_; }
+  double drag() const { return drag_; }
+
   /// Torque of the chain on the driver's contacts, what the drive must supply, N m (positive when
   /// it works in the sense of the drive).
   double driver_torque() const { return sense_ * drive_torque_; }

@@ -34,6 +34,13 @@ struct Material
   void declare(dealii::ParameterHandler &prm);
 };
 
+/// How elastic bodies are computed.
+struct Elasticity
+{
+  std::string formulation           = "enhanced"; ///< one point | enhanced | full
+  double      hourglass_coefficient = 0.1;        ///< of one point, after Flanagan and Belytschko
+};
+
 /// Section `Mesh`: of the parts' reference meshes.
 struct Mesh
 {

@@ -29,9 +29,16 @@ struct Law
   double tangential_damping   = 0.; ///< N s/m, of the sticking contact
 
   /// The law of one of @p n equal points that share this interface's stiffness.
-  Law shared_by(const unsigned int n) const
+  Law shared_by(const unsigned int n) const { return times(1. / n); }
+
+  /// The law of a node with the area @p factor, from a law per area.
+  Law times(const double factor) const
   {
-    return {stiffness / n, damping / n, friction, tangential_stiffness / n, tangential_damping / n};
+    return {factor * stiffness,
+            factor * damping,
+            friction,
+            factor * tangential_stiffness,
+            factor * tangential_damping};
   }
 };
 
@@ -71,9 +78,11 @@ struct ToothFamily
   unsigned int                              teeth;    ///< of the sprocket
   double                                    outer_radius; ///< of the sprocket, m
   double                                    half_width;   ///< of the sprocket, m
-  Law                                       law;
+  Law                                       law; ///< of elastic rollers, whose nodes touch: per m2
   bool                                      rolls_freely; ///< lumped rollers: slip of their centre
-  std::vector<SlavePoint>                   slaves;
+  bool                                      elastic = false; ///< the slaves are elastic bodies
+  unsigned int slave_surface = 0; ///< of elastic slaves: the side of their mesh that touches
+  std::vector<SlavePoint> slaves;
 };
 
 /// A massless elastic bar between the centres of two bodies.

@@ -32,7 +32,8 @@ enum class Kind
 enum class Motion
 {
   lumped, ///< three translations of a rigid shape
-  rigid   ///< six degrees of freedom
+  rigid,  ///< six degrees of freedom
+  elastic ///< three degrees of freedom per node of the part's mesh
 };
 
 /// What holds a body.
@@ -68,7 +69,9 @@ struct Scene
   double prestress           = 0.;    ///< N, in the spans at the start
   bool   at_speed            = false; ///< the drive starts at full speed
   int    sense               = 1;     ///< +1: counter-clockwise drive
-  std::map<Kind, std::shared_ptr<const mesh::Part>> parts; ///< those that pictures or contact need
+  std::map<Kind, std::shared_ptr<const mesh::Part>> parts; ///< those that somebody needs
+  parameters::Material                              material;
+  parameters::Elasticity                            elasticity;
   std::vector<Effect>                               effects;
   std::vector<std::string> notes; ///< what the log must say about choices made
 

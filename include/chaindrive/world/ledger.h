@@ -16,6 +16,8 @@ struct Ledger
   double kinetic   = 0.; ///< of all bodies that move freely
   double potential = 0.; ///< of gravity, zero at the start
   double bar       = 0.; ///< strain energy of bars
+  double strain    = 0.; ///< of elastic bodies
+  double hourglass = 0.; ///< of elastic bodies: stabilisation that is no physical strain
   double contact   = 0.; ///< penalty springs, normal and tangential
   // lost
   double friction        = 0.; ///< sliding, and tangential damping while sticking
@@ -28,11 +30,11 @@ struct Ledger
 
   double initial = 0.; ///< stored() when the run began
 
-  double stored() const { return kinetic + potential + bar + contact; }
+  double stored() const { return kinetic + potential + bar + strain + hourglass + contact; }
   double lost() const { return friction + contact_damping + chain_damping + drag; }
   double imbalance() const { return stored() - initial + lost() - drive_work + resisting_work; }
 
   /// Stored energy is summed anew by whoever stores it, at every evaluation of the forces.
-  void clear_stored() { kinetic = potential = bar = contact = 0.; }
+  void clear_stored() { kinetic = potential = bar = strain = hourglass = contact = 0.; }
 };
 } // namespace chaindrive

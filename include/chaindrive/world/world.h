@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/utilities/rotation.h>
+#include <chaindrive/world/copies.h>
 #include <chaindrive/world/ledger.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
@@ -10,11 +11,6 @@
 
 namespace chaindrive
 {
-namespace scene
-{
-struct Scene;
-}
-
 /// The state of all bodies. Translations live in deal.II's distributed vectors, three entries per
 /// body (x, y, z of the centre of mass); rotations in two short lists beside them, because a rigid
 /// body's rotation is no vector. `frames` repeats positions and velocities in the form that forces
@@ -42,6 +38,14 @@ public:
     double       angle = 0.;  ///< since the start, rad, counter-clockwise positive
     double       speed = 0.;  ///< rad/s
     double       start_angle; ///< orientation at the start, rad
+  };
+
+  /// Where an elastic body is found among the copies.
+  struct Place
+  {
+    static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+    unsigned int group = none, copy = none;
   };
 
   explicit World(const scene::Scene &scene);
@@ -80,7 +84,8 @@ public:
     return frame.velocity + dealii::cross_product_3d(w, arm);
   }
 
-  /// Kinetic energy [J] of every body but a prescribed hub, from the present velocities.
+  /// Kinetic energy [J] of every rigid or lumped body but a prescribed hub, from the present
+  /// velocities.
   double kinetic_energy() const;
 
   /// Bytes held by the state.
@@ -93,11 +98,13 @@ public:
   Vector moment;       ///< resultant about the centre of mass, N m
 
   std::vector<double>               mass;         ///< per body, kg
-  std::vector<double>               inverse_mass; ///< per body, 1/kg; 0 where a hub holds the body
+  std::vector<double>               inverse_mass; ///< per body, 1/kg; 0: held by a hub, or elastic
   std::vector<dealii::Tensor<1, 3>> origin;       ///< per body, position at the start, m
   std::vector<Rotation>             rotations;
   std::vector<Hub>                  hubs;
-  std::vector<Frame>                frames; ///< per body, now
+  std::vector<Frame>  frames; ///< per body, now; of an elastic one, its centre of mass
+  std::vector<Copies> copies; ///< the elastic bodies, part by part
+  std::vector<Place>  places; ///< per body, in copies
 
   double time = 0.; ///< s
   Ledger ledger;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/element/reference.h>
+#include <chaindrive/utilities/timing.h>
+#include <chaindrive/world/world.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace chaindrive::element
+{
+/// All elastic bodies: internal forces, and their own half of the time integration, batch by batch
+/// while its numbers are in the cache.
+///
+/// Leapfrog, the same scheme as dynamics/newmark.h in its one-pass form: with the forces of the
+/// instant n, v_{n+1/2} = v_{n-1/2} + dt a_n and x_{n+1} = x_n + dt v_{n+1/2} follow at once.
+/// Between two steps World's copies therefore hold the positions of the *next* instant and the
+/// velocities half a step before it; frames, energies and the ledger belong to the present one.
+class Elastic
+{
+public:
+  Elastic(const scene::Scene &scene, const World &world);
+
+  bool empty() const { return references_.empty(); }
+
+  /// What moves the nodes besides contact forces and their own stiffness.
+  struct Step
+  {
+    double dt;      ///< s
+    double gravity; ///< along -y, m/s2
+    double drag;    ///< 1/s
+  };
+
+  /// Brings positions and velocities from the start, where both belong to the same instant, to
+  /// where advance() expects them: half a kick, a whole drift. Contact forces are those in @p
+  /// world.
+  void start(World &world, const Step &step, PhaseTimer &timer);
+
+  /// Adds the internal forces to the contact forces in @p world, moves all nodes by one step, and
+  /// books energies, centres of mass and their velocities at the present instant. With dt = 0
+  /// nothing moves.
+  void advance(World &world, const Step &step, PhaseTimer &timer);
+
+  /// Makes the row of the internal forces in @p timer; call it once, before the others.
+  void add_phase(PhaseTimer &timer) { internal_force_ = timer.add("Internal force"); }
+
+  /// Position [m] at the present instant of @p node of @p copy of group @p g of World::copies.
+  dealii::Tensor<1, 3>
+  position(const World &world, unsigned int g, unsigned int copy, unsigned int node) const;
+
+  /// Name and stable step [s] of each part alone, without contacts.
+  struct Limit
+  {
+    std::string part;
+    double      step;
+  };
+  const std::vector<Limit> &limits() const { return limits_; }
+
+  const Reference &reference(const unsigned int group) const { return *references_[group]; }
+
+  std::size_t memory_consumption() const;
+
+private:
+  /// Sums over the nodes of one batch, [lane] each.
+  struct Sums
+  {
+    double strain[n_lanes], hourglass[n_lanes], kinetic[n_lanes], first_moment[3 * n_lanes],
+        momentum[3 * n_lanes];
+  };
+
+  void move(World &world, const Step &step, double kick, bool booked, PhaseTimer &timer);
+  void
+  book(World &world, const Copies &copies, unsigned int batch, const Sums &sums, const Step &step);
+
+  std::vector<std::unique_ptr<Reference>> references_; ///< per group of copies
+  std::vector<Limit>                      limits_;
+  const Kernels                          &kernels_;
+  dealii::AlignedVector<double>           force_;               ///< of one batch
+  double                                  drift_          = 0.; ///< of the last move, s
+  PhaseTimer::Phase                       internal_force_ = PhaseTimer::rest;
+};
+} // namespace chaindrive::element

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/node_teeth.h>
+#include <chaindrive/mesh/facet_surface.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace chaindrive::contact
+{
+namespace
+{
+constexpr double reach = 100e-6; // m; larger: fewer searches but longer lists
+
+/// Nodes move relative to a tooth by the motion of their body, which is measured, and by spin and
+/// vibration: impacts of a roller drive reach a few m/s.
+constexpr double vibration = 10.; // m/s
+} // namespace
+
+NodeTeeth::NodeTeeth(const scene::ToothFamily &scene,
+                     const World              &world,
+                     const bool                search_every_step)
+    : Teeth(scene), every_step_(search_every_step)
+{
+  group_               = world.places[scene.slaves.front().body].group;
+  const Copies &copies = world.copies[group_];
+  surface_             = std::make_unique<mesh::SurfaceNodes>(
+      *copies.part, copies.nodes, static_cast<mesh::Surface>(scene.slave_surface));
+  for (const scene::SlavePoint &slave : scene.slaves)
+    copy_.push_back(world.places[slave.body].copy);
+  node_states_.resize(scene.slaves.size() * surface_->size());
+  hints_.assign(node_states_.size(), mesh::Projection::no_facet);
+  active_.resize(scene.slaves.size());
+}
+
+dealii::Tensor<1, 3> NodeTeeth::value(const World          &world,
+                                      const Copies::Vector &from,
+                                      const unsigned int    i,
+                                      const unsigned int    s) const
+{
+  dealii::Tensor<1, 3> v;
+  for (unsigned int d = 0; d < 3; ++d)
+    v[d] = from.local_element(world.copies[group_].index(copy_[i], surface_->node[s], d));
+  return v;
+}
+
+void NodeTeeth::search(const World &world, const double roller_reach)
+{
+  Teeth::search(world, roller_reach);
+  for (unsigned int i = 0; i < active_.size(); ++i)
+    if (!std::binary_search(near_.begin(), near_.end(), i))
+      active_[i].clear(); // far from every tooth
+  approach_ = reach;      // new rollers: look at their nodes
+}
+
+void NodeTeeth::search_nodes(const World &world)
+{
+  const Frame              &hub = world.frames[scene_.sprocket];
+  std::vector<unsigned int> found;
+  for (const unsigned int i : near_)
+    {
+      found.clear();
+      const bool looked_at = records_[i].gap < std::numeric_limits<double>::max();
+      for (unsigned int s = 0; s < surface_->size(); ++s)
+        {
+          const dealii::Tensor<1, 3> x = value(world, world.copies[group_].position, i, s);
+          const double gap = touch_flanks(scene_, x, 0., 2. * reach, hub, hint(i, s)).gap;
+          if (gap < reach)
+            found.push_back(s);
+          if (gap < 0. && looked_at && !std::binary_search(active_[i].begin(), active_[i].end(), s))
+            ++n_missed_;
+        }
+      active_[i].swap(found);
+    }
+  approach_ = 0.;
+}
+
+void NodeTeeth::add_forces(World &world, const double dt)
+{
+  const Frame &hub = world.frames[scene_.sprocket];
+
+  double fastest = 0.;
+  for (const unsigned int i : near_)
+    fastest = std::max(fastest, world.frames[scene_.slaves[i].body].velocity.norm());
+  approach_ += (fastest + hub.angular_velocity.norm() * scene_.outer_radius + vibration) * dt;
+  if (every_step_ || approach_ >= reach)
+    search_nodes(world);
+
+  for (const unsigned int i : near_)
+    add_roller_forces(world, i, dt);
+}
+
+void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const double dt)
+{
+  Copies      &copies = world.copies[group_];
+  const Frame &hub    = world.frames[scene_.sprocket];
+
+  Record &record = records_[i];
+  record.gap     = std::numeric_limits<double>::max();
+  record.force   = dealii::Tensor<1, 3>();
+  dealii::Tensor<1, 3> resultant; // of the normal forces
+  double               normal_force = 0., power = 0.;
+  for (const unsigned int s : active_[i])
+    {
+      const dealii::Tensor<1, 3> x     = value(world, copies.position, i, s);
+      const Touch                touch = touch_flanks(scene_, x, 0., 2. * reach, hub, hint(i, s));
+      record.gap                       = std::min(record.gap, touch.gap);
+
+      TouchState      &memory = state(i, s);
+      const scene::Law law    = law_.times(surface_->area[s]);
+      if (touch.gap >= 0.)
+        {
+          if (memory.overlap >
+              0.) // it has just come apart: let the law book what the spring gave back
+            update_touch(law, touch.gap, 0., dealii::Tensor<1, 2>(), dt, memory, world.ledger);
+          continue;
+        }
+
+      // Nodal velocities are the secants of the step: the sprocket's point goes along its own.
+      const dealii::Tensor<1, 3> relative =
+          value(world, copies.velocity, i, s) - world.velocity_at(scene_.sprocket, x, 0.5 * dt);
+      const double         gap_rate = relative * touch.normal;
+      dealii::Tensor<1, 2> slip_rate;
+      slip_rate[0] = relative * touch.along;
+      slip_rate[1] = relative * touch.across;
+      update_touch(law, touch.gap, gap_rate, slip_rate, dt, memory, world.ledger);
+
+      dealii::Tensor<1, 3> force = memory.normal * touch.normal;
+      resultant += force;
+      normal_force += memory.normal;
+      power -= memory.normal * gap_rate;
+      if (law.friction > 0.)
+        force += memory.tangential[0] * touch.along + memory.tangential[1] * touch.across;
+      for (unsigned int d = 0; d < 3; ++d)
+        copies.force.local_element(copies.index(copy_[i], surface_->node[s], d)) += force[d];
+      world.add_force(scene_.sprocket, -force, x);
+      record.force += force;
+      record.feature = touch.feature;
+    }
+
+  states_[i].normal = normal_force;
+  if (normal_force > 0.)
+    {
+      record.normal       = resultant / resultant.norm();
+      record.normal_speed = power / normal_force;
+      record.peak         = std::max(record.peak, resultant.norm());
+    }
+}
+
+double NodeTeeth::largest_node_eigenvalue(const World &world) const
+{
+  // the sprocket is rigid and heavy beside a node: each node on its own spring
+  const Copies &copies  = world.copies[group_];
+  double        largest = 0.;
+  for (unsigned int s = 0; s < surface_->size(); ++s)
+    largest = std::max(largest,
+                       law_.stiffness * surface_->area[s] / copies.nodes.mass[surface_->node[s]]);
+  return largest;
+}
+} // namespace chaindrive::contact

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/element/elastic.h>
+#include <chaindrive/utilities/errors.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace chaindrive::element
+{
+namespace
+{
+Formulation formulation_called(const std::string &name)
+{
+  if (name == "one point")
+    return Formulation::one_point;
+  return name == "full" ? Formulation::full : Formulation::enhanced;
+}
+} // namespace
+
+Elastic::Elastic(const scene::Scene &scene, const World &world) : kernels_(best_kernels())
+{
+  std::size_t largest = 0;
+  for (const Copies &copies : world.copies)
+    {
+      references_.push_back(
+          std::make_unique<Reference>(*copies.part,
+                                      copies.nodes,
+                                      scene.material,
+                                      formulation_called(scene.elasticity.formulation),
+                                      scene.elasticity.hourglass_coefficient));
+      limits_.push_back({copies.part->name, 2. / references_.back()->largest_frequency()});
+      largest = std::max(largest, copies.stride());
+    }
+  force_.resize(largest, 0.);
+}
+
+void Elastic::start(World &world, const Step &step, PhaseTimer &timer)
+{
+  move(world, step, 0.5 * step.dt, false, timer);
+}
+
+void Elastic::advance(World &world, const Step &step, PhaseTimer &timer)
+{
+  move(world, step, step.dt, true, timer);
+}
+
+void Elastic::move(
+    World &world, const Step &step, const double kick, const bool booked, PhaseTimer &timer)
+{
+  drift_ = step.dt;
+  for (unsigned int g = 0; g < world.copies.size(); ++g)
+    {
+      Copies          &copies    = world.copies[g];
+      const Reference &reference = *references_[g];
+      for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
+        {
+          const std::size_t first = batch * copies.stride();
+          alignas(64) Sums  sums{};
+
+          ForceArguments internal   = reference.arguments();
+          internal.position         = copies.position.begin() + first;
+          internal.force            = force_.data();
+          internal.strain_energy    = sums.strain;
+          internal.hourglass_energy = sums.hourglass;
+          {
+            const PhaseTimer::Scope scope(timer, internal_force_);
+            kernels_.add_internal_forces[static_cast<int>(reference.formulation)](internal);
+          }
+
+          const double *contact = copies.force.begin() + first;
+          for (std::size_t i = 0; i < copies.stride(); ++i)
+            force_[i] += contact[i];
+
+          kernels_.update({copies.n_nodes(),
+                           kick,
+                           step.dt,
+                           {0., -step.gravity, 0.},
+                           step.drag,
+                           copies.nodes.mass.data(),
+                           copies.position.begin() + first,
+                           copies.velocity.begin() + first,
+                           force_.data(),
+                           sums.kinetic,
+                           sums.first_moment,
+                           sums.momentum});
+          if (booked)
+            book(world, copies, batch, sums, step);
+        }
+    }
+}
+
+void Elastic::book(World             &world,
+                   const Copies      &copies,
+                   const unsigned int batch,
+                   const Sums        &sums,
+                   const Step        &step)
+{
+  for (unsigned int lane = 0; lane < n_lanes; ++lane)
+    {
+      const unsigned int copy = lane * copies.n_batches() + batch;
+      if (copy >= copies.n_copies())
+        continue;
+      const unsigned int body  = copies.bodies[copy];
+      Frame             &frame = world.frames[body];
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          frame.position[d] = sums.first_moment[d * n_lanes + lane] / copies.mass;
+          frame.velocity[d] = sums.momentum[d * n_lanes + lane] / copies.mass;
+          world.displacement.local_element(3 * body + d) =
+              frame.position[d] - world.origin[body][d];
+          world.velocity.local_element(3 * body + d) = frame.velocity[d];
+        }
+      Ledger &ledger = world.ledger;
+      ledger.kinetic += sums.kinetic[lane];
+      ledger.strain += sums.strain[lane];
+      ledger.hourglass += sums.hourglass[lane];
+      ledger.potential +=
+          copies.mass * step.gravity * world.displacement.local_element(3 * body + 1);
+      ledger.drag += 2. * step.drag * sums.kinetic[lane] * step.dt;
+    }
+}
+
+dealii::Tensor<1, 3> Elastic::position(const World       &world,
+                                       const unsigned int g,
+                                       const unsigned int copy,
+                                       const unsigned int node) const
+{
+  const Copies        &copies = world.copies[g];
+  dealii::Tensor<1, 3> x;
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      const std::size_t i = copies.index(copy, node, d);
+      x[d] = copies.position.local_element(i) - drift_ * copies.velocity.local_element(i);
+    }
+  return x;
+}
+
+std::size_t Elastic::memory_consumption() const
+{
+  std::size_t bytes = force_.memory_consumption();
+  for (const auto &reference : references_)
+    bytes += reference->memory_consumption();
+  return bytes;
+}
+} // namespace chaindrive::element
