@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/contacts.h>
+#include <chaindrive/contact/node_bores.h>
 #include <chaindrive/contact/node_teeth.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/errors.h>
@@ -10,7 +11,7 @@
 
 namespace chaindrive::contact
 {
-Contacts::Contacts(const scene::Scene &scene, const World &world, const bool search_every_step)
+Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_every_step)
     : every_step_(search_every_step)
 {
   double smallest_radius = std::numeric_limits<double>::max();
@@ -25,7 +26,10 @@ Contacts::Contacts(const scene::Scene &scene, const World &world, const bool sea
           smallest_radius = std::min(smallest_radius, slave.radius);
     }
   for (const scene::BoreFamily &bores : scene.bores)
-    families_.push_back(std::make_unique<Bores>(bores));
+    if (bores.elastic)
+      families_.push_back(std::make_unique<NodeBores>(bores, world, search_every_step));
+    else
+      families_.push_back(std::make_unique<Bores>(bores));
 
   for (const auto &family : families_)
     needs_search_ = needs_search_ || family->needs_search();
@@ -57,15 +61,6 @@ void Contacts::add_forces(World &world, const double dt)
     search_if_due(world, dt);
   for (const auto &family : families_)
     family->add_forces(world, dt);
-}
-
-double Contacts::largest_node_eigenvalue(const World &world) const
-{
-  // families meet different nodes of a body: their largest eigenvalues do not add up
-  double largest = 0.;
-  for (const auto &family : families_)
-    largest = std::max(largest, family->largest_node_eigenvalue(world));
-  return largest;
 }
 
 void Contacts::add_springs(const World &world, std::vector<Spring> &springs) const
@@ -107,6 +102,14 @@ const Family *Contacts::find(const std::string &name) const
     if (family->name() == name)
       return family.get();
   return nullptr;
+}
+
+unsigned long Contacts::n_missed() const
+{
+  unsigned long missed = 0;
+  for (const auto &family : families_)
+    missed += family->n_missed();
+  return missed;
 }
 
 std::size_t Contacts::memory_consumption() const

@@ -137,6 +137,8 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
       record.feature = touch.feature;
     }
 
+  for (unsigned int d = 0; d < 3; ++d) // for the motion of the centre of mass
+    world.force.local_element(3 * record.slave + d) += record.force[d];
   states_[i].normal = normal_force;
   if (normal_force > 0.)
     {

@@ -119,6 +119,11 @@ double stable_step(const World &world, const std::vector<Spring> &springs)
     if (spring.stiffness > 0.)
       relaxation = std::max(relaxation, spring.damping / spring.stiffness);
   const double ratio = 0.5 * relaxation * frequency;
+  return stable_step_of_mode(frequency, ratio);
+}
+
+double stable_step_of_mode(const double frequency, const double ratio)
+{
   return 2. / frequency * (std::sqrt(1. + ratio * ratio) - ratio);
 }
 } // namespace chaindrive::dynamics

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/element/elastic.h>
-#include <chaindrive/utilities/errors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -110,6 +109,10 @@ void Elastic::book(World             &world,
               frame.position[d] - world.origin[body][d];
           world.velocity.local_element(3 * body + d) = frame.velocity[d];
         }
+      // contacts have added their resultants: these complete the force on the centre of mass
+      world.force.local_element(3 * body + 1) -= copies.mass * step.gravity;
+      for (unsigned int d = 0; d < 3; ++d)
+        world.force.local_element(3 * body + d) -= copies.mass * step.drag * frame.velocity[d];
       Ledger &ledger = world.ledger;
       ledger.kinetic += sums.kinetic[lane];
       ledger.strain += sums.strain[lane];
@@ -120,19 +123,26 @@ void Elastic::book(World             &world,
     }
 }
 
-dealii::Tensor<1, 3> Elastic::position(const World       &world,
-                                       const unsigned int g,
-                                       const unsigned int copy,
-                                       const unsigned int node) const
+dealii::Tensor<1, 3>
+Elastic::position(const World &world, const World::Place &place, const unsigned int node) const
 {
-  const Copies        &copies = world.copies[g];
+  const Copies        &copies = world.copies[place.group];
   dealii::Tensor<1, 3> x;
   for (unsigned int d = 0; d < 3; ++d)
     {
-      const std::size_t i = copies.index(copy, node, d);
+      const std::size_t i = copies.index(place.copy, node, d);
       x[d] = copies.position.local_element(i) - drift_ * copies.velocity.local_element(i);
     }
   return x;
+}
+
+dealii::Tensor<1, 3>
+Elastic::displacement(const World &world, const World::Place &place, const unsigned int node) const
+{
+  const Copies &copies = world.copies[place.group];
+  const Frame  &start  = copies.start[place.copy];
+  return position(world, place, node) - start.position -
+         start.rotation * dealii::Tensor<1, 3>(copies.nodes.position[node]);
 }
 
 std::size_t Elastic::memory_consumption() const

@@ -2,58 +2,242 @@
 #include <chaindrive/element/reference.h>
 #include <chaindrive/mesh/stiffness.h>
 
-#include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/tridiagonal_matrix.h>
+#include <deal.II/lac/vector.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace chaindrive::element
 {
+using dealii::Tensor;
+
 namespace
 {
-/// The hourglass vectors of deal.II's vertices, see Hexahedron.
-double h(const unsigned int alpha, const unsigned int vertex)
+/// The modes of deal.II's vertices.
+double h(const unsigned int mode, const unsigned int vertex)
 {
   const double x = (vertex & 1) ? 1. : -1., y = (vertex & 2) ? 1. : -1.,
                z = (vertex & 4) ? 1. : -1.;
-  switch (alpha)
+  const std::array<double, n_modes> values{{x, y, z, x * y, y * z, z * x, x * y * z}};
+  return values[mode];
+}
+
+/// The amplitude of @p mode in coordinate @p j of the vertices.
+double amplitude(const mesh::Corners &corners, const unsigned int j, const unsigned int mode)
+{
+  double sum = 0.;
+  for (unsigned int a = 0; a < 8; ++a)
+    sum += h(mode, a) * corners[a][j];
+  return sum;
+}
+
+/// A vertex of a hexahedron whose unit cell is turned: by @p axis the local axes are renumbered in
+/// a cycle, so that this one becomes the third, and @p quarter turns them about it.
+unsigned int turned(const unsigned int vertex, const unsigned int axis, const bool quarter)
+{
+  std::array<unsigned int, 3> s{{vertex & 1, vertex >> 1 & 1, vertex >> 2}};
+  if (quarter)
+    s = {{1 - s[1], s[0], s[2]}};
+  unsigned int result = 0;
+  for (unsigned int d = 0; d < 3; ++d)
+    result |= s[d] << (d + axis + 1) % 3;
+  return result;
+}
+
+/// An element in axes of its own.
+struct Placed
+{
+  std::array<unsigned int, 8> order; ///< vertex of the cell for each of the element's
+  Tensor<2, 3>                axes;  ///< see Reference
+  mesh::Corners               corners;
+};
+
+/// The hexahedron @p corners with its unit cell turned in one of six ways and axes along its edges.
+Placed place(const mesh::Corners &corners, const unsigned int way)
+{
+  Placed placed;
+  for (unsigned int a = 0; a < 8; ++a)
     {
-    case 0:
-      return x * y;
-    case 1:
-      return y * z;
-    case 2:
-      return z * x;
-    default:
-      return x * y * z;
+      placed.order[a]   = turned(a, (way / 2 + 2) % 3, way % 2 == 1);
+      placed.corners[a] = corners[placed.order[a]];
+    }
+  Tensor<1, 3> x, z;
+  for (unsigned int j = 0; j < 3; ++j)
+    {
+      x[j] = amplitude(placed.corners, j, mode_x);
+      z[j] = amplitude(placed.corners, j, mode_z);
+    }
+  z /= z.norm();
+  x -= (x * z) * z;
+  x /= x.norm();
+  placed.axes[0] = x;
+  placed.axes[1] = cross_product_3d(z, x);
+  placed.axes[2] = z;
+  for (dealii::Point<3> &corner : placed.corners)
+    corner = dealii::Point<3>(placed.axes * (corner - corners[0]));
+  return placed;
+}
+
+/// The same as it is.
+Placed place_as_is(const mesh::Corners &corners)
+{
+  Placed placed;
+  for (unsigned int a = 0; a < 8; ++a)
+    placed.order[a] = a;
+  placed.axes    = dealii::unit_symmetric_tensor<3>();
+  placed.corners = corners;
+  return placed;
+}
+
+/// The most regular shape that these vertices have to a billionth.
+Shape shape_of(const mesh::Corners &corners)
+{
+  double largest = 0.;
+  for (unsigned int j = 0; j < 3; ++j)
+    for (unsigned int m = 0; m < n_modes; ++m)
+      largest = std::max(largest, std::abs(amplitude(corners, j, m)));
+
+  // which modes may be in each coordinate
+  const auto only = [&](const std::array<std::array<bool, n_modes>, 3> &allowed) {
+    for (unsigned int j = 0; j < 3; ++j)
+      for (unsigned int m = 0; m < n_modes; ++m)
+        if (!allowed[j][m] && std::abs(amplitude(corners, j, m)) > 1e-9 * largest)
+          return false;
+    return true;
+  };
+  if (only({{{{true, false, false, true, false, false, false}},
+             {{false, true, false, false, false, false, false}},
+             {{false, false, true, false, false, false, false}}}}))
+    return Shape::symmetric_prism;
+  if (only({{{{true, true, false, true, false, false, false}},
+             {{false, true, false, true, false, false, false}},
+             {{false, false, true, false, false, false, false}}}}))
+    return Shape::prism;
+  return Shape::general;
+}
+
+/// All that the kernels could need of an element; see n_numbers().
+struct Hexahedron
+{
+  double volume;
+  double gradient[3][n_modes];
+  double shift[4][3];
+  double hourglass_stiffness;
+  double hourglass[12][12]; ///< in the order of the amplitudes
+  double point_volume[8];
+  double point_inverse[8][3][3]; ///< an eighth of d xi_d / dX_j
+};
+
+/// Calls @p visit with every number that the kernels read, in their order.
+template <typename Element, typename Visit>
+void for_each_number(const Shape       shape,
+                     const Formulation formulation,
+                     Element          &element,
+                     const Visit      &visit)
+{
+  const auto visit_places = [&](const Places &places, auto &matrix) {
+    for (int n = 0; n < places.size; ++n)
+      visit(matrix[places.row[n]][places.column[n]]);
+  };
+  if (formulation == Formulation::full)
+    {
+      for (unsigned int q = 0; q < (shape == Shape::general ? 8 : 4); ++q)
+        {
+          visit(element.point_volume[q]);
+          visit_places(jacobian_places(shape), element.point_inverse[q]);
+        }
+      return;
+    }
+  visit(element.volume);
+  visit_places(gradient_places(shape), element.gradient);
+  visit_places(shift_places(shape), element.shift);
+  if (formulation == Formulation::one_point)
+    visit(element.hourglass_stiffness);
+  else
+    visit_places(hourglass_places(shape), element.hourglass);
+}
+
+/// The element that these numbers describe.
+Hexahedron unpack(const Shape shape, const Formulation formulation, const double *number)
+{
+  Hexahedron element{};
+  for_each_number(shape, formulation, element, [&](double &value) { value = *number++; });
+  for (unsigned int m = 0; m < 12; ++m)
+    for (unsigned int n = 0; n < m; ++n)
+      element.hourglass[n][m] = element.hourglass[m][n];
+  if (shape != Shape::general) // the points above each other are alike
+    for (unsigned int q = 0; q < 4; ++q)
+      {
+        element.point_volume[q + 4] = element.point_volume[q];
+        for (unsigned int d = 0; d < 3; ++d)
+          for (unsigned int j = 0; j < 3; ++j)
+            element.point_inverse[q + 4][d][j] = element.point_inverse[q][d][j];
+      }
+  return element;
+}
+
+using Gradient = double[3][8];
+
+/// Gradients of the shape functions, from what modes have part in the mean ones.
+void vertex_gradient(const Hexahedron &element, Gradient &B)
+{
+  for (unsigned int j = 0; j < 3; ++j)
+    for (unsigned int a = 0; a < 8; ++a)
+      {
+        B[j][a] = 0.;
+        for (unsigned int m = 0; m < n_modes; ++m)
+          B[j][a] += element.gradient[j][m] * h(m, a);
+      }
+}
+
+/// Gradients of the shape functions prod_d (1 + h_d xi_d) / 8 at point @p q.
+void point_gradient(const Hexahedron &element, const unsigned int q, Gradient &B)
+{
+  const double g = 1. / std::sqrt(3.);
+  for (unsigned int a = 0; a < 8; ++a)
+    {
+      const auto derivative = [&](const unsigned int d) {
+        double product = h(d, a);
+        for (unsigned int other = 0; other < 3; ++other)
+          if (other != d)
+            product *= 1. + g * h(other, q) * h(other, a);
+        return product;
+      };
+      for (unsigned int j = 0; j < 3; ++j)
+        {
+          B[j][a] = 0.;
+          for (unsigned int d = 0; d < 3; ++d)
+            B[j][a] += derivative(d) * element.point_inverse[q][d][j];
+        }
     }
 }
 
 /// The mean gradient and what of the hourglass vectors is linear.
 Hexahedron make_hexahedron(const mesh::Corners                   &corners,
-                           const std::array<mesh::GaussPoint, 8> &points,
-                           const std::array<unsigned int, 8>     &nodes)
+                           const std::array<mesh::GaussPoint, 8> &points)
 {
   Hexahedron element{};
   for (const mesh::GaussPoint &point : points)
-    {
-      element.volume += point.volume;
-      for (unsigned int j = 0; j < 3; ++j)
+    element.volume += point.volume;
+  for (unsigned int j = 0; j < 3; ++j)
+    for (unsigned int m = 0; m < n_modes; ++m)
+      for (const mesh::GaussPoint &point : points)
         for (unsigned int a = 0; a < 8; ++a)
-          element.gradient[j][a] += point.volume * point.gradient[a][j];
-    }
-  for (unsigned int a = 0; a < 8; ++a)
+          element.gradient[j][m] +=
+              0.125 * point.volume / element.volume * point.gradient[a][j] * h(m, a);
+  for (unsigned int alpha = 0; alpha < 4; ++alpha)
+    for (unsigned int j = 0; j < 3; ++j)
+      element.shift[alpha][j] = amplitude(corners, j, mode_xy + alpha);
+
+  for (unsigned int q = 0; q < 8; ++q)
     {
-      element.node[a] = nodes[a];
-      for (unsigned int j = 0; j < 3; ++j)
-        {
-          element.gradient[j][a] /= element.volume;
-          for (unsigned int alpha = 0; alpha < 4; ++alpha)
-            element.shift[alpha][j] += h(alpha, a) * corners[a][j];
-        }
+      // xi_d is itself a trilinear field, -1 and 1 at the vertices
+      element.point_volume[q] = points[q].volume;
+      for (unsigned int d = 0; d < 3; ++d)
+        for (unsigned int j = 0; j < 3; ++j)
+          for (unsigned int a = 0; a < 8; ++a)
+            element.point_inverse[q][d][j] += 0.125 * h(d, a) * points[q].gradient[a][j];
     }
   return element;
 }
@@ -61,13 +245,15 @@ Hexahedron make_hexahedron(const mesh::Corners                   &corners,
 /// gamma_alpha = h_alpha - B_j (h_alpha . X_j): linear displacements have no part in it.
 dealii::FullMatrix<double> hourglass_vectors(const Hexahedron &element)
 {
+  Gradient B;
+  vertex_gradient(element, B);
   dealii::FullMatrix<double> gamma(4, 8);
   for (unsigned int alpha = 0; alpha < 4; ++alpha)
     for (unsigned int a = 0; a < 8; ++a)
       {
-        gamma(alpha, a) = h(alpha, a);
+        gamma(alpha, a) = h(mode_xy + alpha, a);
         for (unsigned int j = 0; j < 3; ++j)
-          gamma(alpha, a) -= element.gradient[j][a] * element.shift[alpha][j];
+          gamma(alpha, a) -= B[j][a] * element.shift[alpha][j];
       }
   return gamma;
 }
@@ -75,10 +261,12 @@ dealii::FullMatrix<double> hourglass_vectors(const Hexahedron &element)
 /// The part of @p k that acts on the hourglass amplitudes. An element that passes the patch test is
 /// K = V B^T C B + Gamma^T K_h Gamma. Displacements G_alpha with gamma_alpha . G_beta = 1 or 0 and
 /// no mean gradient, one for each amplitude, therefore give K_h = G K G^T.
-HourglassStiffness condense(const dealii::FullMatrix<double> &k,
-                            const Hexahedron                 &element,
-                            const mesh::Corners              &corners)
+void condense(const dealii::FullMatrix<double> &k,
+              const mesh::Corners              &corners,
+              Hexahedron                       &element)
 {
+  Gradient B;
+  vertex_gradient(element, B);
   const dealii::FullMatrix<double> gamma = hourglass_vectors(element);
   dealii::FullMatrix<double>       products(4, 4), inverse(4, 4), g(4, 8);
   gamma.mTmult(products, gamma);
@@ -89,21 +277,18 @@ HourglassStiffness condense(const dealii::FullMatrix<double> &k,
       {
         double gradient = 0.;
         for (unsigned int a = 0; a < 8; ++a)
-          gradient += element.gradient[j][a] * g(alpha, a);
+          gradient += B[j][a] * g(alpha, a);
         for (unsigned int a = 0; a < 8; ++a) // a linear field changes no amplitude
           g(alpha, a) -= gradient * (corners[a][j] - corners[0][j]);
       }
 
-  HourglassStiffness result{};
-  for (unsigned int alpha = 0; alpha < 4; ++alpha)
-    for (unsigned int beta = 0; beta < 4; ++beta)
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          for (unsigned int a = 0; a < 8; ++a)
-            for (unsigned int b = 0; b < 8; ++b)
-              result.k[3 * alpha + i][3 * beta + j] +=
-                  g(alpha, a) * k(3 * a + i, 3 * b + j) * g(beta, b);
-  return result;
+  for (unsigned int m = 0; m < 12; ++m)
+    for (unsigned int n = 0; n < 12; ++n)
+      for (unsigned int a = 0; a < 8; ++a)
+        for (unsigned int b = 0; b < 8; ++b)
+          element.hourglass[m][n] += g(amplitudes[m].alpha, a) *
+                                     k(3 * a + amplitudes[m].k, 3 * b + amplitudes[n].k) *
+                                     g(amplitudes[n].alpha, b);
 }
 
 /// The same stiffness of every amplitude, after Flanagan and Belytschko (1981):
@@ -114,7 +299,7 @@ hourglass_stiffness_of(const Hexahedron &element, const double coefficient, cons
   double gradients = 0.;
   for (const auto &row : element.gradient)
     for (const double b : row)
-      gradients += b * b;
+      gradients += 8. * b * b; // h_m . h_m = 8
   const double norm = hourglass_vectors(element).frobenius_norm();
   return coefficient * modulus * element.volume * gradients / (0.25 * norm * norm);
 }
@@ -124,68 +309,90 @@ Reference::Reference(const mesh::Part           &part,
                      const mesh::Nodes          &nodes,
                      const parameters::Material &material,
                      const Formulation           how,
-                     const double                hourglass_coefficient)
-    : formulation(how), mass(nodes.mass), position(nodes.position)
+                     const double                hourglass_coefficient,
+                     const Shape                 most_regular)
+    : formulation(how), shape(most_regular), mass(nodes.mass), position(nodes.position)
 {
   const double E = material.youngs_modulus, nu = material.poissons_ratio;
   lambda = E * nu / ((1. + nu) * (1. - 2. * nu));
   mu     = 0.5 * E / (1. + nu);
 
+  std::vector<std::pair<mesh::Corners, std::array<unsigned int, 8>>> cells;
   for (const auto &cell : part.mesh->active_cell_iterators())
     {
       if (cell->material_id() == mesh::hub_zone)
         continue;
       const mesh::Corners corners = mesh::corners_of(cell);
-      const auto          gauss   = mesh::gauss_points(corners);
-      elements.push_back(make_hexahedron(corners, gauss, nodes.cells[elements.size()]));
-      const Hexahedron &element = elements.back();
-      switch (formulation)
+      cells.push_back({corners, nodes.cells[cells.size()]});
+    }
+
+  // each element as it is most regular; the part is as its least regular element
+  std::vector<Placed> placed;
+  for (const auto &[corners, unused] : cells)
+    {
+      Placed best       = place_as_is(corners);
+      Shape  best_shape = Shape::general;
+      for (unsigned int way = 0; way < 6 && best_shape < shape; ++way)
         {
-        case Formulation::one_point:
-          hourglass_stiffness.push_back(
-              hourglass_stiffness_of(element, hourglass_coefficient, lambda + 2. * mu));
-          break;
-        case Formulation::enhanced:
-          hourglass.push_back(condense(mesh::stiffness(gauss, material, true), element, corners));
-          break;
-        case Formulation::full:
-          points.push_back({});
-          for (unsigned int q = 0; q < 8; ++q)
+          const Placed here       = place(corners, way);
+          const Shape  shape_here = std::min(shape, shape_of(here.corners));
+          if (shape_here > best_shape)
             {
-              points.back().volume[q] = gauss[q].volume;
-              for (unsigned int j = 0; j < 3; ++j)
-                for (unsigned int a = 0; a < 8; ++a)
-                  points.back().gradient[q][j][a] = gauss[q].gradient[a][j];
+              best       = here;
+              best_shape = shape_here;
             }
-          break;
         }
+      placed.push_back(best);
+      shape = best_shape;
+    }
+
+  for (unsigned int e = 0; e < cells.size(); ++e)
+    {
+      if (shape == Shape::general)
+        placed[e] = place_as_is(cells[e].first);
+      const Placed &here = placed[e];
+      vertices.push_back({});
+      for (unsigned int a = 0; a < 8; ++a)
+        vertices.back().node[a] = cells[e].second[here.order[a]];
+      axes.push_back(here.axes);
+
+      const auto gauss   = mesh::gauss_points(here.corners);
+      Hexahedron element = make_hexahedron(here.corners, gauss);
+      if (formulation == Formulation::one_point)
+        element.hourglass_stiffness =
+            hourglass_stiffness_of(element, hourglass_coefficient, lambda + 2. * mu);
+      if (formulation == Formulation::enhanced)
+        condense(mesh::stiffness(gauss, material, true), here.corners, element);
+      for_each_number(
+          shape, formulation, element, [&](const double number) { numbers.push_back(number); });
     }
 }
 
 ForceArguments Reference::arguments() const
 {
   ForceArguments arg{};
-  arg.n_elements          = n_elements();
-  arg.elements            = elements.data();
-  arg.hourglass           = hourglass.data();
-  arg.hourglass_stiffness = hourglass_stiffness.data();
-  arg.points              = points.data();
-  arg.lambda              = lambda;
-  arg.mu                  = mu;
+  arg.n_elements = n_elements();
+  arg.shape      = shape;
+  arg.vertices   = vertices.data();
+  arg.numbers    = numbers.data();
+  arg.lambda     = lambda;
+  arg.mu         = mu;
   return arg;
 }
 
 dealii::FullMatrix<double> Reference::element_stiffness(const unsigned int e) const
 {
+  const Hexahedron element =
+      unpack(shape, formulation, numbers.data() + e * n_numbers(shape, formulation));
   dealii::FullMatrix<double> k(24, 24);
 
-  const auto add_point = [&](const double(&gradient)[3][8], const double volume) {
+  const auto add_point = [&](const Gradient &gradient, const double volume) {
     for (unsigned int a = 0; a < 8; ++a)
       for (unsigned int b = 0; b < 8; ++b)
         {
           double product = 0.;
-          for (unsigned int j = 0; j < 3; ++j)
-            product += gradient[j][a] * gradient[j][b];
+          for (const auto &row : gradient)
+            product += row[a] * row[b];
           for (unsigned int i = 0; i < 3; ++i)
             for (unsigned int j = 0; j < 3; ++j)
               k(3 * a + i, 3 * b + j) +=
@@ -193,35 +400,51 @@ dealii::FullMatrix<double> Reference::element_stiffness(const unsigned int e) co
                             mu * gradient[j][a] * gradient[i][b] + (i == j ? mu * product : 0.));
         }
   };
+  Gradient B;
   if (formulation == Formulation::full)
+    for (unsigned int q = 0; q < 8; ++q)
+      {
+        point_gradient(element, q, B);
+        add_point(B, element.point_volume[q]);
+      }
+  else
     {
-      for (unsigned int q = 0; q < 8; ++q)
-        add_point(points[e].gradient[q], points[e].volume[q]);
-      return k;
-    }
-
-  add_point(elements[e].gradient, elements[e].volume);
-  const dealii::FullMatrix<double> gamma = hourglass_vectors(elements[e]);
-  for (unsigned int alpha = 0; alpha < 4; ++alpha)
-    for (unsigned int beta = 0; beta < 4; ++beta)
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
+      vertex_gradient(element, B);
+      add_point(B, element.volume);
+      const dealii::FullMatrix<double> gamma = hourglass_vectors(element);
+      for (unsigned int m = 0; m < 12; ++m)
+        for (unsigned int n = 0; n < 12; ++n)
           {
             const double stiffness = formulation == Formulation::enhanced ?
-                                         hourglass[e].k[3 * alpha + i][3 * beta + j] :
-                                         (alpha == beta && i == j ? hourglass_stiffness[e] : 0.);
-            if (stiffness != 0.)
-              for (unsigned int a = 0; a < 8; ++a)
-                for (unsigned int b = 0; b < 8; ++b)
-                  k(3 * a + i, 3 * b + j) += gamma(alpha, a) * stiffness * gamma(beta, b);
+                                         element.hourglass[m][n] :
+                                         (m == n ? element.hourglass_stiffness : 0.);
+            for (unsigned int a = 0; a < 8; ++a)
+              for (unsigned int b = 0; b < 8; ++b)
+                k(3 * a + amplitudes[m].k, 3 * b + amplitudes[n].k) +=
+                    gamma(amplitudes[m].alpha, a) * stiffness * gamma(amplitudes[n].alpha, b);
           }
+    }
+
+  // from the element's axes to those of the part
+  for (unsigned int a = 0; a < 8; ++a)
+    for (unsigned int b = 0; b < 8; ++b)
+      {
+        Tensor<2, 3> block;
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            block[i][j] = k(3 * a + i, 3 * b + j);
+        block = transpose(axes[e]) * block * axes[e];
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            k(3 * a + i, 3 * b + j) = block[i][j];
+      }
   return k;
 }
 
 void Reference::assemble(dealii::SparsityPattern      &pattern,
                          dealii::SparseMatrix<double> &matrix) const
 {
-  const auto unknowns = [](const Hexahedron &element) {
+  const auto unknowns = [](const Vertices &element) {
     std::vector<dealii::types::global_dof_index> indices;
     for (const unsigned int node : element.node)
       for (unsigned int i = 0; i < 3; ++i)
@@ -230,7 +453,7 @@ void Reference::assemble(dealii::SparsityPattern      &pattern,
   };
 
   dealii::DynamicSparsityPattern dynamic(3 * n_nodes());
-  for (const Hexahedron &element : elements)
+  for (const Vertices &element : vertices)
     {
       const auto indices = unknowns(element);
       for (const auto row : indices)
@@ -239,7 +462,7 @@ void Reference::assemble(dealii::SparsityPattern      &pattern,
   pattern.copy_from(dynamic);
   matrix.reinit(pattern);
   for (unsigned int e = 0; e < n_elements(); ++e)
-    matrix.add(unknowns(elements[e]), element_stiffness(e));
+    matrix.add(unknowns(vertices[e]), element_stiffness(e));
 }
 
 double Reference::largest_frequency() const
@@ -248,34 +471,53 @@ double Reference::largest_frequency() const
   dealii::SparseMatrix<double> matrix;
   assemble(pattern, matrix);
 
-  dealii::DiagonalMatrix<dealii::Vector<double>> inverse_mass;
-  dealii::Vector<double> diagonal(3 * n_nodes()), start(3 * n_nodes()), force(3 * n_nodes());
-  for (unsigned int i = 0; i < 3 * n_nodes(); ++i)
+  const unsigned int     n = 3 * n_nodes();
+  dealii::Vector<double> scale(n), before(n), here(n), product(n);
+  for (unsigned int i = 0; i < n; ++i)
     {
-      diagonal[i] = 1. / mass[i / 3];
-      start[i]    = std::sin(1. + 12.9898 * i * i); // all modes take part
+      scale[i] = 1. / std::sqrt(mass[i / 3]);
+      here[i]  = std::sin(1. + 12.9898 * i * i); // all modes take part
     }
-  inverse_mass.reinit(diagonal);
-  matrix.vmult(force, start); // free of the rigid modes, which the matrix does not see
+  here /= here.l2_norm();
 
-  // The conjugate gradient method finds the extreme eigenvalues of M^-1 K on its way (Saad,
-  // Iterative Methods for Sparse Linear Systems, 6.7).
-  double                                   largest = 0.;
-  dealii::IterationNumberControl           control(400, 1e-8 * force.l2_norm());
-  dealii::SolverCG<dealii::Vector<double>> solver(control);
-  solver.connect_eigenvalues_slot([&](const std::vector<double> &values) {
-    for (const double value : values)
-      largest = std::max(largest, value);
-  });
-  start = 0.;
-  solver.solve(matrix, start, force, inverse_mass);
-  return std::sqrt(largest);
+  // Lanczos' method for M^-1/2 K M^-1/2 (Saad, Numerical Methods for Large Eigenvalue
+  // Problems, 6.6). Round-off makes it find eigenvalues again but none beyond the spectrum. The
+  // coefficients of conjugate gradients, the same in exact arithmetic, break down here: K has rigid
+  // modes.
+  std::vector<double> diagonal, beside;
+  while (diagonal.size() < 400)
+    {
+      dealii::Vector<double> scaled(here);
+      scaled.scale(scale);
+      matrix.vmult(product, scaled);
+      product.scale(scale);
+      if (!beside.empty())
+        product.add(-beside.back(), before);
+      diagonal.push_back(product * here);
+      product.add(-diagonal.back(), here);
+      const double norm = product.l2_norm();
+      if (norm <= 1e-14 * diagonal.front()) // all modes are found
+        break;
+      beside.push_back(norm);
+      before = here;
+      here.equ(1. / norm, product);
+    }
+
+  dealii::TridiagonalMatrix<double> ritz(diagonal.size(), /*symmetric*/ true);
+  for (unsigned int i = 0; i < diagonal.size(); ++i)
+    {
+      ritz(i, i) = diagonal[i];
+      if (i > 0)
+        ritz(i, i - 1) = beside[i - 1];
+    }
+  ritz.compute_eigenvalues();
+  return std::sqrt(ritz.eigenvalue(diagonal.size() - 1));
 }
 
 std::size_t Reference::memory_consumption() const
 {
-  return elements.size() * sizeof(Hexahedron) + hourglass.size() * sizeof(HourglassStiffness) +
-         hourglass_stiffness.size() * sizeof(double) + points.size() * sizeof(PointGradients) +
+  return vertices.size() * sizeof(Vertices) + numbers.size() * sizeof(double) +
+         axes.size() * sizeof(Tensor<2, 3>) +
          mass.size() * (sizeof(double) + sizeof(dealii::Point<3>));
 }
 } // namespace chaindrive::element

@@ -212,6 +212,14 @@ void Recorder::add_energy_channels()
     term("potential", "Of gravity, zero at the start", &Ledger::potential);
   if (scene::is_on(scene_.effects, "chain bars"))
     term("bar", "Strain energy of the bars", &Ledger::bar);
+  if (scene::is_on(scene_.effects, "elastic bodies"))
+    {
+      term("strain", "Strain energy of elastic bodies", &Ledger::strain);
+      term("hourglass",
+           "In the hourglass stiffness of elastic bodies; physical bending for the enhanced "
+           "elements",
+           &Ledger::hourglass);
+    }
   term("contact", "Stored in the contact springs", &Ledger::contact);
   if (scene::is_on(scene_.effects, "friction"))
     term("friction_loss", "Lost by friction since the start", &Ledger::friction);

@@ -27,6 +27,25 @@ std::size_t expected_samples(const Parameters &p)
 }
 
 double window_end(const Parameters &p) { return p.output.window_end.value_or(p.time.end); }
+
+/// Displacement and velocity of every vertex of the elastic body @p b.
+void nodal_values(const dynamics::System            &system,
+                  const unsigned int                 b,
+                  std::vector<dealii::Tensor<1, 3>> &displacement,
+                  std::vector<dealii::Tensor<1, 3>> &velocity)
+{
+  const World::Place &place  = system.world.places[b];
+  const Copies       &copies = system.world.copies[place.group];
+  displacement.resize(copies.nodes.of_vertex.size());
+  velocity.resize(copies.nodes.of_vertex.size());
+  for (unsigned int node = 0; node < copies.n_nodes(); ++node)
+    {
+      const unsigned int vertex = copies.nodes.vertex[node];
+      displacement[vertex]      = system.elastic.displacement(system.world, place, node);
+      for (unsigned int d = 0; d < 3; ++d)
+        velocity[vertex][d] = copies.velocity.local_element(copies.index(place.copy, node, d));
+    }
+}
 } // namespace
 
 Recorder::Recorder(const scene::Scene     &scene,
@@ -188,6 +207,12 @@ void Recorder::write_fields(const dynamics::System &system)
         contact_force[record.master] -= record.force;
       }
 
+  std::vector<std::vector<dealii::Tensor<1, 3>>> displacement(world.n_bodies()),
+      velocity(world.n_bodies());
+  for (unsigned int b = 0; b < world.n_bodies(); ++b)
+    if (world.places[b].group != World::Place::none)
+      nodal_values(system, b, displacement[b], velocity[b]);
+
   std::vector<BodySnapshot> bodies;
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     bodies.push_back({&patches_.at(scene_.bodies[b].kind),
@@ -196,8 +221,8 @@ void Recorder::write_fields(const dynamics::System &system)
                       scene_.bodies[b].initial,
                       world.frames[b],
                       contact_force[b],
-                      {},
-                      {}});
+                      make_array_view(displacement[b]),
+                      make_array_view(velocity[b])});
 
   std::vector<BarSnapshot> bars;
   for (unsigned int i = 0; i < system.bars.size(); ++i)
@@ -243,21 +268,25 @@ Json Recorder::summary(const dynamics::System      &system,
   json["slack_tension_mean"]      = slack_tension_.mean();
   json["tight_tension_max_start"] = tight_tension_start_;
   json["driver_torque_mean"]      = driver_torque_.mean();
-  json["drive_work"]              = ledger.drive_work;
-  json["resisting_work"]          = ledger.resisting_work;
-  json["energy_imbalance_max"]    = guard.largest_imbalance() / std::abs(ledger.drive_work);
-  json["energy"]                  = {{"kinetic", ledger.kinetic},
-                                     {"potential", ledger.potential},
-                                     {"bar", ledger.bar},
-                                     {"contact", ledger.contact},
-                                     {"friction_loss", ledger.friction},
-                                     {"contact_damping_loss", ledger.contact_damping},
-                                     {"chain_damping_loss", ledger.chain_damping},
-                                     {"drag_loss", ledger.drag}};
-  json["stable_step"]             = step.limit;
-  json["step"]                    = step.step;
-  json["steps"]                   = n_steps;
-  json["searches"]                = system.contacts.search_statistics().searches;
+  if (!system.elastic.empty())
+    json["contacts_missed"] = system.contacts.n_missed();
+  json["drive_work"]           = ledger.drive_work;
+  json["resisting_work"]       = ledger.resisting_work;
+  json["energy_imbalance_max"] = guard.largest_imbalance() / std::abs(ledger.drive_work);
+  json["energy"]               = {{"kinetic", ledger.kinetic},
+                                  {"potential", ledger.potential},
+                                  {"bar", ledger.bar},
+                                  {"strain", ledger.strain},
+                                  {"hourglass", ledger.hourglass},
+                                  {"contact", ledger.contact},
+                                  {"friction_loss", ledger.friction},
+                                  {"contact_damping_loss", ledger.contact_damping},
+                                  {"chain_damping_loss", ledger.chain_damping},
+                                  {"drag_loss", ledger.drag}};
+  json["stable_step"]          = step.limit;
+  json["step"]                 = step.step;
+  json["steps"]                = n_steps;
+  json["searches"]             = system.contacts.search_statistics().searches;
   json["window"] = {{"start", parameters_.output.window_start}, {"end", window_end(parameters_)}};
   json["cpu_seconds"] = cpu_seconds(system.timer);
 

@@ -6,7 +6,7 @@ namespace chaindrive::output
 Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
     : scene_(scene), tension_(scene.n_joints, 0.)
 {
-  joints_ = dynamic_cast<const contact::Bores *>(system.contacts.find("bush-pin"));
+  joints_ = system.contacts.find("bush-pin");
   if (joints_ == nullptr)
     return;
   pin_force_.resize(scene.n_joints);
@@ -27,10 +27,15 @@ void Spans::joint_forces(const dynamics::System &system)
   const unsigned int n = scene_.n_joints;
   for (unsigned int k = 0; k < n; ++k)
     {
-      const Frame         &link = system.world.frames[links_[k]];
       dealii::Tensor<1, 3> axis;
-      for (unsigned int d = 0; d < 3; ++d)
-        axis[d] = link.rotation[d][0];
+      if (scene_.bodies[links_[k]].motion == scene::Motion::elastic)
+        { // an elastic link has no axis but the line through its joints
+          axis = system.world.frames[(k + 1) % n].position - system.world.frames[k].position;
+          axis /= axis.norm();
+        }
+      else
+        for (unsigned int d = 0; d < 3; ++d)
+          axis[d] = system.world.frames[links_[k]].rotation[d][0];
       // pins belong to outer links; bushes feel the opposite force
       const double sign = scene_.bodies[links_[k]].kind == scene::Kind::outer_link ? 0.5 : -0.5;
       tension_[k]       = sign * ((pin_force_[(k + 1) % n] - pin_force_[k]) * axis);

@@ -67,6 +67,14 @@ void Contact::declare(dealii::ParameterHandler &prm)
       "half-spaces have 2 (1 - nu) / (2 - nu), which is 0.82 for steel. A smaller value allows a "
       "longer stable step.");
   add(prm,
+      "Penalty factor",
+      penalty_factor,
+      unit::si,
+      above(0., 100.),
+      "Penalty stiffness per area between elastic bodies, over the bulk modulus divided by the "
+      "thickness of the elements below the surface; full fidelity only. Numerics, not physics: a "
+      "larger value lets surfaces overlap less and shortens the stable step.");
+  add(prm,
       "Search",
       search,
       {"displacement", "every step"},

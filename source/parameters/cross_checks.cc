@@ -85,7 +85,8 @@ void check_chain(const Parameters &p, Findings &findings)
 
   findings.contradiction(layered && odd,
                          "Drive/Number of links = " + std::to_string(drive.n_links) +
-                             " is odd, but Model/Fidelity = layered takes inner and outer links "
+                             " is odd, but Model/Fidelity = " + p.model.fidelity +
+                             " takes inner and outer links "
                              "by turns, which needs an even number; use one link more or less.");
   findings.note(!layered && odd,
                 "Drive/Number of links = " + std::to_string(drive.n_links) +
@@ -136,6 +137,27 @@ void check_model(const Parameters &p, Findings &findings)
       simple && start == "concentric",
       "Drive/Layout/Start = concentric centres pins in their bushes, but Model/Fidelity = simple "
       "has no joints; choose taut or warm, or Model/Fidelity = layered.");
+  const bool full = p.model.fidelity == "full";
+  findings.contradiction(
+      full && p.drive.layout.centre_distance_from == "pretension",
+      "Drive/Layout/Centre distance from = pretension stretches the chain before the start, which "
+      "Model/Fidelity = full cannot do with its elastic parts; choose given, slack or sag.");
+  findings.contradiction(
+      full && p.mesh.refinement < 1,
+      "Mesh/Refinement = 0 leaves one ring of a bush's nodes inside its roller, which could tilt "
+      "freely; Model/Fidelity = full needs at least 1.");
+  findings.contradiction(full && start == "warm",
+                         "Drive/Layout/Start = warm would need the strain of the running chain, "
+                         "which Model/Fidelity = "
+                         "full does not know at the start; choose taut or concentric.");
+  findings.contradiction(
+      full && (p.model.mass_per_pitch || p.model.stiffness_per_pitch),
+      "Model/Mass per pitch in g and Model/Stiffness per pitch in N/m are those of the parts in "
+      "Model/Fidelity = full: leave them auto.");
+  findings.contradiction(
+      full && (p.contact.roller_tooth_stiffness || p.contact.roller_bush_stiffness),
+      "Contact/Roller-tooth stiffness in N/m and Roller-bush stiffness in N/m follow from the "
+      "elastic parts in Model/Fidelity = full: leave them auto and choose Penalty factor.");
   findings.note(
       start == "warm",
       "Drive/Layout/Start = warm begins at full speed under full load: Loads/Speed ramp, Ramp "
@@ -177,8 +199,9 @@ void check_model(const Parameters &p, Findings &findings)
   else
     findings.contradiction(
         effects.chain_damping == "on",
-        "Effects/Chain damping = on contradicts Model/Fidelity = layered, whose links are rigid: "
-        "Contact/Damping ratio damps its joints. Choose auto or off.");
+        "Effects/Chain damping = on contradicts Model/Fidelity = " + p.model.fidelity +
+            ", which has no bars: "
+            "Contact/Damping ratio damps its joints. Choose auto or off.");
 }
 } // namespace
 

@@ -10,11 +10,13 @@ void Model::declare(dealii::ParameterHandler &prm)
   add(prm,
       "Fidelity",
       fidelity,
-      {"simple", "layered"},
+      {"simple", "layered", "full"},
       "Which bodies the chain is made of. simple: lumped rollers joined by elastic bars, for "
       "tensions, speeds and a first look. layered: rollers, inner and outer links as rigid bodies "
       "with their clearances, for contact forces and the motion of single rollers; costs about "
-      "four times as much.");
+      "four times as much. full: the same bodies made of elastic finite elements, for what their "
+      "deformation does; costs a thousand times as much. Experimental: sprockets are rigid, and no "
+      "preset has been validated yet.");
   add(prm,
       "Mass per pitch in g",
       mass_per_pitch,
@@ -71,6 +73,26 @@ void Material::declare(dealii::ParameterHandler &prm)
       above(0., 100000.),
       "Density of all parts, from which masses and inertias that are auto follow. Default: the "
       "value of the drive in prm/paper; most steels have 7800 to 7900.");
+}
+
+void Elasticity::declare(dealii::ParameterHandler &prm)
+{
+  const Subsection section(prm, "Elements");
+  add(prm,
+      "Formulation",
+      formulation,
+      {"one point", "enhanced", "full"},
+      "How the elastic hexahedra are integrated; full fidelity only. enhanced: one point and a "
+      "stiffness against hourglassing that bends as a beam does, right with one element through a "
+      "wall. one point: the hourglass stiffness of Flanagan and Belytschko, faster, for walls of "
+      "three elements and more. full: 2 x 2 x 2 points, too stiff in bending where elements are "
+      "flat.");
+  add(prm,
+      "Hourglass coefficient",
+      hourglass_coefficient,
+      unit::si,
+      between(0., 1.),
+      "Stiffness against hourglassing of one point, after Flanagan and Belytschko.");
 }
 
 void Mesh::declare(dealii::ParameterHandler &prm)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/facet_surface.h>
 #include <chaindrive/mesh/import.h>
+#include <chaindrive/mesh/surface_nodes.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/placement.h>
 #include <chaindrive/utilities/text.h>
@@ -21,6 +22,22 @@ parameters::Loads effective_loads(const Parameters &p, const std::vector<Effect>
   if (!is_on(effects, "drag"))
     loads.drag = 0.;
   return loads;
+}
+
+/// Rollers whose nodes meet the flanks of @p teeth.
+void add_elastic_rollers(const Parameters   &parameters,
+                         const drive::Drive &drive,
+                         const Scene        &scene,
+                         ToothFamily        &teeth)
+{
+  const mesh::Part        &roller = *scene.parts.at(Kind::roller);
+  const mesh::SurfaceNodes outside(roller, mesh::Nodes(roller), mesh::roller_outside);
+  teeth.law = make_area_law(
+      parameters, scene.effects, outside.thickness, parameters.contact.roller_tooth_friction);
+  teeth.elastic       = true;
+  teeth.slave_surface = mesh::roller_outside;
+  for (unsigned int k = 0; k < scene.n_joints; ++k)
+    teeth.slaves.push_back({k, dealii::Point<3>(), 0.5 * drive.chain.roller_diameter, k});
 }
 
 Tensor3 embed(const dealii::Tensor<1, 2> &v)
@@ -60,6 +77,21 @@ Law make_law(const Parameters           &parameters,
   return law;
 }
 
+Law make_area_law(const Parameters           &parameters,
+                  const std::vector<Effect>  &effects,
+                  const double                thickness,
+                  const std::optional<double> friction)
+{
+  const parameters::Material &steel = parameters.material;
+  const double bulk_modulus = steel.youngs_modulus / (3. * (1. - 2. * steel.poissons_ratio));
+  // what moves with a surface at the frequency of its penalty is half an element
+  return make_law(parameters,
+                  effects,
+                  parameters.contact.penalty_factor * bulk_modulus / thickness,
+                  0.5 * steel.density * thickness,
+                  friction);
+}
+
 Scene build_scene(const Parameters               &parameters,
                   const drive::Drive             &drive,
                   const std::vector<std::string> &folders)
@@ -67,6 +99,8 @@ Scene build_scene(const Parameters               &parameters,
   const drive::Layout &layout = drive.layout;
   Scene                scene;
   scene.start_time      = parameters.time.start;
+  scene.material        = parameters.material;
+  scene.elasticity      = parameters.elasticity;
   scene.effects         = decide_effects(parameters);
   scene.loads           = effective_loads(parameters, scene.effects);
   scene.sense           = layout.sense;
@@ -91,6 +125,8 @@ Scene build_scene(const Parameters               &parameters,
 
   if (parameters.model.fidelity == "simple")
     add_simple_chain(parameters, drive, scene);
+  else if (parameters.model.fidelity == "full")
+    add_full_chain(parameters, drive, scene);
   else
     add_layered_chain(parameters, drive, scene);
   add_sprockets(parameters, drive, folders, scene);
@@ -107,11 +143,12 @@ void add_sprockets(const Parameters               &parameters,
       parameters.contact.roller_tooth_stiffness.value_or(drive.roller_tooth_stiffness);
   const bool   lumped      = parameters.model.fidelity == "simple";
   const double roller_mass = scene.bodies.front().mass;
-  scene.notes.push_back("Roller-tooth stiffness " + to_text(tooth_stiffness, 4) + " N/m (" +
-                        (parameters.contact.roller_tooth_stiffness ?
-                             "given" :
-                             "auto: ring and line contact in series") +
-                        "); a smaller value lowers impact peaks in proportion to its square root");
+  if (scene.bodies.front().motion != Motion::elastic)
+    scene.notes.push_back(
+        "Roller-tooth stiffness " + to_text(tooth_stiffness, 4) + " N/m (" +
+        (parameters.contact.roller_tooth_stiffness ? "given" :
+                                                     "auto: ring and line contact in series") +
+        "); a smaller value lowers impact peaks in proportion to its square root");
 
   for (const bool driver : {true, false})
     {
@@ -166,6 +203,12 @@ void add_sprockets(const Parameters               &parameters,
       else if (is_on(scene.effects, "fields"))
         scene.parts[sprocket.kind] = make_sprocket_part(parameters, drive, driver);
 
+      if (scene.bodies.front().motion == Motion::elastic)
+        {
+          add_elastic_rollers(parameters, drive, scene, teeth);
+          scene.teeth.push_back(std::move(teeth));
+          continue;
+        }
       const Law law = make_law(parameters,
                                scene.effects,
                                tooth_stiffness,

@@ -25,21 +25,24 @@ Effect decide(const std::string &name,
 std::vector<Effect> decide_effects(const Parameters &p)
 {
   const bool   layered  = p.model.fidelity != "simple";
+  const bool   full     = p.model.fidelity == "full";
   const double friction = std::max({p.contact.friction_coefficient,
                                     p.contact.roller_tooth_friction.value_or(0.),
                                     p.contact.roller_bush_friction.value_or(0.),
                                     p.contact.bush_pin_friction.value_or(0.)});
 
   std::vector<Effect> effects;
-  effects.push_back({"joint clearances",
-                     layered,
-                     layered ? "fidelity layered: roller, bush and pin are bodies of their own" :
-                               "fidelity simple: roller, bush and pin are one lump"});
-  effects.push_back({"chain bars",
-                     !layered,
-                     layered ?
-                         "fidelity layered: links are rigid, their compliance sits in the joints" :
-                         "fidelity simple: plates are elastic bars"});
+  effects.push_back(
+      {"joint clearances",
+       layered,
+       layered ? "fidelity " + p.model.fidelity + ": roller, bush and pin are bodies of their own" :
+                 std::string("fidelity simple: roller, bush and pin are one lump")});
+  effects.push_back(
+      {"chain bars",
+       !layered,
+       full    ? "fidelity full: links are made of finite elements" :
+       layered ? "fidelity layered: links are rigid, their compliance sits in the joints" :
+                 "fidelity simple: plates are elastic bars"});
   effects.push_back(decide(
       "friction", p.effects.friction, friction, "friction coefficient " + to_text(friction)));
   effects.push_back(decide("contact damping",
@@ -51,7 +54,7 @@ std::vector<Effect> decide_effects(const Parameters &p)
                                 p.model.chain_damping_ratio,
                                 "chain damping ratio " + to_text(p.model.chain_damping_ratio));
   if (layered)
-    chain_damping = {"chain damping", false, "links are rigid: the joints' contact damping acts"};
+    chain_damping = {"chain damping", false, "there are no bars: the joints' contact damping acts"};
   effects.push_back(chain_damping);
   effects.push_back(decide("gravity",
                            p.effects.gravity,
@@ -59,7 +62,10 @@ std::vector<Effect> decide_effects(const Parameters &p)
                            "acceleration " + to_text(p.loads.gravity) + " m/s2"));
   effects.push_back(decide(
       "drag", p.effects.drag, p.loads.drag, "coefficient " + to_text(p.loads.drag) + " 1/s"));
-  effects.push_back({"elastic bodies", false, "no group of bodies is elastic in this fidelity"});
+  effects.push_back({"elastic bodies",
+                     full,
+                     full ? "fidelity full: rollers, inner and outer links; sprockets are rigid" :
+                            "no group of bodies is elastic in this fidelity"});
   effects.push_back({"fields",
                      p.output.field_interval > 0.,
                      "field interval " + to_text(p.output.field_interval * 1e3) + " ms"});

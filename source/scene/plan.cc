@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/mesh/part.h>
 #include <chaindrive/scene/plan.h>
 #include <chaindrive/utilities/text.h>
 
@@ -11,11 +12,12 @@ namespace chaindrive::scene
 namespace
 {
 // CPU time per object and step, s: fitted to tests/benchmarks/speed.py, see doc/performance.md
-constexpr double cost_of_lumped = 15e-9;
-constexpr double cost_of_rigid  = 90e-9;
-constexpr double cost_of_bar    = 15e-9;
-constexpr double cost_of_bore   = 45e-9;
-constexpr double cost_of_tooth  = 60e-9;
+constexpr double cost_of_lumped  = 15e-9;
+constexpr double cost_of_rigid   = 90e-9;
+constexpr double cost_of_bar     = 15e-9;
+constexpr double cost_of_bore    = 45e-9;
+constexpr double cost_of_tooth   = 60e-9;
+constexpr double cost_of_element = 40e-9;
 
 // share of a tooth family's pairs that the search leaves near the sprocket, roughly the wrap
 constexpr double near_share = 0.25;
@@ -44,7 +46,16 @@ std::string motion_of(const Body &body)
     return "rigid, hub turned by the speed program";
   if (body.support == Support::loaded_hub)
     return "rigid, one rotation against the load torque";
-  return body.motion == Motion::lumped ? "lumped, 3 translations" : "rigid, 6 degrees of freedom";
+  switch (body.motion)
+    {
+    case Motion::lumped:
+      return "lumped, 3 translations";
+    case Motion::rigid:
+      return "rigid, 6 degrees of freedom";
+    case Motion::elastic:
+      return "elastic";
+    }
+  return "";
 }
 
 std::string law_text(const Law &law)
@@ -60,7 +71,18 @@ double step_cost(const Scene &scene)
 {
   double cost = cost_of_bar * scene.bars.size();
   for (const Body &body : scene.bodies)
-    cost += body.motion == Motion::lumped ? cost_of_lumped : cost_of_rigid;
+    switch (body.motion)
+      {
+      case Motion::lumped:
+        cost += cost_of_lumped;
+        break;
+      case Motion::rigid:
+        cost += cost_of_rigid;
+        break;
+      case Motion::elastic:
+        cost += cost_of_element * scene.parts.at(body.kind)->mesh->n_active_cells();
+        break;
+      }
   for (const BoreFamily &bores : scene.bores)
     cost += cost_of_bore * bores.pairs.size();
   for (const ToothFamily &teeth : scene.teeth)
@@ -81,8 +103,11 @@ void print_plan(std::ostream       &out,
     for (const Body &body : scene.bodies)
       if (body.kind == kind)
         {
-          out << "  " << std::setw(4) << n << ' ' << name_of(kind) << ": " << motion_of(body)
-              << '\n';
+          out << "  " << std::setw(4) << n << ' ' << name_of(kind) << ": " << motion_of(body);
+          if (body.motion == Motion::elastic)
+            out << ", " << scene.parts.at(kind)->mesh->n_active_cells() << " elements and "
+                << scene.parts.at(kind)->mesh->n_used_vertices() << " nodes each";
+          out << '\n';
           break;
         }
 

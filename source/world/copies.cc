@@ -18,6 +18,8 @@ Copies::Copies(std::shared_ptr<const mesh::Part> the_part,
   for (Vector *vector : {&position, &velocity, &force})
     vector->reinit(owned, MPI_COMM_SELF);
 
+  for (const unsigned int body : bodies)
+    start.push_back(all[body].initial);
   for (unsigned int slot = 0; slot < n_batches() * n_lanes; ++slot)
     {
       const bool   empty = slot >= n_copies();

@@ -2,7 +2,7 @@
 // Speed of the element kernels: nanoseconds per element and copy, on one core and on all, beside
 // deal.II's own FEEvaluation on the same mesh and beside what the machine can do at best.
 //
-// usage: kernel_benchmark [COPIES]
+// kernel_benchmark --help lists the options.
 #include <chaindrive/element/reference.h>
 #include <chaindrive/mesh/links.h>
 
@@ -16,11 +16,14 @@
 #include <deal.II/matrix_free/fe_evaluation.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
+#include <boost/program_options.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <ctime>
 #include <functional>
+#include <iostream>
 #include <numeric>
 #include <string>
 #include <thread>
@@ -28,6 +31,7 @@
 
 using namespace chaindrive;
 using element::Formulation;
+using element::Shape;
 
 namespace
 {
@@ -84,7 +88,7 @@ struct Copies
     position.resize(n_batches * stride, 0.);
     velocity.resize(n_batches * stride, 0.);
     force.resize(stride, 0.);
-    energy.resize(3 * n_lanes, 0.);
+    energy.resize(9 * n_lanes, 0.);
     for (unsigned int i = 0; i < position.size(); ++i)
       position[i] = reference.position[i % stride / (3 * n_lanes)][i % stride / n_lanes % 3] +
                     1e-7 * std::sin(1. + i);
@@ -105,11 +109,16 @@ struct Copies
     forces(kernels, batch);
     kernels.update({reference.n_nodes(),
                     1e-9,
+                    1e-9,
+                    {0., 0., 0.},
+                    0.,
                     reference.mass.data(),
                     position.data() + batch * stride,
                     velocity.data() + batch * stride,
                     force.data(),
-                    energy.data() + 2 * n_lanes});
+                    energy.data() + 2 * n_lanes,
+                    energy.data() + 3 * n_lanes,
+                    energy.data() + 6 * n_lanes});
   }
 
   const element::Reference     &reference;
@@ -185,17 +194,16 @@ private:
   {                                                                                                \
     using P = Pack<double, width>;                                                                 \
     P         x[12];                                                                               \
-    const int n = 2000000;                                                                         \
-    for (int i = 0; i < 12; ++i)                                                                   \
-      x[i] = P(1. + i);                                                                            \
+    const int n                                                = 2000000;                          \
+    _Pragma("GCC unroll 12") for (int i = 0; i < 12; ++i) x[i] = P(1. + i);                        \
     const P      a(0.999), b(1e-3);                                                                \
     const double start = cpu_seconds();                                                            \
     for (int k = 0; k < n; ++k)                                                                    \
-      for (int i = 0; i < 12; ++i)                                                                 \
-        {                                                                                          \
-          x[i] = x[i] * a + b;                                                                     \
-          asm volatile("" : "+x"(x[i].v));                                                         \
-        }                                                                                          \
+      _Pragma("GCC unroll 12") for (int i = 0; i < 12; ++i)                                        \
+      {                                                                                            \
+        x[i] = x[i] * a + b;                                                                       \
+        asm volatile("" : "+x"(x[i].v));                                                           \
+      }                                                                                            \
     return 24. * width * n / (cpu_seconds() - start);                                              \
   }
 PEAK(peak_2, 2, )
@@ -204,14 +212,54 @@ PEAK(peak_4, 4, __attribute__((target("arch=x86-64-v3"))))
 PEAK(peak_8, 8, __attribute__((target("arch=x86-64-v4"))))
 #endif
 
-int main(int argc, char **argv)
+namespace
 {
-  const unsigned int n_copies  = argc > 1 ? std::stoi(argv[1]) : 110;
-  const unsigned int n_batches = (n_copies + n_lanes - 1) / n_lanes;
-  const unsigned int n_threads = std::max(1u, std::thread::hardware_concurrency());
+struct Options
+{
+  std::string      mesh, formulation, shape;
+  std::vector<int> widths;
+  unsigned int     copies, threads;
+  bool             machine, fe_evaluation;
+};
 
-  const parameters::Material material;
-  const auto                 chain = drive::make_chain(parameters::Chain());
+/// Nanoseconds per element and copy of a step on all cores together.
+double step_on_threads(const element::Reference &reference,
+                       const element::Kernels   &kernels,
+                       const Options            &options,
+                       const double              expected_ns)
+{
+  const unsigned int n_batches  = (options.copies + n_lanes - 1) / n_lanes;
+  const unsigned int per_thread = (n_batches + options.threads - 1) / options.threads;
+  const double       per_round  = per_thread * n_lanes * reference.n_elements();
+  const unsigned int rounds     = 1 + static_cast<unsigned int>(3e7 / (expected_ns * per_round));
+
+  std::vector<double> walls;
+  for (unsigned int repetition = 0; repetition < 5; ++repetition)
+    {
+      std::atomic<unsigned int> ready{0};
+      std::vector<std::thread>  threads;
+      std::vector<double>       seconds(options.threads);
+      for (unsigned int t = 0; t < options.threads; ++t)
+        threads.emplace_back([&, t] {
+          Copies mine(reference, per_thread);
+          ++ready;
+          while (ready < options.threads)
+            std::this_thread::yield();
+          const double start = wall_seconds();
+          for (unsigned int r = 0; r < rounds; ++r)
+            for (unsigned int b = 0; b < per_thread; ++b)
+              mine.step(kernels, b);
+          seconds[t] = wall_seconds() - start;
+        });
+      for (std::thread &thread : threads)
+        thread.join();
+      walls.push_back(*std::max_element(seconds.begin(), seconds.end()));
+    }
+  return 1e9 * median(walls) / (rounds * per_round * options.threads);
+}
+
+void measure_machine()
+{
   std::printf("best kernels here: %s\n", element::best_kernels().name);
   std::printf("fused multiply-add peak of a core, GF/s: 2 lanes %.1f", 1e-9 * peak_2());
 #ifdef __x86_64__
@@ -220,94 +268,136 @@ int main(int argc, char **argv)
   if (element::kernels(8) != nullptr)
     std::printf(", 8 lanes %.1f", 1e-9 * peak_8());
 #endif
-  {
-    std::vector<double> a(40000000, 1.), b(a), c(a);
-    const double        seconds = time_of([&] {
-      for (std::size_t i = 0; i < a.size(); ++i)
-        a[i] = b[i] + 3. * c[i];
-    });
-    std::printf("\nmemory bandwidth of a core (triad): %.1f GB/s\n", 24e-9 * a.size() / seconds);
-  }
+  std::vector<double> a(40000000, 1.), b(a), c(a);
+  const double        seconds = time_of([&] {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      a[i] = b[i] + 3. * c[i];
+  });
+  std::printf("\nmemory bandwidth of a core (triad): %.1f GB/s\n", 24e-9 * a.size() / seconds);
+}
 
-  for (const auto &[wall, around, along] :
-       {std::array<unsigned int, 3>{{1, 24, 4}}, {{2, 32, 6}}, {{3, 48, 10}}})
+void measure(const mesh::RollerGrid &grid, const Options &options)
+{
+  const parameters::Material material;
+  const mesh::Part           part =
+      mesh::make_roller(drive::make_chain(parameters::Chain()), material.density, grid);
+  std::printf("\nroller %u x %u x %u, %u elements, %u copies; ns per element and copy\n",
+              grid.wall,
+              grid.around,
+              grid.along,
+              part.mesh->n_active_cells(),
+              options.copies);
+  if (options.fe_evaluation)
     {
-      const mesh::Part part =
-          mesh::make_roller(chain, material.density, mesh::RollerGrid(wall, around, along));
-      std::printf("\nroller %u x %u x %u, %u elements, %u copies; ns per element and copy\n",
-                  wall,
-                  around,
-                  along,
-                  part.mesh->n_active_cells(),
-                  n_copies);
-
       const element::Reference full(part, material, Formulation::full);
       FEEvaluationOperator     reference_operator(part, full.lambda, full.mu);
-      const double             fe_evaluation =
-          1e9 * time_of([&] { reference_operator.forces(); }) / part.mesh->n_active_cells();
-      std::printf("%-22s %6s %10.1f\n", "deal.II FEEvaluation", "", fe_evaluation);
-      std::printf("%-12s%6s%12s%12s%16s%20s\n",
-                  "element",
-                  "width",
-                  "force",
-                  "step",
-                  "FEEval/force",
-                  ("step, " + std::to_string(n_threads) + " threads").c_str());
+      std::printf("deal.II FEEvaluation: %.1f\n", 1e9 * time_of([&] {
+                                                    reference_operator.forces();
+                                                  }) / part.mesh->n_active_cells());
+    }
+  std::printf("%-12s%-18s%6s%10s%10s%20s\n",
+              "element",
+              "shape",
+              "width",
+              "force",
+              "step",
+              ("step, " + std::to_string(options.threads) + " threads").c_str());
 
-      for (const auto &[formulation, name] : {std::make_pair(Formulation::one_point, "one point"),
-                                              std::make_pair(Formulation::enhanced, "enhanced"),
-                                              std::make_pair(Formulation::full, "full")})
+  for (const auto &[formulation, name] : {std::make_pair(Formulation::one_point, "one-point"),
+                                          std::make_pair(Formulation::enhanced, "enhanced"),
+                                          std::make_pair(Formulation::full, "full")})
+    for (const auto &[shape, shape_name] :
+         {std::make_pair(Shape::symmetric_prism, "symmetric-prism"),
+          std::make_pair(Shape::prism, "prism"),
+          std::make_pair(Shape::general, "general")})
+      {
+        if ((options.formulation != "all" && options.formulation != name) ||
+            (options.shape != "all" && options.shape != shape_name))
+          continue;
+        const element::Reference reference(part, material, formulation, 0.1, shape);
+        for (const int width : options.widths)
+          {
+            const element::Kernels *kernels = element::kernels(width);
+            if (kernels == nullptr || reference.shape != shape)
+              continue;
+            Copies       copies(reference, (options.copies + n_lanes - 1) / n_lanes);
+            const double per   = 1e9 / (copies.n_batches * n_lanes * reference.n_elements());
+            const double force = per * time_of([&] {
+                                   for (unsigned int b = 0; b < copies.n_batches; ++b)
+                                     copies.forces(*kernels, b);
+                                 });
+            const double step  = per * time_of([&] {
+                                  for (unsigned int b = 0; b < copies.n_batches; ++b)
+                                    copies.step(*kernels, b);
+                                });
+            std::printf("%-12s%-18s%6d%10.1f%10.1f%20.1f\n",
+                        name,
+                        shape_name,
+                        width,
+                        force,
+                        step,
+                        step_on_threads(reference, *kernels, options, step));
+            std::fflush(stdout);
+          }
+      }
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  namespace po = boost::program_options;
+  Options                 options;
+  po::options_description description(
+      "Speed of the element kernels on rollers: nanoseconds of one core per element and copy for\n"
+      "the internal forces and for a whole step, and for a step on all cores at once");
+  // clang-format off
+  description.add_options()
+    ("help", "print this and stop")
+    ("mesh", po::value(&options.mesh)->default_value("all"),
+     "cells through the wall, around and along the roller as 3x48x10, or all of three")
+    ("formulation", po::value(&options.formulation)->default_value("all"),
+     "one-point, enhanced, full, or all")
+    ("shape", po::value(&options.shape)->default_value("symmetric-prism"),
+     "kernels for general, prism or symmetric-prism elements, or all that fit the mesh")
+    ("width", po::value(&options.widths)->multitoken()->default_value({1, 2, 4, 8}, "1 2 4 8"),
+     "numbers computed at a time")
+    ("copies", po::value(&options.copies)->default_value(110), "how many rollers")
+    ("threads", po::value(&options.threads)
+       ->default_value(std::max(1u, std::thread::hardware_concurrency())),
+     "how many threads for the last column")
+    ("machine", po::value(&options.machine)->default_value(true),
+     "measure the machine's own speed first")
+    ("fe-evaluation", po::value(&options.fe_evaluation)->default_value(true),
+     "measure deal.II's FEEvaluation beside");
+  // clang-format on
+  try
+    {
+      po::variables_map values;
+      po::store(po::parse_command_line(argc, argv, description), values);
+      po::notify(values);
+      if (values.count("help"))
         {
-          const element::Reference reference(part, material, formulation);
-          for (const int width : {1, 2, 4, 8})
-            {
-              const element::Kernels *kernels = element::kernels(width);
-              if (kernels == nullptr)
-                continue;
-              const double per = 1e9 / (n_batches * n_lanes * reference.n_elements());
-              Copies       copies(reference, n_batches);
-              const double force = per * time_of([&] {
-                                     for (unsigned int b = 0; b < n_batches; ++b)
-                                       copies.forces(*kernels, b);
-                                   });
-              const double step  = per * time_of([&] {
-                                    for (unsigned int b = 0; b < n_batches; ++b)
-                                      copies.step(*kernels, b);
-                                  });
-
-              // All cores together, each with the share of the batches that it gets done.
-              std::vector<double> walls;
-              for (unsigned int repetition = 0; repetition < 5; ++repetition)
-                {
-                  std::atomic<int>         ready{0};
-                  std::vector<std::thread> threads;
-                  std::vector<double>      seconds(n_threads);
-                  const unsigned int       rounds =
-                      1 + static_cast<unsigned int>(3e7 / (step / per * 1e9));
-                  for (unsigned int t = 0; t < n_threads; ++t)
-                    threads.emplace_back([&, t] {
-                      Copies mine(reference, (n_batches + n_threads - 1) / n_threads);
-                      ++ready;
-                      while (ready < static_cast<int>(n_threads))
-                        std::this_thread::yield();
-                      const double start = wall_seconds();
-                      for (unsigned int r = 0; r < rounds; ++r)
-                        for (unsigned int b = 0; b < mine.n_batches; ++b)
-                          mine.step(*kernels, b);
-                      seconds[t] = (wall_seconds() - start) / (rounds * mine.n_batches) / n_threads;
-                    });
-                  for (std::thread &thread : threads)
-                    thread.join();
-                  walls.push_back(*std::max_element(seconds.begin(), seconds.end()));
-                }
-              std::printf("%-12s%6d%12.1f%12.1f%16.1f%20.1f\n",
-                          name,
-                          width,
-                          force,
-                          step,
-                          fe_evaluation / force,
-                          1e9 * median(walls) / (n_lanes * reference.n_elements()));
-            }
+          std::cout << description;
+          return 0;
         }
+      std::vector<mesh::RollerGrid> grids;
+      if (options.mesh == "all")
+        grids = {{1, 24, 4}, {2, 32, 6}, {3, 48, 10}};
+      else
+        {
+          unsigned int wall, around, along;
+          if (std::sscanf(options.mesh.c_str(), "%ux%ux%u", &wall, &around, &along) != 3)
+            throw po::error("the mesh is given as 3x48x10");
+          grids = {{wall, around, along}};
+        }
+      if (options.machine)
+        measure_machine();
+      for (const mesh::RollerGrid &grid : grids)
+        measure(grid, options);
+    }
+  catch (const po::error &error)
+    {
+      std::cerr << error.what() << '\n';
+      return 1;
     }
 }

@@ -31,7 +31,7 @@ int main()
           true);
       for (const auto &cell : bar.mesh->active_cell_iterators())
         cell->set_material_id(mesh::roller); // colouring the sides has coloured the cells as well
-      constexpr unsigned int end_face  = 1; // x = length / 2
+      constexpr unsigned int end_face  = 1;  // x = length / 2
       scene.parts[scene::Kind::roller] = std::make_shared<const mesh::Part>(std::move(bar));
       scene.bodies                     = {body(scene::Motion::elastic,
                            scene::Support::none,

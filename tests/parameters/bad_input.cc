@@ -60,7 +60,7 @@ int main()
             "subsection Drive\n  subsection Layout\n    set Start phase = 1\n  end\nend\n");
   read_text("no number at all", "subsection Model\n  set Mass per pitch in g = heavy\nend\n");
   read_text("nothing", "subsection Model\n  set Fidelity =\nend\n");
-  read_text("no such choice", "subsection Model\n  set Fidelity = full\nend\n");
+  read_text("no such choice", "subsection Model\n  set Fidelity = finest\nend\n");
   read_text("no list", "subsection Output\n  set Rollers = 1, two\nend\n");
 
   read_text("end too many", "subsection Model\nend\nend\n");

@@ -75,6 +75,16 @@ int main()
     p.model.fidelity     = "layered";
   });
   check([](Parameters &p) { p.drive.layout.start = "warm"; });
+  check([](Parameters &p) {
+    p.drive.layout.start   = "warm";
+    p.model.fidelity       = "full";
+    p.model.mass_per_pitch = 10e-3;
+  });
+  check([](Parameters &p) {
+    p.drive.layout.centre_distance_from = "pretension";
+    p.model.fidelity                    = "full";
+    p.contact.roller_tooth_stiffness    = 2e8;
+  });
   check([](Parameters &p) { p.loads.ramp_time = 40e-3; });
   check([](Parameters &p) { p.contact.bush_pin_friction = 0.2; });
 

@@ -62,7 +62,7 @@ public:
     position.resize(n, 0.);
     velocity.resize(n, 0.);
     force.resize(n, 0.);
-    energy.resize(3 * n_lanes, 0.);
+    energy.resize(9 * n_lanes, 0.); // and two sums of vectors
     for (int lane = 0; lane < n_lanes; ++lane)
       set(position, lane, [](const Point<3> &x, unsigned int) { return Tensor<1, 3>(x); });
   }
@@ -112,13 +112,24 @@ public:
     add_internal_forces();
     if (constrain)
       constrain(*this);
+    update(dt);
+  }
+
+  /// The second half of a step, once all forces are there.
+  void update(const double dt)
+  {
     kernels.update({reference.n_nodes(),
                     dt,
+                    dt,
+                    {0., 0., 0.},
+                    0.,
                     reference.mass.data(),
                     position.data(),
                     velocity.data(),
                     force.data(),
-                    energy.data() + 2 * n_lanes});
+                    energy.data() + 2 * n_lanes,
+                    energy.data() + 3 * n_lanes,
+                    energy.data() + 6 * n_lanes});
   }
 
   double strain_energy(const unsigned int lane) const { return energy[lane]; }

@@ -23,10 +23,7 @@ struct SearchStatistics
 class Contacts
 {
 public:
-  Contacts(const scene::Scene &scene, const World &world, bool search_every_step);
-
-  /// Largest eigenvalue [1/s2] that contacts of elastic nodes can add: see Family.
-  double largest_node_eigenvalue(const World &world) const;
+  Contacts(const scene::Scene &scene, World &world, bool search_every_step);
 
   /// Adds all contact forces; @p dt is the time since the last call [s], zero at the first one.
   void add_forces(World &world, double dt);
@@ -45,6 +42,9 @@ public:
 
   /// The family called @p name; null when the scene has none.
   const Family *find(const std::string &name) const;
+
+  /// Contacts of elastic nodes that the searches have missed: see Family.
+  unsigned long n_missed() const;
 
   const SearchStatistics &search_statistics() const { return statistics_; }
   std::size_t             memory_consumption() const;

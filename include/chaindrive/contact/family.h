@@ -45,6 +45,9 @@ public:
   /// squared frequencies of their bodies; 0 for rigid and lumped slaves, whose springs are above.
   virtual double largest_node_eigenvalue(const World &) const { return 0.; }
 
+  /// Nodes that a search found to overlap without having been looked at before; there must be none.
+  virtual unsigned long n_missed() const { return 0; }
+
   /// Whether this family needs search() at all.
   virtual bool needs_search() const = 0;
 

@@ -26,7 +26,7 @@ public:
   void   add_springs(const World &, std::vector<Spring> &) const override {}
   double largest_node_eigenvalue(const World &world) const override;
 
-  unsigned long n_missed() const { return n_missed_; }
+  unsigned long n_missed() const override { return n_missed_; }
 
 private:
   /// Lists the nodes within reach of each roller that is near.

@@ -20,6 +20,10 @@ namespace chaindrive::dynamics
 /// (Belytschko, Liu, Moran, Nonlinear Finite Elements, 6.2).
 double stable_step(const World &world, const std::vector<Spring> &springs);
 
+/// The largest stable step [s] of a mode of @p frequency [rad/s] whose damping, evaluated at the
+/// velocity of the half step before, is @p ratio times the critical one.
+double stable_step_of_mode(double frequency, double ratio);
+
 /// One voter's limit.
 struct StepVote
 {

@@ -48,9 +48,11 @@ public:
   /// Makes the row of the internal forces in @p timer; call it once, before the others.
   void add_phase(PhaseTimer &timer) { internal_force_ = timer.add("Internal force"); }
 
-  /// Position [m] at the present instant of @p node of @p copy of group @p g of World::copies.
+  /// Position, and displacement since the start [m], at the present instant.
   dealii::Tensor<1, 3>
-  position(const World &world, unsigned int g, unsigned int copy, unsigned int node) const;
+  position(const World &world, const World::Place &place, unsigned int node) const;
+  dealii::Tensor<1, 3>
+  displacement(const World &world, const World::Place &place, unsigned int node) const;
 
   /// Name and stable step [s] of each part alone, without contacts.
   struct Limit

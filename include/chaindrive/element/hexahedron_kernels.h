@@ -14,240 +14,328 @@ struct Symmetric
   P xx, yy, zz, xy, yz, zx;
 };
 
-/// Green's strain E = (F^T F - 1) / 2.
+/// Twice Green's strain, F^T F - 1.
 template <typename P>
-CHAINDRIVE_ALWAYS_INLINE Symmetric<P> green_strain(const P (&F)[3][3])
+CHAINDRIVE_ALWAYS_INLINE Symmetric<P> twice_green_strain(const P (&F)[3][3])
 {
-  const P half(0.5), one(1.);
-  return {half * (F[0][0] * F[0][0] + F[1][0] * F[1][0] + F[2][0] * F[2][0] - one),
-          half * (F[0][1] * F[0][1] + F[1][1] * F[1][1] + F[2][1] * F[2][1] - one),
-          half * (F[0][2] * F[0][2] + F[1][2] * F[1][2] + F[2][2] * F[2][2] - one),
-          half * (F[0][0] * F[0][1] + F[1][0] * F[1][1] + F[2][0] * F[2][1]),
-          half * (F[0][1] * F[0][2] + F[1][1] * F[1][2] + F[2][1] * F[2][2]),
-          half * (F[0][2] * F[0][0] + F[1][2] * F[1][0] + F[2][2] * F[2][0])};
+  const P one(1.);
+  return {F[0][0] * F[0][0] - one + F[1][0] * F[1][0] + F[2][0] * F[2][0],
+          F[0][1] * F[0][1] - one + F[1][1] * F[1][1] + F[2][1] * F[2][1],
+          F[0][2] * F[0][2] - one + F[1][2] * F[1][2] + F[2][2] * F[2][2],
+          F[0][0] * F[0][1] + F[1][0] * F[1][1] + F[2][0] * F[2][1],
+          F[0][1] * F[0][2] + F[1][1] * F[1][2] + F[2][1] * F[2][2],
+          F[0][2] * F[0][0] + F[1][2] * F[1][0] + F[2][2] * F[2][0]};
 }
 
-/// The second Piola-Kirchhoff stress S = lambda tr(E) 1 + 2 mu E of St. Venant and Kirchhoff; adds
-/// the energy S : E / 2 times @p volume to @p energy.
+/// Volume times the second Piola-Kirchhoff stress S = lambda tr(E) 1 + 2 mu E of St. Venant and
+/// Kirchhoff, from C = 2 E; adds the energy S : E / 2 times the volume, times 4, to @p energy.
 template <typename P>
 CHAINDRIVE_ALWAYS_INLINE Symmetric<P>
-stress(const Symmetric<P> &E, const P lambda, const P mu, const P volume, P &energy)
+stress(const Symmetric<P> &C, const double lambda, const double mu, const double volume, P &energy)
 {
-  const P            pressure = lambda * (E.xx + E.yy + E.zz), twice = mu + mu;
-  const Symmetric<P> S{pressure + twice * E.xx,
-                       pressure + twice * E.yy,
-                       pressure + twice * E.zz,
-                       twice * E.xy,
-                       twice * E.yz,
-                       twice * E.zx};
-  energy += volume * (P(0.5) * (S.xx * E.xx + S.yy * E.yy + S.zz * E.zz) + S.xy * E.xy +
-                      S.yz * E.yz + S.zx * E.zx);
+  const P            mu_V(mu * volume);
+  const P            pressure = P(0.5 * lambda * volume) * (C.xx + C.yy + C.zz);
+  const P            xy = mu_V * C.xy, yz = mu_V * C.yz, zx = mu_V * C.zx;
+  const Symmetric<P> S{
+      pressure + mu_V * C.xx, pressure + mu_V * C.yy, pressure + mu_V * C.zz, xy, yz, zx};
+  energy += S.xx * C.xx + S.yy * C.yy + S.zz * C.zz;
+  energy += (xy + xy) * C.xy + (yz + yz) * C.yz + (zx + zx) * C.zx;
   return S;
 }
 
-/// Row i of F S times @p factor.
+/// Row i of F S.
 template <typename P>
-CHAINDRIVE_ALWAYS_INLINE void
-times(const P (&F)[3], const Symmetric<P> &S, const P factor, P (&T)[3])
+CHAINDRIVE_ALWAYS_INLINE void times(const P (&F)[3], const Symmetric<P> &S, P (&T)[3])
 {
-  T[0] = factor * (F[0] * S.xx + F[1] * S.xy + F[2] * S.zx);
-  T[1] = factor * (F[0] * S.xy + F[1] * S.yy + F[2] * S.yz);
-  T[2] = factor * (F[0] * S.zx + F[1] * S.yz + F[2] * S.zz);
+  T[0] = F[0] * S.xx + F[1] * S.xy + F[2] * S.zx;
+  T[1] = F[0] * S.xy + F[1] * S.yy + F[2] * S.yz;
+  T[2] = F[0] * S.zx + F[1] * S.yz + F[2] * S.zz;
 }
 
-/// The four hourglass sums h_alpha . x of eight numbers.
+/// The amplitudes of the modes of eight numbers.
 template <typename P>
-CHAINDRIVE_ALWAYS_INLINE void hourglass_sums(const P (&x)[8], P (&q)[4])
+CHAINDRIVE_ALWAYS_INLINE void to_modes(const P (&x)[8], P (&mode)[n_modes])
 {
   // differences and sums along x, at y and z
   const P d0 = x[1] - x[0], d1 = x[3] - x[2], d2 = x[5] - x[4], d3 = x[7] - x[6];
   const P s0 = x[1] + x[0], s1 = x[3] + x[2], s2 = x[5] + x[4], s3 = x[7] + x[6];
-  const P low = d1 - d0, high = d3 - d2;
-  q[0] = high + low;
-  q[1] = (s3 - s2) - (s1 - s0);
-  q[2] = (d3 + d2) - (d1 + d0);
-  q[3] = high - low;
+  // then along y, at z
+  const P dd0 = d1 - d0, dd1 = d3 - d2, ds0 = d1 + d0, ds1 = d3 + d2;
+  const P sd0 = s1 - s0, sd1 = s3 - s2, ss0 = s1 + s0, ss1 = s3 + s2;
+  mode[mode_x]   = ds1 + ds0;
+  mode[mode_y]   = sd1 + sd0;
+  mode[mode_z]   = ss1 - ss0;
+  mode[mode_xy]  = dd1 + dd0;
+  mode[mode_yz]  = sd1 - sd0;
+  mode[mode_zx]  = ds1 - ds0;
+  mode[mode_xyz] = dd1 - dd0;
 }
 
-/// Subtracts sum_alpha h_alpha r_alpha from eight numbers, the transpose of hourglass_sums().
+/// Subtracts sum_m h_m r_m from eight numbers, the transpose of to_modes().
 template <typename P>
-CHAINDRIVE_ALWAYS_INLINE void subtract_hourglass(const P (&r)[4], P (&x)[8])
+CHAINDRIVE_ALWAYS_INLINE void subtract_modes(const P (&r)[n_modes], P (&x)[8])
 {
-  const P p = r[0] + r[2], m = r[0] - r[2];
-  const P d0 = r[3] - p, d1 = m - r[3], d2 = P(0.) - m - r[3], d3 = p + r[3];
-  x[0] -= r[1] - d0;
-  x[1] -= r[1] + d0;
-  x[2] += r[1] + d1;
-  x[3] += r[1] - d1;
-  x[4] += r[1] + d2;
-  x[5] += r[1] - d2;
-  x[6] -= r[1] - d3;
-  x[7] -= r[1] + d3;
+  // what differs along x and what does not, at z = -1 and 1
+  const P ds0 = r[mode_x] - r[mode_zx], ds1 = r[mode_x] + r[mode_zx];
+  const P dd0 = r[mode_xy] - r[mode_xyz], dd1 = r[mode_xy] + r[mode_xyz];
+  const P sd0 = r[mode_y] - r[mode_yz], sd1 = r[mode_y] + r[mode_yz];
+  // at y and z
+  const P d0 = ds0 - dd0, d1 = ds0 + dd0, d2 = ds1 - dd1, d3 = ds1 + dd1;
+  const P s0 = sd0 + r[mode_z], s1 = sd0 - r[mode_z], s2 = sd1 - r[mode_z], s3 = sd1 + r[mode_z];
+  x[0] += s0 + d0;
+  x[1] += s0 - d0;
+  x[2] -= s1 - d1;
+  x[3] -= s1 + d1;
+  x[4] += s2 + d2;
+  x[5] += s2 - d2;
+  x[6] -= s3 - d3;
+  x[7] -= s3 + d3;
 }
 
-/// Component @p i of the positions of an element's vertices.
-template <typename P, int width>
+/// The amplitudes of component @p i of an element's positions.
+template <typename P>
 CHAINDRIVE_ALWAYS_INLINE void
-gather(const unsigned int (&node)[8], const int i, const double *from, P (&x)[8])
+gather_modes(const Vertices &vertices, const int i, const double *from, P (&mode)[n_modes])
 {
+  P x[8];
   for (int a = 0; a < 8; ++a)
-    x[a] = P::load(from + (3 * node[a] + i) * n_lanes);
+    x[a] = P::load(from + (3 * vertices.node[a] + i) * n_lanes);
+  to_modes(x, mode);
+}
+
+/// Subtracts what has the amplitudes @p r from component @p i of the forces of an element.
+template <typename P>
+CHAINDRIVE_ALWAYS_INLINE void
+scatter_modes(const P (&r)[n_modes], const Vertices &vertices, const int i, double *to)
+{
+  P f[8];
+  for (int a = 0; a < 8; ++a)
+    f[a] = P::load(to + (3 * vertices.node[a] + i) * n_lanes);
+  subtract_modes(r, f);
+  for (int a = 0; a < 8; ++a)
+    f[a].store(to + (3 * vertices.node[a] + i) * n_lanes);
 }
 
 /// Elements with one point: the mean gradient, and a stiffness of the hourglass amplitudes.
-template <int width, Formulation formulation>
+template <int width, Formulation formulation, Shape shape>
 CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const int lane)
 {
-  using P            = Pack<double, width>;
-  P strain_energy    = P::load(arg.strain_energy + lane);
-  P hourglass_energy = P::load(arg.hourglass_energy + lane);
+  using P                    = Pack<double, width>;
+  constexpr Places gradient  = gradient_places(shape);
+  constexpr Places shift     = shift_places(shape);
+  constexpr Places stiffness = hourglass_places(shape);
+  P                strain_energy_4(0.), hourglass_energy_2(0.); // times four, times two
+  const double    *position = arg.position + lane;
+  double          *force    = arg.force + lane;
 
   for (unsigned int e = 0; e < arg.n_elements; ++e)
     {
-      const Hexahedron &element = arg.elements[e];
+      const double *const numbers = arg.numbers + e * n_numbers(shape, formulation);
+      const double *const G       = numbers + 1;
+      const double *const H       = G + gradient.size;
+      const double *const K       = H + shift.size;
 
-      P F[3][3], q[3][4]; // q: component, amplitude
+      P mode[3][n_modes]; // component, mode
       for (int i = 0; i < 3; ++i)
+        gather_modes(arg.vertices[e], i, position, mode[i]);
+
+      P F[3][3] = {};
+#pragma GCC unroll 78
+      for (int n = 0; n < gradient.size; ++n)
+        for (int i = 0; i < 3; ++i)
+          F[i][gradient.row[n]] += P(G[n]) * mode[i][gradient.column[n]];
+
+      P q[3][4]; // component, amplitude
+      for (int i = 0; i < 3; ++i)
+        for (int alpha = 0; alpha < 4; ++alpha)
+          q[i][alpha] = mode[i][mode_xy + alpha];
+#pragma GCC unroll 78
+      for (int n = 0; n < shift.size; ++n)
+        for (int i = 0; i < 3; ++i)
+          q[i][shift.row[n]] -= P(H[n]) * F[i][shift.column[n]];
+
+      P s[12] = {}; // enhanced: forces of the amplitudes in the element's axes
+      if constexpr (formulation == Formulation::enhanced)
         {
-          P x[8];
-          gather<P, width>(element.node, i, arg.position + lane, x);
-          hourglass_sums(x, q[i]);
-          for (int j = 0; j < 3; ++j)
+          // Amplitudes in the element's axes: F^T q is the same however the element has turned.
+          P pulled[12];
+#pragma GCC unroll 78
+          for (int n = 0; n < 12; ++n)
             {
-              F[i][j] = x[0] * P(element.gradient[j][0]);
-              for (int a = 1; a < 8; ++a)
-                F[i][j] += x[a] * P(element.gradient[j][a]);
-              for (int alpha = 0; alpha < 4; ++alpha)
-                q[i][alpha] -= F[i][j] * P(element.shift[alpha][j]);
+              const int alpha = amplitudes[n].alpha, k = amplitudes[n].k;
+              pulled[n] = F[0][k] * q[0][alpha] + F[1][k] * q[1][alpha] + F[2][k] * q[2][alpha];
             }
+#pragma GCC unroll 78
+          for (int n = 0; n < stiffness.size; ++n)
+            {
+              s[stiffness.row[n]] += P(K[n]) * pulled[stiffness.column[n]];
+              if (stiffness.row[n] != stiffness.column[n])
+                s[stiffness.column[n]] += P(K[n]) * pulled[stiffness.row[n]];
+            }
+          for (int n = 0; n < 12; ++n)
+            hourglass_energy_2 += s[n] * pulled[n];
         }
 
       const Symmetric<P> S =
-          stress(green_strain(F), P(arg.lambda), P(arg.mu), P(element.volume), strain_energy);
-      P T[3][3]; // V F S and what follows: the force on vertex a is -T B_a - h r
-      for (int i = 0; i < 3; ++i)
-        times(F[i], S, P(element.volume), T[i]);
-
-      P r[3][4]; // force of the amplitudes
-      if constexpr (formulation == Formulation::enhanced)
-        {
-          // Amplitudes in the part's axes: F^T q is the same however the element has turned.
-          P pulled[12], s[12];
-          for (int alpha = 0; alpha < 4; ++alpha)
-            for (int k = 0; k < 3; ++k)
-              pulled[3 * alpha + k] =
-                  F[0][k] * q[0][alpha] + F[1][k] * q[1][alpha] + F[2][k] * q[2][alpha];
-          const HourglassStiffness &K = arg.hourglass[e];
-          P                         twice_energy(0.);
-          for (int m = 0; m < 12; ++m)
-            {
-              s[m] = P(K.k[m][0]) * pulled[0];
-              for (int n = 1; n < 12; ++n)
-                s[m] += P(K.k[m][n]) * pulled[n];
-              twice_energy += s[m] * pulled[m];
-            }
-          hourglass_energy += P(0.5) * twice_energy;
-          for (int i = 0; i < 3; ++i)
-            for (int alpha = 0; alpha < 4; ++alpha)
-              {
-                r[i][alpha] = F[i][0] * s[3 * alpha] + F[i][1] * s[3 * alpha + 1] +
-                              F[i][2] * s[3 * alpha + 2];
-                for (int k = 0; k < 3; ++k)
-                  T[i][k] += q[i][alpha] * s[3 * alpha + k];
-              }
-        }
-      else
-        {
-          const P k(arg.hourglass_stiffness[e]);
-          P       twice_energy(0.);
-          for (int i = 0; i < 3; ++i)
-            for (int alpha = 0; alpha < 4; ++alpha)
-              {
-                r[i][alpha] = k * q[i][alpha];
-                twice_energy += r[i][alpha] * q[i][alpha];
-              }
-          hourglass_energy += P(0.5) * twice_energy;
-        }
+          stress(twice_green_strain(F), arg.lambda, arg.mu, numbers[0], strain_energy_4);
 
       for (int i = 0; i < 3; ++i)
         {
-          for (int j = 0; j < 3; ++j)
-            for (int alpha = 0; alpha < 4; ++alpha)
-              T[i][j] -= r[i][alpha] * P(element.shift[alpha][j]);
-          P f[8];
-          gather<P, width>(element.node, i, arg.force + lane, f);
-          subtract_hourglass(r[i], f);
-          for (int a = 0; a < 8; ++a)
+          // dW/dF and dW/dq
+          P T[3];
+          times(F[i], S, T);
+          P r[n_modes] = {};
+          if constexpr (formulation == Formulation::enhanced)
             {
-              f[a] -= T[i][0] * P(element.gradient[0][a]) + T[i][1] * P(element.gradient[1][a]) +
-                      T[i][2] * P(element.gradient[2][a]);
-              f[a].store(arg.force + (3 * element.node[a] + i) * n_lanes + lane);
+#pragma GCC unroll 78
+              for (int n = 0; n < 12; ++n)
+                {
+                  r[mode_xy + amplitudes[n].alpha] += F[i][amplitudes[n].k] * s[n];
+                  T[amplitudes[n].k] += q[i][amplitudes[n].alpha] * s[n];
+                }
             }
+          else
+            for (int alpha = 0; alpha < 4; ++alpha)
+              {
+                r[mode_xy + alpha] = P(K[0]) * q[i][alpha];
+                hourglass_energy_2 += r[mode_xy + alpha] * q[i][alpha];
+              }
+
+              // the transposes of q and of F
+#pragma GCC unroll 78
+          for (int n = 0; n < shift.size; ++n)
+            T[shift.column[n]] -= P(H[n]) * r[mode_xy + shift.row[n]];
+#pragma GCC unroll 78
+          for (int n = 0; n < gradient.size; ++n)
+            r[gradient.column[n]] += P(G[n]) * T[gradient.row[n]];
+          scatter_modes(r, arg.vertices[e], i, force);
         }
     }
-  strain_energy.store(arg.strain_energy + lane);
-  hourglass_energy.store(arg.hourglass_energy + lane);
+  (P::load(arg.strain_energy + lane) + P(0.25) * strain_energy_4).store(arg.strain_energy + lane);
+  (P::load(arg.hourglass_energy + lane) + P(0.5) * hourglass_energy_2)
+      .store(arg.hourglass_energy + lane);
 }
 
-/// Elements with 2 x 2 x 2 points.
-template <int width>
+/// Elements with 2 x 2 x 2 points, at xi_d = -g or g. The derivative along an axis d of the unit
+/// cell is the same at both points of a line along d, so that there are four of it: with the
+/// coordinates of the line along the two axes after d, in a cycle, as the bits of its number.
+constexpr int line_through(const int point, const int d)
+{
+  return (point >> (d + 1) % 3 & 1) | (point >> (d + 2) % 3 & 1) << 1;
+}
+
+template <int width, Shape shape>
 CHAINDRIVE_ALWAYS_INLINE void add_full_forces(const ForceArguments &arg, const int lane)
 {
-  using P         = Pack<double, width>;
-  P strain_energy = P::load(arg.strain_energy + lane);
+  using P                   = Pack<double, width>;
+  constexpr Places jacobian = jacobian_places(shape);
+  constexpr int    n_points = shape == Shape::general ? 8 : 4; // with numbers of their own
+  const P          g(0.57735026918962576451), g_squared(1. / 3.);
+  P                strain_energy_4(0.); // times four
+  const double    *position = arg.position + lane;
+  double          *force    = arg.force + lane;
 
   for (unsigned int e = 0; e < arg.n_elements; ++e)
     {
-      const Hexahedron &element = arg.elements[e];
-      P                 x[3][8], f[3][8];
+      const double *const numbers = arg.numbers + e * n_numbers(shape, Formulation::full);
+
+      P derivative[3][3][4], sum[3][3][4]; // component, axis, line
       for (int i = 0; i < 3; ++i)
         {
-          gather<P, width>(element.node, i, arg.position + lane, x[i]);
-          gather<P, width>(element.node, i, arg.force + lane, f[i]);
+          P mode[n_modes];
+          gather_modes(arg.vertices[e], i, position, mode);
+          const P product = g_squared * mode[mode_xyz];
+          for (int d = 0; d < 3; ++d)
+            {
+              // s_d s_d1 and s_d s_d2
+              const P first = g * mode[mode_xy + d], second = g * mode[mode_xy + (d + 2) % 3];
+              const P low = mode[d] - second, high = mode[d] + second;
+              derivative[i][d][0] = low - (first - product);
+              derivative[i][d][1] = low + (first - product);
+              derivative[i][d][2] = high - (first + product);
+              derivative[i][d][3] = high + (first + product);
+              for (int line = 0; line < 4; ++line)
+                sum[i][d][line] = P(0.);
+            }
         }
-#pragma GCC unroll 1
+
+#pragma GCC unroll 8
       for (int point = 0; point < 8; ++point)
         {
-          const double(&gradient)[3][8] = arg.points[e].gradient[point];
-          const P volume(arg.points[e].volume[point]);
-          P       F[3][3];
-          for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j)
+          const double *const volume  = numbers + point % n_points * (1 + jacobian.size);
+          const double *const inverse = volume + 1;
+
+          P F[3][3] = {};
+#pragma GCC unroll 78
+          for (int n = 0; n < jacobian.size; ++n)
+            for (int i = 0; i < 3; ++i)
               {
-                F[i][j] = x[i][0] * P(gradient[j][0]);
-                for (int a = 1; a < 8; ++a)
-                  F[i][j] += x[i][a] * P(gradient[j][a]);
+                const int d = jacobian.row[n];
+                F[i][jacobian.column[n]] +=
+                    P(inverse[n]) * derivative[i][d][line_through(point, d)];
               }
           const Symmetric<P> S =
-              stress(green_strain(F), P(arg.lambda), P(arg.mu), volume, strain_energy);
+              stress(twice_green_strain(F), arg.lambda, arg.mu, *volume, strain_energy_4);
           for (int i = 0; i < 3; ++i)
             {
               P T[3];
-              times(F[i], S, volume, T);
-              for (int a = 0; a < 8; ++a)
-                f[i][a] -=
-                    T[0] * P(gradient[0][a]) + T[1] * P(gradient[1][a]) + T[2] * P(gradient[2][a]);
+              times(F[i], S, T);
+#pragma GCC unroll 78
+              for (int n = 0; n < jacobian.size; ++n)
+                {
+                  const int d = jacobian.row[n];
+                  sum[i][d][line_through(point, d)] += P(inverse[n]) * T[jacobian.column[n]];
+                }
             }
         }
-      for (int i = 0; i < 3; ++i)
-        for (int a = 0; a < 8; ++a)
-          f[i][a].store(arg.force + (3 * element.node[a] + i) * n_lanes + lane);
-    }
-  strain_energy.store(arg.strain_energy + lane);
-}
 
-template <int width, Formulation formulation>
-CHAINDRIVE_ALWAYS_INLINE void add_internal_forces(const ForceArguments &arg)
+      for (int i = 0; i < 3; ++i)
+        {
+          P r[n_modes] = {};
+          for (int d = 0; d < 3; ++d)
+            {
+              const P(&line)[4] = sum[i][d];
+              const P low = line[1] - line[0], high = line[3] - line[2];
+              const P second = line[2] + line[3], none = line[0] + line[1];
+              r[d] = none + second;
+              r[mode_xy + d] += low + high;
+              r[mode_xy + (d + 2) % 3] += second - none;
+              r[mode_xyz] += high - low;
+            }
+          for (int m = mode_xy; m < mode_xyz; ++m)
+            r[m] = g * r[m];
+          r[mode_xyz] = g_squared * r[mode_xyz];
+          scatter_modes(r, arg.vertices[e], i, force);
+        }
+    }
+  (P::load(arg.strain_energy + lane) + P(0.25) * strain_energy_4).store(arg.strain_energy + lane);
+}
+template <int width, Formulation formulation, Shape shape>
+CHAINDRIVE_ALWAYS_INLINE void add_forces(const ForceArguments &arg)
 {
   for (int lane = 0; lane < n_lanes; lane += width)
     if constexpr (formulation == Formulation::full)
-      add_full_forces<width>(arg, lane);
+      add_full_forces<width, shape>(arg, lane);
     else
-      add_mean_forces<width, formulation>(arg, lane);
+      add_mean_forces<width, formulation, shape>(arg, lane);
+}
+
+template <int width, Formulation formulation>
+void add_internal_forces(const ForceArguments &arg)
+{
+  switch (arg.shape)
+    {
+    case Shape::general:
+      return add_forces<width, formulation, Shape::general>(arg);
+    case Shape::prism:
+      return add_forces<width, formulation, Shape::prism>(arg);
+    case Shape::symmetric_prism:
+      return add_forces<width, formulation, Shape::symmetric_prism>(arg);
+    }
 }
 
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE void update(const UpdateArguments &arg)
+void update(const UpdateArguments &arg)
 {
   using P = Pack<double, width>;
   const P half(0.5), drag(arg.kick * arg.drag);
@@ -286,5 +374,16 @@ CHAINDRIVE_ALWAYS_INLINE void update(const UpdateArguments &arg)
           momentum[i].store(arg.momentum + i * n_lanes + lane);
         }
     }
+}
+
+template <int width>
+constexpr Kernels make_kernels(const char *name)
+{
+  return {name,
+          width,
+          {add_internal_forces<width, Formulation::one_point>,
+           add_internal_forces<width, Formulation::enhanced>,
+           add_internal_forces<width, Formulation::full>},
+          update<width>};
 }
 } // namespace chaindrive::element::bodies

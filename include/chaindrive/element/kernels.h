@@ -4,7 +4,7 @@
 // Plain structures and plain pointers only: the kernels are compiled for several instruction sets
 // (see utilities/pack.h).
 
-#include <chaindrive/utilities/pack.h>
+#include <chaindrive/element/shapes.h>
 
 namespace chaindrive::element
 {
@@ -16,46 +16,42 @@ enum class Formulation
   full       ///< 2 x 2 x 2 points of Gauss' rule
 };
 
-/// What all copies of one element share. Vertices are in deal.II's order; with the coordinates
-/// s_d = -1 or 1 of a vertex its four hourglass vectors are h = s_x s_y, s_y s_z, s_z s_x, s_x s_y
-/// s_z.
-struct Hexahedron
+/// The vertices of an element in deal.II's order.
+struct Vertices
 {
   unsigned int node[8];
-  double       volume;         ///< V, m3
-  double       gradient[3][8]; ///< B: mean of dN_a / dX_j over the volume, 1/m
-  double       shift[4][3]; ///< h_alpha . X_j: the part of the hourglass vectors that is linear, m
 };
 
-/// Stiffness of the hourglass amplitudes q_alpha,k = gamma_alpha . u_k, with
-/// gamma_alpha = h_alpha - B_j (h_alpha . X_j); row and column 3 alpha + k; N/m.
-struct HourglassStiffness
+/// What the kernels read of an element besides its vertices, one number after the other:
+/// - with one point: the volume V [m3]; the mean gradient G [1/m] in terms of the modes (see
+///   shapes.h), row by row; the linear part h_alpha . X_j [m] of the hourglass vectors, row by row;
+///   then the stiffness [N/m] of the hourglass amplitudes q_alpha,k = gamma_alpha . u_k with
+///   gamma_alpha = h_alpha - B_j (h_alpha . X_j): one number for all (Formulation::one_point), or
+///   the lower triangle of each block of the matrix, row by row (Formulation::enhanced);
+/// - with eight: at each of them the volume and the inverse of the Jacobian dX / dxi, row by row.
+/// Only those that do not vanish for the shape.
+constexpr int n_numbers(const Shape shape, const Formulation formulation)
 {
-  double k[12][12];
-};
-
-/// Gradients [1/m] and volumes [m3] at the points of Gauss' rule.
-struct PointGradients
-{
-  double gradient[8][3][8]; ///< point, direction, vertex
-  double volume[8];
-};
+  if (formulation == Formulation::full)
+    return (shape == Shape::general ? 8 : 4) * (1 + jacobian_places(shape).size);
+  return 1 + gradient_places(shape).size + shift_places(shape).size +
+         (formulation == Formulation::one_point ? 1 : hourglass_places(shape).size);
+}
 
 /// One batch: n_lanes copies of a part, side by side in memory as [node][component][lane].
 /// Positions instead of displacements: wherever a copy was placed and turned at the start, their
 /// gradients are its deformation gradient times that turn, which Green's strain does not see.
 struct ForceArguments
 {
-  unsigned int              n_elements;
-  const Hexahedron         *elements;
-  const HourglassStiffness *hourglass;           ///< formulation enhanced
-  const double             *hourglass_stiffness; ///< formulation one_point: of every amplitude, N/m
-  const PointGradients     *points;              ///< formulation full
-  double                    lambda, mu;          ///< Lamé's constants, Pa
-  const double             *position;            ///< world axes, m
-  double                   *force;               ///< to which the internal forces are added, N
-  double                   *strain_energy;       ///< [lane], to which is added, J
-  double                   *hourglass_energy;    ///< [lane], to which is added, J
+  unsigned int    n_elements;
+  Shape           shape;            ///< of all elements
+  const Vertices *vertices;         ///< per element
+  const double   *numbers;          ///< n_numbers() per element
+  double          lambda, mu;       ///< Lamé's constants, Pa
+  const double   *position;         ///< world axes, m
+  double         *force;            ///< to which the internal forces are added, N
+  double         *strain_energy;    ///< [lane], to which is added, J
+  double         *hourglass_energy; ///< [lane], to which is added, J
 };
 
 /// One step of a batch: v += kick (f / m + g - drag v), then x += drift v. Forces are set to zero.
@@ -88,7 +84,6 @@ struct Kernels
 /// Kernels of @p width 1, 2, 4 or 8 numbers; null where this machine has none.
 const Kernels *kernels(int width);
 
-/// The widest kernels that this machine has, or those of the width that the environment variable
-/// CHAINDRIVE_SIMD_WIDTH asks for. Throws InputError if it has none of that width.
+/// The kernels of the width of simd_width().
 const Kernels &best_kernels();
 } // namespace chaindrive::element

@@ -15,25 +15,36 @@ namespace chaindrive::element
 /// What the kernels need of a part, made once for all its copies: gradients, volumes and hourglass
 /// stiffnesses of its elastic elements, lumped masses and positions of their nodes. A sprocket's
 /// rigid zone is left out; nodes on its border are there.
+///
+/// Where all elements are prisms, as in every part swept along an axis, or even symmetric ones,
+/// much of this vanishes. Each element has axes of its own for that, and its vertices may be
+/// renumbered by a rotation: neither Green's strain nor an isotropic law sees in which axes the
+/// gradients are.
 class Reference
 {
 public:
   /// @p nodes are those of @p part; @p hourglass_coefficient is that of Flanagan and Belytschko,
-  /// used by Formulation::one_point.
+  /// used by Formulation::one_point. No shape beyond @p most_regular is looked for.
   Reference(const mesh::Part           &part,
             const mesh::Nodes          &nodes,
             const parameters::Material &material,
             Formulation                 formulation,
-            double                      hourglass_coefficient = 0.1);
+            double                      hourglass_coefficient = 0.1,
+            Shape                       most_regular          = Shape::symmetric_prism);
 
   /// The same with the nodes made for the occasion.
-  Reference(const mesh::Part &part, const parameters::Material &material, Formulation formulation)
-      : Reference(part, mesh::Nodes(part), material, formulation)
+  Reference(const mesh::Part           &part,
+            const parameters::Material &material,
+            Formulation                 formulation,
+            double                      hourglass_coefficient = 0.1,
+            Shape                       most_regular          = Shape::symmetric_prism)
+      : Reference(
+            part, mesh::Nodes(part), material, formulation, hourglass_coefficient, most_regular)
   {
   }
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(mass.size()); }
-  unsigned int n_elements() const { return static_cast<unsigned int>(elements.size()); }
+  unsigned int n_elements() const { return static_cast<unsigned int>(vertices.size()); }
 
   /// Arguments of the force kernel but for the state.
   ForceArguments arguments() const;
@@ -41,22 +52,22 @@ public:
   /// The stiffness matrix of small displacements, row 3 node + component, N/m.
   void assemble(dealii::SparsityPattern &pattern, dealii::SparseMatrix<double> &matrix) const;
 
-  /// Stiffness matrix of element @p e, row 3 a + i for component i of vertex a, N/m.
+  /// Stiffness matrix of element @p e, row 3 a + i for component i of vertex a of Vertices, N/m.
   dealii::FullMatrix<double> element_stiffness(unsigned int e) const;
 
   /// Largest natural frequency [rad/s] of the free part at small amplitudes: the largest Ritz value
-  /// of up to 400 conjugate gradient steps, less than one in a thousand too small.
+  /// of 400 steps of Lanczos' method, less than one in a thousand too small.
   double largest_frequency() const;
 
   std::size_t memory_consumption() const;
 
-  Formulation                     formulation;
-  double                          lambda, mu; ///< Lamé's constants, Pa
-  std::vector<Hexahedron>         elements;
-  std::vector<HourglassStiffness> hourglass;
-  std::vector<double>             hourglass_stiffness;
-  std::vector<PointGradients>     points;
-  std::vector<double>             mass;     ///< per node, kg
-  std::vector<dealii::Point<3>>   position; ///< per node, in the part's frame, m
+  Formulation                       formulation;
+  Shape                             shape;      ///< of every element
+  double                            lambda, mu; ///< Lamé's constants, Pa
+  std::vector<Vertices>             vertices;
+  std::vector<double>               numbers;  ///< n_numbers() per element
+  std::vector<dealii::Tensor<2, 3>> axes;     ///< of each element: the rows are its unit vectors
+  std::vector<double>               mass;     ///< per node, kg
+  std::vector<dealii::Point<3>>     position; ///< per node, in the part's frame, m
 };
 } // namespace chaindrive::element

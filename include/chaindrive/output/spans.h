@@ -32,9 +32,9 @@ private:
   void joint_forces(const dynamics::System &system);
 
   const scene::Scene               &scene_;
-  const contact::Bores             *joints_ = nullptr; ///< bush-pin, layered only
-  std::vector<unsigned int>         links_;            ///< body of each link, layered only
-  std::vector<dealii::Tensor<1, 3>> pin_force_;        ///< on the pin of each joint, N
+  const contact::Family            *joints_ = nullptr; ///< bush-pin; none in simple fidelity
+  std::vector<unsigned int>         links_;     ///< body of each link; none in simple fidelity
+  std::vector<dealii::Tensor<1, 3>> pin_force_; ///< on the pin of each joint, N
   std::vector<double>               tension_;
 };
 } // namespace chaindrive::output

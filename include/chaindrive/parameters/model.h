@@ -11,7 +11,7 @@ namespace chaindrive::parameters
 /// Section `Model`: which bodies there are, how they move, what they weigh and how stiff they are.
 struct Model
 {
-  std::string           fidelity = "simple"; ///< simple | layered
+  std::string           fidelity = "simple"; ///< simple | layered | full
   std::optional<double> mass_per_pitch;      ///< kg, of the whole chain per pitch
   std::optional<double> stiffness_per_pitch; ///< N/m, of the chain in a pull test, per pitch
   std::optional<double> driven_inertia;      ///< kg m2, of all that turns with the driven hub
@@ -34,11 +34,15 @@ struct Material
   void declare(dealii::ParameterHandler &prm);
 };
 
-/// How elastic bodies are computed.
+/// Section `Elements`: how elastic bodies are computed.
 struct Elasticity
 {
   std::string formulation           = "enhanced"; ///< one point | enhanced | full
   double      hourglass_coefficient = 0.1;        ///< of one point, after Flanagan and Belytschko
+
+  /// Declares an entry for each member, which takes every value that is set. The object must
+  /// outlive @p prm.
+  void declare(dealii::ParameterHandler &prm);
 };
 
 /// Section `Mesh`: of the parts' reference meshes.

@@ -20,11 +20,37 @@ void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, S
 /// joint contact act in series in the bush-pin interface.
 void add_layered_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
 
+/// The full model: the same bodies made of elastic finite elements, whose nodes touch.
+void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
+
+/// Rollers, inner and outer links of a chain with clearances, moving as @p motion says.
+void add_chain_bodies(const Parameters   &parameters,
+                      const drive::Drive &drive,
+                      Motion              motion,
+                      Scene              &scene);
+
+/// At joint k meet the inner link whose bush it is and the outer link whose pin it is.
+struct Joint
+{
+  unsigned int inner, outer;  ///< bodies
+  double       bush_x, pin_x; ///< of the bush's and the pin's axis in their links' frames, m
+};
+
+/// Joint @p k of a chain of @p n whose bodies are those of add_chain_bodies().
+Joint joint_of(unsigned int k, const drive::Drive &drive, unsigned int n);
+
 /// Both sprockets and the interfaces of the rollers, which must be there, with their teeth.
 void add_sprockets(const Parameters               &parameters,
                    const drive::Drive             &drive,
                    const std::vector<std::string> &folders,
                    Scene                          &scene);
+
+/// The law per area of a contact of elastic bodies whose elements below the surface are
+/// @p thickness [m] thick: stiffness from Contact/Penalty factor, the rest as make_law() does.
+Law make_area_law(const Parameters          &parameters,
+                  const std::vector<Effect> &effects,
+                  double                     thickness,
+                  std::optional<double>      friction);
 
 /// Meshes of parts at the refinement of section Mesh.
 std::shared_ptr<const mesh::Part> make_roller_part(const Parameters &, const drive::Drive &);

@@ -58,14 +58,17 @@ struct BorePair
   dealii::Point<3> axis;   ///< a point of the bore's axis in the master's frame, m
   double           radius; ///< of the bore, m
   SlavePoint       slave;
+
+  unsigned int master_surface = 0, slave_surface = 0; ///< of elastic bodies: sides of their meshes
 };
 
 /// All bores of one kind in the scene: roller-bush or bush-pin.
 struct BoreFamily
 {
   std::string           name;
-  Law                   law;
+  Law                   law; ///< of elastic bodies, whose nodes touch: per m2
   std::vector<BorePair> pairs;
+  bool                  elastic = false; ///< both sides of every pair are elastic bodies
 };
 
 /// The flanks of one sprocket and every roller that could ever meet them.

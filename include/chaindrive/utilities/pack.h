@@ -81,5 +81,83 @@ struct Pack
     a.v *= b.v;
     return a;
   }
+  friend CHAINDRIVE_ALWAYS_INLINE Pack operator/(Pack a, const Pack &b)
+  {
+    a.v /= b.v;
+    return a;
+  }
+
+  /// The number in place @p i.
+  CHAINDRIVE_ALWAYS_INLINE Number operator[](const int i) const
+  {
+    if constexpr (width == 1)
+      return v;
+    else
+      return v[i];
+  }
+
+  /// In each place, @p a where @p x < @p y and @p b elsewhere.
+  friend CHAINDRIVE_ALWAYS_INLINE Pack if_less(const Pack &x,
+                                               const Pack &y,
+                                               const Pack &a,
+                                               const Pack &b)
+  {
+    Pack r;
+    r.v = x.v < y.v ? a.v : b.v;
+    return r;
+  }
+  friend CHAINDRIVE_ALWAYS_INLINE Pack least(const Pack &a, const Pack &b)
+  {
+    return if_less(a, b, a, b);
+  }
+  friend CHAINDRIVE_ALWAYS_INLINE Pack greatest(const Pack &a, const Pack &b)
+  {
+    return if_less(b, a, a, b);
+  }
+  friend CHAINDRIVE_ALWAYS_INLINE Pack square_root(Pack a)
+  {
+    if constexpr (width == 1)
+      a.v = __builtin_sqrt(a.v);
+    else
+      for (int i = 0; i < width; ++i)
+        a.v[i] = __builtin_sqrt(a.v[i]);
+    return a;
+  }
+
+  /// Whether @p x < @p y in any place.
+  friend CHAINDRIVE_ALWAYS_INLINE bool any_less(const Pack &x, const Pack &y)
+  {
+    bool any = false;
+    for (int i = 0; i < width; ++i)
+      any |= x[i] < y[i];
+    return any;
+  }
 };
+
+/// Numbers from as many places in memory as the pack has: @p offset numbers after each of @p from.
+template <typename Number, int width>
+CHAINDRIVE_ALWAYS_INLINE Pack<Number, width> gather(const Number *const (&from)[width],
+                                                    const unsigned int offset)
+{
+  static_assert(width == 1 || width == 2 || width == 4 || width == 8, "no such pack");
+  const unsigned int  o = offset;
+  Pack<Number, width> r;
+  // written out, so that the numbers go straight into a register
+  if constexpr (width == 1)
+    r.v = from[0][o];
+  else if constexpr (width == 2)
+    r.v = typename Pack<Number, width>::Vector{from[0][o], from[1][o]};
+  else if constexpr (width == 4)
+    r.v = typename Pack<Number, width>::Vector{from[0][o], from[1][o], from[2][o], from[3][o]};
+  else
+    r.v = typename Pack<Number, width>::Vector{from[0][o],
+                                               from[1][o],
+                                               from[2][o],
+                                               from[3][o],
+                                               from[4][o],
+                                               from[5][o],
+                                               from[6][o],
+                                               from[7][o]};
+  return r;
+}
 } // namespace chaindrive

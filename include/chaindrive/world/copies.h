@@ -53,6 +53,8 @@ public:
   std::vector<unsigned int>         bodies; ///< per copy
   double                            mass;   ///< of one copy: sum of its nodes', kg
 
+  std::vector<Frame> start; ///< per copy, its placement at the start
+
   Vector position; ///< world axes, m
   Vector velocity; ///< m/s; see element::Elastic for the instant
   Vector force;    ///< of contacts, N

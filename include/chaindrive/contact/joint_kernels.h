@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+// Plain structures and plain pointers only: the kernels are compiled for several instruction sets
+// (see utilities/pack.h).
+
+#include <chaindrive/utilities/pack.h>
+
+namespace chaindrive::contact
+{
+/// Penalty and friction law of two surfaces, per area; see law.h for the formulas.
+struct SurfaceLaw
+{
+  double stiffness;            ///< N/m3, normal penalty
+  double damping;              ///< N s/m3, acts while the surfaces overlap
+  double friction;             ///< Coulomb's coefficient
+  double tangential_stiffness; ///< N/m3, of the sticking contact
+  double tangential_damping;   ///< N s/m3, of the sticking contact
+};
+
+/// What the two sides of all joints of one kind have in common. The bore is the master, the
+/// cylinder inside it the slave; the columns of both run round the same way, their stations the
+/// same way along the axes.
+struct JointShape
+{
+  unsigned int  master_columns, master_stations;
+  unsigned int  axis_stride; ///< the bore's axis is that of every so-many-th master column
+  unsigned int  slave_columns, slave_stations;
+  double        master_radius; ///< undeformed, m
+  double        chord_factor;  ///< 4 sin^2(pi / master_columns)
+  const double *area;          ///< per slave station, of each node there, m2
+  const double *cover; ///< 1/m; per slave station, one over half of the length it stands for
+};
+
+/// What a slave node remembers from step to step: contact::TouchState in numbers. Its overlap is
+/// the mean of that of the surface about it. The tangents are those round the bore,
+/// counter-clockwise, and along it.
+enum TouchEntry : unsigned int
+{
+  touch_overlap,           ///< m
+  touch_normal,            ///< N
+  touch_slip_around,       ///< m
+  touch_slip_along,        ///< m
+  touch_tangential_around, ///< N
+  touch_tangential_along,  ///< N
+  n_touch_entries
+};
+
+/// The slave columns that a lane visits: @p count of them from @p first on, round and round.
+struct JointWindow
+{
+  unsigned int first[n_lanes];
+  unsigned int count[n_lanes]; ///< all columns: no beginning and no end; 0: none
+  unsigned int
+      cell[n_lanes]; ///< master column where the search begins at the first of them; kept fresh
+};
+
+/// What the force kernel finds, per lane.
+struct JointSums
+{
+  // of the last call
+  double       stored[n_lanes];      ///< energy of the penalty springs, normal and tangential, J
+  double       force[3][n_lanes];    ///< resultant on the slave, world axes, N
+  double       penetration[n_lanes]; ///< largest overlap, m
+  unsigned int touching[n_lanes];    ///< nodes with a force
+  // added up, or the largest, until the caller clears them
+  double damping_loss[n_lanes];  ///< J
+  double friction_loss[n_lanes]; ///< J
+  double peak[n_lanes];          ///< of the resultant, N
+};
+
+/// Up to n_lanes joints of one kind. Each lane has its own two bodies: base pointers lead to the
+/// body's lane inside its batch, so that the number at base[offset + i n_lanes] is component i of
+/// the node with that offset, 3 n_lanes times its number. A lane without a joint has null pointers.
+struct JointArguments
+{
+  const JointShape   *shape;
+  const unsigned int *master_node[n_lanes]; ///< offsets [station][column]
+  const unsigned int *slave_node[n_lanes];
+  const double       *master_position[n_lanes]; ///< world axes, m
+  const double       *slave_position[n_lanes];
+  const double       *master_velocity[n_lanes]; ///< half a step behind the positions, m/s
+  const double       *slave_velocity[n_lanes];
+  double             *master_force[n_lanes]; ///< to which contact forces are added, N
+  double             *slave_force[n_lanes];
+  SurfaceLaw          law;
+  double              dt;      ///< since the last call, s; 0 at the first one
+  double             *state;   ///< [slave node][TouchEntry][lane], zero at the start
+  unsigned int       *station; ///< [slave station][lane], master station that it met last
+  unsigned int       *cell;    ///< [slave column][lane], master column that it met last
+  JointWindow        *window;
+  JointSums          *sums;
+};
+
+/// The gaps of all slave nodes, for the search. Arrays of numbers are aligned to 64 bytes.
+struct GapArguments
+{
+  double *gap;              ///< [slave node][lane], m; beyond the bore's ends, that to its end
+  double *covered;          ///< [slave node][lane], from 0 beyond the bore's ends to 1 inside
+  double  closing[n_lanes]; ///< greatest rate at which a gap becomes smaller, m/s; 0 if none does
+};
+
+/// The kernels of one instruction set.
+struct JointKernels
+{
+  int width; ///< numbers that the machine computes at a time
+  /// Contact forces on both sides of each lane, for the slave nodes of its window.
+  void (*add_forces)(const JointArguments &);
+  /// Geometry alone, for all slave nodes of each lane, whatever the window.
+  void (*measure)(const JointArguments &, GapArguments &);
+};
+
+/// Kernels of @p width 1, 2, 4 or 8 numbers; null where this machine has none, as with
+/// element::kernels().
+const JointKernels *joint_kernels(int width);
+} // namespace chaindrive::contact

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/contact/joint_kernels.h>
+#include <chaindrive/mesh/cylinder_grid.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace chaindrive::contact
+{
+/// Tables of the joints of one kind, such as all roller bores on bushes: JointShape and its arrays.
+class JointTables
+{
+public:
+  /// @p master is the bore's side, @p slave that of the cylinder inside it. Throws InputError if
+  /// the columns of either are not equally far apart.
+  JointTables(const mesh::CylinderGrid &master, const mesh::CylinderGrid &slave);
+
+  JointShape   shape() const;
+  unsigned int n_slave_nodes() const { return shape_.slave_columns * shape_.slave_stations; }
+
+private:
+  JointShape          shape_;
+  std::vector<double> area_, cover_;
+};
+
+/// Offsets [station][column] of the nodes of a side in the state of a batch of bodies, for
+/// JointArguments. @p vertex_of_node is element::Reference::vertex. Throws std::logic_error if a
+/// vertex of the side is no node.
+std::vector<unsigned int> node_offsets(const mesh::CylinderGrid        &grid,
+                                       const std::vector<unsigned int> &vertex_of_node);
+
+/// One body's share in a joint: pointers to its lane inside its batch, and node_offsets() of its
+/// side. All must outlive the joint.
+struct JointBody
+{
+  const unsigned int *node     = nullptr;
+  const double       *position = nullptr;
+  const double       *velocity = nullptr;
+  double             *force    = nullptr;
+};
+
+/// Up to n_lanes joints of one kind: search -> geometry -> law for the nodes of their sides.
+///
+/// The search lists per joint the slave columns that have come closer to the bore than a reach. It
+/// holds until a gap may have become smaller by that reach. The rate at which gaps close is
+/// measured at the search; it is taken to be less than twice that, plus a speed that the caller
+/// states for what bodies do meanwhile (vibration, and impacts that turn them round).
+class JointBatch
+{
+public:
+  /// @p tables must outlive the batch. @p kernels are those of joint_kernels().
+  JointBatch(const JointTables &tables, const SurfaceLaw &law, const JointKernels &kernels);
+
+  void set_joint(int lane, const JointBody &master, const JointBody &slave);
+
+  /// Makes the windows anew. @p reach [m], not negative: with 0 the search is due at every step.
+  /// @p unforeseen [m/s], positive.
+  void search(double reach, double unforeseen);
+
+  /// Whether search() must come before the next add_forces() with @p dt [s].
+  bool search_due(double dt) const { return !(dt <= holds_for_); }
+
+  /// Adds the contact forces to both sides of each joint. @p dt is the time since the last call
+  /// [s], 0 at the first one.
+  void add_forces(double dt);
+
+  /// Gaps of all slave nodes [slave node][lane], m, measured now; see GapArguments.
+  const dealii::AlignedVector<double> &measure_gaps();
+
+  /// Slave nodes that a search found to overlap outside the window before it: there must be none.
+  unsigned int n_missed(const int lane) const { return missed_[lane]; }
+
+  /// Slave nodes that add_forces() visits in all joints.
+  unsigned int n_visited() const;
+
+  const JointSums   &sums() const { return sums_; }
+  const JointWindow &window() const { return window_; }
+
+  /// Contact forces of the last call and what the nodes remember, [slave node][TouchEntry][lane].
+  const dealii::AlignedVector<double> &state() const { return state_; }
+
+  void clear_losses(); ///< sets damping and friction losses to zero
+  void clear_peaks();
+
+  std::size_t memory_consumption() const;
+
+private:
+  void search_lane(int lane, double reach);
+
+  const JointTables            &tables_;
+  const JointKernels           &kernels_;
+  JointShape                    shape_;
+  JointArguments                arguments_;
+  JointWindow                   window_;
+  JointSums                     sums_;
+  dealii::AlignedVector<double> state_, gap_, covered_;
+  std::vector<unsigned int>     station_, cell_;
+  std::array<double, n_lanes>   closing_{};
+  std::array<unsigned, n_lanes> missed_{};
+  bool                          searched_  = false; ///< ever
+  bool                          fresh_     = false; ///< since the last add_forces()
+  double                        holds_for_ = -1.;   ///< s
+};
+} // namespace chaindrive::contact

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/contact/family.h>
+#include <chaindrive/contact/joints.h>
+
+#include <memory>
+#include <vector>
+
+namespace chaindrive::contact
+{
+/// Elastic cylinders in elastic bores, n_lanes joints at a time: see JointBatch. One record per
+/// pair.
+class NodeBores : public Family
+{
+public:
+  /// @p world must outlive this.
+  NodeBores(const scene::BoreFamily &scene, World &world, bool search_every_step);
+
+  void   search(const World &, double) override {}
+  void   add_forces(World &world, double dt) override;
+  void   add_springs(const World &, std::vector<Spring> &) const override {}
+  bool   needs_search() const override { return false; }
+  double largest_node_eigenvalue(const World &world) const override;
+
+  unsigned long n_missed() const override;
+
+private:
+  /// Pairs whose two sides are the same surfaces of the same parts.
+  struct Group
+  {
+    std::unique_ptr<const JointTables>       tables;
+    std::vector<unsigned int>                master_nodes, slave_nodes; ///< offsets
+    std::vector<std::unique_ptr<JointBatch>> batches;
+    std::vector<unsigned int>                pairs; ///< in the order of the batches' lanes
+    double                                   largest_eigenvalue; ///< of one joint, 1/s2
+  };
+
+  std::vector<Group> groups_;
+  bool               every_step_;
+};
+} // namespace chaindrive::contact

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+// Which numbers of an element vanish for regular shapes. Plain functions and arrays only, see
+// kernels.h.
+
+#include <chaindrive/utilities/pack.h>
+
+namespace chaindrive::element
+{
+/// How regular all the elements of a part are, in axes of each element that Reference chooses (see
+/// there): the z axis along a prism, the x axis normal to its plane of symmetry.
+enum class Shape
+{
+  general,
+  prism,          ///< the upper four vertices are the lower ones moved along z
+  symmetric_prism ///< and the section is an isosceles trapezium, as in a ring
+};
+constexpr int n_shapes = 3;
+
+/// A trilinear field x is sum_m h_m x_m / 8 with the amplitudes x_m = h_m . x of eight modes; with
+/// the coordinates s_d = -1 or 1 of a vertex h_m is 1, then in this order s_x, s_y, s_z, s_x s_y,
+/// s_y s_z, s_z s_x, s_x s_y s_z. The constant one is left out: neither gradients nor forces have a
+/// part in it. The last four are the hourglass modes.
+enum Mode
+{
+  mode_x,
+  mode_y,
+  mode_z,
+  mode_xy,
+  mode_yz,
+  mode_zx,
+  mode_xyz,
+  n_modes
+};
+
+/// Places in a matrix, those that do not vanish; the kernels read one number for each.
+struct Places
+{
+  int size    = 0;
+  int row[78] = {}, column[78] = {};
+
+  constexpr void add(const int r, const int c)
+  {
+    row[size]    = r;
+    column[size] = c;
+    ++size;
+  }
+};
+
+/// Where the mean gradient has numbers: row j for the derivative along axis j, column for a mode.
+/// The first two rows of a prism are those of its section's Jacobian; the modes beside z belong to
+/// a section that grows across.
+constexpr Places gradient_places(const Shape shape)
+{
+  constexpr bool present[n_shapes][3][n_modes] = {
+      {{true, true, true, true, true, true, true},
+       {true, true, true, true, true, true, true},
+       {true, true, true, true, true, true, true}},
+      {{true, false, false, false, false, false, false},
+       {true, true, false, false, false, false, false},
+       {false, false, true, false, true, true, false}},
+      {{true, false, false, false, false, false, false},
+       {false, true, false, false, false, false, false},
+       {false, false, true, false, true, false, false}}};
+  Places places;
+  for (int j = 0; j < 3; ++j)
+    for (int m = 0; m < n_modes; ++m)
+      if (present[static_cast<int>(shape)][j][m])
+        places.add(j, m);
+  return places;
+}
+
+/// Which hourglass vectors, rows, have a linear part along which axis.
+constexpr Places shift_places(const Shape shape)
+{
+  Places places;
+  for (int alpha = 0; alpha < 4; ++alpha)
+    for (int j = 0; j < 3; ++j)
+      if (shape == Shape::general || (alpha == 0 && (j == 0 || (j == 1 && shape == Shape::prism))))
+        places.add(alpha, j);
+  return places;
+}
+
+/// An hourglass amplitude: component @p k of mode @p alpha, counted from mode_xy.
+struct Amplitude
+{
+  int alpha, k;
+};
+
+/// The twelve amplitudes in four blocks: those that are even or odd about the middle plane of a
+/// prism, and about its plane of symmetry.
+constexpr Amplitude amplitudes[12] = {{0, 0},
+                                      {1, 2}, // even in z and x
+                                      {0, 1},
+                                      {2, 2},
+                                      {3, 2}, // even in z, odd in x
+                                      {1, 1},
+                                      {2, 0},
+                                      {3, 0}, // odd in z, even in x
+                                      {0, 2},
+                                      {1, 0},
+                                      {2, 1},
+                                      {3, 1}}; // odd in both
+
+/// The lower triangle of the hourglass matrix, whose rows and columns are these amplitudes: the
+/// matrix of a regular element does not couple even ones with odd ones.
+constexpr Places hourglass_places(const Shape shape)
+{
+  constexpr int block[n_shapes][12] = {{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+                                       {0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1},
+                                       {0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3}};
+  Places        places;
+  for (int m = 0; m < 12; ++m)
+    for (int n = 0; n <= m; ++n)
+      if (block[static_cast<int>(shape)][m] == block[static_cast<int>(shape)][n])
+        places.add(m, n);
+  return places;
+}
+
+/// Which coordinates of the unit cell, rows, change along which axis.
+constexpr Places jacobian_places(const Shape shape)
+{
+  Places places;
+  for (int d = 0; d < 3; ++d)
+    for (int j = 0; j < 3; ++j)
+      if (shape == Shape::general || (d == 2) == (j == 2))
+        places.add(d, j);
+  return places;
+}
+} // namespace chaindrive::element

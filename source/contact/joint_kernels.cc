@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/joint_bodies.h>
+#include <chaindrive/utilities/simd.h>
+
+namespace chaindrive::contact
+{
+namespace
+{
+// The same source for each instruction set: what these functions call is inlined into them and so
+// takes over their target.
+#define CHAINDRIVE_KERNELS(name, width, attributes)                                                \
+  attributes void add_forces_##name(const JointArguments &arg) { bodies::add_forces<width>(arg); } \
+  attributes void measure_##name(const JointArguments &arg, GapArguments &gaps)                    \
+  {                                                                                                \
+    bodies::measure_gaps<width>(arg, gaps);                                                        \
+  }                                                                                                \
+  constexpr JointKernels name{width, add_forces_##name, measure_##name};
+
+CHAINDRIVE_KERNELS(scalar, 1, )
+CHAINDRIVE_KERNELS(baseline, 2, )
+#ifdef __x86_64__
+CHAINDRIVE_KERNELS(avx2, 4, __attribute__((target("arch=x86-64-v3"))))
+CHAINDRIVE_KERNELS(avx512, 8, __attribute__((target("arch=x86-64-v4"))))
+#endif
+#undef CHAINDRIVE_KERNELS
+} // namespace
+
+const JointKernels *joint_kernels(const int width)
+{
+  if (!has_simd_width(width))
+    return nullptr;
+  switch (width)
+    {
+    case 1:
+      return &scalar;
+#ifdef __x86_64__
+    case 4:
+      return &avx2;
+    case 8:
+      return &avx512;
+#endif
+    default:
+      return &baseline;
+    }
+}
+} // namespace chaindrive::contact

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/joints.h>
+
+#include <chaindrive/utilities/errors.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace chaindrive::contact
+{
+JointTables::JointTables(const mesh::CylinderGrid &master, const mesh::CylinderGrid &slave)
+{
+  if (!master.uniform() || !slave.uniform())
+    throw InputError(
+        "The vertices of bores, and of bushes and pins inside them, must be equally far apart.");
+
+  shape_.master_columns  = master.n_columns();
+  shape_.master_stations = master.n_stations();
+  shape_.slave_columns   = slave.n_columns();
+  shape_.slave_stations  = slave.n_stations();
+
+  const double sine    = std::sin(dealii::numbers::PI / master.n_columns());
+  shape_.master_radius = master.radius;
+  shape_.chord_factor  = 4. * sine * sine;
+
+  // Six or a few more columns tell the axis. Where exactly it is does not matter much: gap and
+  // direction are measured on both sides from the same line.
+  unsigned int n_axis = std::min(6u, shape_.master_columns);
+  while (shape_.master_columns % n_axis != 0)
+    ++n_axis;
+  shape_.axis_stride = shape_.master_columns / n_axis;
+
+  for (unsigned int s = 0; s < slave.n_stations(); ++s)
+    {
+      area_.push_back(slave.area(s, 0));
+      const double from = slave.stations[s == 0 ? 0 : s - 1],
+                   to   = slave.stations[std::min(s + 1, slave.n_stations() - 1)];
+      const double half = s == 0 || s + 1 == slave.n_stations() ? 0.5 : 0.25;
+      cover_.push_back(1. / (half * (to - from)));
+    }
+}
+
+JointShape JointTables::shape() const
+{
+  JointShape shape = shape_;
+  shape.area       = area_.data();
+  shape.cover      = cover_.data();
+  return shape;
+}
+
+std::vector<unsigned int> node_offsets(const mesh::CylinderGrid        &grid,
+                                       const std::vector<unsigned int> &vertex_of_node)
+{
+  std::map<unsigned int, unsigned int> node_of;
+  for (unsigned int node = 0; node < vertex_of_node.size(); ++node)
+    node_of[vertex_of_node[node]] = node;
+  std::vector<unsigned int> offsets;
+  for (const unsigned int vertex : grid.vertex)
+    {
+      const auto found = node_of.find(vertex);
+      if (found == node_of.end())
+        throw std::logic_error("node_offsets: a vertex of the side is no node");
+      offsets.push_back(3 * n_lanes * found->second);
+    }
+  return offsets;
+}
+
+JointBatch::JointBatch(const JointTables  &tables,
+                       const SurfaceLaw   &law,
+                       const JointKernels &kernels)
+    : tables_(tables), kernels_(kernels), shape_(tables.shape()), arguments_{}, window_{}, sums_{}
+{
+  state_.resize(std::size_t(tables.n_slave_nodes()) * n_touch_entries * n_lanes, 0.);
+  gap_.resize(tables.n_slave_nodes() * n_lanes, 0.);
+  covered_.resize(tables.n_slave_nodes() * n_lanes, 0.);
+  station_.assign(shape_.slave_stations * n_lanes, 0);
+  cell_.assign(shape_.slave_columns * n_lanes, 0);
+  arguments_.law = law;
+}
+
+void JointBatch::set_joint(const int lane, const JointBody &master, const JointBody &slave)
+{
+  if (lane < 0 || lane >= n_lanes)
+    throw std::logic_error("JointBatch: no such lane");
+  arguments_.master_node[lane]     = master.node;
+  arguments_.master_position[lane] = master.position;
+  arguments_.master_velocity[lane] = master.velocity;
+  arguments_.master_force[lane]    = master.force;
+  arguments_.slave_node[lane]      = slave.node;
+  arguments_.slave_position[lane]  = slave.position;
+  arguments_.slave_velocity[lane]  = slave.velocity;
+  arguments_.slave_force[lane]     = slave.force;
+}
+
+const dealii::AlignedVector<double> &JointBatch::measure_gaps()
+{
+  arguments_.shape   = &shape_;
+  arguments_.state   = state_.data();
+  arguments_.station = station_.data();
+  arguments_.cell    = cell_.data();
+  arguments_.window  = &window_;
+  arguments_.sums    = &sums_;
+  GapArguments gaps{gap_.data(), covered_.data(), {}};
+  kernels_.measure(arguments_, gaps);
+  std::copy(gaps.closing, gaps.closing + n_lanes, closing_.begin());
+  return gap_;
+}
+
+void JointBatch::search(const double reach, const double unforeseen)
+{
+  if (!(reach >= 0.) || !(unforeseen > 0.))
+    throw std::logic_error("JointBatch: a search needs a reach and a speed");
+  measure_gaps();
+  double fastest = 0.;
+  for (int lane = 0; lane < n_lanes; ++lane)
+    if (arguments_.master_position[lane] != nullptr)
+      {
+        search_lane(lane, reach);
+        fastest = std::max(fastest, closing_[lane]);
+      }
+  searched_ = fresh_ = true;
+  holds_for_         = reach / (2. * fastest + unforeseen);
+}
+
+void JointBatch::search_lane(const int lane, const double reach)
+{
+  const unsigned int n     = shape_.slave_columns;
+  const unsigned int first = window_.first[lane], count = window_.count[lane];
+
+  std::vector<bool> near(n, false);
+  bool              any = false;
+  for (unsigned int s = 0; s < shape_.slave_stations; ++s)
+    for (unsigned int c = 0; c < n; ++c)
+      {
+        const unsigned int node    = s * n + c;
+        const double       gap     = gap_[node * n_lanes + lane];
+        const bool         overlap = gap < 0. && covered_[node * n_lanes + lane] > 0.;
+        // the outermost columns of a window have neighbours that are not there
+        const unsigned int place = (c + n - first) % n;
+        if (overlap && searched_ && count < n && !(place > 0 && place + 1 < count))
+          ++missed_[lane];
+        // what touched last time has a spring to let go
+        if (overlap || gap < reach ||
+            state_[(node * n_touch_entries + touch_overlap) * n_lanes + lane] > 0.)
+          near[c] = any = true;
+      }
+
+  // The window leaves out the longest run of columns that are not near, but for their outermost
+  // ones: the surface between a near column and the next can touch.
+  unsigned int longest = 0, end = 0, run = 0;
+  for (unsigned int i = 0; any && i < 2 * n; ++i)
+    {
+      run = near[i % n] ? 0 : run + 1;
+      if (run > longest)
+        {
+          longest = run;
+          end     = i;
+        }
+    }
+  const unsigned int left_out = longest > 2 ? longest - 2 : 0;
+  window_.first[lane]         = left_out > 0 ? end % n : 0;
+  window_.count[lane]         = any ? n - left_out : 0;
+}
+
+void JointBatch::add_forces(const double dt)
+{
+  arguments_.shape   = &shape_;
+  arguments_.state   = state_.data();
+  arguments_.station = station_.data();
+  arguments_.cell    = cell_.data();
+  arguments_.window  = &window_;
+  arguments_.sums    = &sums_;
+  arguments_.dt      = dt;
+  kernels_.add_forces(arguments_);
+  if (!fresh_)
+    holds_for_ -= dt;
+  fresh_ = false;
+}
+
+unsigned int JointBatch::n_visited() const
+{
+  unsigned int columns = 0;
+  for (const unsigned int count : window_.count)
+    columns += count;
+  return columns * shape_.slave_stations;
+}
+
+void JointBatch::clear_losses()
+{
+  std::fill_n(sums_.damping_loss, n_lanes, 0.);
+  std::fill_n(sums_.friction_loss, n_lanes, 0.);
+}
+
+void JointBatch::clear_peaks() { std::fill_n(sums_.peak, n_lanes, 0.); }
+
+std::size_t JointBatch::memory_consumption() const
+{
+  return sizeof(*this) + (state_.size() + gap_.size() + covered_.size()) * sizeof(double) +
+         (station_.size() + cell_.size()) * sizeof(unsigned int);
+}
+} // namespace chaindrive::contact

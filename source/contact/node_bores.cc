@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/node_bores.h>
+#include <chaindrive/mesh/cylinder_grid.h>
+#include <chaindrive/utilities/simd.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace chaindrive::contact
+{
+namespace
+{
+constexpr double reach      = 20e-6; // m; larger: fewer searches but wider windows
+constexpr double unforeseen = 2.;    // m/s, of vibration: 100 MPa in a wave are 2.5 m/s
+
+/// Largest eigenvalue [1/s2] of the contact of one joint with all of its nodes closed: slave nodes
+/// on their springs, and master nodes that carry the springs of their share of the surface. Row
+/// sums of B^T M^-1 B, of which the two sides are separate addends.
+double largest_eigenvalue(const mesh::CylinderGrid &bore,
+                          const mesh::CylinderGrid &cylinder,
+                          const SurfaceLaw         &law,
+                          const mesh::Nodes        &masters,
+                          const mesh::Nodes        &slaves)
+{
+  const auto largest = [](const mesh::CylinderGrid &grid, const mesh::Nodes &nodes) {
+    double area_over_mass = 0.;
+    for (unsigned int s = 0; s < grid.n_stations(); ++s)
+      for (unsigned int c = 0; c < grid.n_columns(); ++c)
+        area_over_mass = std::max(
+            area_over_mass, grid.area(s, c) / nodes.mass[nodes.of_vertex[grid.vertex_at(s, c)]]);
+    return area_over_mass;
+  };
+  return law.stiffness * (largest(bore, masters) + largest(cylinder, slaves));
+}
+
+JointBody body_of(World &world, const unsigned int body, const std::vector<unsigned int> &nodes)
+{
+  const World::Place &place  = world.places[body];
+  Copies             &copies = world.copies[place.group];
+  const std::size_t   first  = copies.index(place.copy, 0, 0);
+  return {nodes.data(),
+          copies.position.begin() + first,
+          copies.velocity.begin() + first,
+          copies.force.begin() + first};
+}
+} // namespace
+
+NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool search_every_step)
+    : Family(scene.name, scene.law), every_step_(search_every_step)
+{
+  // which two sides of which two parts -> pairs
+  std::map<std::tuple<unsigned int, unsigned int, unsigned int, unsigned int>,
+           std::vector<unsigned int>>
+      kinds;
+  for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+    {
+      const scene::BorePair &pair = scene.pairs[i];
+      kinds[{world.places[pair.master].group,
+             pair.master_surface,
+             world.places[pair.slave.body].group,
+             pair.slave_surface}]
+          .push_back(i);
+      records_.push_back({pair.master,
+                          pair.slave.body,
+                          pair.slave.joint,
+                          std::numeric_limits<double>::max(),
+                          {},
+                          0,
+                          {},
+                          0.,
+                          0.});
+    }
+  states_.resize(records_.size());
+
+  const JointKernels &kernels = *joint_kernels(simd_width());
+  const SurfaceLaw    law{scene.law.stiffness,
+                       scene.law.damping,
+                       scene.law.friction,
+                       scene.law.tangential_stiffness,
+                       scene.law.tangential_damping};
+  for (auto &[sides, pairs] : kinds)
+    {
+      const auto &[master_group, master_surface, slave_group, slave_surface] = sides;
+      const Copies            &masters = world.copies[master_group];
+      const Copies            &slaves  = world.copies[slave_group];
+      const mesh::CylinderGrid bore(*masters.part, static_cast<mesh::Surface>(master_surface));
+      const mesh::CylinderGrid cylinder(*slaves.part, static_cast<mesh::Surface>(slave_surface));
+
+      Group group;
+      group.tables       = std::make_unique<JointTables>(bore, cylinder);
+      group.master_nodes = node_offsets(bore, masters.nodes.vertex);
+      group.slave_nodes  = node_offsets(cylinder, slaves.nodes.vertex);
+      group.largest_eigenvalue =
+          largest_eigenvalue(bore, cylinder, law, masters.nodes, slaves.nodes);
+
+      // joints whose bores lie in one batch, lane by lane: their numbers are then side by side
+      std::sort(pairs.begin(), pairs.end(), [&](const unsigned int a, const unsigned int b) {
+        const unsigned int i = world.places[scene.pairs[a].master].copy,
+                           j = world.places[scene.pairs[b].master].copy;
+        return std::make_pair(masters.batch_of(i), i) < std::make_pair(masters.batch_of(j), j);
+      });
+      group.pairs = pairs;
+      groups_.push_back(std::move(group));
+      Group &placed = groups_.back();
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        {
+          if (i % n_lanes == 0)
+            placed.batches.push_back(std::make_unique<JointBatch>(*placed.tables, law, kernels));
+          const scene::BorePair &pair = scene.pairs[pairs[i]];
+          placed.batches.back()->set_joint(i % n_lanes,
+                                           body_of(world, pair.master, placed.master_nodes),
+                                           body_of(world, pair.slave.body, placed.slave_nodes));
+        }
+    }
+}
+
+void NodeBores::add_forces(World &world, const double dt)
+{
+  for (Group &group : groups_)
+    for (unsigned int b = 0; b < group.batches.size(); ++b)
+      {
+        JointBatch &batch = *group.batches[b];
+        if (every_step_ || batch.search_due(dt))
+          batch.search(every_step_ ? 0. : reach, unforeseen);
+        batch.add_forces(dt);
+
+        const JointSums &sums = batch.sums();
+        for (unsigned int lane = 0; lane < n_lanes; ++lane)
+          {
+            const unsigned int i = b * n_lanes + lane;
+            if (i >= group.pairs.size())
+              break;
+            Record &record = records_[group.pairs[i]];
+            record.gap     = sums.touching[lane] > 0 ? -sums.penetration[lane] :
+                                                       std::numeric_limits<double>::max();
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                record.force[d] = sums.force[d][lane];
+                // for the motion of the centres of mass
+                world.force.local_element(3 * record.slave + d) += record.force[d];
+                world.force.local_element(3 * record.master + d) -= record.force[d];
+              }
+            const double size              = record.force.norm();
+            record.peak                    = std::max(record.peak, size);
+            states_[group.pairs[i]].normal = size;
+            if (size > 0.)
+              record.normal = record.force / size;
+            world.ledger.contact += sums.stored[lane];
+            world.ledger.contact_damping += sums.damping_loss[lane];
+            world.ledger.friction += sums.friction_loss[lane];
+          }
+        batch.clear_losses();
+      }
+}
+
+double NodeBores::largest_node_eigenvalue(const World &) const
+{
+  double largest = 0.;
+  for (const Group &group : groups_)
+    largest = std::max(largest, group.largest_eigenvalue);
+  return largest;
+}
+
+unsigned long NodeBores::n_missed() const
+{
+  unsigned long missed = 0;
+  for (const Group &group : groups_)
+    for (const auto &batch : group.batches)
+      for (unsigned int lane = 0; lane < n_lanes; ++lane)
+        missed += batch->n_missed(lane);
+  return missed;
+}
+} // namespace chaindrive::contact

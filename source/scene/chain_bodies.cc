@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/scene/build.h>
+#include <chaindrive/scene/placement.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <cmath>
+
+namespace chaindrive::scene
+{
+namespace
+{
+Body make_body(const Kind                   kind,
+               const unsigned int           number,
+               const drive::MassProperties &solid,
+               const double                 scale,
+               const Motion                 motion,
+               const Frame                 &frame)
+{
+  Body body;
+  body.kind    = kind;
+  body.number  = number;
+  body.motion  = motion;
+  body.support = Support::none;
+  body.mass    = scale * solid.mass;
+  for (unsigned int d = 0; d < 3; ++d)
+    body.inertia[d] = scale * solid.inertia[d][d];
+  body.initial = frame;
+  return body;
+}
+
+/// Factor on the links' mass and inertia that gives the chain the mass per pitch asked for.
+double link_mass_factor(const Parameters &parameters, const drive::Drive &drive)
+{
+  if (!parameters.model.mass_per_pitch)
+    return 1.;
+  const double links  = 0.5 * (drive.inner_link_solid.mass + drive.outer_link_solid.mass);
+  const double factor = (*parameters.model.mass_per_pitch - drive.roller_solid.mass) / links;
+  if (factor <= 0.)
+    throw InputError(
+        "Model/Mass per pitch in g = " + to_text(*parameters.model.mass_per_pitch * 1e3) +
+        " leaves nothing for the links: the roller alone weighs " +
+        to_text(drive.roller_solid.mass * 1e3, 4) + " g.");
+  return factor;
+}
+
+} // namespace
+
+void add_chain_bodies(const Parameters   &parameters,
+                      const drive::Drive &drive,
+                      const Motion        motion,
+                      Scene              &scene)
+{
+  const drive::Layout &layout = drive.layout;
+  const unsigned int   n      = scene.n_joints;
+  const double         factor = link_mass_factor(parameters, drive);
+  scene.mass_per_pitch        = drive.roller_solid.mass +
+                         0.5 * factor * (drive.inner_link_solid.mass + drive.outer_link_solid.mass);
+  scene.notes.push_back(
+      "Mass per pitch " + to_text(scene.mass_per_pitch * 1e3, 4) + " g (" +
+      (parameters.model.mass_per_pitch ? "given: links scaled by " + to_text(factor, 4) :
+                                         std::string("auto: from the parts")) +
+      "), of which the roller " + to_text(drive.roller_solid.mass * 1e3, 4) + " g");
+
+  // a link turns with the difference of its joints' velocities (zero unless the start is warm)
+  const auto link_speed = [&](const unsigned int k) {
+    const auto                &a       = layout.joints[k];
+    const auto                &b       = layout.joints[(k + 1) % n];
+    const dealii::Tensor<1, 2> along   = b.bush - a.bush;
+    const dealii::Tensor<1, 2> differs = b.velocity - a.velocity;
+    return (along[0] * differs[1] - along[1] * differs[0]) / along.norm_square();
+  };
+
+  for (unsigned int k = 0; k < n; ++k)
+    {
+      const auto &joint = layout.joints[k];
+      double      spin  = link_speed(k % 2 == 0 ? k : k - 1); // of the inner link that carries it
+      if (joint.region == drive::Layout::Region::driver)
+        spin = layout.driver_speed;
+      else if (joint.region == drive::Layout::Region::driven)
+        spin = layout.driven_speed;
+      scene.bodies.push_back(make_body(Kind::roller,
+                                       k,
+                                       drive.roller_solid,
+                                       1.,
+                                       motion,
+                                       placed(joint.roller, 0., joint.velocity, spin)));
+    }
+  for (unsigned int k = 0; k < n; ++k)
+    {
+      const auto                &link = layout.links[k];
+      const dealii::Tensor<1, 2> velocity =
+          0.5 * (layout.joints[k].velocity + layout.joints[(k + 1) % n].velocity);
+      scene.bodies.push_back(make_body(link.inner ? Kind::inner_link : Kind::outer_link,
+                                       k,
+                                       link.inner ? drive.inner_link_solid : drive.outer_link_solid,
+                                       factor,
+                                       motion,
+                                       placed(link.centre, link.angle, velocity, link_speed(k))));
+    }
+}
+
+Joint joint_of(const unsigned int k, const drive::Drive &drive, const unsigned int n)
+{
+  const double bush = 0.5 * drive.chain.inner_hole_pitch, pin = 0.5 * drive.chain.outer_hole_pitch;
+  const unsigned int before = n + (k + n - 1) % n, after = n + k; // links follow the n rollers
+  // even links are inner links and start at even joints
+  return k % 2 == 0 ? Joint{after, before, -bush, pin} : Joint{before, after, bush, -pin};
+}
+} // namespace chaindrive::scene

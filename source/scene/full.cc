@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/mesh/surface_nodes.h>
+#include <chaindrive/scene/build.h>
+#include <chaindrive/utilities/text.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace chaindrive::scene
+{
+namespace
+{
+/// Thickness of the elements below one side of a part, m.
+double thickness(const Scene &scene, const Kind kind, const mesh::Surface side)
+{
+  const mesh::Part &part = *scene.parts.at(kind);
+  return mesh::SurfaceNodes(part, mesh::Nodes(part), side).thickness;
+}
+} // namespace
+
+void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
+{
+  add_chain_bodies(parameters, drive, Motion::elastic, scene);
+  scene.parts[Kind::roller]     = make_roller_part(parameters, drive);
+  scene.parts[Kind::inner_link] = make_link_part(parameters, drive, true);
+  scene.parts[Kind::outer_link] = make_link_part(parameters, drive, false);
+
+  // the softer of two surfaces decides how far they may overlap
+  const auto law = [&](const Kind                   master,
+                       const mesh::Surface          bore,
+                       const Kind                   slave,
+                       const mesh::Surface          cylinder,
+                       const std::optional<double> &friction) {
+    return make_area_law(
+        parameters,
+        scene.effects,
+        std::max(thickness(scene, master, bore), thickness(scene, slave, cylinder)),
+        friction);
+  };
+  BoreFamily rollers, pins;
+  rollers.name    = "roller-bush";
+  rollers.elastic = true;
+  rollers.law     = law(Kind::roller,
+                    mesh::roller_bore,
+                    Kind::inner_link,
+                    mesh::bush_outside_first,
+                    parameters.contact.roller_bush_friction);
+  pins.name       = "bush-pin";
+  pins.elastic    = true;
+  pins.law        = law(Kind::inner_link,
+                 mesh::bush_bore_first,
+                 Kind::outer_link,
+                 mesh::pin_outside_first,
+                 parameters.contact.bush_pin_friction);
+  scene.notes.push_back("Penalty per area (N/m3): roller-bush " +
+                        to_text(rollers.law.stiffness, 4) + ", bush-pin " +
+                        to_text(pins.law.stiffness, 4));
+
+  const drive::ChainDimensions &chain = drive.chain;
+  for (unsigned int k = 0; k < scene.n_joints; ++k)
+    {
+      const Joint joint     = joint_of(k, drive, scene.n_joints);
+      const bool  at_first  = joint.bush_x < 0.; // of the inner link's two bushes
+      const bool  pin_first = joint.pin_x < 0.;
+      rollers.pairs.push_back({k,
+                               dealii::Point<3>(),
+                               0.5 * chain.roller_bore,
+                               {joint.inner, dealii::Point<3>(), 0.5 * chain.bush_diameter, k},
+                               mesh::roller_bore,
+                               at_first ? mesh::bush_outside_first : mesh::bush_outside_second});
+      pins.pairs.push_back({joint.inner,
+                            dealii::Point<3>(joint.bush_x, 0., 0.),
+                            0.5 * chain.bush_bore,
+                            {joint.outer, dealii::Point<3>(), 0.5 * chain.pin_diameter, k},
+                            at_first ? mesh::bush_bore_first : mesh::bush_bore_second,
+                            pin_first ? mesh::pin_outside_first : mesh::pin_outside_second});
+    }
+  scene.bores.push_back(std::move(rollers));
+  scene.bores.push_back(std::move(pins));
+}
+} // namespace chaindrive::scene
