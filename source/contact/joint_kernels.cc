@@ -8,6 +8,7 @@ namespace
 {
 // The same source for each instruction set: what these functions call is inlined into them and so
 // takes over their target.
+// NOLINTBEGIN(bugprone-macro-parentheses): attributes stand in none
 #define CHAINDRIVE_KERNELS(name, width, attributes)                                                \
   attributes void add_forces_##name(const JointArguments &arg) { bodies::add_forces<width>(arg); } \
   attributes void measure_##name(const JointArguments &arg, GapArguments &gaps)                    \
@@ -15,6 +16,7 @@ namespace
     bodies::measure_gaps<width>(arg, gaps);                                                        \
   }                                                                                                \
   constexpr JointKernels name{width, add_forces_##name, measure_##name};
+// NOLINTEND(bugprone-macro-parentheses)
 
 CHAINDRIVE_KERNELS(scalar, 1, )
 CHAINDRIVE_KERNELS(baseline, 2, )

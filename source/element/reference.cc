@@ -308,10 +308,10 @@ hourglass_stiffness_of(const Hexahedron &element, const double coefficient, cons
 Reference::Reference(const mesh::Part           &part,
                      const mesh::Nodes          &nodes,
                      const parameters::Material &material,
-                     const Formulation           how,
+                     const Formulation           formulation,
                      const double                hourglass_coefficient,
                      const Shape                 most_regular)
-    : formulation(how), shape(most_regular), mass(nodes.mass), position(nodes.position)
+    : formulation(formulation), shape(most_regular), mass(nodes.mass), position(nodes.position)
 {
   const double E = material.youngs_modulus, nu = material.poissons_ratio;
   lambda = E * nu / ((1. + nu) * (1. - 2. * nu));

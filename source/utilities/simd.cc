@@ -16,9 +16,12 @@ bool has_simd_width(const int width)
       return true;
 #ifdef __x86_64__
     case 4:
-      return __builtin_cpu_supports("x86-64-v3");
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+             __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
     case 8:
-      return __builtin_cpu_supports("x86-64-v4");
+      return has_simd_width(4) && __builtin_cpu_supports("avx512f") &&
+             __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
+             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
 #endif
     default:
       return false;

@@ -230,8 +230,8 @@ CHAINDRIVE_ALWAYS_INLINE void add_forces_of(const JointArguments &arg, const int
     {
       sums.stored[l] = sums.penetration[l] = 0.;
       sums.touching[l]                     = 0;
-      for (int i = 0; i < 3; ++i)
-        sums.force[i][l] = 0.;
+      for (auto &component : sums.force)
+        component[l] = 0.;
     }
 
   Joints<width> joints;
