@@ -14,6 +14,33 @@ constexpr double reach = 100e-6; // m; larger: fewer searches but longer lists
 /// Nodes move relative to a tooth by the motion of their body, which is measured, and by spin and
 /// vibration: impacts of a roller drive reach a few m/s.
 constexpr double vibration = 10.; // m/s
+
+/// How far the share of each node of a side reaches below and above it along z: half way to the
+/// next station of nodes, m.
+std::vector<std::array<double, 2>> extents(const mesh::Nodes               &nodes,
+                                           const std::vector<unsigned int> &side)
+{
+  std::vector<double> stations;
+  for (const unsigned int node : side)
+    stations.push_back(nodes.position[node][2]);
+  std::sort(stations.begin(), stations.end());
+  const double same = 1e-9 * (stations.back() - stations.front());
+  stations.erase(std::unique(stations.begin(),
+                             stations.end(),
+                             [same](const double a, const double b) { return b - a <= same; }),
+                 stations.end());
+
+  std::vector<std::array<double, 2>> result;
+  for (const unsigned int node : side)
+    {
+      const double z     = nodes.position[node][2];
+      const auto   below = std::lower_bound(stations.begin(), stations.end(), z - same);
+      const auto   above = std::upper_bound(stations.begin(), stations.end(), z + same);
+      result.push_back({{below == stations.begin() ? 0. : 0.5 * (z - *(below - 1)),
+                         above == stations.end() ? 0. : 0.5 * (*above - z)}});
+    }
+  return result;
+}
 } // namespace
 
 NodeTeeth::NodeTeeth(const scene::ToothFamily &scene,
@@ -25,6 +52,7 @@ NodeTeeth::NodeTeeth(const scene::ToothFamily &scene,
   const Copies &copies = world.copies[group_];
   surface_             = std::make_unique<mesh::SurfaceNodes>(
       *copies.part, copies.nodes, static_cast<mesh::Surface>(scene.slave_surface));
+  extent_ = extents(copies.nodes, surface_->node);
   for (const scene::SlavePoint &slave : scene.slaves)
     copy_.push_back(world.places[slave.body].copy);
   node_states_.resize(scene.slaves.size() * surface_->size());
@@ -41,6 +69,14 @@ dealii::Tensor<1, 3> NodeTeeth::value(const World          &world,
   for (unsigned int d = 0; d < 3; ++d)
     v[d] = from.local_element(world.copies[group_].index(copy_[i], surface_->node[s], d));
   return v;
+}
+
+double NodeTeeth::cover(const Frame &hub, const dealii::Tensor<1, 3> &x, const unsigned int s) const
+{
+  const double z    = axis_of(hub, 2) * (x - hub.position);
+  const double from = std::max(z - extent_[s][0], -scene_.half_width);
+  const double to   = std::min(z + extent_[s][1], scene_.half_width);
+  return std::max(0., to - from) / (extent_[s][0] + extent_[s][1]);
 }
 
 void NodeTeeth::search(const World &world, const double roller_reach)
@@ -66,7 +102,8 @@ void NodeTeeth::search_nodes(const World &world)
           const double gap = touch_flanks(scene_, x, 0., 2. * reach, hub, hint(i, s)).gap;
           if (gap < reach)
             found.push_back(s);
-          if (gap < 0. && looked_at && !std::binary_search(active_[i].begin(), active_[i].end(), s))
+          if (gap < 0. && looked_at && cover(hub, x, s) > 0. &&
+              !std::binary_search(active_[i].begin(), active_[i].end(), s))
             ++n_missed_;
         }
       active_[i].swap(found);
@@ -102,16 +139,19 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
   for (const unsigned int s : active_[i])
     {
       const dealii::Tensor<1, 3> x     = value(world, copies.position, i, s);
+      const double               share = cover(hub, x, s) * surface_->area[s];
       const Touch                touch = touch_flanks(scene_, x, 0., 2. * reach, hub, hint(i, s));
-      record.gap                       = std::min(record.gap, touch.gap);
 
       TouchState      &memory = state(i, s);
-      const scene::Law law    = law_.times(surface_->area[s]);
-      if (touch.gap >= 0.)
+      const scene::Law law    = law_.times(share);
+      if (share > 0.)
+        record.gap = std::min(record.gap, touch.gap);
+      if (touch.gap >= 0. || share == 0.)
         {
           if (memory.overlap >
               0.) // it has just come apart: let the law book what the spring gave back
-            update_touch(law, touch.gap, 0., dealii::Tensor<1, 2>(), dt, memory, world.ledger);
+            update_touch(
+                law, std::max(0., touch.gap), 0., dealii::Tensor<1, 2>(), dt, memory, world.ledger);
           continue;
         }
 

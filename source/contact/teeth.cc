@@ -5,6 +5,9 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace chaindrive::contact
 {
 namespace
@@ -28,13 +31,13 @@ Touch touch_flanks(const scene::ToothFamily   &family,
   const dealii::Tensor<1, 3> local =
       dealii::transpose(master.rotation) * (centre - master.position);
 
-  Touch touch;
-  if (std::abs(local[2]) > family.half_width)
-    return touch;
+  Touch                touch;
   dealii::Tensor<1, 3> normal;
   if (family.facets)
     {
-      const auto nearest = family.facets->closest_point(dealii::Point<3>(local), within, hint);
+      const double z = std::clamp(local[2], -family.half_width, family.half_width);
+      const auto   nearest =
+          family.facets->closest_point(dealii::Point<3>(local[0], local[1], z), within, hint);
       if (!nearest.found)
         return touch;
       touch.gap = nearest.distance - radius;
@@ -97,16 +100,12 @@ void Teeth::add_forces(World &world, const double dt)
   const Frame &sprocket = world.frames[scene_.sprocket];
   for (const unsigned int i : near_)
     {
-      const scene::SlavePoint &slave = scene_.slaves[i];
-      apply(world,
-            i,
-            touch_flanks(scene_,
-                         to_world(world.frames[slave.body], slave.point),
-                         slave.radius,
-                         2. * slave.radius,
-                         sprocket,
-                         hints_[i]),
-            dt);
+      const scene::SlavePoint   &slave  = scene_.slaves[i];
+      const dealii::Tensor<1, 3> centre = to_world(world.frames[slave.body], slave.point);
+      Touch                      touch;
+      if (std::abs(axis_of(sprocket, 2) * (centre - sprocket.position)) <= scene_.half_width)
+        touch = touch_flanks(scene_, centre, slave.radius, 2. * slave.radius, sprocket, hints_[i]);
+      apply(world, i, touch, dt);
     }
 }
 

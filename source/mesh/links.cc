@@ -242,7 +242,7 @@ RollerGrid::RollerGrid(const unsigned int refinement)
 LinkGrid inner_link_grid(const unsigned int refinement)
 {
   constexpr LinkGrid table[n_levels] = {
-      {20, 1, 1, 1, 2}, {24, 1, 2, 1, 4}, {32, 1, 3, 2, 6}, {40, 2, 4, 2, 10}, {56, 3, 6, 4, 14}};
+      {20, 1, 1, 1, 4}, {24, 1, 2, 1, 4}, {32, 1, 3, 2, 6}, {40, 2, 4, 2, 10}, {56, 3, 6, 4, 14}};
   return table[std::min(refinement, n_levels - 1)];
 }
 

@@ -128,6 +128,22 @@ void check_chain(const Parameters &p, Findings &findings)
           std::to_string(drive.n_links - 1) + ".");
 }
 
+void check_mesh(const Mesh &mesh, Findings &findings)
+{
+  const auto insist_multiple =
+      [&findings](const std::string &entry, const Mesh::Cells &cells, const unsigned int of) {
+        findings.contradiction(cells.value_or(0) % of != 0,
+                               "Mesh/" + entry + " = " + std::to_string(cells.value_or(0)) +
+                                   " is not a multiple of " + std::to_string(of) + ".");
+      };
+  insist_multiple("Roller/Cells around", mesh.roller_around, 4);
+  insist_multiple("Roller/Cells along", mesh.roller_along, 2);
+  insist_multiple("Inner link/Cells around", mesh.inner_link.around, 4);
+  insist_multiple("Inner link/Cells along", mesh.inner_link.along, 2);
+  insist_multiple("Outer link/Cells around", mesh.outer_link.around, 4);
+  insist_multiple("Outer link/Cells along", mesh.outer_link.along, 2);
+}
+
 void check_model(const Parameters &p, Findings &findings)
 {
   const bool         simple = p.model.fidelity == "simple";
@@ -143,9 +159,9 @@ void check_model(const Parameters &p, Findings &findings)
       "Drive/Layout/Centre distance from = pretension stretches the chain before the start, which "
       "Model/Fidelity = full cannot do with its elastic parts; choose given, slack or sag.");
   findings.contradiction(
-      full && p.mesh.refinement < 1,
-      "Mesh/Refinement = 0 leaves one ring of a bush's nodes inside its roller, which could tilt "
-      "freely; Model/Fidelity = full needs at least 1.");
+      full && p.mesh.inner_link.along.value_or(4) < 4,
+      "Mesh/Inner link/Cells along = 2 leaves one ring of a bush's nodes inside its roller, which "
+      "could tilt freely; Model/Fidelity = full needs at least 4.");
   findings.contradiction(full && start == "warm",
                          "Drive/Layout/Start = warm would need the strain of the running chain, "
                          "which Model/Fidelity = "
@@ -211,6 +227,7 @@ std::vector<std::string> cross_check(const Parameters &parameters)
   check_times(parameters, findings);
   check_chain(parameters, findings);
   check_model(parameters, findings);
+  check_mesh(parameters.mesh, findings);
 
   std::string message;
   for (const std::string &sentence : findings.contradictions)

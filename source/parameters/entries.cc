@@ -193,6 +193,30 @@ void add(dealii::ParameterHandler &prm,
           [&member](const std::string &text) { member = *read_all<unsigned int>(text); });
 }
 
+void add(dealii::ParameterHandler    &prm,
+         const std::string           &name,
+         std::optional<unsigned int> &member,
+         const unsigned int           lower,
+         const unsigned int           upper,
+         const std::string           &meaning)
+{
+  declare(prm,
+          name,
+          member ? std::to_string(*member) : "auto",
+          Pattern("a whole number from " + std::to_string(lower) + " to " + std::to_string(upper) +
+                      ", or auto",
+                  [lower, upper](const std::string &text) {
+                    const auto value = read_all<unsigned int>(text);
+                    return text == "auto" || (value && *value >= lower && *value <= upper);
+                  }),
+          meaning,
+          [&member](const std::string &text) {
+            member.reset();
+            if (text != "auto")
+              member = *read_all<unsigned int>(text);
+          });
+}
+
 void add(dealii::ParameterHandler       &prm,
          const std::string              &name,
          std::string                    &member,

@@ -95,6 +95,22 @@ void Elasticity::declare(dealii::ParameterHandler &prm)
       "Stiffness against hourglassing of one point, after Flanagan and Belytschko.");
 }
 
+namespace
+{
+void declare_link(dealii::ParameterHandler &prm,
+                  const std::string        &name,
+                  const std::string        &tube,
+                  Mesh::Link               &link)
+{
+  const Subsection section(prm, name);
+  add(prm, "Cells around", link.around, 8, 400, "Around each hole; a multiple of four.");
+  add(prm, "Cells through wall", link.wall, 1, 20, "Through the wall of a " + tube + ".");
+  add(prm, "Rings in plate", link.rings, 1, 40, "Between a hole and the plate's edge.");
+  add(prm, "Cells through plate", link.plate_layers, 1, 20, "Through the plate's thickness.");
+  add(prm, "Cells along", link.along, 2, 200, "Along a " + tube + " between the plates; even.");
+}
+} // namespace
+
 void Mesh::declare(dealii::ParameterHandler &prm)
 {
   const Subsection section(prm, "Mesh");
@@ -105,6 +121,19 @@ void Mesh::declare(dealii::ParameterHandler &prm)
       4,
       "How fine the meshes of the parts are; each level about halves the cells' edges. Rigid and "
       "lumped bodies need meshes for pictures only: their contact, mass and inertia are exact at "
-      "every level.");
+      "every level. The entries of the subsections change single numbers of cells; auto: those of "
+      "the refinement.");
+  {
+    const Subsection roller(prm, "Roller");
+    add(prm, "Cells through wall", roller_wall, 1, 20, "Through the wall of a roller.");
+    add(prm, "Cells around", roller_around, 8, 400, "Around a roller; a multiple of four.");
+    add(prm, "Cells along", roller_along, 2, 200, "Along a roller; even.");
+  }
+  declare_link(prm, "Inner link", "bush", inner_link);
+  declare_link(prm, "Outer link", "pin", outer_link);
+  {
+    const Subsection sprockets(prm, "Sprockets");
+    add(prm, "Refinement", sprocket_refinement, 0, 4, "Of generated sprockets.");
+  }
 }
 } // namespace chaindrive::parameters

@@ -16,17 +16,31 @@ std::shared_ptr<const mesh::Part> shared(mesh::Part &&part)
 std::shared_ptr<const mesh::Part> make_roller_part(const Parameters   &parameters,
                                                    const drive::Drive &drive)
 {
-  return shared(
-      mesh::make_roller(drive.chain, parameters.material.density, parameters.mesh.refinement));
+  const parameters::Mesh &cells = parameters.mesh;
+  const mesh::RollerGrid  level(cells.refinement);
+  return shared(mesh::make_roller(drive.chain,
+                                  parameters.material.density,
+                                  {cells.roller_wall.value_or(level.wall),
+                                   cells.roller_around.value_or(level.around),
+                                   cells.roller_along.value_or(level.along)}));
 }
 
 std::shared_ptr<const mesh::Part>
 make_link_part(const Parameters &parameters, const drive::Drive &drive, const bool inner)
 {
-  const double       density = parameters.material.density;
-  const unsigned int level   = parameters.mesh.refinement;
-  return shared(inner ? mesh::make_inner_link(drive.chain, density, mesh::inner_link_grid(level)) :
-                        mesh::make_outer_link(drive.chain, density, mesh::outer_link_grid(level)));
+  const parameters::Mesh::Link &cells =
+      inner ? parameters.mesh.inner_link : parameters.mesh.outer_link;
+  mesh::LinkGrid grid = inner ? mesh::inner_link_grid(parameters.mesh.refinement) :
+                                mesh::outer_link_grid(parameters.mesh.refinement);
+  grid.around         = cells.around.value_or(grid.around);
+  grid.wall           = cells.wall.value_or(grid.wall);
+  grid.rings          = cells.rings.value_or(grid.rings);
+  grid.plate_layers   = cells.plate_layers.value_or(grid.plate_layers);
+  grid.along          = cells.along.value_or(grid.along);
+
+  const double density = parameters.material.density;
+  return shared(inner ? mesh::make_inner_link(drive.chain, density, grid) :
+                        mesh::make_outer_link(drive.chain, density, grid));
 }
 
 std::shared_ptr<const mesh::Part>
@@ -35,9 +49,10 @@ make_sprocket_part(const Parameters &parameters, const drive::Drive &drive, cons
   const mesh::SprocketShape shape{driver ? drive.driver_bore : drive.driven_bore,
                                   driver ? drive.driver_hub_diameter : drive.driven_hub_diameter,
                                   drive.sprocket_width};
-  return shared(mesh::make_sprocket(driver ? drive.driver : drive.driven,
-                                    shape,
-                                    parameters.material.density,
-                                    parameters.mesh.refinement));
+  return shared(mesh::make_sprocket(
+      driver ? drive.driver : drive.driven,
+      shape,
+      parameters.material.density,
+      parameters.mesh.sprocket_refinement.value_or(parameters.mesh.refinement)));
 }
 } // namespace chaindrive::scene

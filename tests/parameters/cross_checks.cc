@@ -76,9 +76,12 @@ int main()
   });
   check([](Parameters &p) { p.drive.layout.start = "warm"; });
   check([](Parameters &p) {
-    p.drive.layout.start   = "warm";
-    p.model.fidelity       = "full";
-    p.model.mass_per_pitch = 10e-3;
+    p.drive.layout.start    = "warm";
+    p.model.fidelity        = "full";
+    p.mesh.inner_link.along = 2;
+    p.mesh.roller_along     = 5;
+    p.mesh.roller_around    = 30;
+    p.model.mass_per_pitch  = 10e-3;
   });
   check([](Parameters &p) {
     p.drive.layout.centre_distance_from = "pretension";

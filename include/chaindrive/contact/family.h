@@ -98,9 +98,9 @@ private:
   std::vector<scene::BorePair> pairs_;
 };
 
-/// A cylinder (or a node, with the radius 0) over the flanks of the sprocket @p master: its gap is
-/// the distance of its @p centre [m, world] less its @p radius [m]. Outside the sprocket's width
-/// nothing touches. Facets of an imported mesh are looked for @p within a distance [m]; @p hint is
+/// A cylinder (or a node, with the radius 0) over the flanks of the sprocket @p master, which are
+/// taken to go on beyond its width: its gap is the distance of its @p centre [m, world] less its
+/// @p radius [m]. Facets of an imported mesh are looked for @p within a distance [m]; @p hint is
 /// the facet found last time, if any.
 Touch touch_flanks(const scene::ToothFamily   &family,
                    const dealii::Tensor<1, 3> &centre,

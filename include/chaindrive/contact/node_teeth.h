@@ -4,14 +4,15 @@
 #include <chaindrive/contact/family.h>
 #include <chaindrive/mesh/surface_nodes.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
 namespace chaindrive::contact
 {
 /// Elastic rollers on the exact arcs of a rigid sprocket: every node of a roller's outside is a
-/// slave with the stiffness of its share of the surface. There is one record per roller, with the
-/// sum of its nodes' forces.
+/// slave with the stiffness of its share of the surface, or of the part of it that lies over the
+/// tooth's width. There is one record per roller, with the sum of its nodes' forces.
 ///
 /// Rollers near the sprocket are found as for rigid ones. Of their nodes only those closer to a
 /// flank than a reach are visited; the list is made anew before the nodes can have come nearer by
@@ -35,6 +36,10 @@ private:
   /// Contact of slave @p i with its record.
   void add_roller_forces(World &world, unsigned int i, double dt);
 
+  /// The part of the share of the surface's node number @p s, at @p x, that lies over the
+  /// sprocket's width: 0 ... 1.
+  double cover(const Frame &hub, const dealii::Tensor<1, 3> &x, unsigned int s) const;
+
   /// Current position or velocity of the surface's node number @p s of slave @p i.
   dealii::Tensor<1, 3>
   value(const World &world, const Copies::Vector &from, unsigned int i, unsigned int s) const;
@@ -51,7 +56,8 @@ private:
 
   unsigned int                              group_; ///< of the rollers in World::copies
   std::unique_ptr<const mesh::SurfaceNodes> surface_;
-  std::vector<unsigned int>                 copy_;        ///< per slave
+  std::vector<std::array<double, 2>>        extent_; ///< of the nodes' shares along the axis, m
+  std::vector<unsigned int>                 copy_;   ///< per slave
   std::vector<TouchState>                   node_states_; ///< [slave][node of the surface]
   std::vector<unsigned int>                 hints_;       ///< [slave][node]: facet met last
   std::vector<std::vector<unsigned int>>    active_;      ///< per slave: nodes of the surface

@@ -71,6 +71,14 @@ void add(dealii::ParameterHandler &prm,
          unsigned int              upper,
          const std::string        &meaning);
 
+/// A whole number, both ends of the range included, or `auto`, which leaves the member empty.
+void add(dealii::ParameterHandler    &prm,
+         const std::string           &name,
+         std::optional<unsigned int> &member,
+         unsigned int                 lower,
+         unsigned int                 upper,
+         const std::string           &meaning);
+
 /// One of the words @p choices.
 void add(dealii::ParameterHandler       &prm,
          const std::string              &name,

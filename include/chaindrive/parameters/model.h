@@ -45,10 +45,22 @@ struct Elasticity
   void declare(dealii::ParameterHandler &prm);
 };
 
-/// Section `Mesh`: of the parts' reference meshes.
+/// Section `Mesh`: of the parts' reference meshes. Numbers of cells left empty follow from the
+/// refinement.
 struct Mesh
 {
+  using Cells = std::optional<unsigned int>;
+
+  /// Cells of a link; see mesh::LinkGrid.
+  struct Link
+  {
+    Cells around, wall, rings, plate_layers, along;
+  };
+
   unsigned int refinement = 0; ///< 0 (coarse, for pictures) ... 4
+  Cells        roller_wall, roller_around, roller_along;
+  Link         inner_link, outer_link;
+  Cells        sprocket_refinement; ///< 0 ... 4
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p prm.
