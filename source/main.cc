@@ -10,52 +10,81 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <string>
 #include <thread>
 
 namespace
 {
-/// Runs what the command line asks for on this rank. Exit status: 0 done, 2 input that cannot be
-/// run, 3 a run that failed.
-int run(const int argc, char **argv)
+using namespace chaindrive;
+
+/// Does what the command line asks for.
+void run(const int argc, char **argv, const bool is_first_rank)
 {
-  using namespace chaindrive;
+  const CommandLine command_line = parse_command_line(argc, argv);
+  if (!(command_line.help || command_line.version || command_line.write_parameters ||
+        command_line.write_documentation))
+    simulate(command_line, MPI_COMM_WORLD);
+  else if (!is_first_rank)
+    return;
+  else if (command_line.help)
+    std::cout << help_text();
+  else if (command_line.version)
+    std::cout << version_text();
+  else if (command_line.write_parameters)
+    parameters::write_template(std::cout);
+  else
+    std::cout << parameters::parameter_documentation();
+}
+
+/// How a rank's part ended. Status: 0 done, 2 input that cannot be run, 3 a run that failed.
+struct End
+{
+  int         status = 0;
+  std::string message;
+};
+
+End run_and_catch(const int argc, char **argv, const bool is_first_rank)
+{
   try
     {
-      const CommandLine command_line = parse_command_line(argc, argv);
-      if (command_line.help)
-        std::cout << help_text();
-      else if (command_line.version)
-        std::cout << version_text();
-      else if (command_line.write_parameters)
-        parameters::write_template(std::cout);
-      else if (command_line.write_documentation)
-        std::cout << parameters::parameter_documentation();
-      else
-        simulate(command_line);
-      return 0;
+      run(argc, argv, is_first_rank);
+      return {};
     }
   catch (const InputError &error)
     {
-      std::cerr << "chaindrive: " << error.what() << std::endl;
-      return 2;
+      return {2, error.what()};
     }
   catch (const std::exception &error)
     {
-      std::cerr << "chaindrive: " << error.what() << std::endl;
-      return 3;
+      return {3, error.what()};
     }
 }
 
-/// Waits, without burning the processor, for the exit status of the rank that computes.
-int share_status(int status, const MPI_Comm comm)
+/// Waits for all ranks, without burning the processor, and returns the largest status of any. A
+/// rank that failed alone does not wait for long: it ends the others, which wait for it somewhere.
+int end_together(const End &end, const bool is_first_rank, const MPI_Comm comm)
 {
+  using namespace std::chrono_literals;
+  const auto say = [&end] { std::cerr << "chaindrive: " << end.message << std::endl; };
+  if (end.status != 0 && is_first_rank)
+    say();
+
+  const auto  since = std::chrono::steady_clock::now();
   MPI_Request request;
-  MPI_Ibcast(&status, 1, MPI_INT, 0, comm, &request);
+  MPI_Ibarrier(comm, &request);
   int done = 0;
   for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); !done;
        MPI_Test(&request, &done, MPI_STATUS_IGNORE))
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  return status;
+    {
+      if (end.status != 0 && std::chrono::steady_clock::now() - since > 5s)
+        {
+          if (!is_first_rank)
+            say();
+          MPI_Abort(comm, end.status);
+        }
+      std::this_thread::sleep_for(5ms);
+    }
+  return dealii::Utilities::MPI::max(end.status, comm);
 }
 } // namespace
 
@@ -67,11 +96,6 @@ int main(int argc, char **argv)
   std::signal(SIGXFSZ, SIG_IGN); // a file at its size limit is a failed write, told in a sentence
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  // Lumped and rigid models are too small to be worth dealing out: the first rank computes them and
-  // the others wait for its exit status.
-  int        status  = 0;
-  const bool is_root = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  if (is_root)
-    status = run(argc, argv);
-  return share_status(status, MPI_COMM_WORLD);
+  const bool is_first_rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  return end_together(run_and_catch(argc, argv, is_first_rank), is_first_rank, MPI_COMM_WORLD);
 }

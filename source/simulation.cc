@@ -11,6 +11,8 @@
 #include <chaindrive/simulation.h>
 #include <chaindrive/utilities/text.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <filesystem>
 #include <iostream>
 
@@ -42,9 +44,10 @@ void print_step(std::ostream &log, const dynamics::StepChoice &choice, const uns
 }
 } // namespace
 
-void simulate(const CommandLine &command_line)
+void simulate(const CommandLine &command_line, const MPI_Comm comm)
 {
-  output::Log log(command_line.quiet ? nullptr : &std::cout);
+  const bool  is_first_rank = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
+  output::Log log(command_line.quiet || !is_first_rank ? nullptr : &std::cout);
 
   const parameters::Input input =
       parameters::read_parameters(command_line.parameter_file, command_line.overrides);
@@ -55,7 +58,11 @@ void simulate(const CommandLine &command_line)
   const scene::Scene scene =
       scene::build_scene(parameters, drive, {folder.empty() ? "." : folder, "."});
 
-  dynamics::System           system(scene, parameters.contact.search == "every step");
+  if (!scene.has_elastic_bodies() && !is_first_rank)
+    return;
+  dynamics::System           system(scene,
+                          parameters.contact.search == "every step",
+                          scene.has_elastic_bodies() ? comm : MPI_COMM_SELF);
   const dynamics::StepChoice choice = dynamics::choose_step(system, parameters);
   const double               start = parameters.time.start, end = parameters.time.end;
   const unsigned long        n_steps = dynamics::n_steps(start, end, choice.step);
@@ -70,11 +77,14 @@ void simulate(const CommandLine &command_line)
     return;
 
   const std::string directory = output_directory(command_line, parameters);
-  const std::string original  = output::read_text(command_line.parameter_file);
-  output::prepare_directory(directory);
-  output::write_text(directory + "/input.prm", original);
-  output::write_text(directory + "/parameters.prm", input.resolved);
-  log.open(directory + "/log.txt");
+  if (is_first_rank)
+    {
+      const std::string original = output::read_text(command_line.parameter_file);
+      output::prepare_directory(directory);
+      output::write_text(directory + "/input.prm", original);
+      output::write_text(directory + "/parameters.prm", input.resolved);
+      log.open(directory + "/log.txt");
+    }
 
   output::Recorder recorder(
       scene, parameters, system, directory, input.resolved, system.timer, log);
@@ -83,6 +93,8 @@ void simulate(const CommandLine &command_line)
   recorder.close();
 
   const output::Json summary = recorder.summary(system, guard, choice, n_steps);
+  if (!is_first_rank)
+    return;
   output::write_json(directory + "/summary.json", summary);
   output::print_summary(log, summary);
   system.timer.print(log);

@@ -6,6 +6,8 @@
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,12 @@ namespace chaindrive::contact
 Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_every_step)
     : every_step_(search_every_step)
 {
+  for (const scene::BoreFamily &bores : scene.bores)
+    if (bores.elastic)
+      NodeBores::want_ghosts(bores, world);
+  for (Copies &copies : world.copies)
+    copies.make_ghosts();
+
   double smallest_radius = std::numeric_limits<double>::max();
   for (const scene::ToothFamily &teeth : scene.teeth)
     {
@@ -57,10 +65,46 @@ void Contacts::search_if_due(const World &world, const double dt)
 
 void Contacts::add_forces(World &world, const double dt)
 {
+  for (Copies &copies : world.copies)
+    copies.fetch_ghosts();
   if (needs_search_)
     search_if_due(world, dt);
   for (const auto &family : families_)
-    family->add_forces(world, dt);
+    if (family->is_dealt_out() || world.is_first_rank())
+      family->add_forces(world, dt);
+  for (Copies &copies : world.copies)
+    copies.send_forces();
+}
+
+void Contacts::gather_records(const World &world)
+{
+  const MPI_Comm     comm    = world.communicator();
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
+  const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(comm);
+  constexpr int      tag     = 1;
+  if (rank > 0)
+    {
+      message_.clear();
+      for (const auto &family : families_)
+        family->pack_records(rank, message_);
+      const int status = MPI_Send(message_.data(), int(message_.size()), MPI_DOUBLE, 0, tag, comm);
+      AssertThrowMPI(status);
+      return;
+    }
+  for (unsigned int other = 1; other < n_ranks; ++other)
+    {
+      MPI_Status status;
+      int        size = 0;
+      MPI_Probe(int(other), tag, comm, &status);
+      MPI_Get_count(&status, MPI_DOUBLE, &size);
+      message_.resize(size);
+      const int error =
+          MPI_Recv(message_.data(), size, MPI_DOUBLE, int(other), tag, comm, MPI_STATUS_IGNORE);
+      AssertThrowMPI(error);
+      std::size_t position = 0;
+      for (const auto &family : families_)
+        family->unpack_records(other, message_, position);
+    }
 }
 
 void Contacts::add_springs(const World &world, std::vector<Spring> &springs) const
@@ -72,7 +116,9 @@ void Contacts::add_springs(const World &world, std::vector<Spring> &springs) con
 void Contacts::refuse_overlap(World &world, const double prestress)
 {
   constexpr double tolerance = 1e-9;
+  world.clear_forces();
   add_forces(world, 0.);
+  gather_records(world);
   const Record *worst = nullptr;
   std::string   where;
   for (const auto &family : families_)
@@ -83,11 +129,16 @@ void Contacts::refuse_overlap(World &world, const double prestress)
           worst = &record;
           where = family->name();
         }
+  std::string message;
   if (worst != nullptr)
-    throw InputError("The bodies overlap at the start: interface " + where + ", joint " +
-                     std::to_string(worst->joint) + ", by " + to_text(-worst->gap * 1e3) +
-                     " mm, where at most 1e-06 mm is accepted. Choose clearances, pitch set and "
-                     "tooth form so that the chain fits the sprockets.");
+    message = "The bodies overlap at the start: interface " + where + ", joint " +
+              std::to_string(worst->joint) + ", by " + to_text(-worst->gap * 1e3) +
+              " mm, where at most 1e-06 mm is accepted. Choose clearances, pitch set and "
+              "tooth form so that the chain fits the sprockets.";
+  message =
+      dealii::Utilities::MPI::broadcast(world.communicator(), message); // the first rank knows
+  if (!message.empty())
+    throw InputError(message);
 }
 
 void Contacts::clear_peaks()

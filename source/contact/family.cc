@@ -17,6 +17,44 @@ void Family::clear_peaks()
     record.peak = 0.;
 }
 
+namespace
+{
+/// Hands every number of @p record that other ranks need to @p exchange.
+template <typename Exchange>
+void visit(Record &record, const Exchange &exchange)
+{
+  exchange(record.gap);
+  exchange(record.normal_speed);
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      exchange(record.force[d]);
+      exchange(record.normal[d]);
+    }
+  double feature = record.feature;
+  exchange(feature);
+  record.feature = static_cast<unsigned int>(feature);
+}
+} // namespace
+
+void Family::pack_records(const unsigned int rank, std::vector<double> &numbers) const
+{
+  for (unsigned int i = 0; i < owner_.size(); ++i)
+    if (owner_[i] == rank && within_reach(i))
+      {
+        Record record = records_[i];
+        visit(record, [&numbers](const double value) { numbers.push_back(value); });
+      }
+}
+
+void Family::unpack_records(const unsigned int         rank,
+                            const std::vector<double> &numbers,
+                            std::size_t               &position)
+{
+  for (unsigned int i = 0; i < owner_.size(); ++i)
+    if (owner_[i] == rank && within_reach(i))
+      visit(records_[i], [&](double &value) { value = numbers[position++]; });
+}
+
 void Family::apply(World &world, const unsigned int i, const Touch &touch, const double dt)
 {
   Record     &record = records_[i];

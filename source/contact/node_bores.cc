@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/node_bores.h>
 #include <chaindrive/mesh/cylinder_grid.h>
+#include <chaindrive/mesh/surface_nodes.h>
 #include <chaindrive/utilities/simd.h>
 
 #include <algorithm>
@@ -34,17 +35,49 @@ double largest_eigenvalue(const mesh::CylinderGrid &bore,
   return law.stiffness * (largest(bore, masters) + largest(cylinder, slaves));
 }
 
-JointBody body_of(World &world, const unsigned int body, const std::vector<unsigned int> &nodes)
+JointBody body_at(Copies &copies, const std::size_t first, const std::vector<unsigned int> &nodes)
 {
-  const World::Place &place  = world.places[body];
-  Copies             &copies = world.copies[place.group];
-  const std::size_t   first  = copies.index(place.copy, 0, 0);
   return {nodes.data(),
           copies.position.begin() + first,
           copies.velocity.begin() + first,
           copies.force.begin() + first};
 }
+
+/// A body that this rank owns.
+JointBody own_body(Copies &copies, const unsigned int copy, const std::vector<unsigned int> &nodes)
+{
+  return body_at(copies, copies.index(copy, 0, 0), nodes);
+}
+
+/// A body of another rank, of which the nodes @p offsets are ghosts: @p nodes become their places.
+JointBody ghost_body(Copies                          &copies,
+                     const unsigned int               copy,
+                     const std::vector<unsigned int> &offsets,
+                     std::vector<unsigned int>       &nodes)
+{
+  const unsigned int lane = copies.lane_of(copy);
+  if (nodes.empty())
+    for (const unsigned int offset : offsets)
+      nodes.push_back(
+          static_cast<unsigned int>(copies.index(copy, offset / (3 * n_lanes), 0) - lane));
+  return body_at(copies, lane, nodes);
+}
 } // namespace
+
+void NodeBores::want_ghosts(const scene::BoreFamily &scene, World &world)
+{
+  for (const scene::BorePair &pair : scene.pairs)
+    {
+      const World::Place &master = world.places[pair.master],
+                         &slave  = world.places[pair.slave.body];
+      Copies &slaves             = world.copies[slave.group];
+      if (world.copies[master.group].owns(master.copy) && !slaves.owns(slave.copy))
+        slaves.want(slave.copy,
+                    mesh::SurfaceNodes(
+                        *slaves.part, slaves.nodes, static_cast<mesh::Surface>(pair.slave_surface))
+                        .node);
+    }
+}
 
 NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool search_every_step)
     : Family(scene.name, scene.law), every_step_(search_every_step)
@@ -61,6 +94,8 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
              world.places[pair.slave.body].group,
              pair.slave_surface}]
           .push_back(i);
+      owner_.push_back(
+          world.copies[world.places[pair.master].group].owner_of(world.places[pair.master].copy));
       records_.push_back({pair.master,
                           pair.slave.body,
                           pair.slave.joint,
@@ -82,8 +117,8 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
   for (auto &[sides, pairs] : kinds)
     {
       const auto &[master_group, master_surface, slave_group, slave_surface] = sides;
-      const Copies            &masters = world.copies[master_group];
-      const Copies            &slaves  = world.copies[slave_group];
+      Copies                  &masters = world.copies[master_group];
+      Copies                  &slaves  = world.copies[slave_group];
       const mesh::CylinderGrid bore(*masters.part, static_cast<mesh::Surface>(master_surface));
       const mesh::CylinderGrid cylinder(*slaves.part, static_cast<mesh::Surface>(slave_surface));
 
@@ -94,6 +129,12 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
       group.largest_eigenvalue =
           largest_eigenvalue(bore, cylinder, law, masters.nodes, slaves.nodes);
 
+      pairs.erase(std::remove_if(pairs.begin(),
+                                 pairs.end(),
+                                 [&](const unsigned int i) {
+                                   return !masters.owns(world.places[scene.pairs[i].master].copy);
+                                 }),
+                  pairs.end());
       // joints whose bores lie in one batch, lane by lane: their numbers are then side by side
       std::sort(pairs.begin(), pairs.end(), [&](const unsigned int a, const unsigned int b) {
         const unsigned int i = world.places[scene.pairs[a].master].copy,
@@ -107,10 +148,17 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
         {
           if (i % n_lanes == 0)
             placed.batches.push_back(std::make_unique<JointBatch>(*placed.tables, law, kernels));
-          const scene::BorePair &pair = scene.pairs[pairs[i]];
-          placed.batches.back()->set_joint(i % n_lanes,
-                                           body_of(world, pair.master, placed.master_nodes),
-                                           body_of(world, pair.slave.body, placed.slave_nodes));
+          const scene::BorePair &pair   = scene.pairs[pairs[i]];
+          const unsigned int     master = world.places[pair.master].copy,
+                             slave      = world.places[pair.slave.body].copy;
+          placed.batches.back()->set_joint(
+              i % n_lanes,
+              own_body(masters, master, placed.master_nodes),
+              slaves.owns(slave) ? own_body(slaves, slave, placed.slave_nodes) :
+                                   ghost_body(slaves,
+                                              slave,
+                                              placed.slave_nodes,
+                                              placed.ghost_nodes[slaves.batch_of(slave)]));
         }
     }
 }

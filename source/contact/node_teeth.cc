@@ -54,7 +54,10 @@ NodeTeeth::NodeTeeth(const scene::ToothFamily &scene,
       *copies.part, copies.nodes, static_cast<mesh::Surface>(scene.slave_surface));
   extent_ = extents(copies.nodes, surface_->node);
   for (const scene::SlavePoint &slave : scene.slaves)
-    copy_.push_back(world.places[slave.body].copy);
+    {
+      copy_.push_back(world.places[slave.body].copy);
+      owner_.push_back(copies.owner_of(copy_.back()));
+    }
   node_states_.resize(scene.slaves.size() * surface_->size());
   hints_.assign(node_states_.size(), mesh::Projection::no_facet);
   active_.resize(scene.slaves.size());
@@ -86,13 +89,22 @@ void NodeTeeth::search(const World &world, const double roller_reach)
     if (!std::binary_search(near_.begin(), near_.end(), i))
       active_[i].clear(); // far from every tooth
   approach_ = reach;      // new rollers: look at their nodes
+  own_.clear();
+  for (const unsigned int i : near_)
+    if (world.copies[group_].owns(copy_[i]))
+      own_.push_back(i);
+}
+
+bool NodeTeeth::within_reach(const unsigned int i) const
+{
+  return std::binary_search(near_.begin(), near_.end(), i);
 }
 
 void NodeTeeth::search_nodes(const World &world)
 {
   const Frame              &hub = world.frames[scene_.sprocket];
   std::vector<unsigned int> found;
-  for (const unsigned int i : near_)
+  for (const unsigned int i : own_)
     {
       found.clear();
       const bool looked_at = records_[i].gap < std::numeric_limits<double>::max();
@@ -122,7 +134,7 @@ void NodeTeeth::add_forces(World &world, const double dt)
   if (every_step_ || approach_ >= reach)
     search_nodes(world);
 
-  for (const unsigned int i : near_)
+  for (const unsigned int i : own_)
     add_roller_forces(world, i, dt);
 }
 

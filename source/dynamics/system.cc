@@ -13,8 +13,8 @@
 
 namespace chaindrive::dynamics
 {
-System::System(const scene::Scene &scene, const bool search_every_step)
-    : world(scene)
+System::System(const scene::Scene &scene, const bool search_every_step, const MPI_Comm comm)
+    : world(scene, comm)
     , bars(scene.bars)
     , elastic(scene, world)
     , contacts(scene, world, search_every_step)
@@ -38,9 +38,9 @@ System::System(const scene::Scene &scene, const bool search_every_step)
 void System::evaluate_forces(const double dt)
 {
   world.clear_forces();
-  world.ledger.clear_stored();
-  loads.add_forces(world, dt);
-  if (bars.size() > 0)
+  if (world.is_first_rank())
+    loads.add_forces(world, dt);
+  if (world.is_first_rank() && bars.size() > 0)
     {
       const PhaseTimer::Scope scope(timer, internal_force_);
       bars.add_forces(world, dt);
@@ -52,6 +52,7 @@ void System::evaluate_forces(const double dt)
     }
   if (!elastic.empty())
     elastic.advance(world, {dt, loads.gravity(), loads.drag()}, timer);
+  world.sum_over_ranks();
   loads.add_work(world);
 }
 

@@ -51,9 +51,10 @@ void Elastic::move(
     {
       Copies          &copies    = world.copies[g];
       const Reference &reference = *references_[g];
-      for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
+      for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
+           ++batch)
         {
-          const std::size_t first = batch * copies.stride();
+          const std::size_t first = copies.start_of(batch);
           alignas(64) Sums  sums{};
 
           ForceArguments internal   = reference.arguments();

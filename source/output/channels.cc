@@ -38,7 +38,8 @@ void copy(const std::vector<double> &from, Row row)
 
 void Recorder::add(const Channel &channel, Fill fill)
 {
-  sources_.push_back({histories_.add(channel), std::move(fill)});
+  if (histories_ != nullptr)
+    sources_.push_back({histories_->add(channel), std::move(fill)});
 }
 
 void Recorder::add_channels()

@@ -4,6 +4,8 @@
 #include <chaindrive/output/recorder.h>
 #include <chaindrive/version.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -58,15 +60,6 @@ Recorder::Recorder(const scene::Scene     &scene,
     : scene_(scene)
     , parameters_(parameters)
     , phase_(timer.add("Output"))
-    , histories_(
-          directory + "/histories",
-          {{"program", std::string("chaindrive ") + version},
-           {"parameters", parameter_text},
-           {"parameter_hash", std::to_string(std::hash<std::string>()(parameter_text))},
-           {"axes", "driver at the origin, driven at (C, 0); z along the shafts; gravity -y"}},
-          expected_samples(parameters),
-          parameters.output.csv)
-    , progress_(std::make_unique<Progress>(log, parameters.time.start, parameters.time.end))
     , spans_(scene, system)
     , engagements_(scene, system)
     , driven_speed_(parameters.output.window_start, window_end(parameters))
@@ -75,6 +68,19 @@ Recorder::Recorder(const scene::Scene     &scene,
     , slack_tension_(driven_speed_)
     , span_speed_(driven_speed_)
 {
+  if (system.world.is_first_rank())
+    {
+      histories_ = std::make_unique<Histories>(
+          directory + "/histories",
+          std::vector<std::pair<std::string, std::string>>{
+              {"program", std::string("chaindrive ") + version},
+              {"parameters", parameter_text},
+              {"parameter_hash", std::to_string(std::hash<std::string>()(parameter_text))},
+              {"axes", "driver at the origin, driven at (C, 0); z along the shafts; gravity -y"}},
+          expected_samples(parameters),
+          parameters.output.csv);
+      progress_ = std::make_unique<Progress>(log, parameters.time.start, parameters.time.end);
+    }
   rollers_ = parameters.output.rollers;
   if (rollers_.empty())
     for (unsigned int k = 0; k < scene.n_joints; ++k)
@@ -110,12 +116,15 @@ Recorder::Recorder(const scene::Scene     &scene,
 void Recorder::observe(dynamics::System &system, const unsigned long, const double dt)
 {
   const PhaseTimer::Scope scope(system.timer, phase_);
+  system.contacts.gather_records(system.world);
+  const double time = system.world.time, start = parameters_.time.start;
+  if (histories_ == nullptr)
+    return;
   spans_.update(system);
   engagements_.observe(system, dt);
   keep_peaks(system);
   keep_means(system, dt);
 
-  const double time = system.world.time, start = parameters_.time.start;
   if (due(time, start, parameters_.output.history_interval, next_sample_))
     sample(system);
   if (fields_ != nullptr && due(time, start, parameters_.output.field_interval, next_field_))
@@ -178,10 +187,10 @@ void Recorder::keep_means(const dynamics::System &system, const double dt)
 void Recorder::sample(dynamics::System &system)
 {
   dynamics::accelerations(system.world, acceleration_);
-  histories_.begin_sample(system.world.time);
+  histories_->begin_sample(system.world.time);
   for (const Source &source : sources_)
-    source.fill(system, histories_.values(source.handle));
-  histories_.end_sample();
+    source.fill(system, histories_->values(source.handle));
+  histories_->end_sample();
 
   system.contacts.clear_peaks();
   system.bars.clear_peaks();
@@ -247,7 +256,8 @@ void Recorder::write_fields(const dynamics::System &system)
 void Recorder::close()
 {
   progress_.reset();
-  histories_.close();
+  if (histories_ != nullptr)
+    histories_->close();
 }
 
 Json Recorder::summary(const dynamics::System      &system,
@@ -255,8 +265,10 @@ Json Recorder::summary(const dynamics::System      &system,
                        const dynamics::StepChoice  &step,
                        const unsigned long          n_steps) const
 {
-  const Ledger &ledger = system.world.ledger;
-  Json          json;
+  const Ledger       &ledger = system.world.ledger;
+  const unsigned long missed =
+      dealii::Utilities::MPI::sum(system.contacts.n_missed(), system.world.communicator());
+  Json json;
   for (const World::Hub &hub : system.world.hubs)
     if (hub.body == scene_.driven)
       json["driven_angle_end"] = scene_.sense * hub.angle;
@@ -269,7 +281,7 @@ Json Recorder::summary(const dynamics::System      &system,
   json["tight_tension_max_start"] = tight_tension_start_;
   json["driver_torque_mean"]      = driver_torque_.mean();
   if (!system.elastic.empty())
-    json["contacts_missed"] = system.contacts.n_missed();
+    json["contacts_missed"] = missed;
   json["drive_work"]           = ledger.drive_work;
   json["resisting_work"]       = ledger.resisting_work;
   json["energy_imbalance_max"] = guard.largest_imbalance() / std::abs(ledger.drive_work);

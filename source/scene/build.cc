@@ -49,6 +49,13 @@ Tensor3 embed(const dealii::Tensor<1, 2> &v)
 }
 } // namespace
 
+bool Scene::has_elastic_bodies() const
+{
+  return std::any_of(bodies.begin(), bodies.end(), [](const Body &body) {
+    return body.motion == Motion::elastic;
+  });
+}
+
 double Scene::nominal_energy() const
 {
   const double pitch_radius = 0.5 * pitch / std::sin(dealii::numbers::PI / driver_teeth);

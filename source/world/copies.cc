@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/world/copies.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -8,36 +11,87 @@ namespace chaindrive
 {
 Copies::Copies(std::shared_ptr<const mesh::Part> the_part,
                std::vector<unsigned int>         the_bodies,
-               const std::vector<scene::Body>   &all)
+               const std::vector<scene::Body>   &all,
+               std::vector<unsigned int>         first_batch,
+               const MPI_Comm                    comm)
     : part(std::move(the_part))
     , nodes(*part)
     , bodies(std::move(the_bodies))
     , mass(std::accumulate(nodes.mass.begin(), nodes.mass.end(), 0.))
+    , comm_(comm)
+    , rank_(dealii::Utilities::MPI::this_mpi_process(comm))
+    , first_batch_(std::move(first_batch))
+    , ghosts_(n_batches() * stride())
 {
-  const dealii::IndexSet owned = dealii::complete_index_set(n_batches() * stride());
+  dealii::IndexSet owned(n_batches() * stride());
+  owned.add_range(first_owned_batch() * stride(), end_of_owned_batches() * stride());
   for (Vector *vector : {&position, &velocity, &force})
-    vector->reinit(owned, MPI_COMM_SELF);
+    vector->reinit(owned, comm_);
 
   for (const unsigned int body : bodies)
     start.push_back(all[body].initial);
   for (unsigned int slot = 0; slot < n_batches() * n_lanes; ++slot)
+    if (owns(slot))
+      {
+        const bool   empty = slot >= n_copies();
+        const Frame &frame = all[bodies[empty ? 0 : slot]].initial;
+        for (unsigned int node = 0; node < n_nodes(); ++node)
+          {
+            const dealii::Tensor<1, 3> arm =
+                frame.rotation * dealii::Tensor<1, 3>(nodes.position[node]);
+            const dealii::Tensor<1, 3> v =
+                frame.velocity + dealii::cross_product_3d(frame.angular_velocity, arm);
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                const std::size_t i       = index(slot, node, d);
+                position.local_element(i) = frame.position[d] + arm[d];
+                velocity.local_element(i) = empty ? 0. : v[d];
+              }
+          }
+      }
+}
+
+unsigned int Copies::owner_of_batch(const unsigned int batch) const
+{
+  return static_cast<unsigned int>(
+      std::upper_bound(first_batch_.begin(), first_batch_.end(), batch) - first_batch_.begin() - 1);
+}
+
+void Copies::want(const unsigned int copy, const std::vector<unsigned int> &wanted)
+{
+  if (owns(copy))
+    return;
+  for (const unsigned int node : wanted)
     {
-      const bool   empty = slot >= n_copies();
-      const Frame &frame = all[bodies[empty ? 0 : slot]].initial;
-      for (unsigned int node = 0; node < n_nodes(); ++node)
-        {
-          const dealii::Tensor<1, 3> arm =
-              frame.rotation * dealii::Tensor<1, 3>(nodes.position[node]);
-          const dealii::Tensor<1, 3> v =
-              frame.velocity + dealii::cross_product_3d(frame.angular_velocity, arm);
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              const std::size_t i       = index(slot, node, d);
-              position.local_element(i) = frame.position[d] + arm[d];
-              velocity.local_element(i) = empty ? 0. : v[d];
-            }
-        }
+      const std::size_t first = batch_of(copy) * stride() + std::size_t(3) * node * n_lanes;
+      ghosts_.add_range(first, first + 3 * n_lanes);
     }
+}
+
+void Copies::make_ghosts()
+{
+  if (first_batch_.size() == 2) // one rank
+    return;
+  for (Vector *vector : {&position, &velocity, &force})
+    {
+      Vector with_ghosts(vector->locally_owned_elements(), ghosts_, comm_);
+      with_ghosts.copy_locally_owned_data_from(*vector);
+      vector->swap(with_ghosts);
+    }
+}
+
+void Copies::fetch_ghosts()
+{
+  if (first_batch_.size() == 2)
+    return;
+  position.update_ghost_values();
+  velocity.update_ghost_values();
+}
+
+void Copies::send_forces()
+{
+  if (first_batch_.size() > 2)
+    force.compress(dealii::VectorOperation::add);
 }
 
 std::size_t Copies::memory_consumption() const

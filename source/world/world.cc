@@ -2,6 +2,8 @@
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/world/world.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -18,9 +20,45 @@ dealii::Tensor<1, 3> angular_momentum(const Frame &frame, const dealii::Tensor<1
     in_body[d] *= inertia[d];
   return frame.rotation * in_body;
 }
+
+/// Deals @p n_batches[g] equal batches of each group g, whose elements are @p n_elements[g] each,
+/// out to @p n_ranks ranks in turn: what does not go up goes to those that have least so far.
+/// Returns per group the first batch of each rank, and the number of batches.
+std::vector<std::vector<unsigned int>> deal(const std::vector<unsigned int> &n_batches,
+                                            const std::vector<unsigned int> &n_elements,
+                                            const unsigned int               n_ranks)
+{
+  std::vector<double>                    load(n_ranks, 0.);
+  std::vector<std::vector<unsigned int>> result;
+  for (unsigned int g = 0; g < n_batches.size(); ++g)
+    {
+      std::vector<unsigned int> count(n_ranks, n_batches[g] / n_ranks);
+      for (unsigned int i = 0; i < n_batches[g] % n_ranks; ++i)
+        {
+          unsigned int least = 0;
+          for (unsigned int r = 1; r < n_ranks; ++r)
+            if (load[r] + count[r] * double(n_elements[g]) <
+                load[least] + count[least] * double(n_elements[g]))
+              least = r;
+          ++count[least];
+        }
+      std::vector<unsigned int> first = {0};
+      for (unsigned int r = 0; r < n_ranks; ++r)
+        {
+          load[r] += count[r] * double(n_elements[g]);
+          first.push_back(first.back() + count[r]);
+        }
+      result.push_back(first);
+    }
+  return result;
+}
 } // namespace
 
-World::World(const scene::Scene &scene) : time(scene.start_time)
+World::World(const scene::Scene &scene, const MPI_Comm comm)
+    : time(scene.start_time)
+    , comm_(comm)
+    , rank_(dealii::Utilities::MPI::this_mpi_process(comm))
+    , n_ranks_(dealii::Utilities::MPI::n_mpi_processes(comm))
 {
   const unsigned int     n     = static_cast<unsigned int>(scene.bodies.size());
   const dealii::IndexSet owned = dealii::complete_index_set(3 * n);
@@ -57,8 +95,16 @@ World::World(const scene::Scene &scene) : time(scene.start_time)
   for (unsigned int b = 0; b < n; ++b)
     if (scene.bodies[b].motion == scene::Motion::elastic)
       elastic[scene.bodies[b].kind].push_back(b);
+  std::vector<unsigned int> n_batches, n_elements;
   for (const auto &[kind, bodies] : elastic)
-    copies.emplace_back(scene.parts.at(kind), bodies, scene.bodies);
+    {
+      n_batches.push_back(Copies::n_batches_of(bodies.size()));
+      n_elements.push_back(scene.parts.at(kind)->mesh->n_active_cells());
+    }
+  const auto first_batches = deal(n_batches, n_elements, n_ranks_);
+  for (const auto &[kind, bodies] : elastic)
+    copies.emplace_back(
+        scene.parts.at(kind), bodies, scene.bodies, first_batches[copies.size()], comm_);
   places.resize(n);
   for (unsigned int g = 0; g < copies.size(); ++g)
     for (unsigned int k = 0; k < copies[g].n_copies(); ++k)
@@ -71,6 +117,57 @@ void World::clear_forces()
   moment = 0.;
   for (Copies &c : copies)
     c.force = 0.;
+  ledger.clear_stored();
+  before_ = ledger;
+}
+
+void World::sum_over_ranks()
+{
+  if (n_ranks_ == 1)
+    return;
+  // This rank's share of everything, one number after the other; frames of elastic bodies have one
+  // share only, their owner's.
+  const auto visit = [this](const auto &exchange) {
+    std::size_t i = 0;
+    for (Vector *vector : {&force, &moment})
+      for (double &value : *vector)
+        exchange(i++, value, true);
+    for (double Ledger::*term : Ledger::added)
+      {
+        double increment = ledger.*term - before_.*term;
+        exchange(i++, increment, true);
+        ledger.*term = before_.*term + increment;
+      }
+    for (const Copies &group : copies)
+      for (unsigned int k = 0; k < group.n_copies(); ++k)
+        {
+          Frame     &frame = frames[group.bodies[k]];
+          const bool mine  = group.owns(k);
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              exchange(i++, frame.position[d], mine);
+              exchange(i++, frame.velocity[d], mine);
+            }
+        }
+    return i;
+  };
+  const std::size_t n = visit([](std::size_t, double &, bool) {});
+  shared_.resize(n);
+  visit([this](const std::size_t i, const double &value, const bool mine) {
+    shared_[i] = mine ? value : 0.;
+  });
+  const int status =
+      MPI_Allreduce(MPI_IN_PLACE, shared_.data(), int(n), MPI_DOUBLE, MPI_SUM, comm_);
+  AssertThrowMPI(status);
+  visit([this](const std::size_t i, double &value, bool) { value = shared_[i]; });
+
+  for (const Copies &group : copies)
+    for (const unsigned int body : group.bodies)
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          displacement.local_element(3 * body + d) = frames[body].position[d] - origin[body][d];
+          velocity.local_element(3 * body + d)     = frames[body].velocity[d];
+        }
 }
 
 double World::kinetic_energy() const

@@ -25,8 +25,12 @@ class Contacts
 public:
   Contacts(const scene::Scene &scene, World &world, bool search_every_step);
 
-  /// Adds all contact forces; @p dt is the time since the last call [s], zero at the first one.
+  /// Adds this rank's share of the contact forces; @p dt is the time since the last call [s], zero
+  /// at the first one. Collective.
   void add_forces(World &world, double dt);
+
+  /// Brings the records of all pairs to the first rank. Collective.
+  void gather_records(const World &world);
 
   /// The springs of all pairs within reach, held closed.
   void add_springs(const World &world, std::vector<Spring> &springs) const;
@@ -43,7 +47,7 @@ public:
   /// The family called @p name; null when the scene has none.
   const Family *find(const std::string &name) const;
 
-  /// Contacts of elastic nodes that the searches have missed: see Family.
+  /// Contacts of elastic nodes that the searches of this rank have missed: see Family.
   unsigned long n_missed() const;
 
   const SearchStatistics &search_statistics() const { return statistics_; }
@@ -59,5 +63,6 @@ private:
   double                               approach_ = 0.; ///< bound of approach since the search, m
   bool                                 searched_ = false;
   SearchStatistics                     statistics_;
+  std::vector<double>                  message_; ///< of gather_records()
 };
 } // namespace chaindrive::contact

@@ -48,6 +48,15 @@ public:
   /// Nodes that a search found to overlap without having been looked at before; there must be none.
   virtual unsigned long n_missed() const { return 0; }
 
+  /// Whether each rank evaluates the pairs whose elastic bodies it owns. Families that are not
+  /// dealt out are evaluated by the first rank.
+  bool is_dealt_out() const { return !owner_.empty(); }
+
+  /// Appends the records of the pairs that rank @p rank evaluates to @p numbers, or takes them from
+  /// there, beginning at @p position, which moves on. Pairs that are out of reach are left out.
+  void pack_records(unsigned int rank, std::vector<double> &numbers) const;
+  void unpack_records(unsigned int rank, const std::vector<double> &numbers, std::size_t &position);
+
   /// Whether this family needs search() at all.
   virtual bool needs_search() const = 0;
 
@@ -77,10 +86,14 @@ protected:
                   const dealii::Tensor<1, 3> &point,
                   std::vector<Spring>        &springs) const;
 
-  std::string             name_;
-  scene::Law              law_; ///< of one pair
-  std::vector<Record>     records_;
-  std::vector<TouchState> states_;
+  /// Whether the last search left pair @p i within reach: the same on all ranks.
+  virtual bool within_reach(const unsigned int) const { return true; }
+
+  std::string               name_;
+  scene::Law                law_; ///< of one pair
+  std::vector<Record>       records_;
+  std::vector<TouchState>   states_;
+  std::vector<unsigned int> owner_; ///< rank that evaluates the pair; empty: the first one
 };
 
 /// Cylinders in bores: every pair is near all the time.

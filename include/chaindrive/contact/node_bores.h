@@ -4,18 +4,22 @@
 #include <chaindrive/contact/family.h>
 #include <chaindrive/contact/joints.h>
 
+#include <map>
 #include <memory>
 #include <vector>
 
 namespace chaindrive::contact
 {
 /// Elastic cylinders in elastic bores, n_lanes joints at a time: see JointBatch. One record per
-/// pair.
+/// pair. A joint is evaluated by the rank that owns its bore.
 class NodeBores : public Family
 {
 public:
   /// @p world must outlive this.
   NodeBores(const scene::BoreFamily &scene, World &world, bool search_every_step);
+
+  /// Makes ghosts in @p world of the nodes of cylinders whose bores this rank owns.
+  static void want_ghosts(const scene::BoreFamily &scene, World &world);
 
   void   search(const World &, double) override {}
   void   add_forces(World &world, double dt) override;
@@ -29,11 +33,12 @@ private:
   /// Pairs whose two sides are the same surfaces of the same parts.
   struct Group
   {
-    std::unique_ptr<const JointTables>       tables;
-    std::vector<unsigned int>                master_nodes, slave_nodes; ///< offsets
-    std::vector<std::unique_ptr<JointBatch>> batches;
-    std::vector<unsigned int>                pairs; ///< in the order of the batches' lanes
-    double                                   largest_eigenvalue; ///< of one joint, 1/s2
+    std::unique_ptr<const JointTables>                tables;
+    std::vector<unsigned int>                         master_nodes, slave_nodes; ///< node_offsets()
+    std::map<unsigned int, std::vector<unsigned int>> ghost_nodes; ///< same, of batches of others
+    std::vector<std::unique_ptr<JointBatch>>          batches;
+    std::vector<unsigned int> pairs;              ///< of this rank, in the order of the lanes
+    double                    largest_eigenvalue; ///< of one joint, 1/s2
   };
 
   std::vector<Group> groups_;

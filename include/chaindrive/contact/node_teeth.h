@@ -29,6 +29,9 @@ public:
 
   unsigned long n_missed() const override { return n_missed_; }
 
+protected:
+  bool within_reach(unsigned int i) const override;
+
 private:
   /// Lists the nodes within reach of each roller that is near.
   void search_nodes(const World &world);
@@ -58,6 +61,7 @@ private:
   std::unique_ptr<const mesh::SurfaceNodes> surface_;
   std::vector<std::array<double, 2>>        extent_; ///< of the nodes' shares along the axis, m
   std::vector<unsigned int>                 copy_;   ///< per slave
+  std::vector<unsigned int>                 own_;    ///< those near that this rank owns
   std::vector<TouchState>                   node_states_; ///< [slave][node of the surface]
   std::vector<unsigned int>                 hints_;       ///< [slave][node]: facet met last
   std::vector<std::vector<unsigned int>>    active_;      ///< per slave: nodes of the surface

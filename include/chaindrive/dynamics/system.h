@@ -20,8 +20,9 @@ namespace chaindrive::dynamics
 class System
 {
 public:
-  /// Builds the state and its forces from @p scene; refuses initial overlap (InputError).
-  System(const scene::Scene &scene, bool search_every_step);
+  /// Builds the state and its forces from @p scene, dealt out to the ranks of @p comm; refuses
+  /// initial overlap (InputError).
+  System(const scene::Scene &scene, bool search_every_step, MPI_Comm comm = MPI_COMM_SELF);
 
   /// Evaluates all forces at the present state. @p dt is the time since the last call [s].
   void evaluate_forces(double dt);

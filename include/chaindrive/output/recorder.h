@@ -20,7 +20,7 @@
 namespace chaindrive::output
 {
 /// Watches a run: samples histories, writes fields, keeps the means and maxima of the summary.
-/// Means and maxima see every step, samples only theirs.
+/// Means and maxima see every step, samples only theirs. Every rank has one; the first writes.
 class Recorder : public dynamics::Observer
 {
 public:
@@ -38,7 +38,7 @@ public:
   /// Writes what is left and closes the histories.
   void close();
 
-  /// The numbers of summary.json; their definitions are in doc/output.md.
+  /// The numbers of summary.json; their definitions are in doc/output.md. Collective.
   Json summary(const dynamics::System      &system,
                const dynamics::EnergyGuard &guard,
                const dynamics::StepChoice  &step,
@@ -86,11 +86,11 @@ private:
   const Parameters   &parameters_;
   PhaseTimer::Phase   phase_;
 
-  Histories                          histories_;
+  std::unique_ptr<Histories>         histories_; ///< on the first rank
   std::vector<Source>                sources_;
   std::unique_ptr<Fields>            fields_;
   std::map<scene::Kind, PartPatches> patches_;
-  std::unique_ptr<Progress>          progress_; ///< until close()
+  std::unique_ptr<Progress>          progress_; ///< on the first rank, until close()
 
   Spans       spans_;
   Engagements engagements_;

@@ -88,6 +88,8 @@ struct Scene
   double               mass_per_pitch      = 0.; ///< kg
   double               stiffness_per_pitch = 0.; ///< N/m
 
+  bool has_elastic_bodies() const;
+
   /// Kinetic energy of the chain at the full speed of the drive, J: the scale of all energies.
   double nominal_energy() const;
 };

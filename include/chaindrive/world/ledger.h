@@ -34,6 +34,18 @@ struct Ledger
   double lost() const { return friction + contact_damping + chain_damping + drag; }
   double imbalance() const { return stored() - initial + lost() - drive_work + resisting_work; }
 
+  /// All but the work of the hubs: what bodies, contacts and loads add, each for itself.
+  static constexpr double Ledger::*added[] = {&Ledger::kinetic,
+                                              &Ledger::potential,
+                                              &Ledger::bar,
+                                              &Ledger::strain,
+                                              &Ledger::hourglass,
+                                              &Ledger::contact,
+                                              &Ledger::friction,
+                                              &Ledger::contact_damping,
+                                              &Ledger::chain_damping,
+                                              &Ledger::drag};
+
   /// Stored energy is summed anew by whoever stores it, at every evaluation of the forces.
   void clear_stored() { kinetic = potential = bar = strain = hourglass = contact = 0.; }
 };

@@ -15,6 +15,10 @@ namespace chaindrive
 /// body (x, y, z of the centre of mass); rotations in two short lists beside them, because a rigid
 /// body's rotation is no vector. `frames` repeats positions and velocities in the form that forces
 /// are computed from.
+///
+/// Elastic bodies are dealt out to the ranks of a communicator, all else is repeated on each of
+/// them. While forces are evaluated, a rank adds its own share of resultants, moments and energies
+/// to what it holds; sum_over_ranks() makes the totals of it.
 class World
 {
 public:
@@ -48,12 +52,21 @@ public:
     unsigned int group = none, copy = none;
   };
 
-  explicit World(const scene::Scene &scene);
+  explicit World(const scene::Scene &scene, MPI_Comm comm = MPI_COMM_SELF);
+
+  /// Whether this is the rank that adds the share of everything that is not dealt out.
+  bool is_first_rank() const { return rank_ == 0; }
+
+  MPI_Comm communicator() const { return comm_; }
 
   unsigned int n_bodies() const { return static_cast<unsigned int>(frames.size()); }
 
-  /// Sets forces and moments to zero.
+  /// Sets forces, moments and stored energies to zero, to be added anew.
   void clear_forces();
+
+  /// Sums what the ranks have added since clear_forces(): forces and moments on bodies, and the
+  /// ledger but for the work of the hubs. Shares out frames of elastic bodies. Collective.
+  void sum_over_ranks();
 
   /// A force @p f [N] that acts on @p body at the world point @p at [m].
   void
@@ -108,5 +121,11 @@ public:
 
   double time = 0.; ///< s
   Ledger ledger;
+
+private:
+  MPI_Comm            comm_;
+  unsigned int        rank_, n_ranks_;
+  Ledger              before_; ///< the ledger at clear_forces()
+  std::vector<double> shared_; ///< what sum_over_ranks() sums
 };
 } // namespace chaindrive
