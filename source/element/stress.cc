@@ -43,6 +43,15 @@ Gradients mean_gradients(const mesh::Corners &corners)
   return gradients;
 }
 
+Tensor<2, 3> deformation_gradient(const Gradients                   &gradients,
+                                  const std::array<Tensor<1, 3>, 8> &position)
+{
+  Tensor<2, 3> F;
+  for (unsigned int a = 0; a < 8; ++a)
+    F += outer_product(position[a], gradients[a]);
+  return F;
+}
+
 CellStresses::CellStresses(const mesh::Part           &part,
                            const mesh::Nodes          &nodes,
                            const parameters::Material &material)
@@ -56,15 +65,6 @@ CellStresses::CellStresses(const mesh::Part           &part,
       }
 }
 
-Stress CellStresses::at(const unsigned int                 element,
-                        const std::array<Tensor<1, 3>, 8> &position) const
-{
-  Tensor<2, 3> F;
-  for (unsigned int a = 0; a < 8; ++a)
-    F += outer_product(position[a], gradients_[element][a]);
-  return stress(F, material_);
-}
-
 std::vector<Stress> CellStresses::operator()(const std::vector<Tensor<1, 3>> &position) const
 {
   std::vector<Stress> stresses(n_cells_);
@@ -73,7 +73,7 @@ std::vector<Stress> CellStresses::operator()(const std::vector<Tensor<1, 3>> &po
       std::array<Tensor<1, 3>, 8> corners;
       for (unsigned int a = 0; a < 8; ++a)
         corners[a] = position[nodes_[e][a]];
-      stresses[cell_[e]] = at(e, corners);
+      stresses[cell_[e]] = stress(deformation_gradient(gradients_[e], corners), material_);
     }
   return stresses;
 }

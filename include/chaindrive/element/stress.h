@@ -37,6 +37,10 @@ double von_mises(const dealii::SymmetricTensor<2, 3> &stress);
 using Gradients = std::array<dealii::Tensor<1, 3>, 8>;
 Gradients mean_gradients(const mesh::Corners &corners);
 
+/// Mean deformation gradient of a hexahedron whose vertices are at @p position now, m.
+dealii::Tensor<2, 3> deformation_gradient(const Gradients                           &gradients,
+                                          const std::array<dealii::Tensor<1, 3>, 8> &position);
+
 /// Strain and stress of every cell of a part, from the mean gradient over the cell. What bends
 /// through one layer of cells has its stress in their middle surface; see face_stress() for its
 /// sides.
@@ -51,9 +55,6 @@ public:
   /// From the position of each node of one copy [m], in world axes or any others: one entry per
   /// active cell of the mesh, zero in a rigid zone.
   std::vector<Stress> operator()(const std::vector<dealii::Tensor<1, 3>> &position) const;
-
-  /// The same of one elastic cell, numbered as in mesh::Nodes.
-  Stress at(unsigned int element, const std::array<dealii::Tensor<1, 3>, 8> &position) const;
 
 private:
   unsigned int                             n_cells_;
