@@ -7,6 +7,7 @@
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -30,6 +31,40 @@ namespace
 void append(std::vector<float> &values, const dealii::Tensor<1, 3> &v)
 {
   values.insert(values.end(), {float(v[0]), float(v[1]), float(v[2])});
+}
+
+/// In VTK's order.
+void append(std::vector<float> &values, const dealii::SymmetricTensor<2, 3> &t)
+{
+  for (const double value : {t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[0][2]})
+    values.push_back(static_cast<float>(value));
+}
+
+/// Of every cell of all bodies.
+std::vector<VtuGrid::FloatData> stresses_of(const std::vector<BodySnapshot> &bodies)
+{
+  std::vector<float> von_mises, strain, stress;
+  for (const BodySnapshot &body : bodies)
+    {
+      const std::size_t n = body.part->cells.size();
+      Assert(body.stress.size() == 0 || body.stress.size() == n,
+             dealii::ExcMessage("One stress per cell"));
+      for (const element::Stress &s : body.stress)
+        {
+          von_mises.push_back(static_cast<float>(element::von_mises(s.cauchy)));
+          append(strain, s.strain);
+          append(stress, s.piola);
+        }
+      if (body.stress.size() == 0)
+        {
+          von_mises.resize(von_mises.size() + n, 0.F);
+          strain.resize(strain.size() + 6 * n, 0.F);
+          stress.resize(stress.size() + 6 * n, 0.F);
+        }
+    }
+  return {{"von_mises", 1, std::move(von_mises)},
+          {"strain", 6, std::move(strain)},
+          {"stress", 6, std::move(stress)}};
 }
 
 VtuGrid grid_of(const std::vector<BodySnapshot> &bodies)
@@ -83,9 +118,14 @@ VtuGrid grid_of(const std::vector<BodySnapshot> &bodies)
       first_point += vertices.size();
     }
 
-  grid.point_data   = {{"displacement", 3, std::move(displacement)},
-                       {"velocity", 3, std::move(velocity)}};
-  grid.cell_data    = {{"contact_force", 3, std::move(contact_force)}};
+  grid.point_data = {{"displacement", 3, std::move(displacement)},
+                     {"velocity", 3, std::move(velocity)}};
+  grid.cell_data  = {{"contact_force", 3, std::move(contact_force)}};
+  if (std::any_of(bodies.begin(), bodies.end(), [](const BodySnapshot &body) {
+        return body.stress.size() > 0;
+      }))
+    for (VtuGrid::FloatData &data : stresses_of(bodies))
+      grid.cell_data.push_back(std::move(data));
   grid.cell_numbers = {{"body", std::move(id)}, {"kind", std::move(kind)}};
   return grid;
 }

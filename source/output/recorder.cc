@@ -2,6 +2,7 @@
 #include <chaindrive/dynamics/newmark.h>
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/output/recorder.h>
+#include <chaindrive/utilities/text.h>
 #include <chaindrive/version.h>
 
 #include <algorithm>
@@ -26,26 +27,13 @@ std::size_t expected_samples(const Parameters &p)
   return static_cast<std::size_t>((p.time.end - p.time.start) / p.output.history_interval) + 2;
 }
 
-double window_end(const Parameters &p) { return p.output.window_end.value_or(p.time.end); }
-
-/// Displacement and velocity of every vertex of the elastic body @p b.
-void nodal_values(const dynamics::System            &system,
-                  const unsigned int                 b,
-                  std::vector<dealii::Tensor<1, 3>> &displacement,
-                  std::vector<dealii::Tensor<1, 3>> &velocity)
+/// The components of a unit vector as text, so that they read back exactly.
+std::string axis_text(const dealii::Tensor<1, 3> &axis)
 {
-  const World::Place &place  = system.world.places[b];
-  const Copies       &copies = system.world.copies[place.group];
-  displacement.resize(copies.nodes.of_vertex.size());
-  velocity.resize(copies.nodes.of_vertex.size());
-  for (unsigned int node = 0; node < copies.n_nodes(); ++node)
-    {
-      const unsigned int vertex = copies.nodes.vertex[node];
-      displacement[vertex]      = system.elastic.displacement(system.world, place, node);
-      for (unsigned int d = 0; d < 3; ++d)
-        velocity[vertex][d] = copies.velocity.local_element(copies.index(place.copy, node, d));
-    }
+  return to_text(axis[0], 17) + " " + to_text(axis[1], 17) + " " + to_text(axis[2], 17);
 }
+
+double window_end(const Parameters &p) { return p.output.window_end.value_or(p.time.end); }
 } // namespace
 
 Recorder::Recorder(const scene::Scene     &scene,
@@ -63,6 +51,8 @@ Recorder::Recorder(const scene::Scene     &scene,
           {{"program", std::string("chaindrive ") + version},
            {"parameters", parameter_text},
            {"parameter_hash", std::to_string(std::hash<std::string>()(parameter_text))},
+           {"span_direction", axis_text(scene.span_direction)},
+           {"span_normal", axis_text(scene.span_normal)},
            {"axes", "driver at the origin, driven at (C, 0); z along the shafts; gravity -y"}},
           expected_samples(parameters),
           parameters.output.csv)
@@ -97,6 +87,9 @@ Recorder::Recorder(const scene::Scene     &scene,
                       std::vector<double>(scene.n_joints, 0.),
                       std::vector<double>(scene.n_joints, 0.)});
 
+  if (!system.elastic.empty())
+    elastic_ =
+        std::make_unique<ElasticBodies>(scene, system, parameters.output.field_interval > 0.);
   add_channels();
 
   if (parameters.output.field_interval > 0.)
@@ -178,6 +171,8 @@ void Recorder::keep_means(const dynamics::System &system, const double dt)
 void Recorder::sample(dynamics::System &system)
 {
   dynamics::accelerations(system.world, acceleration_);
+  if (elastic_ != nullptr)
+    look_at_elastic_bodies(system);
   histories_.begin_sample(system.world.time);
   for (const Source &source : sources_)
     source.fill(system, histories_.values(source.handle));
@@ -207,11 +202,10 @@ void Recorder::write_fields(const dynamics::System &system)
         contact_force[record.master] -= record.force;
       }
 
-  std::vector<std::vector<dealii::Tensor<1, 3>>> displacement(world.n_bodies()),
-      velocity(world.n_bodies());
+  std::vector<ElasticSnapshot> elastic(world.n_bodies());
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     if (world.places[b].group != World::Place::none)
-      nodal_values(system, b, displacement[b], velocity[b]);
+      elastic[b] = elastic_->snapshot(system, b);
 
   std::vector<BodySnapshot> bodies;
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
@@ -221,8 +215,9 @@ void Recorder::write_fields(const dynamics::System &system)
                       scene_.bodies[b].initial,
                       world.frames[b],
                       contact_force[b],
-                      make_array_view(displacement[b]),
-                      make_array_view(velocity[b])});
+                      make_array_view(elastic[b].displacement),
+                      make_array_view(elastic[b].velocity),
+                      {elastic[b].stress.data(), elastic[b].stress.size()}});
 
   std::vector<BarSnapshot> bars;
   for (unsigned int i = 0; i < system.bars.size(); ++i)

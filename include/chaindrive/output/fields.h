@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/element/stress.h>
 #include <chaindrive/utilities/rotation.h>
 
 #include <deal.II/base/array_view.h>
@@ -36,6 +37,7 @@ struct BodySnapshot
 
   dealii::ArrayView<const dealii::Tensor<1, 3>> displacement{}; ///< elastic bodies only [m]
   dealii::ArrayView<const dealii::Tensor<1, 3>> velocity{};     ///< elastic bodies only [m/s]
+  dealii::ArrayView<const element::Stress>      stress{};       ///< per cell, elastic bodies only
 };
 
 /// A bar between two joints at one instant.
@@ -52,7 +54,9 @@ struct BarSnapshot
 /// with one VTU file for each instant in the folder `fields` beside them.
 ///
 /// Points lie where they are now and carry displacement and velocity, cells carry the body's
-/// number, the kind of its part and its contact force. Numbers are stored in single precision:
+/// number, the kind of its part and its contact force. Where bodies have stresses, cells carry them
+/// too: von Mises' of Cauchy's stress, Green's strain and the second Piola-Kirchhoff stress in body
+/// axes (xx, yy, zz, xy, yz, xz), zero in other bodies. Numbers are stored in single precision:
 /// 0.06 micrometres at 1 m. Every failure to write is a RunError; earlier instants stay readable.
 class Fields
 {
