@@ -49,6 +49,8 @@ void Recorder::add_channels()
   add_link_channels();
   add_tooth_channels();
   add_energy_channels();
+  if (elastic_ != nullptr)
+    add_elastic_channels();
 }
 
 void Recorder::add_hub_channels()

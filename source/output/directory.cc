@@ -57,7 +57,7 @@ void prepare_directory(const std::string &path)
 
   static const std::regex results("(histories\\.h5|histories_[a-z0-9_]+\\.csv|(bodies|bars)\\.pvd|"
                                   "summary\\.json)(\\.part)?");
-  static const std::regex frames("(bodies|bars)_[0-9]+\\.vtu(\\.part)?");
+  static const std::regex frames("(bodies|bars)_[0-9]+(\\.[0-9]+)?\\.p?vtu(\\.part)?");
   remove_files(path, results);
   remove_files(fs::path(path) / "fields", frames);
 }

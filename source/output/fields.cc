@@ -6,7 +6,9 @@
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -30,6 +32,40 @@ namespace
 void append(std::vector<float> &values, const dealii::Tensor<1, 3> &v)
 {
   values.insert(values.end(), {float(v[0]), float(v[1]), float(v[2])});
+}
+
+/// In VTK's order.
+void append(std::vector<float> &values, const dealii::SymmetricTensor<2, 3> &t)
+{
+  for (const double value : {t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[0][2]})
+    values.push_back(static_cast<float>(value));
+}
+
+/// Of every cell of all bodies.
+std::vector<VtuGrid::FloatData> stresses_of(const std::vector<BodySnapshot> &bodies)
+{
+  std::vector<float> von_mises, strain, stress;
+  for (const BodySnapshot &body : bodies)
+    {
+      const std::size_t n = body.part->cells.size();
+      Assert(body.stress.size() == 0 || body.stress.size() == n,
+             dealii::ExcMessage("One stress per cell"));
+      for (const element::Stress &s : body.stress)
+        {
+          von_mises.push_back(static_cast<float>(element::von_mises(s.cauchy)));
+          append(strain, s.strain);
+          append(stress, s.piola);
+        }
+      if (body.stress.size() == 0)
+        {
+          von_mises.resize(von_mises.size() + n, 0.F);
+          strain.resize(strain.size() + 6 * n, 0.F);
+          stress.resize(stress.size() + 6 * n, 0.F);
+        }
+    }
+  return {{"von_mises", 1, std::move(von_mises)},
+          {"strain", 6, std::move(strain)},
+          {"stress", 6, std::move(stress)}};
 }
 
 VtuGrid grid_of(const std::vector<BodySnapshot> &bodies)
@@ -83,9 +119,14 @@ VtuGrid grid_of(const std::vector<BodySnapshot> &bodies)
       first_point += vertices.size();
     }
 
-  grid.point_data   = {{"displacement", 3, std::move(displacement)},
-                       {"velocity", 3, std::move(velocity)}};
-  grid.cell_data    = {{"contact_force", 3, std::move(contact_force)}};
+  grid.point_data = {{"displacement", 3, std::move(displacement)},
+                     {"velocity", 3, std::move(velocity)}};
+  grid.cell_data  = {{"contact_force", 3, std::move(contact_force)}};
+  if (std::any_of(bodies.begin(), bodies.end(), [](const BodySnapshot &body) {
+        return body.stress.size() > 0;
+      }))
+    for (VtuGrid::FloatData &data : stresses_of(bodies))
+      grid.cell_data.push_back(std::move(data));
   grid.cell_numbers = {{"body", std::move(id)}, {"kind", std::move(kind)}};
   return grid;
 }
@@ -112,24 +153,16 @@ VtuGrid grid_of(const std::vector<BarSnapshot> &bars)
   return grid;
 }
 
-/// Writes the next file of a series and the list of all its files, in this order: what the list
-/// names exists.
-void write_next(const std::string                           &directory,
-                const std::string                           &name,
-                const VtuGrid                               &grid,
-                const double                                 time,
-                std::vector<std::pair<double, std::string>> &record)
+std::string file_name(const std::string &name, const std::size_t number, const std::string &ending)
 {
   char file[64];
-  std::snprintf(file, sizeof(file), "fields/%s_%06zu.vtu", name.c_str(), record.size());
-  write_file(directory + "/" + file, [&](std::ostream &out) { write_vtu(out, grid, time); });
-  record.emplace_back(time, file);
-  write_file(directory + "/" + name + ".pvd",
-             [&](std::ostream &out) { dealii::DataOutBase::write_pvd_record(out, record); });
+  std::snprintf(file, sizeof(file), "%s_%06zu%s", name.c_str(), number, ending.c_str());
+  return file;
 }
 } // namespace
 
-Fields::Fields(const std::string &directory) : directory_(directory)
+Fields::Fields(const std::string &directory, const MPI_Comm comm)
+    : directory_(directory), comm_(comm)
 {
   std::error_code error;
   std::filesystem::create_directories(directory + "/fields", error);
@@ -137,12 +170,44 @@ Fields::Fields(const std::string &directory) : directory_(directory)
     throw RunError(write_failure(directory + "/fields", error.value()));
 }
 
+void Fields::write_next(const std::string &name,
+                        const VtuGrid     &grid,
+                        const double       time,
+                        Record            &record)
+{
+  const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(comm_);
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(comm_);
+  const std::size_t  number  = record.size();
+  const auto         piece   = [&](const unsigned int r) {
+    return file_name(name, number, n_ranks > 1 ? "." + std::to_string(r) + ".vtu" : ".vtu");
+  };
+  write_file(directory_ + "/fields/" + piece(rank),
+             [&](std::ostream &out) { write_vtu(out, grid, time); });
+  std::string file = piece(0);
+  if (n_ranks > 1)
+    {
+      MPI_Barrier(comm_);
+      file = file_name(name, number, ".pvtu");
+      std::vector<std::string> pieces;
+      for (unsigned int r = 0; r < n_ranks; ++r)
+        pieces.push_back(piece(r));
+      if (rank == 0)
+        write_file(directory_ + "/fields/" + file,
+                   [&](std::ostream &out) { write_pvtu(out, grid, pieces); });
+    }
+  // what the list names exists
+  record.emplace_back(time, "fields/" + file);
+  if (rank == 0)
+    write_file(directory_ + "/" + name + ".pvd",
+               [&](std::ostream &out) { dealii::DataOutBase::write_pvd_record(out, record); });
+}
+
 void Fields::write(const double                     time,
                    const std::vector<BodySnapshot> &bodies,
                    const std::vector<BarSnapshot>  &bars)
 {
-  write_next(directory_, "bodies", grid_of(bodies), time, bodies_);
+  write_next("bodies", grid_of(bodies), time, bodies_);
   if (!bars.empty())
-    write_next(directory_, "bars", grid_of(bars), time, bars_);
+    write_next("bars", grid_of(bars), time, bars_);
 }
 } // namespace chaindrive::output

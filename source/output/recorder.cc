@@ -2,6 +2,7 @@
 #include <chaindrive/dynamics/newmark.h>
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/output/recorder.h>
+#include <chaindrive/utilities/text.h>
 #include <chaindrive/version.h>
 
 #include <deal.II/base/mpi.h>
@@ -28,26 +29,13 @@ std::size_t expected_samples(const Parameters &p)
   return static_cast<std::size_t>((p.time.end - p.time.start) / p.output.history_interval) + 2;
 }
 
-double window_end(const Parameters &p) { return p.output.window_end.value_or(p.time.end); }
-
-/// Displacement and velocity of every vertex of the elastic body @p b.
-void nodal_values(const dynamics::System            &system,
-                  const unsigned int                 b,
-                  std::vector<dealii::Tensor<1, 3>> &displacement,
-                  std::vector<dealii::Tensor<1, 3>> &velocity)
+/// The components of a unit vector as text, so that they read back exactly.
+std::string axis_text(const dealii::Tensor<1, 3> &axis)
 {
-  const World::Place &place  = system.world.places[b];
-  const Copies       &copies = system.world.copies[place.group];
-  displacement.resize(copies.nodes.of_vertex.size());
-  velocity.resize(copies.nodes.of_vertex.size());
-  for (unsigned int node = 0; node < copies.n_nodes(); ++node)
-    {
-      const unsigned int vertex = copies.nodes.vertex[node];
-      displacement[vertex]      = system.elastic.displacement(system.world, place, node);
-      for (unsigned int d = 0; d < 3; ++d)
-        velocity[vertex][d] = copies.velocity.local_element(copies.index(place.copy, node, d));
-    }
+  return to_text(axis[0], 17) + " " + to_text(axis[1], 17) + " " + to_text(axis[2], 17);
 }
+
+double window_end(const Parameters &p) { return p.output.window_end.value_or(p.time.end); }
 } // namespace
 
 Recorder::Recorder(const scene::Scene     &scene,
@@ -76,6 +64,8 @@ Recorder::Recorder(const scene::Scene     &scene,
               {"program", std::string("chaindrive ") + version},
               {"parameters", parameter_text},
               {"parameter_hash", std::to_string(std::hash<std::string>()(parameter_text))},
+              {"span_direction", axis_text(scene.span_direction)},
+              {"span_normal", axis_text(scene.span_normal)},
               {"axes", "driver at the origin, driven at (C, 0); z along the shafts; gravity -y"}},
           expected_samples(parameters),
           parameters.output.csv);
@@ -103,11 +93,14 @@ Recorder::Recorder(const scene::Scene     &scene,
                       std::vector<double>(scene.n_joints, 0.),
                       std::vector<double>(scene.n_joints, 0.)});
 
+  if (!system.elastic.empty())
+    elastic_ =
+        std::make_unique<ElasticBodies>(scene, system, parameters.output.field_interval > 0.);
   add_channels();
 
   if (parameters.output.field_interval > 0.)
     {
-      fields_ = std::make_unique<Fields>(directory);
+      fields_ = std::make_unique<Fields>(directory, system.world.communicator());
       for (const auto &[kind, part] : scene.parts)
         patches_.emplace(kind, PartPatches(*part->mesh));
     }
@@ -118,18 +111,26 @@ void Recorder::observe(dynamics::System &system, const unsigned long, const doub
   const PhaseTimer::Scope scope(system.timer, phase_);
   system.contacts.gather_records(system.world);
   const double time = system.world.time, start = parameters_.time.start;
-  if (histories_ == nullptr)
-    return;
-  spans_.update(system);
-  engagements_.observe(system, dt);
-  keep_peaks(system);
-  keep_means(system, dt);
+  const bool   is_first_rank = histories_ != nullptr;
+  if (is_first_rank)
+    {
+      spans_.update(system);
+      engagements_.observe(system, dt);
+      keep_peaks(system);
+      keep_means(system, dt);
+    }
 
   if (due(time, start, parameters_.output.history_interval, next_sample_))
-    sample(system);
+    {
+      if (elastic_ != nullptr)
+        look_at_elastic_bodies(system);
+      if (is_first_rank)
+        sample(system);
+    }
   if (fields_ != nullptr && due(time, start, parameters_.output.field_interval, next_field_))
     write_fields(system);
-  progress_->update(time);
+  if (is_first_rank)
+    progress_->update(time);
 }
 
 void Recorder::keep_peaks(const dynamics::System &system)
@@ -216,22 +217,23 @@ void Recorder::write_fields(const dynamics::System &system)
         contact_force[record.master] -= record.force;
       }
 
-  std::vector<std::vector<dealii::Tensor<1, 3>>> displacement(world.n_bodies()),
-      velocity(world.n_bodies());
+  std::vector<ElasticSnapshot> elastic(world.n_bodies());
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
-    if (world.places[b].group != World::Place::none)
-      nodal_values(system, b, displacement[b], velocity[b]);
+    if (world.places[b].group != World::Place::none && world.owns(b))
+      elastic[b] = elastic_->snapshot(system, b);
 
   std::vector<BodySnapshot> bodies;
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
-    bodies.push_back({&patches_.at(scene_.bodies[b].kind),
-                      b,
-                      static_cast<int>(scene_.bodies[b].kind),
-                      scene_.bodies[b].initial,
-                      world.frames[b],
-                      contact_force[b],
-                      make_array_view(displacement[b]),
-                      make_array_view(velocity[b])});
+    if (world.owns(b))
+      bodies.push_back({&patches_.at(scene_.bodies[b].kind),
+                        b,
+                        static_cast<int>(scene_.bodies[b].kind),
+                        scene_.bodies[b].initial,
+                        world.frames[b],
+                        contact_force[b],
+                        make_array_view(elastic[b].displacement),
+                        make_array_view(elastic[b].velocity),
+                        {elastic[b].stress.data(), elastic[b].stress.size()}});
 
   std::vector<BarSnapshot> bars;
   for (unsigned int i = 0; i < system.bars.size(); ++i)

@@ -97,4 +97,29 @@ void write_vtu(std::ostream &out, const VtuGrid &grid, const double time)
   out << "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_"
       << arrays.binary() << "\n</AppendedData>\n</VTKFile>\n";
 }
+
+void write_pvtu(std::ostream &out, const VtuGrid &grid, const std::vector<std::string> &pieces)
+{
+  const auto declare =
+      [&out](const std::string &type, const std::string &name, const unsigned int components) {
+        out << "<PDataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\""
+            << components << "\"/>\n";
+      };
+  out << "<?xml version=\"1.0\"?>\n"
+         "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+         "header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n";
+  declare("Float32", "position", 3);
+  out << "</PPoints>\n<PPointData>\n";
+  for (const VtuGrid::FloatData &data : grid.point_data)
+    declare("Float32", data.name, data.components);
+  out << "</PPointData>\n<PCellData>\n";
+  for (const VtuGrid::IntegerData &data : grid.cell_numbers)
+    declare("Int32", data.name, 1);
+  for (const VtuGrid::FloatData &data : grid.cell_data)
+    declare("Float32", data.name, data.components);
+  out << "</PCellData>\n";
+  for (const std::string &piece : pieces)
+    out << "<Piece Source=\"" << piece << "\"/>\n";
+  out << "</PUnstructuredGrid>\n</VTKFile>\n";
+}
 } // namespace chaindrive::output

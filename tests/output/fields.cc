@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // VTU files, read back without the code that wrote them: points, displacement and velocity of a
-// rigid, an elastic and a lumped body against closed forms; cells, bars and the list of instants.
+// rigid, an elastic and a lumped body against closed forms; strain and stress of an elastic one;
+// cells, bars and the list of instants.
 #include <chaindrive/output/fields.h>
 #include <chaindrive/output/file.h>
 
@@ -90,6 +91,15 @@ int main()
   elastic.velocity         = {rate.data(), n};
   const output::BarSnapshot bar{4, {{Point<3>(0., 1., 0.), Point<3>(1., 1., 0.)}}, {}, {}, 1412.};
 
+  // stretched by 1.5 along x, its sides held
+  dealii::Tensor<2, 3> F = dealii::unit_symmetric_tensor<3>();
+  F[0][0]                = 1.5;
+  F[1][2]                = 0.2;
+  const parameters::Material         material;
+  const element::Stress              held = element::stress(F, material);
+  const std::vector<element::Stress> stresses(6, held);
+  elastic.stress = {stresses.data(), stresses.size()};
+
   output::Fields fields(".");
   fields.write(0., {turned(part, 0., 40.)});
   fields.write(1e-3, {rigid, elastic}, {bar, bar});
@@ -146,6 +156,45 @@ int main()
     (c < 6 ? rigid_volume : elastic_volume) += volume(points, &cells[8 * c]);
   std::cout << "volume / exact: rigid " << std::round(rigid_volume / 6e-6 * 1e5) / 1e5
             << ", stretched " << std::round(elastic_volume / 9e-6 * 1e5) / 1e5 << std::endl;
+
+  // E = (F^T F - 1) / 2, S = lambda tr E + 2 mu E, sigma = F S F^T / 1.5, each in VTK's order
+  const double mu = 210e9 / 2.6, lambda = mu * 0.6 / 0.4;
+  const double exx = 0.625, eyz = 0.1, ezz = 0.02, pull = lambda * (exx + ezz);
+  const double sxx = pull + 2. * mu * exx, syy = pull, szz = pull + 2. * mu * ezz,
+               syz = 2. * mu * eyz;
+  const double txx = 1.5 * sxx, tyy = (syy + 0.4 * syz + 0.04 * szz) / 1.5, tzz = szz / 1.5,
+               tyz   = (syz + 0.2 * szz) / 1.5;
+  const double mises = std::sqrt(
+      0.5 * ((txx - tyy) * (txx - tyy) + (tyy - tzz) * (tyy - tzz) + (tzz - txx) * (tzz - txx)) +
+      3. * tyz * tyz);
+  const auto strain = read_array<float>(text, "strain"), stress = read_array<float>(text, "stress"),
+             von_mises           = read_array<float>(text, "von_mises");
+  const double expected_strain[] = {exx, 0., ezz, 0., eyz, 0.},
+               expected_stress[] = {sxx, syy, szz, 0., syz, 0.};
+  double worst_rigid = 0., worst_stress = 0.;
+  for (int c = 0; c < 6; ++c)
+    {
+      worst_rigid  = std::max(worst_rigid, double(std::abs(von_mises[c])));
+      worst_stress = std::max(worst_stress, std::abs(von_mises[6 + c] / mises - 1.));
+      for (int i = 0; i < 6; ++i)
+        {
+          worst_rigid  = std::max({worst_rigid,
+                                   double(std::abs(strain[6 * c + i])),
+                                   double(std::abs(stress[6 * c + i]))});
+          worst_stress = std::max({worst_stress,
+                                   std::abs(strain[36 + 6 * c + i] - expected_strain[i]),
+                                   std::abs(stress[36 + 6 * c + i] - expected_stress[i]) / sxx});
+        }
+    }
+  std::cout << "cells with strain, stress and von Mises: " << von_mises.size()
+            << ", elastic within 1e-6: " << (worst_stress < 1e-6 ? "yes" : "no")
+            << ", rigid zero: " << (worst_rigid == 0. ? "yes" : "no")
+            << "; absent without elastic bodies: "
+            << (output::read_text("fields/bodies_000000.vtu").find("von_mises") ==
+                        std::string::npos ?
+                    "yes" :
+                    "no")
+            << std::endl;
 
   const std::string bars = output::read_text("fields/bars_000000.vtu");
   std::cout << "bars: points " << read_array<float>(bars, "position").size() / 3 << ", types "

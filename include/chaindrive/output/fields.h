@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/element/stress.h>
+#include <chaindrive/output/vtu.h>
 #include <chaindrive/utilities/rotation.h>
 
 #include <deal.II/base/array_view.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
@@ -36,6 +39,7 @@ struct BodySnapshot
 
   dealii::ArrayView<const dealii::Tensor<1, 3>> displacement{}; ///< elastic bodies only [m]
   dealii::ArrayView<const dealii::Tensor<1, 3>> velocity{};     ///< elastic bodies only [m/s]
+  dealii::ArrayView<const element::Stress>      stress{};       ///< per cell, elastic bodies only
 };
 
 /// A bar between two joints at one instant.
@@ -49,17 +53,21 @@ struct BarSnapshot
 };
 
 /// Pictures of the moving chain for ParaView: `bodies.pvd` and, when there are bars, `bars.pvd`,
-/// with one VTU file for each instant in the folder `fields` beside them.
+/// with one VTU file for each instant in the folder `fields` beside them; with several ranks, one
+/// of each rank and a PVTU file that names them.
 ///
 /// Points lie where they are now and carry displacement and velocity, cells carry the body's
-/// number, the kind of its part and its contact force. Numbers are stored in single precision:
+/// number, the kind of its part and its contact force. Where bodies have stresses, cells carry them
+/// too: von Mises' of Cauchy's stress, Green's strain and the second Piola-Kirchhoff stress in body
+/// axes (xx, yy, zz, xy, yz, xz), zero in other bodies. Numbers are stored in single precision:
 /// 0.06 micrometres at 1 m. Every failure to write is a RunError; earlier instants stay readable.
 class Fields
 {
 public:
-  /// Makes the folder `fields` in @p directory.
-  explicit Fields(const std::string &directory);
+  /// Makes the folder `fields` in @p directory. Each rank of @p comm writes its own bodies.
+  explicit Fields(const std::string &directory, MPI_Comm comm = MPI_COMM_SELF);
 
+  /// Collective; bars are the first rank's.
   void write(double                           time,
              const std::vector<BodySnapshot> &bodies,
              const std::vector<BarSnapshot>  &bars = {});
@@ -67,7 +75,11 @@ public:
 private:
   using Record = std::vector<std::pair<double, std::string>>; // time, file
 
+  /// Writes the next instant of a series.
+  void write_next(const std::string &name, const VtuGrid &grid, double time, Record &record);
+
   const std::string directory_;
+  MPI_Comm          comm_;
   Record            bodies_, bars_;
 };
 } // namespace chaindrive::output

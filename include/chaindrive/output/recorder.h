@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/dynamics/time_loop.h>
+#include <chaindrive/output/elastic_bodies.h>
 #include <chaindrive/output/engagements.h>
 #include <chaindrive/output/fields.h>
 #include <chaindrive/output/histories.h>
@@ -75,9 +76,13 @@ private:
   void add_link_channels();
   void add_tooth_channels();
   void add_energy_channels();
+  void add_elastic_channels();
   void add(const Channel &channel, Fill fill);
 
   void keep_peaks(const dynamics::System &system);
+  void look_at_elastic_bodies(const dynamics::System &system); ///< collective
+  template <typename Exchange>
+  void visit_elastic_values(const Exchange &exchange);
   void keep_means(const dynamics::System &system, double dt);
   void sample(dynamics::System &system);
   void write_fields(const dynamics::System &system);
@@ -92,6 +97,8 @@ private:
   std::map<scene::Kind, PartPatches> patches_;
   std::unique_ptr<Progress>          progress_; ///< on the first rank, until close()
 
+  std::unique_ptr<ElasticBodies> elastic_; ///< none without elastic bodies
+
   Spans       spans_;
   Engagements engagements_;
 
@@ -100,6 +107,9 @@ private:
   std::vector<BoreForces>   bores_;
   std::vector<double>       acceleration_; ///< of all bodies at the present sample
   std::vector<double>       link_peak_;    ///< N
+
+  std::vector<dealii::Tensor<1, 3>> surface_velocity_; ///< of rollers_ at the present sample, m/s
+  std::vector<WaistStress>          waists_;           ///< per link, at the present sample
 
   WindowMean driven_speed_, driver_torque_, tight_tension_, slack_tension_, span_speed_;
   double     tight_tension_start_ = 0.;

@@ -57,6 +57,14 @@ public:
   /// Whether this is the rank that adds the share of everything that is not dealt out.
   bool is_first_rank() const { return rank_ == 0; }
 
+  /// Whether this rank writes what there is to say of @p body: all but elastic ones are the first
+  /// rank's.
+  bool owns(const unsigned int body) const
+  {
+    const Place &place = places[body];
+    return place.group == Place::none ? is_first_rank() : copies[place.group].owns(place.copy);
+  }
+
   MPI_Comm communicator() const { return comm_; }
 
   unsigned int n_bodies() const { return static_cast<unsigned int>(frames.size()); }
