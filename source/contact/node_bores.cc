@@ -184,10 +184,11 @@ void NodeBores::add_forces(World &world, const double dt)
                                                        std::numeric_limits<double>::max();
             for (unsigned int d = 0; d < 3; ++d)
               {
-                record.force[d] = sums.force[d][lane];
+                const double force = sums.force[d][lane];
+                record.force[d]    = world.whole * force;
                 // for the motion of the centres of mass
-                world.force.local_element(3 * record.slave + d) += record.force[d];
-                world.force.local_element(3 * record.master + d) -= record.force[d];
+                world.force.local_element(3 * record.slave + d) += force;
+                world.force.local_element(3 * record.master + d) -= force;
               }
             const double size              = record.force.norm();
             record.peak                    = std::max(record.peak, size);

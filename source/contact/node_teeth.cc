@@ -191,12 +191,13 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
 
   for (unsigned int d = 0; d < 3; ++d) // for the motion of the centre of mass
     world.force.local_element(3 * record.slave + d) += record.force[d];
+  record.force *= world.whole;
   states_[i].normal = normal_force;
   if (normal_force > 0.)
     {
       record.normal       = resultant / resultant.norm();
       record.normal_speed = power / normal_force;
-      record.peak         = std::max(record.peak, resultant.norm());
+      record.peak         = std::max(record.peak, world.whole * resultant.norm());
     }
 }
 

@@ -71,6 +71,9 @@ void Elastic::move(
           for (std::size_t i = 0; i < copies.stride(); ++i)
             force_[i] += contact[i];
 
+          for (const unsigned int node : copies.on_middle_plane)
+            std::fill_n(&force_[(3 * node + 2) * n_lanes], n_lanes, 0.);
+
           kernels_.update({copies.n_nodes(),
                            kick,
                            step.dt,
@@ -106,6 +109,8 @@ void Elastic::book(World             &world,
         {
           frame.position[d] = sums.first_moment[d * n_lanes + lane] / copies.mass;
           frame.velocity[d] = sums.momentum[d * n_lanes + lane] / copies.mass;
+          if (d == 2 && copies.part->half) // of the whole body
+            frame.position[d] = frame.velocity[d] = 0.;
           world.displacement.local_element(3 * body + d) =
               frame.position[d] - world.origin[body][d];
           world.velocity.local_element(3 * body + d) = frame.velocity[d];

@@ -186,19 +186,22 @@ Part make_link(const std::string &name, const LinkShape &shape, LinkGrid grid)
   if (shape.bore == 0.) // the square inside has its corners at 45 degrees
     grid.around = (grid.around + 7) / 8 * 8;
 
-  const double inner_face    = 0.5 * (shape.length - shape.plate.thickness),
-               outer_face    = 0.5 * (shape.length + shape.plate.thickness);
-  std::vector<double> planes = divide(-outer_face, -inner_face, grid.plate_layers);
-  planes.pop_back();
-  for (const double z : divide(-inner_face, inner_face, grid.along))
+  const double inner_face = 0.5 * (shape.length - shape.plate.thickness),
+               outer_face = 0.5 * (shape.length + shape.plate.thickness);
+  std::vector<double> planes;
+  if (!grid.half)
+    {
+      planes = divide(-outer_face, -inner_face, grid.plate_layers);
+      planes.pop_back();
+    }
+  for (const double z : planes_of(inner_face, grid.along, grid.half))
     planes.push_back(z);
   planes.pop_back();
   for (const double z : divide(inner_face, outer_face, grid.plate_layers))
     planes.push_back(z);
 
   const auto present = [&](const Component c, const unsigned int layer) {
-    return c == shape.tube_id || layer < grid.plate_layers ||
-           layer >= grid.plate_layers + grid.along;
+    return c == shape.tube_id || std::abs(planes[layer] + planes[layer + 1]) > 2. * inner_face;
   };
   const auto surface_of = [&](const Component c, const Point<3> &centre, const bool end_face) {
     if (c == shape.plate_id)
@@ -208,7 +211,7 @@ Part make_link(const std::string &name, const LinkShape &shape, LinkGrid grid)
         return std::abs(centre[2]) > 0.5 * shape.length ? plate_outer_faces : plate_inner_faces;
       }
     if (end_face)
-      return other_surface;
+      return centre[2] == 0. ? middle_plane : other_surface;
     const bool   second = centre[0] > 0.;
     const double r      = std::hypot(std::abs(centre[0]) - 0.5 * shape.plate.hole_pitch, centre[1]);
     if (r > 0.25 * (shape.diameter + shape.bore))
@@ -224,6 +227,7 @@ Part make_link(const std::string &name, const LinkShape &shape, LinkGrid grid)
 
   Part part;
   part.name = name;
+  part.half = grid.half;
   part.mesh = sweep(link_section(shape, grid), planes, present, surface_of);
   return part;
 }
@@ -264,16 +268,17 @@ Part make_roller(const drive::ChainDimensions &chain, const double density, cons
   const double middle     = 0.25 * (chain.roller_diameter + chain.roller_bore);
   const auto   surface_of = [middle](Component, const Point<3> &centre, const bool end_face) {
     if (end_face)
-      return roller_ends;
+      return centre[2] == 0. ? middle_plane : roller_ends;
     return std::hypot(centre[0], centre[1]) > middle ? roller_outside : roller_bore;
   };
 
   Part part;
   part.name    = "roller";
   part.density = density;
+  part.half    = grid.half;
   part.mesh    = sweep(
       section,
-      divide(-0.5 * chain.roller_length, 0.5 * chain.roller_length, grid.along),
+      planes_of(0.5 * chain.roller_length, grid.along, grid.half),
       [](Component, unsigned int) { return true; },
       surface_of);
   part.exact = drive::roller_solid(chain, density);

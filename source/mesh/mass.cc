@@ -34,11 +34,14 @@ void for_each_point(
 class PointMasses
 {
 public:
+  /// Each point of a half part stands for its mirror image, too.
+  explicit PointMasses(const Part &part) : mirrored_(part.half) {}
+
   void add(const dealii::Point<3> &x, const double mass)
   {
-    mass_ += mass;
-    first_ += mass * x;
-    second_ += mass * outer_product(dealii::Tensor<1, 3>(x), dealii::Tensor<1, 3>(x));
+    add_one(x, mass);
+    if (mirrored_)
+      add_one(dealii::Point<3>(x[0], x[1], -x[2]), mass);
   }
 
   drive::MassProperties properties() const
@@ -55,6 +58,14 @@ public:
   }
 
 private:
+  void add_one(const dealii::Point<3> &x, const double mass)
+  {
+    mass_ += mass;
+    first_ += mass * x;
+    second_ += mass * outer_product(dealii::Tensor<1, 3>(x), dealii::Tensor<1, 3>(x));
+  }
+
+  bool                 mirrored_;
   double               mass_ = 0.;
   dealii::Tensor<1, 3> first_;
   dealii::Tensor<2, 3> second_;
@@ -72,7 +83,7 @@ std::array<double, n_components> component_volumes(const dealii::Triangulation<3
 
 drive::MassProperties meshed_properties(const Part &part)
 {
-  PointMasses masses;
+  PointMasses masses(part);
   for_each_point(*part.mesh,
                  [&](const unsigned int component, const dealii::Point<3> &x, double volume) {
                    masses.add(x, part.density_of(component) * volume);
@@ -85,7 +96,7 @@ drive::MassProperties lumped_properties(const Part &part)
   const dealii::FE_Q<3>   fe(1);
   const dealii::QGauss<3> quadrature(2);
   dealii::FEValues<3>     values(fe, quadrature, dealii::update_values | dealii::update_JxW_values);
-  PointMasses             masses;
+  PointMasses             masses(part);
   for (const auto &cell : part.mesh->active_cell_iterators())
     {
       values.reinit(cell);
@@ -105,7 +116,7 @@ void match_masses(Part &part, const std::array<double, n_components> &masses)
   const auto volumes = component_volumes(*part.mesh);
   for (unsigned int c = 0; c < n_components; ++c)
     if (masses[c] > 0.)
-      part.density_factor[c] = masses[c] / (part.density * volumes[c]);
+      part.density_factor[c] = masses[c] / (part.density * volumes[c] * (part.half ? 2. : 1.));
   part.meshed = meshed_properties(part);
 }
 } // namespace chaindrive::mesh

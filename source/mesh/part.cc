@@ -23,7 +23,8 @@ const std::string &surface_name(const unsigned int boundary_id)
                                                              "plate edges",
                                                              "tooth flanks",
                                                              "sprocket sides",
-                                                             "hub"}};
+                                                             "hub",
+                                                             "middle plane"}};
   AssertIndexRange(boundary_id, n_surfaces);
   return names[boundary_id];
 }

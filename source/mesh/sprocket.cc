@@ -263,7 +263,8 @@ PlanarMesh sprocket_section(const drive::ToothForm &form,
 Part make_sprocket(const drive::ToothForm &form,
                    const SprocketShape    &shape,
                    const double            density,
-                   const unsigned int      refinement)
+                   const unsigned int      refinement,
+                   const bool              half)
 {
   constexpr unsigned int n_levels           = 5;
   constexpr unsigned int n_layers[n_levels] = {2, 2, 4, 6, 8};
@@ -271,7 +272,7 @@ Part make_sprocket(const drive::ToothForm &form,
   const double middle     = 0.5 * (0.5 * shape.hub_diameter + 0.5 * shape.bore);
   const auto   surface_of = [middle](Component, const Point<3> &centre, const bool end_face) {
     if (end_face)
-      return sprocket_sides;
+      return centre[2] == 0. ? middle_plane : sprocket_sides;
     return std::hypot(centre[0], centre[1]) > middle ? tooth_flanks : hub;
   };
 
@@ -279,9 +280,10 @@ Part make_sprocket(const drive::ToothForm &form,
   part.name      = "sprocket with " + std::to_string(form.teeth) + " teeth";
   part.density   = density;
   part.n_sectors = form.teeth;
+  part.half      = half;
   part.mesh      = sweep(
       sprocket_section(form, shape, refinement),
-      divide(-0.5 * shape.width, 0.5 * shape.width, n_layers[std::min(refinement, n_levels - 1)]),
+      planes_of(0.5 * shape.width, n_layers[std::min(refinement, n_levels - 1)], half),
       [](Component, unsigned int) { return true; },
       surface_of);
   part.exact = drive::sprocket_solid(form, shape.bore, shape.width, density);

@@ -37,6 +37,11 @@ std::vector<double> divide(const double first, const double last, const unsigned
   return values;
 }
 
+std::vector<double> planes_of(const double outer_face, const unsigned int n, const bool half)
+{
+  return half ? divide(0., outer_face, n / 2) : divide(-outer_face, outer_face, n);
+}
+
 std::vector<double> fractions_along(const Line &line)
 {
   std::vector<double> s = {0.};

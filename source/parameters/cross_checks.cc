@@ -158,6 +158,9 @@ void check_model(const Parameters &p, Findings &findings)
       full && p.drive.layout.centre_distance_from == "pretension",
       "Drive/Layout/Centre distance from = pretension stretches the chain before the start, which "
       "Model/Fidelity = full cannot do with its elastic parts; choose given, slack or sag.");
+  findings.contradiction(p.model.half && !full,
+                         "Model/Half model = true is for elastic bodies: Model/Fidelity = " +
+                             p.model.fidelity + " has none.");
   findings.contradiction(
       full && p.mesh.inner_link.along.value_or(4) < 4,
       "Mesh/Inner link/Cells along = 2 leaves one ring of a bush's nodes inside its roller, which "

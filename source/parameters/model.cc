@@ -18,6 +18,12 @@ void Model::declare(dealii::ParameterHandler &prm)
       "deformation does; costs a thousand times as much. Experimental: sprockets are rigid, and no "
       "preset has been validated yet.");
   add(prm,
+      "Half model",
+      half,
+      "Computes only the halves of all bodies on one side of the chain's middle plane, which is a "
+      "plane of symmetry as long as nothing pushes the chain sideways; full fidelity only. Forces, "
+      "masses and energies are reported of whole bodies. Costs half as much.");
+  add(prm,
       "Mass per pitch in g",
       mass_per_pitch,
       unit::milli,

@@ -66,6 +66,11 @@ std::vector<Effect> decide_effects(const Parameters &p)
                      full,
                      full ? "fidelity full: rollers, inner and outer links; sprockets are rigid" :
                             "no group of bodies is elastic in this fidelity"});
+  if (full)
+    effects.push_back(
+        {"half model",
+         p.model.half,
+         p.model.half ? "asked for: the middle plane is a plane of symmetry" : "whole bodies"});
   effects.push_back({"fields",
                      p.output.field_interval > 0.,
                      "field interval " + to_text(p.output.field_interval * 1e3) + " ms"});

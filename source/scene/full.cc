@@ -21,6 +21,7 @@ double thickness(const Scene &scene, const Kind kind, const mesh::Surface side)
 void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
 {
   add_chain_bodies(parameters, drive, Motion::elastic, scene);
+  scene.half                    = parameters.model.half;
   scene.parts[Kind::roller]     = make_roller_part(parameters, drive);
   scene.parts[Kind::inner_link] = make_link_part(parameters, drive, true);
   scene.parts[Kind::outer_link] = make_link_part(parameters, drive, false);

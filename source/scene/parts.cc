@@ -22,7 +22,8 @@ std::shared_ptr<const mesh::Part> make_roller_part(const Parameters   &parameter
                                   parameters.material.density,
                                   {cells.roller_wall.value_or(level.wall),
                                    cells.roller_around.value_or(level.around),
-                                   cells.roller_along.value_or(level.along)}));
+                                   cells.roller_along.value_or(level.along),
+                                   parameters.model.half}));
 }
 
 std::shared_ptr<const mesh::Part>
@@ -37,6 +38,7 @@ make_link_part(const Parameters &parameters, const drive::Drive &drive, const bo
   grid.rings          = cells.rings.value_or(grid.rings);
   grid.plate_layers   = cells.plate_layers.value_or(grid.plate_layers);
   grid.along          = cells.along.value_or(grid.along);
+  grid.half           = parameters.model.half;
 
   const double density = parameters.material.density;
   return shared(inner ? mesh::make_inner_link(drive.chain, density, grid) :

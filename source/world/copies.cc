@@ -28,6 +28,11 @@ Copies::Copies(std::shared_ptr<const mesh::Part> the_part,
   for (Vector *vector : {&position, &velocity, &force})
     vector->reinit(owned, comm_);
 
+  if (part->half)
+    for (unsigned int node = 0; node < n_nodes(); ++node)
+      if (nodes.position[node][2] == 0.)
+        on_middle_plane.push_back(node);
+
   for (const unsigned int body : bodies)
     start.push_back(all[body].initial);
   for (unsigned int slot = 0; slot < n_batches() * n_lanes; ++slot)

@@ -56,6 +56,7 @@ std::vector<std::vector<unsigned int>> deal(const std::vector<unsigned int> &n_b
 
 World::World(const scene::Scene &scene, const MPI_Comm comm)
     : time(scene.start_time)
+    , whole(scene.half ? 2. : 1.)
     , comm_(comm)
     , rank_(dealii::Utilities::MPI::this_mpi_process(comm))
     , n_ranks_(dealii::Utilities::MPI::n_mpi_processes(comm))
@@ -123,7 +124,7 @@ void World::clear_forces()
 
 void World::sum_over_ranks()
 {
-  if (n_ranks_ == 1)
+  if (n_ranks_ == 1 && whole == 1.)
     return;
   // This rank's share of everything, one number after the other; frames of elastic bodies have one
   // share only, their owner's.
@@ -131,18 +132,18 @@ void World::sum_over_ranks()
     std::size_t i = 0;
     for (Vector *vector : {&force, &moment})
       for (double &value : *vector)
-        exchange(i++, value, true);
+        exchange(i++, value, whole);
     for (double Ledger::*term : Ledger::added)
       {
         double increment = ledger.*term - before_.*term;
-        exchange(i++, increment, true);
+        exchange(i++, increment, whole);
         ledger.*term = before_.*term + increment;
       }
     for (const Copies &group : copies)
       for (unsigned int k = 0; k < group.n_copies(); ++k)
         {
-          Frame     &frame = frames[group.bodies[k]];
-          const bool mine  = group.owns(k);
+          Frame       &frame = frames[group.bodies[k]];
+          const double mine  = group.owns(k) ? 1. : 0.;
           for (unsigned int d = 0; d < 3; ++d)
             {
               exchange(i++, frame.position[d], mine);
@@ -151,15 +152,18 @@ void World::sum_over_ranks()
         }
     return i;
   };
-  const std::size_t n = visit([](std::size_t, double &, bool) {});
+  const std::size_t n = visit([](std::size_t, double &, double) {});
   shared_.resize(n);
-  visit([this](const std::size_t i, const double &value, const bool mine) {
-    shared_[i] = mine ? value : 0.;
+  visit([this](const std::size_t i, const double &value, const double share) {
+    shared_[i] = share * value;
   });
-  const int status =
-      MPI_Allreduce(MPI_IN_PLACE, shared_.data(), int(n), MPI_DOUBLE, MPI_SUM, comm_);
-  AssertThrowMPI(status);
-  visit([this](const std::size_t i, double &value, bool) { value = shared_[i]; });
+  if (n_ranks_ > 1)
+    {
+      const int status =
+          MPI_Allreduce(MPI_IN_PLACE, shared_.data(), int(n), MPI_DOUBLE, MPI_SUM, comm_);
+      AssertThrowMPI(status);
+    }
+  visit([this](const std::size_t i, double &value, double) { value = shared_[i]; });
 
   for (const Copies &group : copies)
     for (const unsigned int body : group.bodies)

@@ -9,13 +9,14 @@ namespace chaindrive::mesh
 struct RollerGrid
 {
   RollerGrid(unsigned int refinement);
-  RollerGrid(unsigned int wall, unsigned int around, unsigned int along)
-      : wall(wall), around(around), along(along)
+  RollerGrid(unsigned int wall, unsigned int around, unsigned int along, bool half = false)
+      : wall(wall), around(around), along(along), half(half)
   {
   }
 
   unsigned int wall, around;
-  unsigned int along; ///< even: vertices lie in the chain's middle plane
+  unsigned int along;        ///< of the whole roller; even: vertices lie in the middle plane
+  bool         half = false; ///< see Part::half
 };
 
 /// Numbers of cells of a link, from a refinement level 0 ... 4 or one by one.
@@ -26,6 +27,7 @@ struct LinkGrid
   unsigned int rings;        ///< of a plate about each hole
   unsigned int plate_layers; ///< through the thickness of a plate
   unsigned int along;        ///< a bush or pin between the plates; even
+  bool         half = false; ///< see Part::half
 };
 LinkGrid inner_link_grid(unsigned int refinement);
 LinkGrid outer_link_grid(unsigned int refinement);

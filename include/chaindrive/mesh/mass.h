@@ -10,7 +10,8 @@ namespace chaindrive::mesh
 /// Volume [m3] of each component of @p mesh, exact for its trilinear cells.
 std::array<double, n_components> component_volumes(const dealii::Triangulation<3> &mesh);
 
-/// Mass and inertia of the mesh of @p part with its density factors, exact for its trilinear cells.
+/// Mass and inertia of @p part with its density factors, exact for its trilinear cells; of a half
+/// part, of the whole body.
 drive::MassProperties meshed_properties(const Part &part);
 
 /// Mass and inertia of the point masses in the vertices when each cell gives its vertices the

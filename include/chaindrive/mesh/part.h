@@ -33,7 +33,8 @@ enum Surface : dealii::types::boundary_id
   plate_edges,
   tooth_flanks, ///< the whole profile: seats, flanks and tips
   sprocket_sides,
-  hub, ///< where the shaft holds a sprocket: its bore
+  hub,          ///< where the shaft holds a sprocket: its bore
+  middle_plane, ///< z = 0, where a half part ends
   n_surfaces
 };
 
@@ -66,8 +67,11 @@ struct Part
   double                           density        = 0.; ///< of the material, kg/m3
   std::array<double, n_components> density_factor = filled(1.);
 
+  /// Only the half at z >= 0 is meshed; the body is this half and its mirror image.
+  bool half = false;
+
   drive::MassProperties exact;  ///< of the solid
-  drive::MassProperties meshed; ///< of the mesh with its density factors
+  drive::MassProperties meshed; ///< of the body as meshed, with its density factors
 
   /// The mesh is made of that many equal sectors about the z axis, numbered counter-clockwise: cell
   /// c of sector s has the index s * n_cells / n_sectors + c and is cell c of sector 0 turned by

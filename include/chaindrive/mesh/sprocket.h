@@ -26,9 +26,10 @@ sprocket_section(const drive::ToothForm &form, const SprocketShape &shape, unsig
 
 /// A sprocket of hexahedra, exactly cyclic (see Part::n_sectors): origin on the axis in the middle
 /// plane, gap 0 centred on +x. Throws InputError for sizes that do not fit. Refinement levels 0
-/// to 4.
+/// to 4. For @p half see Part::half.
 Part make_sprocket(const drive::ToothForm &form,
                    const SprocketShape    &shape,
                    double                  density,
-                   unsigned int            refinement);
+                   unsigned int            refinement,
+                   bool                    half = false);
 } // namespace chaindrive::mesh

@@ -37,6 +37,10 @@ struct PlanarMesh
 /// Values that divide the interval from @p first to @p last into @p n equal parts, both included.
 std::vector<double> divide(double first, double last, unsigned int n);
 
+/// Planes that divide a body from z = - @p outer_face to + @p outer_face into @p n layers, n even;
+/// or those of its @p half at z >= 0.
+std::vector<double> planes_of(double outer_face, unsigned int n, bool half);
+
 using Line = std::vector<dealii::Point<2>>;
 using Grid = std::vector<Line>; ///< [row][column]
 

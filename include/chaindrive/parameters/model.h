@@ -12,6 +12,7 @@ namespace chaindrive::parameters
 struct Model
 {
   std::string           fidelity = "simple"; ///< simple | layered | full
+  bool                  half     = false;    ///< elastic bodies: only their halves at z >= 0
   std::optional<double> mass_per_pitch;      ///< kg, of the whole chain per pitch
   std::optional<double> stiffness_per_pitch; ///< N/m, of the chain in a pull test, per pitch
   std::optional<double> driven_inertia;      ///< kg m2, of all that turns with the driven hub

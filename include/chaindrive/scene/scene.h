@@ -67,6 +67,7 @@ struct Scene
   double torque_angle_offset = 0.;    ///< rad by which the load torque's ramp is ahead
   double start_time          = 0.;    ///< s
   double prestress           = 0.;    ///< N, in the spans at the start
+  bool   half                = false; ///< elastic bodies are halves, see mesh::Part::half
   bool   at_speed            = false; ///< the drive starts at full speed
   int    sense               = 1;     ///< +1: counter-clockwise drive
   std::map<Kind, std::shared_ptr<const mesh::Part>> parts; ///< those that somebody needs

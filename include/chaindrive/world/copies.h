@@ -93,6 +93,8 @@ public:
   std::vector<unsigned int>         bodies; ///< per copy
   double                            mass;   ///< of one copy: sum of its nodes', kg
 
+  std::vector<unsigned int> on_middle_plane; ///< nodes of a half part that stay at z = 0
+
   std::vector<Frame> start; ///< per copy, its placement at the start
 
   Vector position; ///< world axes, m

@@ -73,7 +73,8 @@ public:
   void clear_forces();
 
   /// Sums what the ranks have added since clear_forces(): forces and moments on bodies, and the
-  /// ledger but for the work of the hubs. Shares out frames of elastic bodies. Collective.
+  /// ledger but for the work of the hubs; with halves, of whole bodies. Shares out frames of
+  /// elastic bodies. Collective.
   void sum_over_ranks();
 
   /// A force @p f [N] that acts on @p body at the world point @p at [m].
@@ -129,6 +130,10 @@ public:
 
   double time = 0.; ///< s
   Ledger ledger;
+
+  /// By how much the forces on elastic bodies, their contacts' and their energies are to be
+  /// multiplied to be those of whole bodies: 2 for halves.
+  double whole = 1.;
 
 private:
   MPI_Comm            comm_;
