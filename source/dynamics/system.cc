@@ -62,6 +62,7 @@ void System::advance(const double dt, const double new_time)
     elastic.start(world, {dt, loads.gravity(), loads.drag()}, timer);
   elastic_started_ = true;
   first_half(world, &loads.speed_program(), dt, new_time);
+  element::Elastic::follow_hubs(world);
   evaluate_forces(dt);
   second_half(world, &loads.speed_program(), dt);
   close_ledger();

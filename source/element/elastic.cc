@@ -18,7 +18,7 @@ Formulation formulation_called(const std::string &name)
 
 Elastic::Elastic(const scene::Scene &scene, const World &world) : kernels_(best_kernels())
 {
-  std::size_t largest = 0;
+  std::size_t largest = 0, largest_rim = 0;
   for (const Copies &copies : world.copies)
     {
       references_.push_back(
@@ -30,7 +30,10 @@ Elastic::Elastic(const scene::Scene &scene, const World &world) : kernels_(best_
       limits_.push_back({copies.part->name, 2. / references_.back()->largest_frequency()});
       largest = std::max(largest, copies.stride());
     }
+  for (const Rim &rim : world.rims)
+    largest_rim = std::max<std::size_t>(largest_rim, world.copies[rim.group].force.size());
   force_.resize(largest, 0.);
+  rim_force_.resize(largest_rim, 0.);
 }
 
 void Elastic::start(World &world, const Step &step, PhaseTimer &timer)
@@ -49,43 +52,73 @@ void Elastic::move(
   drift_ = step.dt;
   for (unsigned int g = 0; g < world.copies.size(); ++g)
     {
-      Copies          &copies    = world.copies[g];
-      const Reference &reference = *references_[g];
+      const auto rim = std::find_if(
+          world.rims.begin(), world.rims.end(), [g](const Rim &r) { return r.group == g; });
+      if (rim != world.rims.end())
+        {
+          move(world, *rim, step, kick, booked, timer);
+          continue;
+        }
+      const Copies &copies = world.copies[g];
       for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
         {
-          const std::size_t first = batch * copies.stride();
-          alignas(64) Sums  sums{};
-
-          ForceArguments internal   = reference.arguments();
-          internal.position         = copies.position.begin() + first;
-          internal.force            = force_.data();
-          internal.strain_energy    = sums.strain;
-          internal.hourglass_energy = sums.hourglass;
-          {
-            const PhaseTimer::Scope scope(timer, internal_force_);
-            kernels_.add_internal_forces[static_cast<int>(reference.formulation)](internal);
-          }
-
-          const double *contact = copies.force.begin() + first;
-          for (std::size_t i = 0; i < copies.stride(); ++i)
-            force_[i] += contact[i];
-
-          kernels_.update({copies.n_nodes(),
-                           kick,
-                           step.dt,
-                           {0., -step.gravity, 0.},
-                           step.drag,
-                           copies.nodes.mass.data(),
-                           copies.position.begin() + first,
-                           copies.velocity.begin() + first,
-                           force_.data(),
-                           sums.kinetic,
-                           sums.first_moment,
-                           sums.momentum});
+          alignas(64) Sums sums{};
+          add_forces(world, g, batch, force_.data(), sums, timer);
+          update(world, g, batch, force_.data(), sums, step, kick);
           if (booked)
             book(world, copies, batch, sums, step);
         }
     }
+}
+
+void Elastic::add_forces(World             &world,
+                         const unsigned int group,
+                         const unsigned int batch,
+                         double            *force,
+                         Sums              &sums,
+                         PhaseTimer        &timer) const
+{
+  const Copies     &copies    = world.copies[group];
+  const Reference  &reference = *references_[group];
+  const std::size_t first     = batch * copies.stride();
+
+  ForceArguments internal   = reference.arguments();
+  internal.position         = copies.position.begin() + first;
+  internal.force            = force;
+  internal.strain_energy    = sums.strain;
+  internal.hourglass_energy = sums.hourglass;
+  {
+    const PhaseTimer::Scope scope(timer, internal_force_);
+    kernels_.add_internal_forces[static_cast<int>(reference.formulation)](internal);
+  }
+
+  const double *contact = copies.force.begin() + first;
+  for (std::size_t i = 0; i < copies.stride(); ++i)
+    force[i] += contact[i];
+}
+
+void Elastic::update(World             &world,
+                     const unsigned int group,
+                     const unsigned int batch,
+                     double            *force,
+                     Sums              &sums,
+                     const Step        &step,
+                     const double       kick) const
+{
+  Copies           &copies = world.copies[group];
+  const std::size_t first  = batch * copies.stride();
+  kernels_.update({copies.n_nodes(),
+                   kick,
+                   step.dt,
+                   {0., -step.gravity, 0.},
+                   step.drag,
+                   copies.nodes.mass.data(),
+                   copies.position.begin() + first,
+                   copies.velocity.begin() + first,
+                   force,
+                   sums.kinetic,
+                   sums.first_moment,
+                   sums.momentum});
 }
 
 void Elastic::book(World             &world,
@@ -147,7 +180,7 @@ Elastic::displacement(const World &world, const World::Place &place, const unsig
 
 std::size_t Elastic::memory_consumption() const
 {
-  std::size_t bytes = force_.memory_consumption();
+  std::size_t bytes = force_.memory_consumption() + rim_force_.memory_consumption();
   for (const auto &reference : references_)
     bytes += reference->memory_consumption();
   return bytes;

@@ -28,6 +28,36 @@ std::size_t expected_samples(const Parameters &p)
 
 double window_end(const Parameters &p) { return p.output.window_end.value_or(p.time.end); }
 
+/// Displacement and velocity of every vertex of the sprocket with the elastic @p rim: its hub is
+/// rigid.
+void nodal_values(const dynamics::System              &system,
+                  const Rim                           &rim,
+                  const std::vector<dealii::Point<3>> &vertices,
+                  const Frame                         &initial,
+                  std::vector<dealii::Tensor<1, 3>>   &displacement,
+                  std::vector<dealii::Tensor<1, 3>>   &velocity)
+{
+  const Copies &copies = system.world.copies[rim.group];
+  const Frame  &hub    = system.world.frames[rim.body];
+  displacement.clear();
+  velocity.clear();
+  for (const dealii::Point<3> &vertex : vertices)
+    {
+      const dealii::Tensor<1, 3> arm = hub.rotation * dealii::Tensor<1, 3>(vertex);
+      displacement.push_back(arm - initial.rotation * dealii::Tensor<1, 3>(vertex));
+      velocity.push_back(cross_product_3d(hub.angular_velocity, arm));
+    }
+  for (unsigned int s = 0; s < copies.n_copies(); ++s)
+    for (unsigned int node = 0; node < copies.n_nodes(); ++node)
+      if (!std::binary_search(rim.border.begin(), rim.border.end(), node))
+        {
+          const unsigned int vertex = rim.sector->whole_vertex[s][copies.nodes.vertex[node]];
+          displacement[vertex] = system.elastic.displacement(system.world, {rim.group, s}, node);
+          for (unsigned int d = 0; d < 3; ++d)
+            velocity[vertex][d] = copies.velocity.local_element(copies.index(s, node, d));
+        }
+}
+
 /// Displacement and velocity of every vertex of the elastic body @p b.
 void nodal_values(const dynamics::System            &system,
                   const unsigned int                 b,
@@ -212,6 +242,13 @@ void Recorder::write_fields(const dynamics::System &system)
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     if (world.places[b].group != World::Place::none)
       nodal_values(system, b, displacement[b], velocity[b]);
+  for (const Rim &rim : world.rims)
+    nodal_values(system,
+                 rim,
+                 patches_.at(scene_.bodies[rim.body].kind).vertices,
+                 scene_.bodies[rim.body].initial,
+                 displacement[rim.body],
+                 velocity[rim.body]);
 
   std::vector<BodySnapshot> bodies;
   for (unsigned int b = 0; b < world.n_bodies(); ++b)

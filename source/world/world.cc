@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
 #include <chaindrive/world/world.h>
 
 #include <cmath>
@@ -55,7 +57,8 @@ World::World(const scene::Scene &scene) : time(scene.start_time)
 
   std::map<scene::Kind, std::vector<unsigned int>> elastic;
   for (unsigned int b = 0; b < n; ++b)
-    if (scene.bodies[b].motion == scene::Motion::elastic)
+    if (scene.bodies[b].motion == scene::Motion::elastic &&
+        scene.bodies[b].support == scene::Support::none)
       elastic[scene.bodies[b].kind].push_back(b);
   for (const auto &[kind, bodies] : elastic)
     copies.emplace_back(scene.parts.at(kind), bodies, scene.bodies);
@@ -63,6 +66,40 @@ World::World(const scene::Scene &scene) : time(scene.start_time)
   for (unsigned int g = 0; g < copies.size(); ++g)
     for (unsigned int k = 0; k < copies[g].n_copies(); ++k)
       places[copies[g].bodies[k]] = {g, k};
+
+  for (unsigned int h = 0; h < hubs.size(); ++h)
+    if (scene.bodies[hubs[h].body].motion == scene::Motion::elastic)
+      add_rim(scene, h);
+}
+
+void World::add_rim(const scene::Scene &scene, const unsigned int h)
+{
+  Hub               &hub    = hubs[h];
+  const scene::Body &body   = scene.bodies[hub.body];
+  const auto        &sector = scene.sectors.at(body.kind);
+  std::vector<Frame> start;
+  for (unsigned int s = 0; s < sector->n_sectors; ++s)
+    start.push_back(sector->frame(body.initial, s));
+  copies.emplace_back(sector->part, std::vector<unsigned int>(start.size(), hub.body), start);
+  rims.emplace_back(
+      hub.body, h, static_cast<unsigned int>(copies.size()) - 1, sector, copies.back());
+
+  // with less inertia than the nodes that it holds a hub could be faster than the elements are
+  const Rim &rim = rims.back();
+  hub.inertia -= rim.inertia;
+  if (!hub.prescribed && hub.inertia < rim.border_inertia)
+    throw InputError("Model/Driven inertia in kg m2 = " + to_text(body.inertia[2]) +
+                     " is less than that of the elastic rim of the sprocket alone, " +
+                     to_text(rim.inertia + rim.border_inertia) +
+                     "; choose a greater value, auto, or Model/Elastic sprockets = off.");
+}
+
+const Rim *World::rim_of(const unsigned int body) const
+{
+  for (const Rim &rim : rims)
+    if (rim.body == body)
+      return &rim;
+  return nullptr;
 }
 
 void World::clear_forces()

@@ -29,6 +29,11 @@ public:
          std::vector<unsigned int>         bodies,
          const std::vector<scene::Body>   &all);
 
+  /// The same with copy k placed and moving as @p start[k] says; several may be of one body.
+  Copies(std::shared_ptr<const mesh::Part> part,
+         std::vector<unsigned int>         bodies,
+         std::vector<Frame>                start);
+
   unsigned int n_nodes() const { return nodes.size(); }
   unsigned int n_copies() const { return static_cast<unsigned int>(bodies.size()); }
   unsigned int n_batches() const { return (n_copies() + n_lanes - 1) / n_lanes; }

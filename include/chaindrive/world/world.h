@@ -4,6 +4,7 @@
 #include <chaindrive/utilities/rotation.h>
 #include <chaindrive/world/copies.h>
 #include <chaindrive/world/ledger.h>
+#include <chaindrive/world/rim.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -34,13 +35,13 @@ public:
   {
     unsigned int body;
     bool         prescribed;
-    double       inertia;     ///< kg m2
+    double       inertia;     ///< of all that moves as the hub does, kg m2
     double       angle = 0.;  ///< since the start, rad, counter-clockwise positive
     double       speed = 0.;  ///< rad/s
     double       start_angle; ///< orientation at the start, rad
   };
 
-  /// Where an elastic body is found among the copies.
+  /// Where an elastic body of one copy is found.
   struct Place
   {
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
@@ -84,6 +85,9 @@ public:
     return frame.velocity + dealii::cross_product_3d(w, arm);
   }
 
+  /// The rim of @p body; null when it has none.
+  const Rim *rim_of(unsigned int body) const;
+
   /// Kinetic energy [J] of every rigid or lumped body but a prescribed hub, from the present
   /// velocities.
   double kinetic_energy() const;
@@ -105,8 +109,13 @@ public:
   std::vector<Frame>  frames; ///< per body, now; of an elastic one, its centre of mass
   std::vector<Copies> copies; ///< the elastic bodies, part by part
   std::vector<Place>  places; ///< per body, in copies
+  std::vector<Rim>    rims;   ///< of elastic sprockets
 
   double time = 0.; ///< s
   Ledger ledger;
+
+private:
+  /// Makes the rim of hub @p h, an elastic sprocket, and leaves the hub the inertia of the rest.
+  void add_rim(const scene::Scene &scene, unsigned int h);
 };
 } // namespace chaindrive
