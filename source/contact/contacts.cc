@@ -129,6 +129,7 @@ void Contacts::refuse_overlap(World &world, const double prestress)
           worst = &record;
           where = family->name();
         }
+  world.clear_forces();
   std::string message;
   if (worst != nullptr)
     message = "The bodies overlap at the start: interface " + where + ", joint " +

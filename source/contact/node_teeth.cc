@@ -53,6 +53,8 @@ NodeTeeth::NodeTeeth(const scene::ToothFamily &scene,
   surface_             = std::make_unique<mesh::SurfaceNodes>(
       *copies.part, copies.nodes, static_cast<mesh::Surface>(scene.slave_surface));
   extent_ = extents(copies.nodes, surface_->node);
+  if (const Rim *rim = world.rim_of(scene.sprocket))
+    flanks_ = std::make_unique<ToothSurface>(scene_, world, *rim);
   for (const scene::SlavePoint &slave : scene.slaves)
     {
       copy_.push_back(world.places[slave.body].copy);
@@ -100,9 +102,21 @@ bool NodeTeeth::within_reach(const unsigned int i) const
   return std::binary_search(near_.begin(), near_.end(), i);
 }
 
+Touch NodeTeeth::touch(const World                &world,
+                       const unsigned int          i,
+                       const unsigned int          s,
+                       const dealii::Tensor<1, 3> &x,
+                       ToothSurface::Foot         &foot)
+{
+  if (flanks_)
+    return flanks_->touch(world, x, 2. * reach, hint(i, s), foot);
+  return touch_flanks(scene_, x, 0., 2. * reach, world.frames[scene_.sprocket], hint(i, s));
+}
+
 void NodeTeeth::search_nodes(const World &world)
 {
   const Frame              &hub = world.frames[scene_.sprocket];
+  ToothSurface::Foot        foot;
   std::vector<unsigned int> found;
   for (const unsigned int i : own_)
     {
@@ -110,8 +124,8 @@ void NodeTeeth::search_nodes(const World &world)
       const bool looked_at = records_[i].gap < std::numeric_limits<double>::max();
       for (unsigned int s = 0; s < surface_->size(); ++s)
         {
-          const dealii::Tensor<1, 3> x = value(world, world.copies[group_].position, i, s);
-          const double gap = touch_flanks(scene_, x, 0., 2. * reach, hub, hint(i, s)).gap;
+          const dealii::Tensor<1, 3> x   = value(world, world.copies[group_].position, i, s);
+          const double               gap = touch(world, i, s, x, foot).gap;
           if (gap < reach)
             found.push_back(s);
           if (gap < 0. && looked_at && cover(hub, x, s) > 0. &&
@@ -140,19 +154,20 @@ void NodeTeeth::add_forces(World &world, const double dt)
 
 void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const double dt)
 {
-  Copies      &copies = world.copies[group_];
-  const Frame &hub    = world.frames[scene_.sprocket];
+  Copies            &copies = world.copies[group_];
+  ToothSurface::Foot foot;
 
-  Record &record = records_[i];
-  record.gap     = std::numeric_limits<double>::max();
-  record.force   = dealii::Tensor<1, 3>();
+  const Frame &hub    = world.frames[scene_.sprocket];
+  Record      &record = records_[i];
+  record.gap          = std::numeric_limits<double>::max();
+  record.force        = dealii::Tensor<1, 3>();
   dealii::Tensor<1, 3> resultant; // of the normal forces
   double               normal_force = 0., power = 0.;
   for (const unsigned int s : active_[i])
     {
       const dealii::Tensor<1, 3> x     = value(world, copies.position, i, s);
       const double               share = cover(hub, x, s) * surface_->area[s];
-      const Touch                touch = touch_flanks(scene_, x, 0., 2. * reach, hub, hint(i, s));
+      const Touch                touch = this->touch(world, i, s, x, foot);
 
       TouchState      &memory = state(i, s);
       const scene::Law law    = law_.times(share);
@@ -169,7 +184,9 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
 
       // Nodal velocities are the secants of the step: the sprocket's point goes along its own.
       const dealii::Tensor<1, 3> relative =
-          value(world, copies.velocity, i, s) - world.velocity_at(scene_.sprocket, x, 0.5 * dt);
+          value(world, copies.velocity, i, s) -
+          (flanks_ ? flanks_->velocity(world, foot) :
+                     world.velocity_at(scene_.sprocket, x, 0.5 * dt));
       const double         gap_rate = relative * touch.normal;
       dealii::Tensor<1, 2> slip_rate;
       slip_rate[0] = relative * touch.along;
@@ -184,7 +201,10 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
         force += memory.tangential[0] * touch.along + memory.tangential[1] * touch.across;
       for (unsigned int d = 0; d < 3; ++d)
         copies.force.local_element(copies.index(copy_[i], surface_->node[s], d)) += force[d];
-      world.add_force(scene_.sprocket, -force, x);
+      if (flanks_)
+        flanks_->add_force(world, foot, -force);
+      else
+        world.add_force(scene_.sprocket, -force, x);
       record.force += force;
       record.feature = touch.feature;
     }
@@ -203,12 +223,16 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
 
 double NodeTeeth::largest_node_eigenvalue(const World &world) const
 {
-  // the sprocket is rigid and heavy beside a node: each node on its own spring
+  // a rigid sprocket is heavy beside a node: each node on its own spring
   const Copies &copies  = world.copies[group_];
   double        largest = 0.;
   for (unsigned int s = 0; s < surface_->size(); ++s)
     largest = std::max(largest,
                        law_.stiffness * surface_->area[s] / copies.nodes.mass[surface_->node[s]]);
+  // the two sides are separate addends of B^T M^-1 B
+  if (flanks_)
+    largest += flanks_->largest_eigenvalue(
+        law_.stiffness, world.copies[world.rim_of(scene_.sprocket)->group], *surface_, copies);
   return largest;
 }
 } // namespace chaindrive::contact

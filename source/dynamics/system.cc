@@ -29,6 +29,8 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
   if (!contacts.families().empty())
     contact_ = timer.add("Contact algorithm");
 
+  for (Rim &rim : world.rims)
+    rim.find_seam(world.copies[rim.group]);
   contacts.refuse_overlap(world, scene.prestress);
   evaluate_forces(0.);
   close_ledger();
@@ -37,7 +39,7 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 
 void System::evaluate_forces(const double dt)
 {
-  world.clear_forces();
+  world.clear_resultants();
   if (world.is_first_rank())
     loads.add_forces(world, dt);
   if (world.is_first_rank() && bars.size() > 0)
@@ -63,6 +65,7 @@ void System::advance(const double dt, const double new_time)
     elastic.start(world, {dt, loads.gravity(), loads.drag()}, timer);
   elastic_started_ = true;
   first_half(world, &loads.speed_program(), dt, new_time);
+  element::Elastic::follow_hubs(world);
   evaluate_forces(dt);
   second_half(world, &loads.speed_program(), dt);
   close_ledger();

@@ -18,7 +18,6 @@ Formulation formulation_called(const std::string &name)
 
 Elastic::Elastic(const scene::Scene &scene, const World &world) : kernels_(best_kernels())
 {
-  std::size_t largest = 0;
   for (const Copies &copies : world.copies)
     {
       references_.push_back(
@@ -28,9 +27,7 @@ Elastic::Elastic(const scene::Scene &scene, const World &world) : kernels_(best_
                                       formulation_called(scene.elasticity.formulation),
                                       scene.elasticity.hourglass_coefficient));
       limits_.push_back({copies.part->name, 2. / references_.back()->largest_frequency()});
-      largest = std::max(largest, copies.stride());
     }
-  force_.resize(largest, 0.);
 }
 
 void Elastic::start(World &world, const Step &step, PhaseTimer &timer)
@@ -40,7 +37,13 @@ void Elastic::start(World &world, const Step &step, PhaseTimer &timer)
 
 void Elastic::advance(World &world, const Step &step, PhaseTimer &timer)
 {
+  std::vector<Copies::Vector> contact; // which start() will need
+  if (step.dt == 0.)
+    for (const Copies &copies : world.copies)
+      contact.push_back(copies.force);
   move(world, step, step.dt, true, timer);
+  for (unsigned int g = 0; g < contact.size(); ++g)
+    world.copies[g].force.copy_locally_owned_data_from(contact[g]);
 }
 
 void Elastic::move(
@@ -49,47 +52,63 @@ void Elastic::move(
   drift_ = step.dt;
   for (unsigned int g = 0; g < world.copies.size(); ++g)
     {
-      Copies          &copies    = world.copies[g];
-      const Reference &reference = *references_[g];
+      const auto rim = std::find_if(
+          world.rims.begin(), world.rims.end(), [g](const Rim &r) { return r.group == g; });
+      if (rim != world.rims.end())
+        {
+          move(world, *rim, step, kick, booked, timer);
+          continue;
+        }
+      Copies &copies = world.copies[g];
       for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
            ++batch)
         {
-          const std::size_t first = copies.start_of(batch);
-          alignas(64) Sums  sums{};
-
-          ForceArguments internal   = reference.arguments();
-          internal.position         = copies.position.begin() + first;
-          internal.force            = force_.data();
-          internal.strain_energy    = sums.strain;
-          internal.hourglass_energy = sums.hourglass;
-          {
-            const PhaseTimer::Scope scope(timer, internal_force_);
-            kernels_.add_internal_forces[static_cast<int>(reference.formulation)](internal);
-          }
-
-          const double *contact = copies.force.begin() + first;
-          for (std::size_t i = 0; i < copies.stride(); ++i)
-            force_[i] += contact[i];
-
-          for (const unsigned int node : copies.on_middle_plane)
-            std::fill_n(&force_[(3 * node + 2) * n_lanes], n_lanes, 0.);
-
-          kernels_.update({copies.n_nodes(),
-                           kick,
-                           step.dt,
-                           {0., -step.gravity, 0.},
-                           step.drag,
-                           copies.nodes.mass.data(),
-                           copies.position.begin() + first,
-                           copies.velocity.begin() + first,
-                           force_.data(),
-                           sums.kinetic,
-                           sums.first_moment,
-                           sums.momentum});
+          alignas(64) Sums sums{};
+          add_forces(copies, *references_[g], batch, sums, timer);
+          update(copies, batch, sums, step, kick);
           if (booked)
             book(world, copies, batch, sums, step);
         }
     }
+}
+
+void Elastic::add_forces(Copies            &copies,
+                         const Reference   &reference,
+                         const unsigned int batch,
+                         Sums              &sums,
+                         PhaseTimer        &timer) const
+{
+  const std::size_t first    = copies.start_of(batch);
+  double           *force    = copies.force.begin() + first;
+  ForceArguments    internal = reference.arguments();
+  internal.position          = copies.position.begin() + first;
+  internal.force             = force;
+  internal.strain_energy     = sums.strain;
+  internal.hourglass_energy  = sums.hourglass;
+  {
+    const PhaseTimer::Scope scope(timer, internal_force_);
+    kernels_.add_internal_forces[static_cast<int>(reference.formulation)](internal);
+  }
+  for (const unsigned int node : copies.on_middle_plane)
+    std::fill_n(force + (3 * node + 2) * n_lanes, n_lanes, 0.);
+}
+
+void Elastic::update(
+    Copies &copies, const unsigned int batch, Sums &sums, const Step &step, const double kick) const
+{
+  const std::size_t first = copies.start_of(batch);
+  kernels_.update({copies.n_nodes(),
+                   kick,
+                   step.dt,
+                   {0., -step.gravity, 0.},
+                   step.drag,
+                   copies.nodes.mass.data(),
+                   copies.position.begin() + first,
+                   copies.velocity.begin() + first,
+                   copies.force.begin() + first,
+                   sums.kinetic,
+                   sums.first_moment,
+                   sums.momentum});
 }
 
 void Elastic::book(World             &world,
@@ -153,7 +172,7 @@ Elastic::displacement(const World &world, const World::Place &place, const unsig
 
 std::size_t Elastic::memory_consumption() const
 {
-  std::size_t bytes = force_.memory_consumption();
+  std::size_t bytes = 0;
   for (const auto &reference : references_)
     bytes += reference->memory_consumption();
   return bytes;

@@ -55,12 +55,11 @@ ElasticBodies::ElasticBodies(const scene::Scene     &scene,
 }
 
 ElasticSnapshot ElasticBodies::snapshot(const dynamics::System &system,
-                                        const unsigned int      body) const
+                                        const World::Place     &place) const
 {
-  const World::Place &place  = system.world.places[body];
-  const Copies       &copies = system.world.copies[place.group];
-  const std::size_t   n      = copies.nodes.of_vertex.size();
-  ElasticSnapshot     snapshot{
+  const Copies     &copies = system.world.copies[place.group];
+  const std::size_t n      = copies.nodes.of_vertex.size();
+  ElasticSnapshot   snapshot{
       std::vector<dealii::Tensor<1, 3>>(n), std::vector<dealii::Tensor<1, 3>>(n), {}};
   std::vector<dealii::Tensor<1, 3>> position(copies.n_nodes());
   for (unsigned int node = 0; node < copies.n_nodes(); ++node)
@@ -70,6 +69,11 @@ ElasticSnapshot ElasticBodies::snapshot(const dynamics::System &system,
       snapshot.displacement[vertex] = system.elastic.displacement(system.world, place, node);
       snapshot.velocity[vertex]     = velocity_of(copies, place.copy, node);
     }
+  for (const Rim &rim : system.world.rims) // the hub knows the velocities of nodes that it holds
+    if (rim.group == place.group)
+      for (const unsigned int node : rim.border)
+        snapshot.velocity[copies.nodes.vertex[node]] =
+            system.world.velocity_at(rim.body, position[node], 0.);
   snapshot.stress = cells_.at(place.group)(position);
   return snapshot;
 }

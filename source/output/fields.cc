@@ -14,13 +14,16 @@
 
 namespace chaindrive::output
 {
-PartPatches::PartPatches(const dealii::Triangulation<3> &mesh) : vertices(mesh.get_vertices())
+PartPatches::PartPatches(const dealii::Triangulation<3> &mesh, const bool rigid_zone_only)
+    : vertices(mesh.get_vertices())
 {
   // deal.II numbers the vertices of a cell lexicographically, VTK around its two faces
   constexpr std::array<unsigned int, 8> lexicographic{{0, 1, 3, 2, 4, 5, 7, 6}};
   cells.reserve(mesh.n_active_cells());
   for (const auto &cell : mesh.active_cell_iterators())
     {
+      if (rigid_zone_only && cell->material_id() != mesh::hub_zone)
+        continue;
       cells.emplace_back();
       for (unsigned int v = 0; v < 8; ++v)
         cells.back()[v] = cell->vertex_index(lexicographic[v]);

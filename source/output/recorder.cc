@@ -102,7 +102,9 @@ Recorder::Recorder(const scene::Scene     &scene,
     {
       fields_ = std::make_unique<Fields>(directory, system.world.communicator());
       for (const auto &[kind, part] : scene.parts)
-        patches_.emplace(kind, PartPatches(*part->mesh));
+        patches_.emplace(kind, PartPatches(*part->mesh, scene.sectors.count(kind) != 0));
+      for (const Rim &rim : system.world.rims)
+        sector_patches_.emplace(rim.group, PartPatches(*rim.sector->part->mesh));
     }
 }
 
@@ -220,7 +222,7 @@ void Recorder::write_fields(const dynamics::System &system)
   std::vector<ElasticSnapshot> elastic(world.n_bodies());
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     if (world.places[b].group != World::Place::none && world.owns(b))
-      elastic[b] = elastic_->snapshot(system, b);
+      elastic[b] = elastic_->snapshot(system, world.places[b]);
 
   std::vector<BodySnapshot> bodies;
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
@@ -234,6 +236,28 @@ void Recorder::write_fields(const dynamics::System &system)
                         make_array_view(elastic[b].displacement),
                         make_array_view(elastic[b].velocity),
                         {elastic[b].stress.data(), elastic[b].stress.size()}});
+
+  std::vector<std::vector<ElasticSnapshot>> sectors;
+  for (const Rim &rim : world.rims)
+    {
+      const Copies &copies = world.copies[rim.group];
+      sectors.emplace_back(copies.n_copies());
+      for (unsigned int s = 0; s < copies.n_copies(); ++s)
+        if (copies.owns(s))
+          {
+            ElasticSnapshot &sector = sectors.back()[s];
+            sector                  = elastic_->snapshot(system, {rim.group, s});
+            bodies.push_back({&sector_patches_.at(rim.group),
+                              rim.body,
+                              static_cast<int>(scene_.bodies[rim.body].kind),
+                              copies.start[s],
+                              world.frames[rim.body],
+                              contact_force[rim.body],
+                              make_array_view(sector.displacement),
+                              make_array_view(sector.velocity),
+                              {sector.stress.data(), sector.stress.size()}});
+          }
+    }
 
   std::vector<BarSnapshot> bars;
   for (unsigned int i = 0; i < system.bars.size(); ++i)

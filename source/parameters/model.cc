@@ -15,8 +15,8 @@ void Model::declare(dealii::ParameterHandler &prm)
       "tensions, speeds and a first look. layered: rollers, inner and outer links as rigid bodies "
       "with their clearances, for contact forces and the motion of single rollers; costs about "
       "four times as much. full: the same bodies made of elastic finite elements, for what their "
-      "deformation does; costs a thousand times as much. Experimental: sprockets are rigid, and no "
-      "preset has been validated yet.");
+      "deformation does; costs a thousand times as much. Experimental: no preset has been "
+      "validated yet.");
   add(prm,
       "Half model",
       half,
@@ -54,6 +54,13 @@ void Model::declare(dealii::ParameterHandler &prm)
       "Damping of the chain's bars over the critical damping of two neighbouring lumps on their "
       "bar; simple fidelity only, since the joints' contact damps the layered chain. Default: "
       "steel structures with bolted joints have 0.5 to 3 percent.");
+  add(prm,
+      "Elastic sprockets",
+      elastic_sprockets,
+      {"auto", "on", "off"},
+      "Whether the rims of the sprockets, from the hub diameter outwards, are elastic; full "
+      "fidelity only. Imported sprockets are rigid. auto: on in full fidelity but for imported "
+      "sprockets. off: both sprockets are rigid.");
 }
 
 void Material::declare(dealii::ParameterHandler &prm)

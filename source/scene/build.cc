@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/facet_surface.h>
 #include <chaindrive/mesh/import.h>
+#include <chaindrive/mesh/sector.h>
 #include <chaindrive/mesh/surface_nodes.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/placement.h>
@@ -24,7 +25,7 @@ parameters::Loads effective_loads(const Parameters &p, const std::vector<Effect>
   return loads;
 }
 
-/// Rollers whose nodes meet the flanks of @p teeth.
+/// Rollers whose nodes meet the flanks of @p teeth; the sprocket must be there.
 void add_elastic_rollers(const Parameters   &parameters,
                          const drive::Drive &drive,
                          const Scene        &scene,
@@ -32,8 +33,16 @@ void add_elastic_rollers(const Parameters   &parameters,
 {
   const mesh::Part        &roller = *scene.parts.at(Kind::roller);
   const mesh::SurfaceNodes outside(roller, mesh::Nodes(roller), mesh::roller_outside);
-  teeth.law = make_area_law(
-      parameters, scene.effects, outside.thickness, parameters.contact.roller_tooth_friction);
+  double                   thickness = outside.thickness;
+  const auto               sector    = scene.sectors.find(scene.bodies[teeth.sprocket].kind);
+  if (sector != scene.sectors.end()) // the softer of two surfaces decides how far they may overlap
+    {
+      const mesh::Part &part = *sector->second->part;
+      thickness              = std::max(
+          thickness, mesh::SurfaceNodes(part, mesh::Nodes(part), mesh::tooth_flanks).thickness);
+    }
+  teeth.law =
+      make_area_law(parameters, scene.effects, thickness, parameters.contact.roller_tooth_friction);
   teeth.elastic       = true;
   teeth.slave_surface = mesh::roller_outside;
   for (unsigned int k = 0; k < scene.n_joints; ++k)
@@ -207,8 +216,14 @@ void add_sprockets(const Parameters               &parameters,
           scene.parts[sprocket.kind] = part;
           scene.notes.push_back(teeth.name + ": flanks of the imported mesh " + file);
         }
-      else if (is_on(scene.effects, "fields"))
+      else if (is_on(scene.effects, "fields") || is_on(scene.effects, "elastic sprockets"))
         scene.parts[sprocket.kind] = make_sprocket_part(parameters, drive, driver);
+      if (file.empty() && is_on(scene.effects, "elastic sprockets"))
+        {
+          scene.bodies.back().motion = Motion::elastic;
+          scene.sectors[sprocket.kind] =
+              std::make_shared<const mesh::Sector>(*scene.parts[sprocket.kind]);
+        }
 
       if (scene.bodies.front().motion == Motion::elastic)
         {

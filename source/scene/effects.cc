@@ -64,8 +64,14 @@ std::vector<Effect> decide_effects(const Parameters &p)
       "drag", p.effects.drag, p.loads.drag, "coefficient " + to_text(p.loads.drag) + " 1/s"));
   effects.push_back({"elastic bodies",
                      full,
-                     full ? "fidelity full: rollers, inner and outer links; sprockets are rigid" :
+                     full ? "fidelity full: rollers, inner and outer links" :
                             "no group of bodies is elastic in this fidelity"});
+  const bool elastic_sprockets = full && p.model.elastic_sprockets != "off";
+  effects.push_back({"elastic sprockets",
+                     elastic_sprockets,
+                     elastic_sprockets ? "fidelity full: rims, but for imported sprockets" :
+                     full              ? "switched off in section Model" :
+                                         "no group of bodies is elastic in this fidelity"});
   if (full)
     effects.push_back(
         {"half model",

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/part.h>
+#include <chaindrive/mesh/sector.h>
 #include <chaindrive/scene/plan.h>
 #include <chaindrive/utilities/text.h>
 
 #include <iomanip>
 #include <map>
 #include <ostream>
+#include <utility>
 
 namespace chaindrive::scene
 {
@@ -42,10 +44,11 @@ const char *name_of(const Kind kind)
 
 std::string motion_of(const Body &body)
 {
+  const std::string rim = body.motion == Motion::elastic ? "elastic rim, " : "rigid, ";
   if (body.support == Support::prescribed_hub)
-    return "rigid, hub turned by the speed program";
+    return rim + "hub turned by the speed program";
   if (body.support == Support::loaded_hub)
-    return "rigid, one rotation against the load torque";
+    return rim + "one rotation of the hub against the load torque";
   switch (body.motion)
     {
     case Motion::lumped:
@@ -56,6 +59,16 @@ std::string motion_of(const Body &body)
       return "elastic";
     }
   return "";
+}
+
+/// Elements and nodes of an elastic body; of a sprocket, those of its sectors.
+std::pair<unsigned int, unsigned int> size_of(const Scene &scene, const Kind kind)
+{
+  const auto         sector = scene.sectors.find(kind);
+  const bool         cyclic = sector != scene.sectors.end();
+  const mesh::Part  &part   = cyclic ? *sector->second->part : *scene.parts.at(kind);
+  const unsigned int n      = cyclic ? sector->second->n_sectors : 1;
+  return {n * part.mesh->n_active_cells(), n * part.mesh->n_used_vertices()};
 }
 
 std::string law_text(const Law &law)
@@ -80,7 +93,7 @@ double step_cost(const Scene &scene)
         cost += cost_of_rigid;
         break;
       case Motion::elastic:
-        cost += cost_of_element * scene.parts.at(body.kind)->mesh->n_active_cells();
+        cost += cost_of_element * size_of(scene, body.kind).first;
         break;
       }
   for (const BoreFamily &bores : scene.bores)
@@ -105,8 +118,8 @@ void print_plan(std::ostream       &out,
         {
           out << "  " << std::setw(4) << n << ' ' << name_of(kind) << ": " << motion_of(body);
           if (body.motion == Motion::elastic)
-            out << ", " << scene.parts.at(kind)->mesh->n_active_cells() << " elements and "
-                << scene.parts.at(kind)->mesh->n_used_vertices() << " nodes each";
+            out << ", " << size_of(scene, kind).first << " elements and "
+                << size_of(scene, kind).second << " nodes each";
           out << '\n';
           break;
         }

@@ -9,15 +9,42 @@
 
 namespace chaindrive
 {
+namespace
+{
+std::vector<Frame> initial_frames(const std::vector<unsigned int> &bodies,
+                                  const std::vector<scene::Body>  &all)
+{
+  std::vector<Frame> frames;
+  frames.reserve(bodies.size());
+  for (const unsigned int body : bodies)
+    frames.push_back(all[body].initial);
+  return frames;
+}
+} // namespace
+
 Copies::Copies(std::shared_ptr<const mesh::Part> the_part,
                std::vector<unsigned int>         the_bodies,
                const std::vector<scene::Body>   &all,
+               std::vector<unsigned int>         first_batch,
+               const MPI_Comm                    comm)
+    : Copies(std::move(the_part),
+             the_bodies,
+             initial_frames(the_bodies, all),
+             std::move(first_batch),
+             comm)
+{
+}
+
+Copies::Copies(std::shared_ptr<const mesh::Part> the_part,
+               std::vector<unsigned int>         the_bodies,
+               std::vector<Frame>                the_start,
                std::vector<unsigned int>         first_batch,
                const MPI_Comm                    comm)
     : part(std::move(the_part))
     , nodes(*part)
     , bodies(std::move(the_bodies))
     , mass(std::accumulate(nodes.mass.begin(), nodes.mass.end(), 0.))
+    , start(std::move(the_start))
     , comm_(comm)
     , rank_(dealii::Utilities::MPI::this_mpi_process(comm))
     , first_batch_(std::move(first_batch))
@@ -33,13 +60,11 @@ Copies::Copies(std::shared_ptr<const mesh::Part> the_part,
       if (nodes.position[node][2] == 0.)
         on_middle_plane.push_back(node);
 
-  for (const unsigned int body : bodies)
-    start.push_back(all[body].initial);
   for (unsigned int slot = 0; slot < n_batches() * n_lanes; ++slot)
     if (owns(slot))
       {
         const bool   empty = slot >= n_copies();
-        const Frame &frame = all[bodies[empty ? 0 : slot]].initial;
+        const Frame &frame = start[empty ? 0 : slot];
         for (unsigned int node = 0; node < n_nodes(); ++node)
           {
             const dealii::Tensor<1, 3> arm =

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
 #include <chaindrive/world/world.h>
 
 #include <deal.II/base/mpi.h>
@@ -99,25 +101,76 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
   std::vector<unsigned int> n_batches, n_elements;
   for (const auto &[kind, bodies] : elastic)
     {
-      n_batches.push_back(Copies::n_batches_of(bodies.size()));
-      n_elements.push_back(scene.parts.at(kind)->mesh->n_active_cells());
+      const auto sector = scene.sectors.find(kind);
+      const bool is_rim = sector != scene.sectors.end();
+      n_batches.push_back(Copies::n_batches_of(is_rim ? sector->second->n_sectors : bodies.size()));
+      n_elements.push_back(
+          (is_rim ? *sector->second->part : *scene.parts.at(kind)).mesh->n_active_cells());
     }
   const auto first_batches = deal(n_batches, n_elements, n_ranks_);
-  for (const auto &[kind, bodies] : elastic)
-    copies.emplace_back(
-        scene.parts.at(kind), bodies, scene.bodies, first_batches[copies.size()], comm_);
   places.resize(n);
-  for (unsigned int g = 0; g < copies.size(); ++g)
-    for (unsigned int k = 0; k < copies[g].n_copies(); ++k)
-      places[copies[g].bodies[k]] = {g, k};
+  for (const auto &[kind, bodies] : elastic)
+    {
+      const unsigned int group = static_cast<unsigned int>(copies.size());
+      if (scene.sectors.count(kind) != 0)
+        add_rim(scene, bodies.front(), first_batches[group]);
+      else
+        {
+          copies.emplace_back(
+              scene.parts.at(kind), bodies, scene.bodies, first_batches[group], comm_);
+          for (unsigned int k = 0; k < bodies.size(); ++k)
+            places[bodies[k]] = {group, k};
+        }
+    }
+}
+
+void World::add_rim(const scene::Scene              &scene,
+                    const unsigned int               number,
+                    const std::vector<unsigned int> &first_batch)
+{
+  unsigned int h = 0;
+  while (hubs[h].body != number)
+    ++h;
+  Hub               &hub    = hubs[h];
+  const scene::Body &body   = scene.bodies[number];
+  const auto        &sector = scene.sectors.at(body.kind);
+  std::vector<Frame> start;
+  for (unsigned int s = 0; s < sector->n_sectors; ++s)
+    start.push_back(sector->frame(body.initial, s));
+  copies.emplace_back(
+      sector->part, std::vector<unsigned int>(start.size(), hub.body), start, first_batch, comm_);
+  rims.emplace_back(
+      hub.body, h, static_cast<unsigned int>(copies.size()) - 1, sector, copies.back());
+
+  // with less inertia than the nodes that it holds a hub could be faster than the elements are
+  const Rim &rim = rims.back();
+  hub.inertia -= whole * rim.inertia;
+  if (!hub.prescribed && hub.inertia < whole * rim.border_inertia)
+    throw InputError("Model/Driven inertia in kg m2 = " + to_text(body.inertia[2]) +
+                     " is less than that of the elastic rim of the sprocket alone, " +
+                     to_text(whole * (rim.inertia + rim.border_inertia)) +
+                     "; choose a greater value, auto, or Model/Elastic sprockets = off.");
+}
+
+const Rim *World::rim_of(const unsigned int body) const
+{
+  for (const Rim &rim : rims)
+    if (rim.body == body)
+      return &rim;
+  return nullptr;
 }
 
 void World::clear_forces()
 {
-  force  = 0.;
-  moment = 0.;
+  clear_resultants();
   for (Copies &c : copies)
     c.force = 0.;
+}
+
+void World::clear_resultants()
+{
+  force  = 0.;
+  moment = 0.;
   ledger.clear_stored();
   before_ = ledger;
 }
@@ -139,11 +192,11 @@ void World::sum_over_ranks()
         exchange(i++, increment, whole);
         ledger.*term = before_.*term + increment;
       }
-    for (const Copies &group : copies)
-      for (unsigned int k = 0; k < group.n_copies(); ++k)
+    for (unsigned int body = 0; body < n_bodies(); ++body)
+      if (places[body].group != Place::none)
         {
-          Frame       &frame = frames[group.bodies[k]];
-          const double mine  = group.owns(k) ? 1. : 0.;
+          Frame       &frame = frames[body];
+          const double mine  = owns(body) ? 1. : 0.;
           for (unsigned int d = 0; d < 3; ++d)
             {
               exchange(i++, frame.position[d], mine);
@@ -165,8 +218,8 @@ void World::sum_over_ranks()
     }
   visit([this](const std::size_t i, double &value, double) { value = shared_[i]; });
 
-  for (const Copies &group : copies)
-    for (const unsigned int body : group.bodies)
+  for (unsigned int body = 0; body < n_bodies(); ++body)
+    if (places[body].group != Place::none)
       for (unsigned int d = 0; d < 3; ++d)
         {
           displacement.local_element(3 * body + d) = frames[body].position[d] - origin[body][d];

@@ -88,6 +88,13 @@ int main()
     p.model.fidelity                    = "full";
     p.contact.roller_tooth_stiffness    = 2e8;
   });
+  check([](Parameters &p) { p.model.elastic_sprockets = "on"; });
+  check([](Parameters &p) {
+    p.model.fidelity              = "full";
+    p.mesh.refinement             = 1;
+    p.model.elastic_sprockets     = "on";
+    p.drive.sprockets.driven_mesh = "sprocket-41.msh";
+  });
   check([](Parameters &p) { p.loads.ramp_time = 40e-3; });
   check([](Parameters &p) { p.contact.bush_pin_friction = 0.2; });
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/contact/family.h>
+#include <chaindrive/contact/tooth_surface.h>
 #include <chaindrive/mesh/surface_nodes.h>
 
 #include <array>
@@ -10,9 +11,10 @@
 
 namespace chaindrive::contact
 {
-/// Elastic rollers on the exact arcs of a rigid sprocket: every node of a roller's outside is a
-/// slave with the stiffness of its share of the surface, or of the part of it that lies over the
-/// tooth's width. There is one record per roller, with the sum of its nodes' forces.
+/// Elastic rollers on the exact arcs of a sprocket, rigid or with an elastic rim: every node of a
+/// roller's outside is a slave with the stiffness of its share of the surface, or of the part of it
+/// that lies over the tooth's width. There is one record per roller, with the sum of its nodes'
+/// forces.
 ///
 /// Rollers near the sprocket are found as for rigid ones. Of their nodes only those closer to a
 /// flank than a reach are visited; the list is made anew before the nodes can have come nearer by
@@ -35,6 +37,13 @@ protected:
 private:
   /// Lists the nodes within reach of each roller that is near.
   void search_nodes(const World &world);
+
+  /// The contact of node @p s of slave @p i at @p x [m, world]; @p foot of an elastic rim only.
+  Touch touch(const World                &world,
+              unsigned int                i,
+              unsigned int                s,
+              const dealii::Tensor<1, 3> &x,
+              ToothSurface::Foot         &foot);
 
   /// Contact of slave @p i with its record.
   void add_roller_forces(World &world, unsigned int i, double dt);
@@ -59,6 +68,7 @@ private:
 
   unsigned int                              group_; ///< of the rollers in World::copies
   std::unique_ptr<const mesh::SurfaceNodes> surface_;
+  std::unique_ptr<const ToothSurface>       flanks_; ///< of an elastic rim; null: rigid
   std::vector<std::array<double, 2>>        extent_; ///< of the nodes' shares along the axis, m
   std::vector<unsigned int>                 copy_;   ///< per slave
   std::vector<unsigned int>                 own_;    ///< those near that this rank owns

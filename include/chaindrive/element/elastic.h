@@ -45,6 +45,9 @@ public:
   /// nothing moves.
   void advance(World &world, const Step &step, PhaseTimer &timer);
 
+  /// Places what hubs hold of elastic rims where the hubs are now; call it once they have moved.
+  static void follow_hubs(World &world);
+
   /// Makes the row of the internal forces in @p timer; call it once, before the others.
   void add_phase(PhaseTimer &timer) { internal_force_ = timer.add("Internal force"); }
 
@@ -75,13 +78,29 @@ private:
   };
 
   void move(World &world, const Step &step, double kick, bool booked, PhaseTimer &timer);
+
+  /// The same for the sectors of a rim: all forces first, then what neighbours have in common.
+  /// Gravity and drag act on no sprocket. What the rim does to its hub is added to the forces in
+  /// @p world when @p booked.
+  void
+  move(World &world, const Rim &rim, const Step &step, double kick, bool booked, PhaseTimer &timer);
+
+  /// Adds the internal forces of one batch to those of contacts.
+  void add_forces(Copies          &copies,
+                  const Reference &reference,
+                  unsigned int     batch,
+                  Sums            &sums,
+                  PhaseTimer      &timer) const;
+
+  /// Moves one batch by its forces, which become zero.
+  void update(Copies &copies, unsigned int batch, Sums &sums, const Step &step, double kick) const;
+
   void
   book(World &world, const Copies &copies, unsigned int batch, const Sums &sums, const Step &step);
 
   std::vector<std::unique_ptr<Reference>> references_; ///< per group of copies
   std::vector<Limit>                      limits_;
   const Kernels                          &kernels_;
-  dealii::AlignedVector<double>           force_;               ///< of one batch
   double                                  drift_          = 0.; ///< of the last move, s
   PhaseTimer::Phase                       internal_force_ = PhaseTimer::rest;
 };

@@ -28,8 +28,9 @@ public:
   bool has_rollers() const { return !surface_nodes_.empty(); } ///< elastic ones
   bool has_links() const { return !plates_.empty(); }          ///< elastic ones
 
-  /// Displacement, velocity and stress everywhere in an elastic @p body.
-  ElasticSnapshot snapshot(const dynamics::System &system, unsigned int body) const;
+  /// Displacement, velocity and stress everywhere in an elastic body, or in a sector of a rim, that
+  /// this rank owns.
+  ElasticSnapshot snapshot(const dynamics::System &system, const World::Place &place) const;
 
   /// Stresses at the waist of the side plate of an elastic link @p body.
   WaistStress waist(const dynamics::System &system, unsigned int body) const;

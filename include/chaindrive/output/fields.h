@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/element/stress.h>
+#include <chaindrive/mesh/part.h>
 #include <chaindrive/output/vtu.h>
 #include <chaindrive/utilities/rotation.h>
 
@@ -20,7 +21,8 @@ namespace chaindrive::output
 /// The hexahedra of a part, made once and drawn for each of its bodies.
 struct PartPatches
 {
-  explicit PartPatches(const dealii::Triangulation<3> &mesh);
+  /// With @p rigid_zone_only, the cells of a sprocket's rigid zone.
+  explicit PartPatches(const dealii::Triangulation<3> &mesh, bool rigid_zone_only = false);
 
   std::vector<dealii::Point<3>>            vertices; ///< in the part's frame [m], mesh's numbering
   std::vector<std::array<unsigned int, 8>> cells;    ///< vertices of each cell, in VTK's order

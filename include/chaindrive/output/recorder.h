@@ -94,8 +94,10 @@ private:
   std::unique_ptr<Histories>         histories_; ///< on the first rank
   std::vector<Source>                sources_;
   std::unique_ptr<Fields>            fields_;
-  std::map<scene::Kind, PartPatches> patches_;
-  std::unique_ptr<Progress>          progress_; ///< on the first rank, until close()
+  std::map<scene::Kind, PartPatches> patches_; ///< of a sprocket with a rim: its rigid zone
+
+  std::map<unsigned int, PartPatches> sector_patches_; ///< of rims, by group of copies
+  std::unique_ptr<Progress>           progress_;       ///< on the first rank, until close()
 
   std::unique_ptr<ElasticBodies> elastic_; ///< none without elastic bodies
 

@@ -14,7 +14,8 @@
 namespace chaindrive::mesh
 {
 struct Part;
-}
+struct Sector;
+} // namespace chaindrive::mesh
 
 namespace chaindrive::scene
 {
@@ -33,7 +34,7 @@ enum class Motion
 {
   lumped, ///< three translations of a rigid shape
   rigid,  ///< six degrees of freedom
-  elastic ///< three degrees of freedom per node of the part's mesh
+  elastic ///< three degrees of freedom per node of the part's mesh; of a sprocket, of its rim
 };
 
 /// What holds a body.
@@ -70,10 +71,11 @@ struct Scene
   bool   half                = false; ///< elastic bodies are halves, see mesh::Part::half
   bool   at_speed            = false; ///< the drive starts at full speed
   int    sense               = 1;     ///< +1: counter-clockwise drive
-  std::map<Kind, std::shared_ptr<const mesh::Part>> parts; ///< those that somebody needs
-  parameters::Material                              material;
-  parameters::Elasticity                            elasticity;
-  std::vector<Effect>                               effects;
+  std::map<Kind, std::shared_ptr<const mesh::Part>>   parts;   ///< those that somebody needs
+  std::map<Kind, std::shared_ptr<const mesh::Sector>> sectors; ///< of elastic sprockets
+  parameters::Material                                material;
+  parameters::Elasticity                              elasticity;
+  std::vector<Effect>                                 effects;
   std::vector<std::string> notes; ///< what the log must say about choices made
 
   std::vector<char>    seated; ///< per joint: it starts on a sprocket, not in a span

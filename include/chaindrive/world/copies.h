@@ -36,6 +36,13 @@ public:
          std::vector<unsigned int>         first_batch,
          MPI_Comm                          comm);
 
+  /// The same with copy k placed and moving as @p start[k] says; several may be of one body.
+  Copies(std::shared_ptr<const mesh::Part> part,
+         std::vector<unsigned int>         bodies,
+         std::vector<Frame>                start,
+         std::vector<unsigned int>         first_batch,
+         MPI_Comm                          comm);
+
   unsigned int n_nodes() const { return nodes.size(); }
   unsigned int n_copies() const { return static_cast<unsigned int>(bodies.size()); }
   unsigned int n_batches() const { return n_batches_of(n_copies()); }

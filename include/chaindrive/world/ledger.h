@@ -9,7 +9,9 @@ namespace chaindrive
 ///
 /// and is zero but for the error of the time integration. Stored terms belong to the present
 /// instant; losses and works are sums since the start, by the trapezoidal rule over the steps.
-/// The driver's own kinetic energy is left out, and so is the torque that accelerates it.
+/// The driver's own kinetic energy is left out, and so is the torque that accelerates it. Of a
+/// driver with an elastic rim that holds for the hub: the rim's energies count, and the drive work
+/// is that of the rim and the chain together.
 struct Ledger
 {
   // stored
@@ -25,7 +27,7 @@ struct Ledger
   double chain_damping   = 0.; ///< dashpots of bars
   double drag            = 0.; ///< drag proportional to mass and velocity
   // fed and taken by the two hubs
-  double drive_work     = 0.; ///< of the prescribed hub on the chain
+  double drive_work     = 0.; ///< of the prescribed hub on the chain and its rim
   double resisting_work = 0.; ///< of the driven hub against the load torque
 
   double initial = 0.; ///< stored() when the run began

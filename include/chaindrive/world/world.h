@@ -4,6 +4,7 @@
 #include <chaindrive/utilities/rotation.h>
 #include <chaindrive/world/copies.h>
 #include <chaindrive/world/ledger.h>
+#include <chaindrive/world/rim.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -38,13 +39,13 @@ public:
   {
     unsigned int body;
     bool         prescribed;
-    double       inertia;     ///< kg m2
+    double       inertia;     ///< of all that moves as the hub does, kg m2
     double       angle = 0.;  ///< since the start, rad, counter-clockwise positive
     double       speed = 0.;  ///< rad/s
     double       start_angle; ///< orientation at the start, rad
   };
 
-  /// Where an elastic body is found among the copies.
+  /// Where an elastic body of one copy is found.
   struct Place
   {
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
@@ -71,6 +72,9 @@ public:
 
   /// Sets forces, moments and stored energies to zero, to be added anew.
   void clear_forces();
+
+  /// The same but for the forces on nodes, which element::Elastic uses up.
+  void clear_resultants();
 
   /// Sums what the ranks have added since clear_forces(): forces and moments on bodies, and the
   /// ledger but for the work of the hubs; with halves, of whole bodies. Shares out frames of
@@ -106,6 +110,9 @@ public:
     return frame.velocity + dealii::cross_product_3d(w, arm);
   }
 
+  /// The rim of @p body; null when it has none.
+  const Rim *rim_of(unsigned int body) const;
+
   /// Kinetic energy [J] of every rigid or lumped body but a prescribed hub, from the present
   /// velocities.
   double kinetic_energy() const;
@@ -127,6 +134,7 @@ public:
   std::vector<Frame>  frames; ///< per body, now; of an elastic one, its centre of mass
   std::vector<Copies> copies; ///< the elastic bodies, part by part
   std::vector<Place>  places; ///< per body, in copies
+  std::vector<Rim>    rims;   ///< of elastic sprockets
 
   double time = 0.; ///< s
   Ledger ledger;
@@ -136,6 +144,11 @@ public:
   double whole = 1.;
 
 private:
+  /// Makes the elastic rim of the sprocket @p body and leaves its hub the inertia of the rest.
+  void add_rim(const scene::Scene              &scene,
+               unsigned int                     body,
+               const std::vector<unsigned int> &first_batch);
+
   MPI_Comm            comm_;
   unsigned int        rank_, n_ranks_;
   Ledger              before_; ///< the ledger at clear_forces()

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/tooth_surface.h>
+#include <chaindrive/drive/tooth_form.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace chaindrive::contact
+{
+namespace
+{
+/// The interval of ascending @p values that holds @p x, or the nearest one.
+unsigned int interval(const std::vector<double> &values, const double x)
+{
+  const auto above = std::upper_bound(values.begin() + 1, values.end() - 1, x);
+  return static_cast<unsigned int>(above - values.begin()) - 1;
+}
+
+double polar_angle(const dealii::Tensor<1, 2> &p) { return std::atan2(p[1], p[0]); }
+
+/// Half the distance between the neighbours of entry @p i in a line of points @p distance(i) [m]
+/// apart; at its ends the one distance there is.
+template <typename Distance>
+double half_width(const unsigned int i, const unsigned int n, const Distance &distance)
+{
+  if (i == 0)
+    return distance(0);
+  return i + 1 == n ? distance(i - 1) : 0.5 * (distance(i - 1) + distance(i));
+}
+} // namespace
+
+ToothSurface::ToothSurface(const scene::ToothFamily &family, const World &world, const Rim &rim)
+    : family_(family), group_(rim.group)
+{
+  const Copies            &copies = world.copies[group_];
+  const mesh::SurfaceNodes flanks(*copies.part, copies.nodes, mesh::tooth_flanks);
+
+  for (const unsigned int n : flanks.node)
+    z_.push_back(copies.nodes.position[n][2]);
+  std::sort(z_.begin(), z_.end());
+  const double same = 1e-6 * (z_.back() - z_.front());
+  z_.erase(std::unique(z_.begin(), z_.end(), [same](double a, double b) { return b - a < same; }),
+           z_.end());
+
+  nodes_            = flanks.node;
+  const auto key_of = [&](const unsigned int n) {
+    const dealii::Point<3>    &x = copies.nodes.position[n];
+    const dealii::Tensor<1, 2> p = dealii::Point<2>(x[0], x[1]);
+    const auto layer             = std::lower_bound(z_.begin(), z_.end(), x[2] - same) - z_.begin();
+    return std::make_pair(layer, polar_angle(p));
+  };
+  std::sort(nodes_.begin(), nodes_.end(), [&](const unsigned int a, const unsigned int b) {
+    return key_of(a) < key_of(b);
+  });
+  for (unsigned int c = 0; c < nodes_.size() / z_.size(); ++c)
+    {
+      const dealii::Point<3> &x = copies.nodes.position[nodes_[c]];
+      column_.push_back(dealii::Point<2>(x[0], x[1]));
+      angle_.push_back(polar_angle(column_.back()));
+    }
+  for (unsigned int s = 0; s < copies.n_copies(); ++s)
+    for (const unsigned int n : nodes_)
+      place_.push_back(copies.index(s, n, 0));
+  Assert(column_.size() * z_.size() == nodes_.size(), dealii::ExcInternalError());
+}
+
+Touch ToothSurface::touch(const World                &world,
+                          const dealii::Tensor<1, 3> &x,
+                          const double                within,
+                          unsigned int               &hint,
+                          Foot                       &foot) const
+{
+  const Frame               &hub    = world.frames[family_.sprocket];
+  const Copies              &copies = world.copies[group_];
+  const dealii::Tensor<1, 3> X      = dealii::transpose(hub.rotation) * (x - hub.position);
+
+  // the facet in sector 0 and where the point meets it
+  const auto                  profile  = family_.form->closest_point(dealii::Point<2>(X[0], X[1]));
+  const dealii::Tensor<1, 2> &turn     = family_.form->rotations[profile.gap];
+  const auto                  unturned = [&turn](const dealii::Tensor<1, 2> &p) {
+    return dealii::Point<2>(turn[0] * p[0] + turn[1] * p[1], turn[0] * p[1] - turn[1] * p[0]);
+  };
+  const auto turned = [&turn](const dealii::Tensor<1, 2> &p) {
+    return dealii::Point<2>(turn[0] * p[0] - turn[1] * p[1], turn[1] * p[0] + turn[0] * p[1]);
+  };
+  const dealii::Tensor<1, 2> local = unturned(profile.point);
+  const unsigned int         c = interval(angle_, polar_angle(local)), k = interval(z_, X[2]);
+  const dealii::Tensor<1, 2> chord  = column_[c + 1] - column_[c];
+  const double               length = chord.norm(), height = z_[k + 1] - z_[k];
+  const double xi  = std::clamp((local - column_[c]) * chord / (length * length), 0., 1.);
+  const double eta = std::clamp((X[2] - z_[k]) / height, 0., 1.);
+
+  const unsigned int s = profile.gap;
+  foot.nodes   = {{place(s, c, k), place(s, c + 1, k), place(s, c, k + 1), place(s, c + 1, k + 1)}};
+  foot.weights = {{(1. - xi) * (1. - eta), xi * (1. - eta), (1. - xi) * eta, xi * eta}};
+
+  std::array<dealii::Tensor<1, 3>, 4> u;
+  foot.displacement = foot.arm = dealii::Tensor<1, 3>();
+  for (unsigned int i = 0; i < 4; ++i)
+    {
+      const dealii::Tensor<1, 2> p = turned(column_[c + i % 2]);
+      dealii::Tensor<1, 3>       reference, now;
+      reference[0] = p[0];
+      reference[1] = p[1];
+      reference[2] = z_[k + i / 2];
+      for (unsigned int d = 0; d < 3; ++d)
+        now[d] = copies.position.local_element(foot.nodes[i] + d * n_lanes);
+      u[i] = now - hub.position - hub.rotation * reference;
+      foot.displacement += foot.weights[i] * u[i];
+      foot.arm += foot.weights[i] * (x - now);
+    }
+
+  Touch touch = touch_flanks(family_, x - foot.displacement, 0., within, hub, hint);
+  if (touch.gap < 0.)
+    {
+      const dealii::Tensor<1, 2> direction = turned(chord / length);
+      dealii::Tensor<1, 3>       along;
+      along[0] = direction[0];
+      along[1] = direction[1];
+      const dealii::Tensor<1, 3> slope_along =
+          ((1. - eta) * (u[1] - u[0]) + eta * (u[3] - u[2])) / length;
+      const dealii::Tensor<1, 3> slope_across =
+          ((1. - xi) * (u[2] - u[0]) + xi * (u[3] - u[1])) / height;
+      const dealii::Tensor<1, 3> normal = touch.normal;
+      touch.normal -= (normal * slope_along) * (hub.rotation * along) +
+                      (normal * slope_across) * axis_of(hub, 2);
+      touch.normal /= touch.normal.norm();
+      touch.point = x;
+      set_tangents(touch, hub);
+    }
+  return touch;
+}
+
+dealii::Tensor<1, 3> ToothSurface::velocity(const World &world, const Foot &foot) const
+{
+  const Copies        &copies = world.copies[group_];
+  dealii::Tensor<1, 3> v =
+      cross_product_3d(world.frames[family_.sprocket].angular_velocity, foot.arm);
+  for (unsigned int i = 0; i < 4; ++i)
+    for (unsigned int d = 0; d < 3; ++d)
+      v[d] += foot.weights[i] * copies.velocity.local_element(foot.nodes[i] + d * n_lanes);
+  return v;
+}
+
+void ToothSurface::add_force(World &world, const Foot &foot, const dealii::Tensor<1, 3> &f) const
+{
+  Copies &copies = world.copies[group_];
+  for (unsigned int i = 0; i < 4; ++i)
+    for (unsigned int d = 0; d < 3; ++d)
+      copies.force.local_element(foot.nodes[i] + d * n_lanes) += foot.weights[i] * f[d];
+  const dealii::Tensor<1, 3> couple = cross_product_3d(foot.arm, f);
+  for (unsigned int d = 0; d < 3; ++d)
+    world.moment.local_element(3 * family_.sprocket + d) += couple[d];
+}
+
+double ToothSurface::largest_eigenvalue(const double              stiffness,
+                                        const Copies             &flanks,
+                                        const mesh::SurfaceNodes &slaves,
+                                        const Copies             &of_slaves) const
+{
+  // spacing of the slaves along the axis and along the profile
+  std::vector<double> stations;
+  for (const unsigned int n : slaves.node)
+    stations.push_back(of_slaves.nodes.position[n][2]);
+  std::sort(stations.begin(), stations.end());
+  double spacing = 0.;
+  for (unsigned int i = 1; i < stations.size(); ++i)
+    spacing = std::max(spacing, stations[i] - stations[i - 1]);
+  const double area   = *std::max_element(slaves.area.begin(), slaves.area.end());
+  const double beside = spacing > 0. ? area / spacing : std::sqrt(area);
+
+  const unsigned int n_columns = column_.size(), n_layers = z_.size();
+  double             largest = 0.;
+  for (unsigned int c = 0; c < n_columns; ++c)
+    for (unsigned int k = 0; k < n_layers; ++k)
+      {
+        const double length = half_width(c, n_columns, [&](const unsigned int i) {
+          return (column_[i + 1] - column_[i]).norm();
+        });
+        const double height =
+            half_width(k, n_layers, [&](const unsigned int i) { return z_[i + 1] - z_[i]; });
+        // the other half of a node between two sectors is in the next one
+        const double mass =
+            (c == 0 || c + 1 == n_columns ? 2. : 1.) * flanks.nodes.mass[node(c, k)];
+        largest = std::max(largest,
+                           81. / 64. * stiffness * std::max(length, beside) *
+                               std::max(height, spacing) / mass);
+      }
+  return largest;
+}
+} // namespace chaindrive::contact
