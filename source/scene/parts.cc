@@ -51,10 +51,11 @@ make_sprocket_part(const Parameters &parameters, const drive::Drive &drive, cons
   const mesh::SprocketShape shape{driver ? drive.driver_bore : drive.driven_bore,
                                   driver ? drive.driver_hub_diameter : drive.driven_hub_diameter,
                                   drive.sprocket_width};
-  return shared(mesh::make_sprocket(
-      driver ? drive.driver : drive.driven,
-      shape,
-      parameters.material.density,
-      parameters.mesh.sprocket_refinement.value_or(parameters.mesh.refinement)));
+  return shared(
+      mesh::make_sprocket(driver ? drive.driver : drive.driven,
+                          shape,
+                          parameters.material.density,
+                          parameters.mesh.sprocket_refinement.value_or(parameters.mesh.refinement),
+                          parameters.model.half));
 }
 } // namespace chaindrive::scene
