@@ -42,13 +42,6 @@ double cpu_seconds()
   return t.tv_sec + 1e-9 * t.tv_nsec;
 }
 
-double wall_seconds()
-{
-  timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return t.tv_sec + 1e-9 * t.tv_nsec;
-}
-
 double median(std::vector<double> values)
 {
   std::sort(values.begin(), values.end());
@@ -246,7 +239,8 @@ struct Machine
   double bandwidth         = 0.; ///< B/s
 };
 
-/// Nanoseconds per element and copy of a step on all cores together.
+/// Nanoseconds per element and copy of a step on all cores together: CPU time of the slowest
+/// thread, so that other programs on the machine count for little.
 double step_on_threads(const element::Reference &reference,
                        const element::Kernels   &kernels,
                        const Options            &options,
@@ -257,7 +251,7 @@ double step_on_threads(const element::Reference &reference,
   const double       per_round  = per_thread * n_lanes * reference.n_elements();
   const unsigned int rounds     = 1 + static_cast<unsigned int>(3e7 / (expected_ns * per_round));
 
-  std::vector<double> walls;
+  std::vector<double> slowest;
   for (unsigned int repetition = 0; repetition < 5; ++repetition)
     {
       std::atomic<unsigned int> ready{0};
@@ -269,17 +263,17 @@ double step_on_threads(const element::Reference &reference,
           ++ready;
           while (ready < options.threads)
             std::this_thread::yield();
-          const double start = wall_seconds();
+          const double start = cpu_seconds();
           for (unsigned int r = 0; r < rounds; ++r)
             for (unsigned int b = 0; b < per_thread; ++b)
               mine.step(kernels, b);
-          seconds[t] = wall_seconds() - start;
+          seconds[t] = cpu_seconds() - start;
         });
       for (std::thread &thread : threads)
         thread.join();
-      walls.push_back(*std::max_element(seconds.begin(), seconds.end()));
+      slowest.push_back(*std::max_element(seconds.begin(), seconds.end()));
     }
-  return 1e9 * median(walls) / (rounds * per_round * options.threads);
+  return 1e9 * median(slowest) / (rounds * per_round * options.threads);
 }
 
 Machine measure_machine()
