@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Speed of the contact of elastic joints on one core: nanoseconds per slave node that is visited,
-// for every roller on its bush and every bush on its pin of a chain under tension.
+// Speed of the contact of elastic bodies on one core: nanoseconds per slave node that is visited,
+// for every roller on its bush and every bush on its pin of a chain under tension, and for rollers
+// in the gaps of a sprocket.
 //
 // usage: contact_benchmark [LINKS]
 #include <chaindrive/contact/joints.h>
+#include <chaindrive/contact/node_teeth.h>
 #include <chaindrive/element/reference.h>
+#include <chaindrive/mesh/facet_surface.h>
 #include <chaindrive/mesh/links.h>
 
 #include <deal.II/base/aligned_vector.h>
@@ -12,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <functional>
 #include <memory>
@@ -46,13 +50,13 @@ double time_of(const std::function<void()> &work)
 }
 
 /// All copies of a part, with a little noise of position and velocity.
-struct Copies
+struct Batches
 {
-  Copies(const mesh::Part           &part,
-         const parameters::Material &material,
-         const unsigned int          n,
-         const double                pitch,
-         const double                start)
+  Batches(const mesh::Part           &part,
+          const parameters::Material &material,
+          const unsigned int          n,
+          const double                pitch,
+          const double                start)
       : reference(part, material, element::Formulation::one_point)
       , stride(3 * reference.n_nodes() * n_lanes)
   {
@@ -152,6 +156,105 @@ void measure(
                   1e6 * search);
     }
 }
+
+/// A roller a micrometre deep in the bottom of each gap of a rigid sprocket.
+scene::Scene seated_rollers(std::shared_ptr<const mesh::Part> roller,
+                            const drive::ChainDimensions     &chain,
+                            const unsigned int                teeth,
+                            const double                      friction)
+{
+  scene::Scene scene;
+  const auto   form = std::make_shared<const drive::ToothForm>(
+      drive::make_tooth_form(teeth, chain, parameters::Sprockets(), true));
+  scene::ToothFamily family;
+  family.name          = "teeth";
+  family.sprocket      = teeth;
+  family.form          = form;
+  family.teeth         = teeth;
+  family.outer_radius  = 0.5 * form->outside_diameter;
+  family.half_width    = 3.6e-3;
+  family.law           = {1e14, 1e7, friction, 5e13, 1e7};
+  family.rolls_freely  = false;
+  family.elastic       = true;
+  family.slave_surface = mesh::roller_outside;
+  for (unsigned int b = 0; b <= teeth; ++b)
+    {
+      scene::Body body;
+      body.kind             = scene::Kind::roller;
+      body.number           = 0;
+      body.motion           = b < teeth ? scene::Motion::elastic : scene::Motion::rigid;
+      body.support          = b < teeth ? scene::Support::none : scene::Support::prescribed_hub;
+      body.mass             = roller->meshed.mass;
+      body.initial.rotation = to_matrix(Quaternion());
+      if (b < teeth)
+        {
+          const double angle       = 2. * dealii::numbers::PI * b / teeth;
+          const double r           = 0.5 * form->root_diameter + 0.5 * chain.roller_diameter - 1e-6;
+          body.initial.position[0] = r * std::cos(angle);
+          body.initial.position[1] = r * std::sin(angle);
+          family.slaves.push_back({b, dealii::Point<3>(), 0.5 * chain.roller_diameter, b});
+        }
+      scene.bodies.push_back(body);
+    }
+  scene.parts[scene::Kind::roller] = std::move(roller);
+  scene.teeth                      = {family};
+  return scene;
+}
+
+void measure_teeth(const std::shared_ptr<const mesh::Part> &roller,
+                   const drive::ChainDimensions            &chain)
+{
+  const unsigned int teeth = 15;
+  const scene::Scene scene = seated_rollers(roller, chain, teeth, 0.1);
+  World              world(scene);
+  const double       within = 100e-6; // the reach of the search, see node_teeth.cc
+
+  const Copies            &copies = world.copies[0];
+  const mesh::SurfaceNodes nodes(*roller, copies.nodes, mesh::roller_outside);
+  unsigned int             visited = 0, touching = 0, hint = mesh::Projection::no_facet;
+  for (unsigned int copy = 0; copy < teeth; ++copy)
+    for (const unsigned int node : nodes.node)
+      {
+        dealii::Tensor<1, 3> x;
+        for (unsigned int d = 0; d < 3; ++d)
+          x[d] = copies.position.local_element(copies.index(copy, node, d));
+        const double gap =
+            contact::touch_flanks(scene.teeth[0], x, 0., 2. * within, world.frames[teeth], hint)
+                .gap;
+        visited += gap < within;
+        touching += gap < 0.;
+      }
+  std::printf("\nrollers in the gaps of a sprocket: %u rollers, %u slave nodes each\n",
+              teeth,
+              nodes.size());
+  std::printf("%6s%12s%12s%12s%16s%16s%16s\n",
+              "width",
+              "visited",
+              "touching",
+              "us / call",
+              "ns / visited",
+              "search, ns",
+              "us / search");
+  for (const int width : {1, 2, 4, 8})
+    {
+      if (contact::joint_kernels(width) == nullptr)
+        continue;
+      setenv("CHAINDRIVE_SIMD_WIDTH", std::to_string(width).c_str(), 1);
+      contact::NodeTeeth family(scene.teeth[0], world, false), every(scene.teeth[0], world, true);
+      for (contact::NodeTeeth *f : {&family, &every})
+        f->search(world, 1e-3);
+      const double call   = time_of([&] { family.add_forces(world, 1e-9); });
+      const double search = time_of([&] { every.add_forces(world, 1e-9); }) - call;
+      std::printf("%6d%12u%12u%12.1f%16.1f%16.1f%16.1f\n",
+                  width,
+                  visited,
+                  touching,
+                  1e6 * call,
+                  1e9 * call / visited,
+                  1e9 * search / (teeth * nodes.size()),
+                  1e6 * search);
+    }
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -169,7 +272,7 @@ int main(int argc, char **argv)
                outer_half  = 0.5 * drive::outer_plate(chain).hole_pitch;
   const double roller_play = chain.roller_clearance() + overlap,
                pin_play    = 0.5 * (chain.bush_bore - chain.pin_diameter) + overlap;
-  Copies rollers(roller, material, n, pitch, -inner_half + roller_play),
+  Batches rollers(roller, material, n, pitch, -inner_half + roller_play),
       inners(inner, material, n / 2, 2. * pitch, 0.),
       outers(outer, material, n / 2, 2. * pitch, inner_half + outer_half - pin_play);
 
@@ -196,4 +299,7 @@ int main(int argc, char **argv)
   measure("bush on pin", bush_bore[0], pin_outside[0], n / 2, [&](const unsigned int k) {
     return std::make_pair(inners.body(k, bore_nodes[1]), outers.body(k, pin_nodes[0]));
   });
+  measure_teeth(std::make_shared<const mesh::Part>(
+                    mesh::make_roller(chain, material.density, mesh::RollerGrid(3, 48, 10))),
+                chain);
 }

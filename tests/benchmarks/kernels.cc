@@ -42,13 +42,6 @@ double cpu_seconds()
   return t.tv_sec + 1e-9 * t.tv_nsec;
 }
 
-double wall_seconds()
-{
-  timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return t.tv_sec + 1e-9 * t.tv_nsec;
-}
-
 double median(std::vector<double> values)
 {
   std::sort(values.begin(), values.end());
@@ -206,6 +199,7 @@ private:
       }                                                                                            \
     return 24. * width * n / (cpu_seconds() - start);                                              \
   }
+PEAK(peak_1, 1, )
 PEAK(peak_2, 2, )
 #ifdef __x86_64__
 PEAK(peak_4, 4, __attribute__((target("arch=x86-64-v3"))))
@@ -219,10 +213,34 @@ struct Options
   std::string      mesh, formulation, shape;
   std::vector<int> widths;
   unsigned int     copies, threads;
-  bool             machine, fe_evaluation;
+  bool             fe_evaluation;
 };
 
-/// Nanoseconds per element and copy of a step on all cores together.
+/// Additions and multiplications per element in the formulas of hexahedron_kernels.h.
+double n_operations(const Formulation formulation, const Shape shape)
+{
+  const double modes  = 3 * (23 + 30); // to_modes(), subtract_modes()
+  const double strain = 2 * 18 + 3, stress = 30, product = 2 * 27 - 9;
+  if (formulation == Formulation::full)
+    return modes + 3 * 25 + 3 * (3 * 9 + 4) +
+           8 * (2 * 6 * element::jacobian_places(shape).size + strain + stress + product);
+  const double gradient_and_shift =
+      2 * 6 * (element::gradient_places(shape).size + element::shift_places(shape).size);
+  const double hourglass = formulation == Formulation::one_point ?
+                               3 * 12 :
+                               2 * (3 * 36 + 12) + 4 * element::hourglass_places(shape).size - 24;
+  return modes + gradient_and_shift + hourglass + strain + stress + product;
+}
+
+/// What a core does at best.
+struct Machine
+{
+  double peak[n_lanes + 1] = {}; ///< per width: operations per second
+  double bandwidth         = 0.; ///< B/s
+};
+
+/// Nanoseconds per element and copy of a step on all cores together: CPU time of the slowest
+/// thread, so that other programs on the machine count for little.
 double step_on_threads(const element::Reference &reference,
                        const element::Kernels   &kernels,
                        const Options            &options,
@@ -233,7 +251,7 @@ double step_on_threads(const element::Reference &reference,
   const double       per_round  = per_thread * n_lanes * reference.n_elements();
   const unsigned int rounds     = 1 + static_cast<unsigned int>(3e7 / (expected_ns * per_round));
 
-  std::vector<double> walls;
+  std::vector<double> slowest;
   for (unsigned int repetition = 0; repetition < 5; ++repetition)
     {
       std::atomic<unsigned int> ready{0};
@@ -245,38 +263,46 @@ double step_on_threads(const element::Reference &reference,
           ++ready;
           while (ready < options.threads)
             std::this_thread::yield();
-          const double start = wall_seconds();
+          const double start = cpu_seconds();
           for (unsigned int r = 0; r < rounds; ++r)
             for (unsigned int b = 0; b < per_thread; ++b)
               mine.step(kernels, b);
-          seconds[t] = wall_seconds() - start;
+          seconds[t] = cpu_seconds() - start;
         });
       for (std::thread &thread : threads)
         thread.join();
-      walls.push_back(*std::max_element(seconds.begin(), seconds.end()));
+      slowest.push_back(*std::max_element(seconds.begin(), seconds.end()));
     }
-  return 1e9 * median(walls) / (rounds * per_round * options.threads);
+  return 1e9 * median(slowest) / (rounds * per_round * options.threads);
 }
 
-void measure_machine()
+Machine measure_machine()
 {
-  std::printf("best kernels here: %s\n", element::best_kernels().name);
-  std::printf("fused multiply-add peak of a core, GF/s: 2 lanes %.1f", 1e-9 * peak_2());
+  Machine machine;
+  machine.peak[1] = peak_1();
+  machine.peak[2] = peak_2();
 #ifdef __x86_64__
   if (element::kernels(4) != nullptr)
-    std::printf(", 4 lanes %.1f", 1e-9 * peak_4());
+    machine.peak[4] = peak_4();
   if (element::kernels(8) != nullptr)
-    std::printf(", 8 lanes %.1f", 1e-9 * peak_8());
+    machine.peak[8] = peak_8();
 #endif
+  std::printf("best kernels here: %s\nfused multiply-add peak of a core, GF/s:",
+              element::best_kernels().name);
+  for (const int width : {1, 2, 4, 8})
+    if (machine.peak[width] > 0.)
+      std::printf(" %d lanes %.1f", width, 1e-9 * machine.peak[width]);
   std::vector<double> a(40000000, 1.), b(a), c(a);
   const double        seconds = time_of([&] {
     for (std::size_t i = 0; i < a.size(); ++i)
       a[i] = b[i] + 3. * c[i];
   });
-  std::printf("\nmemory bandwidth of a core (triad): %.1f GB/s\n", 24e-9 * a.size() / seconds);
+  machine.bandwidth           = 24. * a.size() / seconds;
+  std::printf("\nmemory bandwidth of a core (triad): %.1f GB/s\n", 1e-9 * machine.bandwidth);
+  return machine;
 }
 
-void measure(const mesh::RollerGrid &grid, const Options &options)
+void measure(const mesh::RollerGrid &grid, const Options &options, const Machine &machine)
 {
   const parameters::Material material;
   const mesh::Part           part =
@@ -295,13 +321,15 @@ void measure(const mesh::RollerGrid &grid, const Options &options)
                                                     reference_operator.forces();
                                                   }) / part.mesh->n_active_cells());
     }
-  std::printf("%-12s%-18s%6s%10s%10s%20s\n",
+  std::printf("%-12s%-18s%6s%10s%10s%20s%12s%14s\n",
               "element",
               "shape",
               "width",
               "force",
               "step",
-              ("step, " + std::to_string(options.threads) + " threads").c_str());
+              ("step, " + std::to_string(options.threads) + " threads").c_str(),
+              "% of peak",
+              "% of triad");
 
   for (const auto &[formulation, name] : {std::make_pair(Formulation::one_point, "one-point"),
                                           std::make_pair(Formulation::enhanced, "enhanced"),
@@ -330,13 +358,17 @@ void measure(const mesh::RollerGrid &grid, const Options &options)
                                   for (unsigned int b = 0; b < copies.n_batches; ++b)
                                     copies.step(*kernels, b);
                                 });
-            std::printf("%-12s%-18s%6d%10.1f%10.1f%20.1f\n",
+            // a step reads and writes positions and velocities of the nodes
+            const double bytes = 96. * reference.n_nodes() / reference.n_elements();
+            std::printf("%-12s%-18s%6d%10.1f%10.1f%20.1f%12.0f%14.0f\n",
                         name,
                         shape_name,
                         width,
                         force,
                         step,
-                        step_on_threads(reference, *kernels, options, step));
+                        step_on_threads(reference, *kernels, options, step),
+                        1e11 * n_operations(formulation, shape) / force / machine.peak[width],
+                        1e11 * bytes / step / machine.bandwidth);
             std::fflush(stdout);
           }
       }
@@ -349,15 +381,18 @@ int main(int argc, char **argv)
   Options                 options;
   po::options_description description(
       "Speed of the element kernels on rollers: nanoseconds of one core per element and copy for\n"
-      "the internal forces and for a whole step, and for a step on all cores at once");
+      "the internal forces and for a whole step, and for a step on all cores at once; operations "
+      "of\n"
+      "the forces over the core's peak for as many lanes; memory that a step moves over what the\n"
+      "core can");
   // clang-format off
   description.add_options()
     ("help", "print this and stop")
-    ("mesh", po::value(&options.mesh)->default_value("all"),
-     "cells through the wall, around and along the roller as 3x48x10, or all of three")
+    ("mesh", po::value(&options.mesh)->default_value("3x48x10"),
+     "cells through the wall, around and along the roller, or all of three meshes")
     ("formulation", po::value(&options.formulation)->default_value("all"),
      "one-point, enhanced, full, or all")
-    ("shape", po::value(&options.shape)->default_value("symmetric-prism"),
+    ("shape", po::value(&options.shape)->default_value("all"),
      "kernels for general, prism or symmetric-prism elements, or all that fit the mesh")
     ("width", po::value(&options.widths)->multitoken()->default_value({1, 2, 4, 8}, "1 2 4 8"),
      "numbers computed at a time")
@@ -365,8 +400,6 @@ int main(int argc, char **argv)
     ("threads", po::value(&options.threads)
        ->default_value(std::max(1u, std::thread::hardware_concurrency())),
      "how many threads for the last column")
-    ("machine", po::value(&options.machine)->default_value(true),
-     "measure the machine's own speed first")
     ("fe-evaluation", po::value(&options.fe_evaluation)->default_value(true),
      "measure deal.II's FEEvaluation beside");
   // clang-format on
@@ -390,10 +423,9 @@ int main(int argc, char **argv)
             throw po::error("the mesh is given as 3x48x10");
           grids = {{wall, around, along}};
         }
-      if (options.machine)
-        measure_machine();
+      const Machine machine = measure_machine();
       for (const mesh::RollerGrid &grid : grids)
-        measure(grid, options);
+        measure(grid, options, machine);
     }
   catch (const po::error &error)
     {

@@ -115,14 +115,14 @@ public:
     update(dt);
   }
 
-  /// The second half of a step, once all forces are there.
-  void update(const double dt)
+  /// The second half of a step, once all forces are there; @p drag as in UpdateArguments, 1/s.
+  void update(const double dt, const double drag = 0.)
   {
     kernels.update({reference.n_nodes(),
                     dt,
                     dt,
                     {0., 0., 0.},
-                    0.,
+                    drag,
                     reference.mass.data(),
                     position.data(),
                     velocity.data(),

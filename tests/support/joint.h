@@ -55,12 +55,13 @@ inline Tensor<2, 3> turn_about_z(const double angle)
 /// n_lanes copies of a tube with the grid of the side that takes part in contact.
 struct Tubes
 {
-  Tubes(const mesh::Part       &part,
-        const mesh::Surface     side,
-        const element::Kernels &kernels     = element::best_kernels(),
-        const Formulation       formulation = Formulation::enhanced)
+  Tubes(const mesh::Part           &part,
+        const mesh::Surface         side,
+        const element::Kernels     &kernels     = element::best_kernels(),
+        const Formulation           formulation = Formulation::enhanced,
+        const parameters::Material &material    = parameters::Material())
       : grid(part, side)
-      , reference(part, parameters::Material(), formulation)
+      , reference(part, material, formulation)
       , batch(reference, kernels)
       , offsets(contact::node_offsets(grid, mesh::Nodes(part).vertex))
   {

@@ -128,16 +128,16 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
   const double    *position = arg.position + lane;
   double          *force    = arg.force + lane;
 
+  P mode[3][n_modes]; // component, mode
+  for (int i = 0; i < 3; ++i)
+    gather_modes(arg.vertices[0], i, position, mode[i]);
   for (unsigned int e = 0; e < arg.n_elements; ++e)
     {
+      const Vertices     &next    = arg.vertices[e + 1 < arg.n_elements ? e + 1 : e];
       const double *const numbers = arg.numbers + e * n_numbers(shape, formulation);
       const double *const G       = numbers + 1;
       const double *const H       = G + gradient.size;
       const double *const K       = H + shift.size;
-
-      P mode[3][n_modes]; // component, mode
-      for (int i = 0; i < 3; ++i)
-        gather_modes(arg.vertices[e], i, position, mode[i]);
 
       P F[3][3] = {};
 #pragma GCC unroll 78
@@ -184,6 +184,8 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
           // dW/dF and dW/dq
           P T[3];
           times(F[i], S, T);
+          // additions for the next element, beside multiplications of this one
+          gather_modes(next, i, position, mode[i]);
           P r[n_modes] = {};
           if constexpr (formulation == Formulation::enhanced)
             {

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A moving elastic bar hits an equal one at rest: they exchange their velocities, the stress behind
+// the waves is rho c v0 / 2, the contact lasts 2 L / c. Nodes of elastic bodies have flat faces
+// only as rigid ones; here a free rigid plate of a thousandth of a bar's mass stands between the
+// bars, and the nodes of either end are slaves on its side of the plate. Without Poisson's ratio
+// the theory of bars is exact.
+#include "../support/scenes.h"
+
+#include <deal.II/grid/grid_generator.h>
+
+using namespace test;
+
+int main()
+{
+  const double length = 0.1, width = 4e-3, v0 = 1.;
+  for (const unsigned int n : {50, 100, 200})
+    {
+      scene::Scene scene            = empty_scene();
+      scene.material.poissons_ratio = 0.;
+      const double E                = scene.material.youngs_modulus;
+      const double rho              = scene.material.density;
+      const double c                = std::sqrt(E / rho);
+      const double area = width * width, mass = rho * area * length;
+
+      mesh::Part bar;
+      bar.name    = "bar";
+      bar.density = rho;
+      bar.mesh    = std::make_unique<dealii::Triangulation<3>>();
+      dealii::GridGenerator::subdivided_hyper_rectangle(
+          *bar.mesh,
+          {n, 1, 1},
+          dealii::Point<3>(-0.5 * length, -0.5 * width, -0.5 * width),
+          dealii::Point<3>(0.5 * length, 0.5 * width, 0.5 * width),
+          true);
+      for (const auto &cell : bar.mesh->active_cell_iterators())
+        cell->set_material_id(mesh::roller); // colouring the sides has coloured the cells as well
+      scene.parts[scene::Kind::roller] = std::make_shared<const mesh::Part>(std::move(bar));
+      for (const double at : {-0.5 * length, 0.5 * length})
+        scene.bodies.push_back(body(scene::Motion::elastic,
+                                    scene::Support::none,
+                                    mass,
+                                    vector(1., 1., 1.),
+                                    vector(at, 0.),
+                                    vector(at < 0. ? v0 : 0., 0.)));
+      const double inertia = 1e-3 * mass * area;
+      scene.bodies.push_back(body(scene::Motion::rigid,
+                                  scene::Support::none,
+                                  1e-3 * mass,
+                                  vector(inertia, inertia, inertia),
+                                  vector(0., 0.)));
+
+      scene::Law law;
+      law.stiffness = E / (length / n); // per area: one element's own
+      for (const unsigned int i : {0, 1})
+        {
+          // the first bar's end looks along x and meets the side of the plate that looks back
+          const Vector3 y = vector(0., 1.), z = vector(0., 0., 1.);
+          scene.teeth.push_back(on_surface(2,
+                                           i == 0 ? plane(width, z, y) : plane(width, y, z),
+                                           law,
+                                           {{i, dealii::Point<3>(), width, 0}}));
+          scene.teeth.back().name          = i == 0 ? "first" : "second";
+          scene.teeth.back().elastic       = true;
+          scene.teeth.back().slave_surface = i == 0 ? 1 : 0; // colours of the ends
+        }
+
+      dynamics::System system(scene, false);
+      const double     dt      = 0.3 * system.stable_step_limit(); // it takes masters to be heavy
+      double           plateau = 0., worst = 0., last = 0., momentum = 0.;
+      unsigned int     samples = 0;
+      advance(system, static_cast<unsigned long>(3. * length / c / dt), dt, [&]() {
+        const double t     = system.world.time;
+        const double force = system.contacts.families()[1]->records()[0].force[0];
+        if (force > 0.)
+          last = t;
+        if (t > 0.3 * length / c && t < 1.7 * length / c)
+          {
+            plateau += force / area;
+            ++samples;
+          }
+        worst    = std::max(worst, std::abs(system.world.ledger.imbalance()));
+        double p = 1e-3 * mass * system.world.frames[2].velocity[0];
+        for (const unsigned int i : {0, 1})
+          p += mass * system.world.frames[i].velocity[0];
+        momentum = std::max(momentum, std::abs(p / (mass * v0) - 1.));
+      });
+      const double struck = system.world.frames[1].velocity[0];
+      std::cout << n << " elements along each bar\n";
+      ratio("  mean stress", plateau / samples, 0.5 * rho * c * v0, 3);
+      ratio("  duration", last, 2. * length / c, 2);
+      ratio("  velocity of the struck bar", struck, v0, 3);
+      std::cout << "  velocity left to the striker: " << std::fixed << std::setprecision(3)
+                << system.world.frames[0].velocity[0] / v0 << std::defaultfloat << " of v0\n";
+      verdict("  kinetic energy exchanged to 98 %", struck * struck > 0.98 * v0 * v0);
+      verdict("  momentum kept to 1e-10", momentum < 1e-10);
+      verdict("  imbalance below 0.5 % of the energy", worst < 5e-3 * 0.5 * mass * v0 * v0);
+    }
+}
