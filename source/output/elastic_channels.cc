@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/output/recorder.h>
 
-#include <cmath>
+#include <limits>
 
 // Histories of elastic bodies.
 
@@ -14,6 +14,7 @@ using Row = dealii::ArrayView<double>;
 std::vector<std::string> labels_of(const std::vector<unsigned int> &numbers)
 {
   std::vector<std::string> labels;
+  labels.reserve(numbers.size());
   for (const unsigned int k : numbers)
     labels.push_back(std::to_string(k));
   return labels;
