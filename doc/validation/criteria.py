@@ -7,16 +7,34 @@ TENSION = 150. / 0.1062156  # N: torque over the pitch radius of 42 teeth
 JUMP = 1.9167  # m/s: pitch times driver speed
 
 
-def row(name, value, low=None, high=None, digits=3):
-    """One line: a number, what is accepted, whether it is met."""
-    accepted = "" if low is None and high is None else \
-        f"{'' if low is None else f'{low:.4g}'} ... {'' if high is None else f'{high:.4g}'}"
-    verdict = "" if not accepted else "yes" if np.isfinite(value) and \
-        (low is None or value >= low) and (high is None or value <= high) else "no"
-    print(f"{name:<74}{value:>9.{digits}f}  {accepted:<18}{verdict}")
+class Table:
+    """Numbers of one or more pairs of runs, with what is accepted."""
+
+    def __init__(self):
+        self.rows = {}
+
+    def add(self, name, value, low=None, high=None, digits=3):
+        self.rows.setdefault(name, (low, high, digits, []))[3].append(value)
+
+    def print(self):
+        """Of several runs the mean, which is judged, and the range."""
+        print(f"{'':<70}{'value':>9}  {'accepted':<16}{'met':<5}range")
+        for name, (low, high, digits, values) in self.rows.items():
+            values = [value for value in values if np.isfinite(value)]
+            if not values:
+                print(f"{name:<70}{'-':>9}")
+                continue
+            mean, accepted, verdict, spread = np.mean(values), "", "", ""
+            if low is not None or high is not None:
+                accepted = " ... ".join("" if x is None else f"{x:.4g}" for x in (low, high))
+                verdict = "yes" if (low is None or mean >= low) and \
+                    (high is None or mean <= high) else "no"
+            if len(values) > 1:
+                spread = f"{min(values):.{digits}f} ... {max(values):.{digits}f}"
+            print(f"{name:<70}{mean:>9.{digits}f}  {accepted:<16}{verdict:<5}{spread}".rstrip())
 
 
-def steady(run, name):
+def steady(table, run, name):
     """R9: tensions pitch time by pitch time from 8 ms on, and the driven speed."""
     difference = run["spans/tight_tension"] - run["spans/slack_tension"]
     start, means = 8e-3, []
@@ -24,19 +42,19 @@ def steady(run, name):
         means.append(run.mean(difference, start, start + run.pitch_time))
         start += run.pitch_time
     for what, value in (("least", min(means)), ("largest", max(means))):
-        row(f"R9  {name}: {what} mean of tight less slack tension in a pitch time (N)", value,
+        table.add(f"R9  {name}: {what} tight less slack tension in a pitch time (N)", value,
             0.9 * TENSION, 1.1 * TENSION, 0)
-    row(f"R9  {name}: driven speed (rad/s)", run.summary["driven_speed_mean"], 42.69, 43.55)
+    table.add(f"R9  {name}: driven speed (rad/s)", run.summary["driven_speed_mean"], 42.69, 43.55)
 
 
-def cpu(simple, full):
+def cpu(table, simple, full):
     """R10: shares of CPU time and their ratio."""
     for run, name in ((simple, "simple"), (full, "full")):
         seconds = run.summary["cpu_seconds"]
         for phase in ("internal_force", "time_integration", "contact_algorithm"):
-            row(f"R10 {name}: {phase.replace('_', ' ')} (% of CPU time)",
+            table.add(f"R10 {name}: {phase.replace('_', ' ')} (% of CPU time)",
                 100 * seconds.get(phase, 0.) / seconds["total"], digits=1)
-    row("R10 CPU time full over simple", full.summary["cpu_seconds"]["total"] /
+    table.add("R10 CPU time full over simple", full.summary["cpu_seconds"]["total"] /
         simple.summary["cpu_seconds"]["total"], 20, 500, 0)
 
 
@@ -74,7 +92,7 @@ def fast_energy(run, surface, above=2000.):
     return np.mean(total)
 
 
-def seating(run, name):
+def seating(table, run, name):
     """R12: the velocity that a roller takes on, from straight lines through 0.02 to 0.5 ms before
     the touch and 1 to 2 ms after it, when it has come to rest in its seat, both continued to the
     touch."""
@@ -92,12 +110,12 @@ def seating(run, name):
         pitch = np.fft.irfft(spectrum, 1023)
         ripples.append((np.max(pitch) - np.min(pitch)) / np.max(pitch) * 100)
     for what, jump in (("least", min(jumps)), ("largest", max(jumps))):
-        row(f"R12 {name}: {what} jump of the normal velocity (m/s)", jump, 0.8 * JUMP, 1.2 * JUMP)
-    row(f"R12 {name}: velocity along the span before the touch (m/s)", np.mean(speeds), 4.534, 4.626)
-    row(f"R12 {name}: its ripple in three harmonics of the pitch (%)", np.mean(ripples), 1.2, 3.2)
+        table.add(f"R12 {name}: {what} jump of the normal velocity (m/s)", jump, 0.8 * JUMP, 1.2 * JUMP)
+    table.add(f"R12 {name}: velocity along the span before the touch (m/s)", np.mean(speeds), 4.534, 4.626)
+    table.add(f"R12 {name}: its ripple in three harmonics of the pitch (%)", np.mean(ripples), 1.2, 3.2)
 
 
-def tensions(run, name):
+def tensions(table, run, name):
     """R14: the bar behind each roller, a pitch time before and after the touch. The decay that goes
     with a pressure angle is judged in the slow run, where the angle is measured."""
     before, ratio = [], []
@@ -109,15 +127,15 @@ def tensions(run, name):
                          before[-1])
     slack = run.summary["slack_tension_mean"]
     for what, value in (("least", min(before)), ("largest", max(before))):
-        row(f"R14 {name}: {what} tension before engagement less slack (N)", value - slack,
+        table.add(f"R14 {name}: {what} tension before engagement less slack (N)", value - slack,
             0.7 * 1413, 1.3 * 1413, 0)
-    row(f"R14 {name}: tension after one tooth over that before", np.mean(ratio) if ratio else np.nan)
+    table.add(f"R14 {name}: tension after one tooth over that before", np.mean(ratio) if ratio else np.nan)
 
 
-def plates(run):
+def plates(table, run):
     """R15: pull and bending of the plates behind the engaging rollers."""
     if "plates/axial_stress" not in run:
-        return print("R15 no stresses of plates in this run")
+        return
     rollers = run.engagements()
     slack = run.summary["slack_tension_mean"] / run.summary["tight_tension_mean"]
     for parity, name, nominal in ((0, "inner", 33.442), (1, "outer", 38.759)):
@@ -135,14 +153,14 @@ def plates(run):
             out.append(np.sqrt(np.mean(across ** 2)))
             peak.append(np.max(np.abs(in_plane)))
         if axial:
-            row(f"R15 {name} plates: axial stress before engagement less slack's share (MPa)",
+            table.add(f"R15 {name} plates: axial stress before engagement, no slack (MPa)",
                 np.mean(axial) * (1 - slack), 0.8 * nominal, 1.2 * nominal, 1)
-            row("R15    bending in the plane, r.m.s. over axial", np.mean(plane) / np.mean(axial), 0.05)
-            row("R15    bending in the plane, largest over axial", np.max(peak) / np.mean(axial))
-            row("R15    bending out of the plane, r.m.s. over axial", np.mean(out) / np.mean(axial))
+            table.add(f"R15 {name} plates: bending in the plane, r.m.s. over axial", np.mean(plane) / np.mean(axial), 0.05)
+            table.add(f"R15 {name} plates: bending in the plane, largest over axial", np.max(peak) / np.mean(axial))
+            table.add(f"R15 {name} plates: bending out of the plane, r.m.s. over axial", np.mean(out) / np.mean(axial))
 
 
-def peaks(simple, full):
+def peaks(table, simple, full):
     """R16, R17: largest contact forces of the engaging rollers."""
     variation = {}
     for run, name in ((simple, "simple"), (full, "full")):
@@ -150,20 +168,20 @@ def peaks(simple, full):
         relative = (force.max() - force.min()) / force.max()
         variation[name] = force.std(ddof=1) / force.mean()
         if name == "full":
-            row("R16 full: largest peak force (kN)", force.max(), 1.2, 2.8)
-            row("R16 full: smallest peak force (kN)", force.min(), 0.7, 1.6)
-            row("R16 full: (largest - smallest) / largest", relative, 0.2, 0.6)
+            table.add("R16 full: largest peak force (kN)", force.max(), 1.2, 2.8)
+            table.add("R16 full: smallest peak force (kN)", force.min(), 0.7, 1.6)
+            table.add("R16 full: (largest - smallest) / largest", relative, 0.2, 0.6)
         else:
-            row("R17 simple: (largest - smallest) / largest", relative, None, 0.1)
-            row("R17 simple: coefficient of variation", variation[name], None, 0.05)
-    row("R17 coefficient of variation full over simple", variation["full"] / variation["simple"], 3)
+            table.add("R17 simple: (largest - smallest) / largest", relative, None, 0.1)
+            table.add("R17 simple: coefficient of variation", variation[name], None, 0.05)
+    table.add("R17 coefficient of variation full over simple", variation["full"] / variation["simple"], 3)
 
 
-def pulses(run, name, low, high):
+def pulses(table, run, name, low, high):
     """R18: maxima of the contact force within 0.15 ms of the touch that stand out by a fifth of the
-    largest; mean of the rollers. Needs samples 5 us apart or closer."""
+    largest; mean of the rollers. Left out where samples are more than 5 us apart."""
     if np.median(np.diff(run.time)) > 5.1e-6:
-        return print(f"R18 {name}: samples are too far apart to count pulses (5 us at most)")
+        return
     counts = []
     for roller, touch, _ in run.engagements():
         force = run.column("rollers/driver_force_peak", roller)
@@ -176,27 +194,34 @@ def pulses(run, name, low, high):
             if f < low_since:
                 low_since = high_since = f
         counts.append(count)
-    row(f"R18 {name}: pulses within 0.15 ms of the touch", np.mean(counts), low, high, 1)
+    table.add(f"R18 {name}: pulses within 0.15 ms of the touch", np.mean(counts), low, high, 1)
 
 
-def report(simple, full):
-    print(f"{'':<74}{'value':>9}  {'accepted':<18}met")
+def add_pair(table, simple, full):
     for run, name in ((simple, "simple"), (full, "full")):
-        steady(run, name)
-    cpu(simple, full)
+        steady(table, run, name)
+    cpu(table, simple, full)
     smooth, rough = spread(simple, False), spread(full, True)
     for direction, s, f in zip(("along the span", "normal to it"), smooth, rough):
-        row(f"R11 simple: rollers differ {direction} (r.m.s. over r.m.s.)", s[0], None, 0.05)
-        row("R11    least correlation", s[1], 0.99)
-        row(f"R13 full: rollers differ {direction}, surface, over simple", f[0] / s[0], 3)
+        table.add(f"R11 simple: rollers differ {direction} (r.m.s. over r.m.s.)", s[0], None, 0.05)
+        table.add(f"R11 simple: least correlation {direction}", s[1], 0.99)
+        table.add(f"R13 full: rollers differ {direction}, surface, over simple", f[0] / s[0], 3)
     for surface, name in ((True, "surface"), (False, "centre of mass")):
-        row(f"R13 energy of velocity above 2 kHz, {name}, full over simple",
+        table.add(f"R13 energy of velocity above 2 kHz, {name}, full over simple",
             fast_energy(full, surface) / fast_energy(simple, surface), 3, None, 1)
     for run, name in ((simple, "simple"), (full, "full")):
-        seating(run, name)
+        seating(table, run, name)
     for run, name in ((simple, "simple"), (full, "full")):
-        tensions(run, name)
-    plates(full)
-    peaks(simple, full)
-    pulses(simple, "simple", 1, 1)
-    pulses(full, "full", 2, None)
+        tensions(table, run, name)
+    plates(table, full)
+    peaks(table, simple, full)
+    pulses(table, simple, "simple", 1, 1)
+    pulses(table, full, "full", 2, None)
+
+
+def report(pairs):
+    """Prints what (simple, full) runs give."""
+    table = Table()
+    for simple, full in pairs:
+        add_pair(table, simple, full)
+    table.print()

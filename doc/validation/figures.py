@@ -3,8 +3,9 @@
 """Draws the figures of the paper, simple model beside full model, and prints what it says about
 them as numbers:
 
-    doc/validation/figures.py [--simple DIR] [--full DIR] [--output DIR]
+    doc/validation/figures.py [--simple DIR...] [--full DIR...] [--output DIR]
 
+The first runs are drawn; the numbers are means over all of them, for start phases for instance.
 velocities.png: its Fig. 5 and 7, link_forces.png: 8 and 9, contact_forces.png: 13 and 12. Debian
 packages: python3-h5py, python3-matplotlib, python3-pil.
 """
@@ -101,14 +102,16 @@ def contact_forces(simple, full, folder):
 def main():
     root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--simple", default=os.path.join(root, "results/simple"))
-    parser.add_argument("--full", default=os.path.join(root, "results/full"))
+    parser.add_argument("--simple", nargs="+", default=[os.path.join(root, "results/simple")])
+    parser.add_argument("--full", nargs="+", default=[os.path.join(root, "results/full")])
     parser.add_argument("--output", default=os.path.join(root, "doc/pictures"))
     arguments = parser.parse_args()
-    simple, full = History(arguments.simple), History(arguments.full)
+    simple = [History(folder) for folder in arguments.simple]
+    full = [History(folder) for folder in arguments.full]
     for draw in (velocities, link_forces, contact_forces):
-        draw(simple, full, arguments.output)
-    criteria.report(simple, full)
+        draw(simple[0], full[0], arguments.output)
+    pairs = max(len(simple), len(full))
+    criteria.report([(simple[i % len(simple)], full[i % len(full)]) for i in range(pairs)])
 
 
 if __name__ == "__main__":
