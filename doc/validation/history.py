@@ -43,9 +43,10 @@ class History:
         return dataset[:, labels.index(str(number))]
 
     def engagements(self, n=5):
-        """The first `n` rollers that meet the driver in the window: (roller, time, peak force)."""
+        """The first `n` rollers that meet the driver in the window, 1 ms or more before the end:
+        (roller, time, peak force)."""
         return [(e["roller"], e["time"], e["peak_force"]) for e in self.summary["engagements"]
-                if e["sprocket"] == "driver" and e["time"] >= self.start][:n]
+                if e["sprocket"] == "driver" and e["complete"] and e["time"] >= self.start][:n]
 
     def velocity(self, roller, surface=True):
         """Velocity along the span and along its normal: of the roller's surface node where there is
