@@ -59,9 +59,10 @@ def cpu(table, simple, full):
 
 
 def spread(run, surface):
-    """Largest difference between two of the rollers and least correlation, along the span and normal
-    to it. Rollers are laid over each other by whole pitch times, from one pitch time before the first
-    touch to one after it or the end of the run. Differences are r.m.s. over the r.m.s. velocity."""
+    """Largest difference between two of the rollers and least correlation, along the span and
+    normal to it. Rollers are laid over each other by whole pitch times, from one pitch time before
+    the first touch to one after it or the end of the run. Differences are r.m.s. over the r.m.s.
+    velocity."""
     rollers = run.engagements()
     first = rollers[0][1]
     end = min(run.pitch_time, run.time[-1] - first - (len(rollers) - 1) * run.pitch_time)
@@ -137,8 +138,8 @@ def tensions(table, run, name):
 
 
 def plates(table, run):
-    """R15: pull and bending of the plates behind the engaging rollers. Nominal stresses: 1413 N over
-    both waists of a link, 0.7 times the plates' heights wide and 2 mm thick."""
+    """R15: pull and bending of the plates behind the engaging rollers. Nominal stresses: 1413 N
+    over both waists of a link, 0.7 times the plates' heights wide and 2 mm thick."""
     if "plates/axial_stress" not in run:
         return
     rollers = run.engagements()

@@ -22,8 +22,9 @@ import criteria
 from history import History
 
 COLORS = ["#1b4f8f", "#c7522a", "#3c8d5a", "#8a5aa8", "#b8962e"]
-pyplot.rcParams.update({"font.size": 8, "axes.grid": True, "grid.alpha": 0.3, "lines.linewidth": 0.7,
-                        "legend.fontsize": 7, "axes.spines.top": False, "axes.spines.right": False, "figure.dpi": 110})
+pyplot.rcParams.update({"font.size": 8, "legend.fontsize": 7, "lines.linewidth": 0.7,
+                        "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False,
+                        "axes.spines.right": False, "figure.dpi": 110})
 
 
 def panels(rows, titles, height):
@@ -39,7 +40,8 @@ def panels(rows, titles, height):
 def finish(figure, axes, run, folder, name):
     axes[0][0].set_xlim(1e3 * run.start, 1e3 * run.time[-1])
     figure.get_layout_engine().set(rect=(0., 0., 1., 1. - 0.25 / figure.get_figheight()))
-    figure.legend(*axes[0][0].get_legend_handles_labels(), loc="upper center", ncol=5, frameon=False)
+    figure.legend(*axes[0][0].get_legend_handles_labels(), loc="upper center", ncol=5,
+                  frameon=False)
     figure.canvas.draw()
     picture = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())).convert("RGB")
     picture.quantize(64).save(os.path.join(folder, name), optimize=True)
@@ -77,10 +79,11 @@ def link_forces(simple, full, folder):
             bending = 1e-6 * full.column("plates/bending_in_plane", link)
             curve(axes[0][1], full, axial, i)
             curve(axes[1][1], full, bending, i)
-    for axis, title, unit in ((axes[0][0], "simple model, bars", "force (kN)"),
-                              (axes[1][0], "full model, links", "force (kN)"),
-                              (axes[0][1], "full model, plates: pull", "stress (MPa)"),
-                              (axes[1][1], "full model, plates: bending in the plane", "stress (MPa)")):
+    for axis, title, unit in (
+            (axes[0][0], "simple model, bars", "force (kN)"),
+            (axes[1][0], "full model, links", "force (kN)"),
+            (axes[0][1], "full model, plates: pull", "stress (MPa)"),
+            (axes[1][1], "full model, plates: bending in the plane", "stress (MPa)")):
         axis.set_title(title)
         axis.set_ylabel(unit)
     for axis in axes[1]:

@@ -9,7 +9,7 @@ import numpy as np
 
 
 class History:
-    """Histories and summary of the run in `folder`; a dataset by its path, `run["spans/tight_speed"]`."""
+    """Histories and summary of the run in `folder`; a dataset by its path: `run["time"]`."""
 
     def __init__(self, folder):
         with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
