@@ -18,8 +18,9 @@ import xml.etree.ElementTree as xml
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.all import (vtkActor, vtkAppendFilter, vtkColorTransferFunction, vtkDataSetMapper,
-                            vtkDataSetSurfaceFilter, vtkExtractGeometry, vtkPlane, vtkPNGWriter, vtkRenderer, vtkRenderWindow,
-                            vtkScalarBarActor, vtkUnstructuredGridReader, vtkWarpVector,
+                            vtkDataSetSurfaceFilter, vtkExtractGeometry, vtkPlane,
+                            vtkPNGWriter, vtkRenderer, vtkRenderWindow, vtkScalarBarActor,
+                            vtkUnstructuredGridReader, vtkWarpVector,
                             vtkWindowToImageFilter, vtkXMLPUnstructuredGridReader,
                             vtkXMLUnstructuredGridReader)
 
@@ -59,7 +60,7 @@ def main():
     parser.add_argument("--time", type=float, help="of a series, default: the last")
     parser.add_argument("--color", help="name of a cell or point array; default: one colour")
     parser.add_argument("--range", nargs=2, type=float, help="of the colour scale")
-    parser.add_argument("--divide", type=float, default=1., help="the colour's array by this number")
+    parser.add_argument("--divide", type=float, default=1., help="the array's values by it")
     parser.add_argument("--title", help="of the colour scale; default: the array's name")
     parser.add_argument("--sequential", action="store_true", help="colours from grey to dark red")
     parser.add_argument("--behind", type=float, help="leave out cells with z above this value")
