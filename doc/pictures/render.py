@@ -202,7 +202,8 @@ def main():
     writer.Write()
     if arguments.colors:
         from PIL import Image
-        picture = Image.open(arguments.output).convert("RGB").quantize(arguments.colors)
+        picture = Image.open(arguments.output).convert("RGB").quantize(
+            arguments.colors, Image.Quantize.MAXCOVERAGE)  # keeps rare colours
         picture.save(arguments.output, optimize=True)
 
 
