@@ -8,9 +8,9 @@ Debian packages: python3-vtk9, for --colors python3-pil, and xvfb where no displ
     xvfb-run -a /usr/bin/python3 doc/pictures/render.py ...
 
 Stress in the full model at the driver, seen through the chain's middle plane:
-    render.py results/full/bodies.pvd --color von_mises --divide 1e6 --title "von Mises (MPa)" \
-        --range 0 100 --sequential --behind 0 --focus 0 0.02 0 --height 0.07 --view 0.1 0.15 1 \
-        --colors 96 -o doc/pictures/stress.png
+    render.py results/full/bodies.pvd --color von_mises --divide 1e6 --title "von Mises (MPa)" \\
+        --range 0 100 --sequential --behind 0 --focus 0.004 0.024 0 --height 0.062 \\
+        --view 0.1 0.15 1 --size 1120 700 --colors 96 -o doc/pictures/stress.png
 """
 import argparse
 import os
