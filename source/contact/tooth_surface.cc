@@ -112,6 +112,16 @@ Touch ToothSurface::touch(const World                &world,
       foot.arm += foot.weights[i] * (x - now);
     }
 
+  // the distance changes by no more than the displacement, to first order by its normal part
+  if (profile.distance > foot.displacement.norm())
+    {
+      const dealii::Tensor<1, 3> v = dealii::transpose(hub.rotation) * foot.displacement;
+      Touch                      apart;
+      apart.gap     = profile.distance - (profile.normal[0] * v[0] + profile.normal[1] * v[1]);
+      apart.feature = profile.gap;
+      return apart;
+    }
+
   Touch touch = touch_flanks(family_, x - foot.displacement, 0., within, hub, hint);
   if (touch.gap < 0.)
     {
@@ -124,8 +134,9 @@ Touch ToothSurface::touch(const World                &world,
       const dealii::Tensor<1, 3> slope_across =
           ((1. - xi) * (u[2] - u[0]) + xi * (u[3] - u[1])) / height;
       const dealii::Tensor<1, 3> normal = touch.normal;
-      touch.normal -= (normal * slope_along) * (hub.rotation * along) +
-                      (normal * slope_across) * axis_of(hub, 2);
+      touch.normal -= (normal * slope_along) * (hub.rotation * along);
+      if (X[2] > z_.front() && X[2] < z_.back())
+        touch.normal -= (normal * slope_across) * axis_of(hub, 2);
       touch.normal /= touch.normal.norm();
       touch.point = x;
       set_tangents(touch, hub);

@@ -41,10 +41,11 @@ void Elastic::move(World       &world,
     if (copies.owns(s))
       for (const unsigned int node : rim.border)
         {
+          const std::size_t    first = copies.index(s, node, 0);
           dealii::Tensor<1, 3> f, x;
           for (unsigned int d = 0; d < 3; ++d)
             {
-              const std::size_t i = copies.index(s, node, d);
+              const std::size_t i = first + d * n_lanes;
               x[d]                = copies.position.local_element(i);
               f[d]                = std::exchange(copies.force.local_element(i), 0.);
             }

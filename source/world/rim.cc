@@ -105,8 +105,9 @@ void Rim::hold(Copies &copies, const Frame &frame) const
         {
           const dealii::Tensor<1, 3> x =
               here.position + here.rotation * dealii::Tensor<1, 3>(copies.nodes.position[node]);
+          const std::size_t first = copies.index(s, node, 0);
           for (unsigned int d = 0; d < 3; ++d)
-            copies.position.local_element(copies.index(s, node, d)) = x[d];
+            copies.position.local_element(first + d * n_lanes) = x[d];
         }
     }
 }
