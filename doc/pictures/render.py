@@ -4,22 +4,33 @@
 
     render.py [options] FILE... -o PICTURE.png
 
-Debian packages: python3-vtk9, and xvfb where no display is at hand:
+Debian packages: python3-vtk9, for --colors python3-pil, and xvfb where no display is at hand:
     xvfb-run -a /usr/bin/python3 doc/pictures/render.py ...
+
+Stress in the full model at the driver, seen through the chain's middle plane:
+    render.py results/full/bodies.pvd --color von_mises --divide 1e6 --title "von Mises (MPa)" \\
+        --range 0 100 --sequential --behind 0 --focus 0.004 0.024 0 --height 0.062 \\
+        --view 0.1 0.15 1 --size 1120 700 --colors 96 -o doc/pictures/stress.png
 """
 import argparse
 import os
 import xml.etree.ElementTree as xml
 
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.all import (vtkActor, vtkAppendFilter, vtkColorTransferFunction, vtkDataSetMapper,
-                            vtkDataSetSurfaceFilter, vtkPNGWriter, vtkRenderer, vtkRenderWindow,
-                            vtkScalarBarActor, vtkUnstructuredGridReader, vtkWarpVector,
+                            vtkDataSetSurfaceFilter, vtkExtractGeometry, vtkPlane,
+                            vtkPNGWriter, vtkRenderer, vtkRenderWindow, vtkScalarBarActor,
+                            vtkUnstructuredGridReader, vtkWarpVector,
                             vtkWindowToImageFilter, vtkXMLPUnstructuredGridReader,
                             vtkXMLUnstructuredGridReader)
 
 # muted colours that tell neighbouring materials apart
 PALETTE = [(0.80, 0.62, 0.36), (0.44, 0.60, 0.76), (0.78, 0.80, 0.84), (0.36, 0.48, 0.62),
            (0.70, 0.42, 0.36), (0.62, 0.66, 0.70), (0.42, 0.45, 0.48), (0.52, 0.66, 0.52)]
+
+# from nothing, the grey of a rigid body, to much
+SEQUENCE = [(0.80, 0.82, 0.84), (0.98, 0.90, 0.62), (0.96, 0.68, 0.35), (0.84, 0.33, 0.24),
+            (0.45, 0.06, 0.20)]
 
 
 def files_of(name, time):
@@ -49,6 +60,11 @@ def main():
     parser.add_argument("--time", type=float, help="of a series, default: the last")
     parser.add_argument("--color", help="name of a cell or point array; default: one colour")
     parser.add_argument("--range", nargs=2, type=float, help="of the colour scale")
+    parser.add_argument("--divide", type=float, default=1., help="the array's values by it")
+    parser.add_argument("--title", help="of the colour scale; default: the array's name")
+    parser.add_argument("--sequential", action="store_true", help="colours from grey to dark red")
+    parser.add_argument("--behind", type=float, help="leave out cells with z above this value")
+    parser.add_argument("--colors", type=int, help="write a small file with so many colours")
     parser.add_argument("--discrete", action="store_true", help="one colour per integer value")
     parser.add_argument("--warp", help="name of a displacement array to add to the positions")
     parser.add_argument("--scale", type=float, default=1., help="of the displacement")
@@ -74,6 +90,14 @@ def main():
         warp.SetInputArrayToProcess(0, 0, 0, 0, arguments.warp)
         warp.SetScaleFactor(arguments.scale)
         source = warp
+    if arguments.behind is not None:
+        plane = vtkPlane()
+        plane.SetOrigin(0, 0, arguments.behind + 1e-6)
+        plane.SetNormal(0, 0, 1)
+        behind = vtkExtractGeometry()
+        behind.SetInputConnection(source.GetOutputPort())
+        behind.SetImplicitFunction(plane)
+        source = behind
     surface = vtkDataSetSurfaceFilter()
     surface.SetInputConnection(source.GetOutputPort())
     surface.Update()
@@ -92,17 +116,24 @@ def main():
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     renderer.AddActor(actor)
+    renderers = [renderer]
     if arguments.color:
         data = surface.GetOutput()
         in_cells = data.GetCellData().HasArray(arguments.color)
         array = (data.GetCellData() if in_cells else data.GetPointData()).GetArray(arguments.color)
         if array is None:
             parser.error("there is no array named '%s'" % arguments.color)
+        if arguments.divide != 1.:
+            vtk_to_numpy(array)[:] /= arguments.divide
+            array.Modified()
         low, high = arguments.range or array.GetRange(-1 if array.GetNumberOfComponents() > 1 else 0)
         colors = vtkColorTransferFunction()
         if arguments.discrete:
             for value in range(int(low), int(high) + 1):
                 colors.AddRGBPoint(value, *PALETTE[value % len(PALETTE)])
+        elif arguments.sequential:
+            for i, color in enumerate(SEQUENCE):
+                colors.AddRGBPoint(low + (high - low) * i / (len(SEQUENCE) - 1), *color)
         else:
             colors.SetColorSpaceToDiverging()
             colors.AddRGBPoint(low, 0.23, 0.30, 0.75)
@@ -117,12 +148,23 @@ def main():
         if not arguments.discrete:
             bar = vtkScalarBarActor()
             bar.SetLookupTable(colors)
-            bar.SetTitle(arguments.color)
+            bar.SetTitle(arguments.title or arguments.color)
+            bar.UnconstrainedFontSizeOn()
             for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
                 text.SetColor(0, 0, 0)
-            bar.SetPosition(0.9, 0.1)
-            bar.SetWidth(0.07)
-            renderer.AddActor2D(bar)
+                text.SetFontSize(arguments.size[1] // 45)
+                text.ShadowOff()
+                text.ItalicOff()
+                text.BoldOff()
+            bar.SetLabelFormat("%.4g")
+            bar.SetPosition(0.1, 0.1)
+            bar.SetWidth(0.85)
+            renderer.SetViewport(0, 0, 0.88, 1)
+            scale = vtkRenderer()  # beside the picture
+            scale.SetBackground(1, 1, 1)
+            scale.SetViewport(0.88, 0, 1, 1)
+            scale.AddActor2D(bar)
+            renderers.append(scale)
     else:
         mapper.ScalarVisibilityOff()
 
@@ -148,7 +190,8 @@ def main():
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
     window.SetSize(*arguments.size)
-    window.AddRenderer(renderer)
+    for each in renderers:
+        window.AddRenderer(each)
     window.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(window)
@@ -157,6 +200,11 @@ def main():
     writer.SetInputConnection(image.GetOutputPort())
     writer.SetFileName(arguments.output)
     writer.Write()
+    if arguments.colors:
+        from PIL import Image
+        picture = Image.open(arguments.output).convert("RGB").quantize(
+            arguments.colors, Image.Quantize.MAXCOVERAGE)  # keeps rare colours
+        picture.save(arguments.output, optimize=True)
 
 
 if __name__ == "__main__":

@@ -12,8 +12,8 @@ namespace chaindrive::contact
 {
 namespace
 {
-constexpr double reach      = 20e-6; // m; larger: fewer searches but wider windows
-constexpr double unforeseen = 2.;    // m/s, of vibration: 100 MPa in a wave are 2.5 m/s
+constexpr double reach      = 8e-6; // m; larger: fewer searches but wider windows
+constexpr double unforeseen = 5.;   // m/s, of vibration: 100 MPa in a wave are 2.5 m/s
 
 /// Largest eigenvalue [1/s2] of the contact of one joint with all of its nodes closed: slave nodes
 /// on their springs, and master nodes that carry the springs of their share of the surface. Row

@@ -3,7 +3,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <cmath>
 #include <limits>
 
 // Histories of elastic bodies.
@@ -17,6 +16,7 @@ using Row = dealii::ArrayView<double>;
 std::vector<std::string> labels_of(const std::vector<unsigned int> &numbers)
 {
   std::vector<std::string> labels;
+  labels.reserve(numbers.size());
   for (const unsigned int k : numbers)
     labels.push_back(std::to_string(k));
   return labels;

@@ -22,8 +22,8 @@ struct WaistStress
 
 /// Takes these stresses from nodal positions, as the mean of what lies to the left and to the right
 /// of the middle: the mesh has vertices there. The pull is that of nodal forces and therefore
-/// in balance with the load, to one percent, on any mesh; stresses of edges and faces get better
-/// with the mesh.
+/// in balance with the load, to one percent, on any mesh if the edges are free; stresses of edges
+/// and faces get better with the mesh.
 class PlateStress
 {
 public:
