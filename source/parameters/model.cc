@@ -15,8 +15,7 @@ void Model::declare(dealii::ParameterHandler &prm)
       "tensions, speeds and a first look. layered: rollers, inner and outer links as rigid bodies "
       "with their clearances, for contact forces and the motion of single rollers; costs about "
       "four times as much. full: the same bodies made of elastic finite elements, for what their "
-      "deformation does; costs a thousand times as much. Experimental: no preset has been "
-      "validated yet.");
+      "deformation does; costs hundreds of times as much.");
   add(prm,
       "Half model",
       half,
