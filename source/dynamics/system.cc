@@ -89,8 +89,15 @@ std::vector<StepVote> System::votes() const
       springs.clear();
       family->add_springs(world, springs);
       const double nodes = family->largest_node_eigenvalue(world);
-      votes.push_back(
-          {family->name(), nodes > 0. ? node_step(*family, 0.) : stable_step(world, springs)});
+      const double limit = nodes > 0. ? node_step(*family, 0.) : stable_step(world, springs);
+      // families of rigid and of elastic bodies share a name
+      const auto same = std::find_if(votes.begin(), votes.end(), [&](const StepVote &vote) {
+        return vote.voter == family->name();
+      });
+      if (same == votes.end())
+        votes.push_back({family->name(), limit});
+      else
+        same->limit = std::min(same->limit, limit);
     }
   return votes;
 }
