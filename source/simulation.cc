@@ -9,9 +9,8 @@
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/plan.h>
 #include <chaindrive/simulation.h>
+#include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/text.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <filesystem>
 #include <iostream>
@@ -46,7 +45,7 @@ void print_step(std::ostream &log, const dynamics::StepChoice &choice, const uns
 
 void simulate(const CommandLine &command_line, const MPI_Comm comm)
 {
-  const bool  is_first_rank = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
+  const bool  is_first_rank = rank_in(comm) == 0;
   output::Log log(command_line.quiet || !is_first_rank ? nullptr : &std::cout);
 
   const parameters::Input input =

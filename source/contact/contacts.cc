@@ -4,6 +4,7 @@
 #include <chaindrive/contact/node_teeth.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/text.h>
 
 #include <deal.II/base/mpi.h>
@@ -81,8 +82,8 @@ void Contacts::add_forces(World &world, const double dt)
 void Contacts::gather_records(const World &world)
 {
   const MPI_Comm     comm    = world.communicator();
-  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
-  const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(comm);
+  const unsigned int n_ranks = n_ranks_in(comm);
+  const unsigned int rank    = rank_in(comm);
   constexpr int      tag     = 1;
   if (rank > 0)
     {
@@ -138,8 +139,8 @@ void Contacts::refuse_overlap(World &world, const double prestress)
               std::to_string(worst->joint) + ", by " + to_text(-worst->gap * 1e3) +
               " mm, where at most 1e-06 mm is accepted. Choose clearances, pitch set and "
               "tooth form so that the chain fits the sprockets.";
-  message =
-      dealii::Utilities::MPI::broadcast(world.communicator(), message); // the first rank knows
+  if (n_ranks_in(world.communicator()) > 1) // the first rank knows
+    message = dealii::Utilities::MPI::broadcast(world.communicator(), message);
   if (!message.empty())
     throw InputError(message);
 }

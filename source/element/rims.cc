@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/element/elastic.h>
 
+#include <utility>
+
 namespace chaindrive::element
 {
 void Elastic::follow_hubs(World &world)

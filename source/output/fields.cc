@@ -3,10 +3,10 @@
 #include <chaindrive/output/file.h>
 #include <chaindrive/output/vtu.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/ranks.h>
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/exceptions.h>
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -178,8 +178,8 @@ void Fields::write_next(const std::string &name,
                         const double       time,
                         Record            &record)
 {
-  const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(comm_);
-  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(comm_);
+  const unsigned int rank    = rank_in(comm_);
+  const unsigned int n_ranks = n_ranks_in(comm_);
   const std::size_t  number  = record.size();
   const auto         piece   = [&](const unsigned int r) {
     return file_name(name, number, n_ranks > 1 ? "." + std::to_string(r) + ".vtu" : ".vtu");

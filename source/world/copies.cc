@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/utilities/ranks.h>
 #include <chaindrive/world/copies.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <numeric>
@@ -46,7 +45,7 @@ Copies::Copies(std::shared_ptr<const mesh::Part> the_part,
     , mass(std::accumulate(nodes.mass.begin(), nodes.mass.end(), 0.))
     , start(std::move(the_start))
     , comm_(comm)
-    , rank_(dealii::Utilities::MPI::this_mpi_process(comm))
+    , rank_(rank_in(comm))
     , first_batch_(std::move(first_batch))
     , ghosts_(n_batches() * stride())
 {

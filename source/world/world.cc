@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/text.h>
 #include <chaindrive/world/world.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <cmath>
 #include <map>
@@ -60,8 +59,8 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
     : time(scene.start_time)
     , whole(scene.half ? 2. : 1.)
     , comm_(comm)
-    , rank_(dealii::Utilities::MPI::this_mpi_process(comm))
-    , n_ranks_(dealii::Utilities::MPI::n_mpi_processes(comm))
+    , rank_(rank_in(comm))
+    , n_ranks_(n_ranks_in(comm))
 {
   const unsigned int     n     = static_cast<unsigned int>(scene.bodies.size());
   const dealii::IndexSet owned = dealii::complete_index_set(3 * n);

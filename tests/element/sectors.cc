@@ -87,8 +87,9 @@ Whole whole_mesh(const scene::Scene         &scene,
 void compare_forces(const std::string &name, const element::Formulation formulation)
 {
   const scene::Scene scene = make_scene(scene::Support::prescribed_hub, name);
-  World              world(scene);
-  element::Elastic   elastic(scene, world);
+  dynamics::System   system(scene, false);
+  World             &world   = system.world;
+  element::Elastic  &elastic = system.elastic;
   PhaseTimer         timer;
   const Rim         &rim    = world.rims[0];
   Copies            &copies = world.copies[rim.group];
@@ -110,6 +111,7 @@ void compare_forces(const std::string &name, const element::Formulation formulat
         copies.position.local_element(copies.index(s, n, d)) = position[vertex_of(s, n)][d];
   const Whole whole = whole_mesh(scene, formulation, position);
 
+  world.clear_forces();
   elastic.advance(world, {0., 9.81, 0.}, timer);
   Vector3 reaction, moment;
   double  sum = 0.; // of forces on the hub

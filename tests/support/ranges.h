@@ -24,7 +24,7 @@ inline nlohmann::json run(const std::string &file, const std::vector<std::string
   command_line.overrides        = overrides;
   command_line.output_directory = "results";
   command_line.quiet            = true;
-  chaindrive::simulate(command_line);
+  chaindrive::simulate(command_line, MPI_COMM_SELF);
   return nlohmann::json::parse(std::ifstream("results/summary.json"));
 }
 

@@ -31,8 +31,8 @@ struct Rim
   /// Gives both of two nodes that are one the mean of the forces on them. Collective.
   void even_out_forces(Copies &copies) const;
 
-  /// Places the nodes that the hub holds as the sprocket's frame @p hub says.
-  void hold(Copies &copies, const Frame &hub) const;
+  /// Places the nodes that the hub holds as the sprocket's @p frame says.
+  void hold(Copies &copies, const Frame &frame) const;
 
   unsigned int                        body;
   unsigned int                        hub;   ///< in World::hubs
