@@ -53,8 +53,8 @@ void Engagements::observe(Sprocket &sprocket, const World &world, const double d
   const std::vector<contact::Record> &records = sprocket.teeth->records();
   const Frame                        &hub     = world.frames[sprocket.teeth->sprocket()];
 
-  // a roller may have several contact points: its force is their sum, booked at the first point that
-  // touches
+  // a roller may have several contact points: its force is their sum, booked at the first point
+  // that touches
   for (const unsigned int i : sprocket.teeth->near())
     sprocket.force[records[i].joint] = 0.;
   for (const unsigned int i : sprocket.teeth->near())

@@ -187,10 +187,10 @@ void check_model(const Parameters &p, Findings &findings)
       "Model/Elastic sprockets = on contradicts Drive/Sprockets/Driver mesh and Driven mesh: "
       "imported sprockets are rigid; choose auto or off.");
   const bool arriving = p.model.elastic_links == "arriving";
-  findings.contradiction(arriving && !full,
-                         "Model/Elastic links = arriving contradicts Model/Fidelity = " +
-                             p.model.fidelity +
-                             ", in which no link is elastic; choose all, or Fidelity = full.");
+  findings.contradiction(
+      arriving && !full,
+      "Model/Elastic links = arriving contradicts Model/Fidelity = " + p.model.fidelity +
+          ", in which no link is elastic; choose all, or Fidelity = full.");
   findings.contradiction(arriving && p.model.half,
                          "Model/Half model = true cannot be with Elastic links = arriving, whose "
                          "rigid links are whole; choose false, or Elastic links = all.");

@@ -160,10 +160,10 @@ void add_sprockets(const Parameters               &parameters,
       parameters.contact.roller_tooth_stiffness.value_or(drive.roller_tooth_stiffness);
   const bool   lumped      = parameters.model.fidelity == "simple";
   const double roller_mass = scene.bodies.front().mass;
-  const auto   n_elastic   = std::count_if(
-      scene.bodies.begin(), scene.bodies.begin() + scene.n_joints, [](const Body &roller) {
-        return roller.motion == Motion::elastic;
-      });
+  const auto   n_elastic =
+      std::count_if(scene.bodies.begin(),
+                    scene.bodies.begin() + scene.n_joints,
+                    [](const Body &roller) { return roller.motion == Motion::elastic; });
   if (n_elastic < scene.n_joints)
     scene.notes.push_back(
         "Roller-tooth stiffness " + to_text(tooth_stiffness, 4) + " N/m (" +

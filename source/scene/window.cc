@@ -43,8 +43,8 @@ elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &s
   const double per_angle = drive.driver.teeth / (2. * PI);
   const double from      = parameters.output.window_start,
                to        = parameters.output.window_end.value_or(parameters.time.end);
-  int first = n - static_cast<int>(std::ceil(per_angle * turned(scene, to))) - margin;
-  int last  = n - static_cast<int>(std::floor(per_angle * turned(scene, from))) + margin;
+  int first              = n - static_cast<int>(std::ceil(per_angle * turned(scene, to))) - margin;
+  int last = n - static_cast<int>(std::floor(per_angle * turned(scene, from))) + margin;
   // inner links, which begin at even joints, are the outermost: their bushes are whole
   first -= (first % 2 + 2) % 2;
   last += 1 - (last % 2 + 2) % 2;

@@ -20,8 +20,8 @@ void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, S
 /// joint contact act in series in the bush-pin interface.
 void add_layered_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
 
-/// The full model: the same bodies made of elastic finite elements, whose nodes touch; or only those
-/// of elastic_joints(), the others as in the layered model.
+/// The full model: the same bodies made of elastic finite elements, whose nodes touch; or only
+/// those of elastic_joints(), the others as in the layered model.
 void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
 
 /// Per joint, whether its roller and bush are elastic in the full model: all of them, or for
