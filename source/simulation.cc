@@ -91,12 +91,13 @@ void simulate(const CommandLine &command_line, const MPI_Comm comm)
   dynamics::run(system, recorder, guard, start, end, choice.step);
   recorder.close();
 
-  const output::Json summary = recorder.summary(system, guard, choice, n_steps);
+  const auto         table   = output::rows_of_all_ranks(system.timer, system.world.communicator());
+  const output::Json summary = recorder.summary(system, guard, choice, n_steps, table);
   if (!is_first_rank)
     return;
   output::write_json(directory + "/summary.json", summary);
   output::print_summary(log, summary);
-  system.timer.print(log);
+  PhaseTimer::print(log, table);
   log << "Results: " << directory << '\n';
   log.close();
 }

@@ -18,6 +18,7 @@ JointTables::JointTables(const mesh::CylinderGrid &master, const mesh::CylinderG
     throw InputError(
         "The vertices of bores, and of bushes and pins inside them, must be equally far apart.");
 
+  shape_.half            = master.half;
   shape_.master_columns  = master.n_columns();
   shape_.master_stations = master.n_stations();
   shape_.slave_columns   = slave.n_columns();

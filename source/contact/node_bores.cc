@@ -137,6 +137,7 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
       const mesh::CylinderGrid bore(*masters.part, static_cast<mesh::Surface>(master_surface));
       const mesh::CylinderGrid cylinder(*slaves.part, static_cast<mesh::Surface>(slave_surface));
 
+      node_groups_.insert(node_groups_.end(), {master_group, slave_group});
       Group group;
       group.tables       = std::make_unique<JointTables>(bore, cylinder);
       group.master_nodes = node_offsets(bore, masters.nodes.vertex);

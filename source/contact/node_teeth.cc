@@ -221,6 +221,13 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
     }
 }
 
+std::vector<unsigned int> NodeTeeth::node_groups() const
+{
+  if (flanks_)
+    return {group_, flanks_->group()};
+  return {group_};
+}
+
 double NodeTeeth::largest_node_eigenvalue(const World &world) const
 {
   // a rigid sprocket is heavy beside a node: each node on its own spring

@@ -119,16 +119,18 @@ double System::stable_step_limit() const
   contacts.add_springs(world, springs);
   double limit = stable_step(world, springs);
 
-  double elements = 0.; // largest eigenvalue of any part
+  std::vector<double> elements; // largest eigenvalue of each group of elastic bodies
   for (const auto &part : elastic.limits())
     {
-      limit    = std::min(limit, part.step);
-      elements = std::max(elements, 4. / (part.step * part.step));
+      limit = std::min(limit, part.step);
+      elements.push_back(4. / (part.step * part.step));
     }
-  // families meet different nodes of a body: their eigenvalues do not add up
+  elements.resize(world.copies.size(), 0.); // meshes of rigid bodies
+  // Weyl's bound body by body: families meet different nodes of a body, so that their eigenvalues
+  // do not add up, and each leaves out the bodies that it does not meet.
   for (const auto &family : contacts.families())
-    if (family->largest_node_eigenvalue(world) > 0.)
-      limit = std::min(limit, node_step(*family, elements));
+    for (const unsigned int group : family->node_groups())
+      limit = std::min(limit, node_step(*family, elements[group]));
   return limit;
 }
 

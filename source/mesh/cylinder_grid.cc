@@ -52,7 +52,7 @@ unsigned int nearest(const std::vector<double> &values, const double x)
 }
 } // namespace
 
-CylinderGrid::CylinderGrid(const Part &part, const Surface side)
+CylinderGrid::CylinderGrid(const Part &part, const Surface side) : half(part.half)
 {
   const auto refuse = [&](const std::string &reason) {
     throw InputError("The side '" + surface_name(side) + "' of the " + part.name +

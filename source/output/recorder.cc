@@ -2,6 +2,7 @@
 #include <chaindrive/dynamics/newmark.h>
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/output/recorder.h>
+#include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/text.h>
 #include <chaindrive/version.h>
 
@@ -295,10 +296,11 @@ void Recorder::close()
     histories_->close();
 }
 
-Json Recorder::summary(const dynamics::System      &system,
-                       const dynamics::EnergyGuard &guard,
-                       const dynamics::StepChoice  &step,
-                       const unsigned long          n_steps) const
+Json Recorder::summary(const dynamics::System             &system,
+                       const dynamics::EnergyGuard        &guard,
+                       const dynamics::StepChoice         &step,
+                       const unsigned long                 n_steps,
+                       const std::vector<PhaseTimer::Row> &table) const
 {
   const Ledger       &ledger = system.world.ledger;
   const unsigned long missed =
@@ -335,7 +337,9 @@ Json Recorder::summary(const dynamics::System      &system,
   json["steps"]                = n_steps;
   json["searches"]             = system.contacts.search_statistics().searches;
   json["window"] = {{"start", parameters_.output.window_start}, {"end", window_end(parameters_)}};
-  json["cpu_seconds"] = cpu_seconds(system.timer);
+  json["ranks"]  = n_ranks_in(system.world.communicator());
+  json["wall_seconds"] = system.timer.elapsed();
+  json["cpu_seconds"]  = cpu_seconds(table);
 
   Json list = Json::array();
   for (const Engagement &e : engagements_.found())

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/output/file.h>
 #include <chaindrive/output/summary.h>
+#include <chaindrive/utilities/ranks.h>
 
 #include <algorithm>
 #include <cctype>
+#include <numeric>
 
 namespace chaindrive::output
 {
@@ -15,11 +17,11 @@ void write_json(const std::string &path, const Json &content)
   });
 }
 
-Json cpu_seconds(const PhaseTimer &timer)
+Json cpu_seconds(const std::vector<PhaseTimer::Row> &rows)
 {
   Json   result = Json::object();
   double total  = 0.;
-  for (const PhaseTimer::Row &row : timer.rows())
+  for (const PhaseTimer::Row &row : rows)
     {
       std::string name = row.name;
       std::transform(name.begin(), name.end(), name.begin(), [](const unsigned char c) {
@@ -30,5 +32,19 @@ Json cpu_seconds(const PhaseTimer &timer)
     }
   result["total"] = total;
   return result;
+}
+
+std::vector<PhaseTimer::Row> rows_of_all_ranks(const PhaseTimer &timer, const MPI_Comm comm)
+{
+  std::vector<PhaseTimer::Row> rows = timer.rows();
+  std::vector<double>          seconds;
+  for (const PhaseTimer::Row &row : rows)
+    seconds.push_back(row.cpu_seconds);
+  if (n_ranks_in(comm) > 1)
+    dealii::Utilities::MPI::sum(seconds, comm, seconds);
+  const double total = std::accumulate(seconds.begin(), seconds.end(), 0.);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    rows[i] = {rows[i].name, seconds[i], 100. * seconds[i] / total};
+  return rows;
 }
 } // namespace chaindrive::output

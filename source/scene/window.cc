@@ -49,11 +49,11 @@ elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &s
   first -= (first % 2 + 2) % 2;
   last += 1 - (last % 2 + 2) % 2;
   if (last - first + 1 >= n)
-    throw InputError("Model/Elastic links = arriving: in Output's window " +
-                     std::to_string(last - first + 1 - 2 * margin) + " of the chain's " +
-                     std::to_string(n) +
-                     " rollers arrive at the driver, with those beside them the whole chain; "
-                     "choose a shorter window or Elastic links = all.");
+    throw InputError("Model/Elastic links = arriving: about " +
+                     std::to_string(last - first + 1 - 2 * margin) +
+                     " rollers arrive at the driver in Output's window, with those beside them the "
+                     "whole chain of " +
+                     std::to_string(n) + "; choose a shorter window or Elastic links = all.");
 
   std::vector<char> elastic(n, false);
   for (int k = first; k <= last; ++k)

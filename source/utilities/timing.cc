@@ -55,7 +55,7 @@ std::vector<PhaseTimer::Row> PhaseTimer::rows() const
   return rows;
 }
 
-void PhaseTimer::print(std::ostream &out) const
+void PhaseTimer::print(std::ostream &out, const std::vector<Row> &table)
 {
   char       line[128];
   const auto put = [&](const std::string &name, const double seconds, const double percentage) {
@@ -64,7 +64,6 @@ void PhaseTimer::print(std::ostream &out) const
   };
   std::snprintf(line, sizeof(line), "%-36s %12s %15s\n", "", "CPU time (s)", "Percentage (%)");
   out << line;
-  const auto table = rows();
   for (const Row &row : table)
     put(row.name, row.cpu_seconds, row.percentage);
   // the sum of the rows, not another reading of the clock

@@ -34,7 +34,7 @@ int main()
   timer.add("Internal force");
   timer.add("Contact algorithm");
   double     sum    = 0.;
-  const auto phases = output::cpu_seconds(timer);
+  const auto phases = output::cpu_seconds(timer.rows());
   for (const auto &[name, seconds] : phases.items())
     {
       std::cout << name << (seconds >= 0. ? "" : " negative") << std::endl;

@@ -45,6 +45,9 @@ public:
   /// squared frequencies of their bodies; 0 for rigid and lumped slaves, whose springs are above.
   virtual double largest_node_eigenvalue(const World &) const { return 0.; }
 
+  /// The elastic bodies that have those nodes, by their groups in World::copies.
+  virtual std::vector<unsigned int> node_groups() const { return {}; }
+
   /// Nodes that a search found to overlap without having been looked at before; there must be none.
   virtual unsigned long n_missed() const { return 0; }
 

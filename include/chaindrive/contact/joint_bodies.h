@@ -113,7 +113,8 @@ CHAINDRIVE_ALWAYS_INLINE void visit(const JointArguments &arg,
       exists[l]   = place < count || count == shape.slave_columns ? 1. : 0.;
     }
   take_slave(joints, index, v.meeting);
-  const P exist = P::load(exists), cover = exist * covered(joints, v.meeting, shape.cover[s]);
+  const P exist    = P::load(exists),
+          cover    = exist * covered(shape, joints, v.meeting, shape.cover[s]);
   v.active         = P::load(active);
   v.cover          = v.active * cover;
   v.overlap_before = v.active * gather(overlap, 0);
@@ -330,7 +331,7 @@ measure_gaps_of(const JointArguments &arg, GapArguments &gaps, const int lane)
         for (int l = 0; l < width; ++l)
           arg.cell[c * n_lanes + lane + l] = cell[l];
         m.gap.store(gaps.gap + index[0] * n_lanes + lane);
-        covered(joints, m, shape.cover[s]).store(gaps.covered + index[0] * n_lanes + lane);
+        covered(shape, joints, m, shape.cover[s]).store(gaps.covered + index[0] * n_lanes + lane);
         Motion<P> motion;
         find_motion(joints, m, motion);
         closing = greatest(closing, motion.relative[0]);

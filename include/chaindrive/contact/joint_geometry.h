@@ -127,6 +127,9 @@ CHAINDRIVE_ALWAYS_INLINE void find_frame(const JointShape &shape, Joints<width> 
       for (int i = 0; i < 3; ++i)
         start[i] += x[i];
     }
+  if (shape.half) // the axis of the whole bore is parallel to z
+    for (int i = 0; i < 2; ++i)
+      start[i] = end[i];
   const P one(1.), share(double(shape.axis_stride) / shape.master_columns);
   P(&e)[3][3] = joints.axes;
   for (int i = 0; i < 3; ++i)
@@ -166,11 +169,14 @@ take_slave(const Joints<width> &joints, const unsigned int (&index)[width], Meet
 /// How much of the length that a slave node stands for is inside the bore: it falls to 0 at the
 /// ends, so that no force begins or ends with a jump.
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE Pack<double, width>
-covered(const Joints<width> &joints, const Meeting<width> &m, const double cover)
+CHAINDRIVE_ALWAYS_INLINE Pack<double, width> covered(const JointShape     &shape,
+                                                     const Joints<width>  &joints,
+                                                     const Meeting<width> &m,
+                                                     const double          cover)
 {
-  using P        = Pack<double, width>;
-  const P inside = least(m.x[2], joints.length - m.x[2]);
+  using P          = Pack<double, width>;
+  const P from_end = joints.length - m.x[2];
+  const P inside   = shape.half ? from_end : least(m.x[2], from_end);
   return greatest(P(0.), least(P(1.), inside * P(cover)));
 }
 

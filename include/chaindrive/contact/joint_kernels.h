@@ -28,6 +28,7 @@ struct JointShape
   unsigned int  slave_columns, slave_stations;
   double        master_radius; ///< undeformed, m
   double        chord_factor;  ///< 4 sin^2(pi / master_columns)
+  bool          half;          ///< the bore goes on beyond its first ring, see mesh::Part::half
   const double *area;          ///< per slave station, of each node there, m2
   const double *cover; ///< 1/m; per slave station, one over half of the length it stands for
 };

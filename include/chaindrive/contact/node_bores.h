@@ -28,6 +28,8 @@ public:
   bool   needs_search() const override { return false; }
   double largest_node_eigenvalue(const World &world) const override;
 
+  std::vector<unsigned int> node_groups() const override { return node_groups_; }
+
   unsigned long n_missed() const override;
 
 private:
@@ -42,7 +44,8 @@ private:
     double                    largest_eigenvalue; ///< of one joint, 1/s2
   };
 
-  std::vector<Group> groups_;
-  bool               every_step_;
+  std::vector<Group>        groups_;
+  std::vector<unsigned int> node_groups_;
+  bool                      every_step_;
 };
 } // namespace chaindrive::contact

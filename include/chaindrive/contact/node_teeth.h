@@ -29,6 +29,8 @@ public:
   void   add_springs(const World &, std::vector<Spring> &) const override {}
   double largest_node_eigenvalue(const World &world) const override;
 
+  std::vector<unsigned int> node_groups() const override;
+
   unsigned long n_missed() const override { return n_missed_; }
 
 protected:

@@ -55,6 +55,8 @@ public:
                             const mesh::SurfaceNodes &slaves,
                             const Copies             &of_slaves) const;
 
+  unsigned int group() const { return group_; } ///< of the sectors in World::copies
+
 private:
   /// Where the x component of a node stands in the vectors of the copies.
   std::size_t place(const unsigned int sector, const unsigned int c, const unsigned int k) const

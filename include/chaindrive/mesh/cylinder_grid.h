@@ -38,6 +38,7 @@ struct CylinderGrid
   /// Whether all columns are 2 pi / n_columns() apart to a billionth of it.
   bool uniform() const;
 
+  bool                      half;     ///< of a half part: the first station is at z = 0
   double                    radius;   ///< m
   dealii::Point<2>          axis;     ///< x, y in the part's frame, m
   std::vector<double>       stations; ///< z of the rings in the part's frame, ascending, m

@@ -40,10 +40,11 @@ public:
   void close();
 
   /// The numbers of summary.json; their definitions are in doc/output.md. Collective.
-  Json summary(const dynamics::System      &system,
-               const dynamics::EnergyGuard &guard,
-               const dynamics::StepChoice  &step,
-               unsigned long                n_steps) const;
+  Json summary(const dynamics::System             &system,
+               const dynamics::EnergyGuard        &guard,
+               const dynamics::StepChoice         &step,
+               unsigned long                       n_steps,
+               const std::vector<PhaseTimer::Row> &table) const;
 
 private:
   /// A channel and how to fill its row.

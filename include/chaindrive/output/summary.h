@@ -5,8 +5,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <mpi.h>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace chaindrive::output
 {
@@ -20,7 +22,10 @@ void write_json(const std::string &path, const Json &content);
 
 /// CPU seconds by phase and `total`. Names become members in snake_case: "Internal force" ->
 /// `internal_force`.
-Json cpu_seconds(const PhaseTimer &timer);
+Json cpu_seconds(const std::vector<PhaseTimer::Row> &rows);
+
+/// The rows of @p timer, of all ranks together. Collective.
+std::vector<PhaseTimer::Row> rows_of_all_ranks(const PhaseTimer &timer, MPI_Comm comm);
 
 /// The most asked for members of a run's summary, a line each, for the log.
 void print_summary(std::ostream &out, const Json &summary);

@@ -62,11 +62,18 @@ public:
   /// CPU time of every phase up to now, the rest last.
   std::vector<Row> rows() const;
 
+  /// Time since this was made [s].
+  double elapsed() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - made_).count();
+  }
+
   /// CPU time of this process since it was started, its initialisation included [s].
   static double total();
 
   /// A table of all phases with their CPU time and percentage, and the total.
-  void print(std::ostream &out) const;
+  void        print(std::ostream &out) const { print(out, rows()); }
+  static void print(std::ostream &out, const std::vector<Row> &table);
 
 private:
   /// Time stamp in arbitrary, constant units.
@@ -79,10 +86,11 @@ private:
 #endif
   }
 
-  std::vector<std::string>   names_;
-  std::vector<std::uint64_t> ticks_;
-  Phase                      running_ = rest;
-  std::uint64_t              start_, last_;
-  double                     cpu_at_start_;
+  std::vector<std::string>              names_;
+  std::vector<std::uint64_t>            ticks_;
+  Phase                                 running_ = rest;
+  std::uint64_t                         start_, last_;
+  double                                cpu_at_start_;
+  std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();
 };
 } // namespace chaindrive

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A half model gives what the whole one gives, forces and energies of whole bodies: a short chain
+// brought to speed. Both sum the same forces in another order, with another step.
+#include "../support/ranges.h"
+#include "../support/small_drive.h"
+
+namespace
+{
+nlohmann::json small(const std::string &half)
+{
+  return test::run("prm/paper/layered-auto.prm",
+                   test::small_full_drive_with({"Model/Half model=" + half,
+                                                "Loads/Ramp time in ms=0.2",
+                                                "Time/End time in ms=0.4",
+                                                "Output/Window start in ms=0.2",
+                                                "Output/Field interval in ms=0"}));
+}
+} // namespace
+
+int main()
+{
+  const nlohmann::json whole = small("false"), half = small("true");
+
+  const auto ratio = [](const nlohmann::json &a, const nlohmann::json &b) {
+    return a.get<double>() / b.get<double>();
+  };
+  for (const std::string name :
+       {"driven_angle_end", "driver_torque_mean", "drive_work", "resisting_work"})
+    test::range(name + ", half over whole", ratio(half[name], whole[name]), 0.999, 1.001);
+  for (const std::string name : {"kinetic", "strain"})
+    test::range(name + " energy, half over whole",
+                ratio(half["energy"][name], whole["energy"][name]),
+                0.97,
+                1.03);
+  test::range("energy imbalance / drive work", half["energy_imbalance_max"], 0., 1e-3);
+  test::range("contacts missed by the searches", half["contacts_missed"], 0., 0.);
+}
