@@ -66,6 +66,7 @@ void Contacts::search_if_due(const World &world, const double dt)
 
 void Contacts::add_forces(World &world, const double dt)
 {
+  world.place_followers(0.5 * dt);
   for (Copies &copies : world.copies)
     copies.fetch_ghosts();
   if (needs_search_)
@@ -75,6 +76,7 @@ void Contacts::add_forces(World &world, const double dt)
       family->add_forces(world, dt);
   for (Copies &copies : world.copies)
     copies.send_forces();
+  world.take_moments_of_followers();
 }
 
 void Contacts::gather_records(const World &world)
@@ -149,12 +151,13 @@ void Contacts::clear_peaks()
     family->clear_peaks();
 }
 
-const Family *Contacts::find(const std::string &name) const
+std::vector<const Family *> Contacts::find(const std::string &name) const
 {
+  std::vector<const Family *> found;
   for (const auto &family : families_)
     if (family->name() == name)
-      return family.get();
-  return nullptr;
+      found.push_back(family.get());
+  return found;
 }
 
 unsigned long Contacts::n_missed() const

@@ -5,6 +5,7 @@
 #include <chaindrive/utilities/simd.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -17,20 +18,34 @@ constexpr double unforeseen = 5.;   // m/s, of vibration: 100 MPa in a wave are 
 
 /// Largest eigenvalue [1/s2] of the contact of one joint with all of its nodes closed: slave nodes
 /// on their springs, and master nodes that carry the springs of their share of the surface. Row
-/// sums of B^T M^-1 B, of which the two sides are separate addends.
+/// sums of B^T M^-1 B, of which the two sides are separate addends. @p masters and @p slaves are
+/// groups of copies. The nodes of a rigid body have all of it to move: at the distance r from its
+/// centre a spring k adds at most k (1/m + r^2/I), I the smallest moment of inertia.
 double largest_eigenvalue(const mesh::CylinderGrid &bore,
                           const mesh::CylinderGrid &cylinder,
                           const SurfaceLaw         &law,
-                          const mesh::Nodes        &masters,
-                          const mesh::Nodes        &slaves)
+                          const World              &world,
+                          const unsigned int        masters,
+                          const unsigned int        slaves)
 {
-  const auto largest = [](const mesh::CylinderGrid &grid, const mesh::Nodes &nodes) {
-    double area_over_mass = 0.;
+  const auto largest = [&world](const mesh::CylinderGrid &grid, const unsigned int group) {
+    const Copies &copies  = world.copies[group];
+    const bool    elastic = group < world.n_elastic_groups();
+    double        largest = 0., sum = 0., inertia = std::numeric_limits<double>::max();
+    for (const World::Rotation &rotation : world.rotations)
+      if (world.meshes[rotation.body].group == group)
+        for (unsigned int d = 0; d < 3; ++d)
+          inertia = std::min(inertia, rotation.inertia[d]);
     for (unsigned int s = 0; s < grid.n_stations(); ++s)
       for (unsigned int c = 0; c < grid.n_columns(); ++c)
-        area_over_mass = std::max(
-            area_over_mass, grid.area(s, c) / nodes.mass[nodes.of_vertex[grid.vertex_at(s, c)]]);
-    return area_over_mass;
+        {
+          const unsigned int node = copies.nodes.of_vertex[grid.vertex_at(s, c)];
+          const double       area = grid.area(s, c);
+          largest                 = std::max(largest, area / copies.nodes.mass[node]);
+          sum += area * (1. / world.mass[copies.bodies.front()] +
+                         dealii::Tensor<1, 3>(copies.nodes.position[node]).norm_square() / inertia);
+        }
+    return elastic ? largest : sum;
   };
   return law.stiffness * (largest(bore, masters) + largest(cylinder, slaves));
 }
@@ -68,8 +83,8 @@ void NodeBores::want_ghosts(const scene::BoreFamily &scene, World &world)
 {
   for (const scene::BorePair &pair : scene.pairs)
     {
-      const World::Place &master = world.places[pair.master],
-                         &slave  = world.places[pair.slave.body];
+      const World::Place &master = world.meshes[pair.master],
+                         &slave  = world.meshes[pair.slave.body];
       Copies &slaves             = world.copies[slave.group];
       if (world.copies[master.group].owns(master.copy) && !slaves.owns(slave.copy))
         slaves.want(slave.copy,
@@ -89,13 +104,13 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
   for (unsigned int i = 0; i < scene.pairs.size(); ++i)
     {
       const scene::BorePair &pair = scene.pairs[i];
-      kinds[{world.places[pair.master].group,
+      kinds[{world.meshes[pair.master].group,
              pair.master_surface,
-             world.places[pair.slave.body].group,
+             world.meshes[pair.slave.body].group,
              pair.slave_surface}]
           .push_back(i);
       owner_.push_back(
-          world.copies[world.places[pair.master].group].owner_of(world.places[pair.master].copy));
+          world.copies[world.meshes[pair.master].group].owner_of(world.meshes[pair.master].copy));
       records_.push_back({pair.master,
                           pair.slave.body,
                           pair.slave.joint,
@@ -128,18 +143,18 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
       group.master_nodes = node_offsets(bore, masters.nodes.vertex);
       group.slave_nodes  = node_offsets(cylinder, slaves.nodes.vertex);
       group.largest_eigenvalue =
-          largest_eigenvalue(bore, cylinder, law, masters.nodes, slaves.nodes);
+          largest_eigenvalue(bore, cylinder, law, world, master_group, slave_group);
 
       pairs.erase(std::remove_if(pairs.begin(),
                                  pairs.end(),
                                  [&](const unsigned int i) {
-                                   return !masters.owns(world.places[scene.pairs[i].master].copy);
+                                   return !masters.owns(world.meshes[scene.pairs[i].master].copy);
                                  }),
                   pairs.end());
       // joints whose bores lie in one batch, lane by lane: their numbers are then side by side
       std::sort(pairs.begin(), pairs.end(), [&](const unsigned int a, const unsigned int b) {
-        const unsigned int i = world.places[scene.pairs[a].master].copy,
-                           j = world.places[scene.pairs[b].master].copy;
+        const unsigned int i = world.meshes[scene.pairs[a].master].copy,
+                           j = world.meshes[scene.pairs[b].master].copy;
         return std::make_pair(masters.batch_of(i), i) < std::make_pair(masters.batch_of(j), j);
       });
       group.pairs = pairs;
@@ -150,8 +165,8 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
           if (i % n_lanes == 0)
             placed.batches.push_back(std::make_unique<JointBatch>(*placed.tables, law, kernels));
           const scene::BorePair &pair   = scene.pairs[pairs[i]];
-          const unsigned int     master = world.places[pair.master].copy,
-                             slave      = world.places[pair.slave.body].copy;
+          const unsigned int     master = world.meshes[pair.master].copy,
+                             slave      = world.meshes[pair.slave.body].copy;
           placed.batches.back()->set_joint(
               i % n_lanes,
               own_body(masters, master, placed.master_nodes),

@@ -89,8 +89,15 @@ std::vector<StepVote> System::votes() const
       springs.clear();
       family->add_springs(world, springs);
       const double nodes = family->largest_node_eigenvalue(world);
-      votes.push_back(
-          {family->name(), nodes > 0. ? node_step(*family, 0.) : stable_step(world, springs)});
+      const double limit = nodes > 0. ? node_step(*family, 0.) : stable_step(world, springs);
+      // families of rigid and of elastic bodies share a name
+      const auto same = std::find_if(votes.begin(), votes.end(), [&](const StepVote &vote) {
+        return vote.voter == family->name();
+      });
+      if (same == votes.end())
+        votes.push_back({family->name(), limit});
+      else
+        same->limit = std::min(same->limit, limit);
     }
   return votes;
 }
@@ -118,6 +125,7 @@ double System::stable_step_limit() const
       limit = std::min(limit, part.step);
       elements.push_back(4. / (part.step * part.step));
     }
+  elements.resize(world.copies.size(), 0.); // meshes of rigid bodies
   // Weyl's bound body by body: families meet different nodes of a body, so that their eigenvalues
   // do not add up, and each leaves out the bodies that it does not meet.
   for (const auto &family : contacts.families())

@@ -18,8 +18,9 @@ Formulation formulation_called(const std::string &name)
 
 Elastic::Elastic(const scene::Scene &scene, const World &world) : kernels_(best_kernels())
 {
-  for (const Copies &copies : world.copies)
+  for (unsigned int g = 0; g < world.n_elastic_groups(); ++g)
     {
+      const Copies &copies = world.copies[g];
       references_.push_back(
           std::make_unique<Reference>(*copies.part,
                                       copies.nodes,
@@ -50,7 +51,7 @@ void Elastic::move(
     World &world, const Step &step, const double kick, const bool booked, PhaseTimer &timer)
 {
   drift_ = step.dt;
-  for (unsigned int g = 0; g < world.copies.size(); ++g)
+  for (unsigned int g = 0; g < references_.size(); ++g)
     {
       const auto rim = std::find_if(
           world.rims.begin(), world.rims.end(), [g](const Rim &r) { return r.group == g; });

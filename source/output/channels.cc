@@ -22,12 +22,14 @@ std::vector<std::string> numbers(const unsigned int n)
 }
 
 /// The smallest gap of each joint's points; not a number where none is within reach.
-void copy_gaps(const contact::Family &family, Row row)
+template <typename FamilyType>
+void copy_gaps(const std::vector<const FamilyType *> &families, Row row)
 {
-  for (const contact::Record &record : family.records())
-    if (record.gap < std::numeric_limits<double>::max())
-      row[record.joint] =
-          std::fmin(row[record.joint], record.gap); // ignores the NaN it starts with
+  for (const FamilyType *family : families)
+    for (const contact::Record &record : family->records())
+      if (record.gap < std::numeric_limits<double>::max())
+        row[record.joint] =
+            std::fmin(row[record.joint], record.gap); // ignores the NaN it starts with
 }
 
 void copy(const std::vector<double> &from, Row row)
@@ -163,7 +165,7 @@ void Recorder::add_tooth_channels()
            "Gap to the " + name + "'s teeth, negative: overlap; NaN out of reach",
            n,
            numbers(n)},
-          [this, t](const auto &, Row row) { copy_gaps(*teeth_[t].family, row); });
+          [this, t](const auto &, Row row) { copy_gaps(teeth_[t].families, row); });
       const unsigned int gaps = static_cast<unsigned int>(teeth_[t].gap.size());
       add({"teeth",
            name + "_force",
@@ -182,7 +184,7 @@ void Recorder::add_tooth_channels()
     }
   for (unsigned int b = 0; b < bores_.size(); ++b)
     {
-      std::string name = bores_[b].family->name();
+      std::string name = bores_[b].name;
       std::replace(name.begin(), name.end(), '-', '_');
       add({"joints", name + "_force", "N", "Normal force in the joint", n, numbers(n)},
           [this, b](const auto &, Row row) { copy(bores_[b].joint, row); });
@@ -199,7 +201,7 @@ void Recorder::add_tooth_channels()
            "Smallest gap in the joint, negative: overlap",
            n,
            numbers(n)},
-          [this, b](const auto &, Row row) { copy_gaps(*bores_[b].family, row); });
+          [this, b](const auto &, Row row) { copy_gaps(bores_[b].families, row); });
     }
 }
 

@@ -39,7 +39,7 @@ ElasticBodies::ElasticBodies(const scene::Scene     &scene,
                              const dynamics::System &system,
                              const bool              cells)
 {
-  for (unsigned int g = 0; g < system.world.copies.size(); ++g)
+  for (unsigned int g = 0; g < system.world.n_elastic_groups(); ++g)
     {
       const Copies     &copies = system.world.copies[g];
       const scene::Kind kind   = scene.bodies[copies.bodies.front()].kind;

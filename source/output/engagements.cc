@@ -53,7 +53,8 @@ void Engagements::observe(Sprocket &sprocket, const World &world, const double d
   const std::vector<contact::Record> &records = sprocket.teeth->records();
   const Frame                        &hub     = world.frames[sprocket.teeth->sprocket()];
 
-  // a roller may have several contact points: its force is their sum, booked at its first point
+  // a roller may have several contact points: its force is their sum, booked at the first point
+  // that touches
   for (const unsigned int i : sprocket.teeth->near())
     sprocket.force[records[i].joint] = 0.;
   for (const unsigned int i : sprocket.teeth->near())
@@ -66,6 +67,8 @@ void Engagements::observe(Sprocket &sprocket, const World &world, const double d
       const Frame           &roller = world.frames[record.slave];
       int                   &open   = sprocket.open[joint];
       const double           force  = sprocket.force[joint];
+      if (force > 0. && record.force * record.normal <= 0.)
+        continue; // another of its points touches
 
       if ((roller.position - hub.position).norm_square() >
           sprocket.far_radius * sprocket.far_radius)

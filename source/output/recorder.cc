@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 namespace chaindrive::output
 {
@@ -78,21 +79,27 @@ Recorder::Recorder(const scene::Scene     &scene,
       rollers_.push_back(k);
 
   link_peak_.assign(scene.n_joints, 0.);
+  std::set<std::string> named; // families of rigid and of elastic bodies share a name
   for (const scene::ToothFamily &teeth : scene.teeth)
-    {
-      const unsigned int n_gaps =
-          teeth.sprocket == scene.driver ? scene.driver_teeth : scene.driven_teeth;
-      teeth_.push_back({dynamic_cast<const contact::Teeth *>(system.contacts.find(teeth.name)),
-                        teeth.sprocket == scene.driver ? "driver" : "driven",
-                        std::vector<double>(scene.n_joints, 0.),
-                        std::vector<double>(scene.n_joints, 0.),
-                        std::vector<double>(n_gaps, 0.),
-                        std::vector<double>(n_gaps, 0.)});
-    }
+    if (named.insert(teeth.name).second)
+      {
+        const unsigned int n_gaps =
+            teeth.sprocket == scene.driver ? scene.driver_teeth : scene.driven_teeth;
+        teeth_.push_back({{},
+                          teeth.sprocket == scene.driver ? "driver" : "driven",
+                          std::vector<double>(scene.n_joints, 0.),
+                          std::vector<double>(scene.n_joints, 0.),
+                          std::vector<double>(n_gaps, 0.),
+                          std::vector<double>(n_gaps, 0.)});
+        for (const contact::Family *family : system.contacts.find(teeth.name))
+          teeth_.back().families.push_back(dynamic_cast<const contact::Teeth *>(family));
+      }
   for (const scene::BoreFamily &bores : scene.bores)
-    bores_.push_back({system.contacts.find(bores.name),
-                      std::vector<double>(scene.n_joints, 0.),
-                      std::vector<double>(scene.n_joints, 0.)});
+    if (named.insert(bores.name).second)
+      bores_.push_back({bores.name,
+                        system.contacts.find(bores.name),
+                        std::vector<double>(scene.n_joints, 0.),
+                        std::vector<double>(scene.n_joints, 0.)});
 
   if (!system.elastic.empty())
     elastic_ =
@@ -140,30 +147,32 @@ void Recorder::keep_peaks(const dynamics::System &system)
 {
   for (ToothForces &teeth : teeth_)
     {
-      const std::vector<contact::Record> &records = teeth.family->records();
-      for (const unsigned int i : teeth.family->near())
-        {
-          teeth.roller[records[i].joint] = 0.;
-          teeth.gap[records[i].feature]  = 0.;
-        }
-      for (const unsigned int i : teeth.family->near())
-        {
-          const double normal = records[i].force * records[i].normal;
-          teeth.roller[records[i].joint] += normal;
-          teeth.gap[records[i].feature] += normal;
-        }
-      for (const unsigned int i : teeth.family->near())
-        {
-          const unsigned int joint = records[i].joint, gap = records[i].feature;
-          teeth.roller_peak[joint] = std::max(teeth.roller_peak[joint], teeth.roller[joint]);
-          teeth.gap_peak[gap]      = std::max(teeth.gap_peak[gap], teeth.gap[gap]);
-        }
+      const auto for_each_near = [&teeth](const auto &visit) {
+        for (const contact::Teeth *family : teeth.families)
+          for (const unsigned int i : family->near())
+            visit(family->records()[i]);
+      };
+      for_each_near([&teeth](const contact::Record &record) {
+        teeth.roller[record.joint] = 0.;
+        teeth.gap[record.feature]  = 0.;
+      });
+      for_each_near([&teeth](const contact::Record &record) {
+        const double normal = record.force * record.normal;
+        teeth.roller[record.joint] += normal;
+        teeth.gap[record.feature] += normal;
+      });
+      for_each_near([&teeth](const contact::Record &record) {
+        const unsigned int joint = record.joint, gap = record.feature;
+        teeth.roller_peak[joint] = std::max(teeth.roller_peak[joint], teeth.roller[joint]);
+        teeth.gap_peak[gap]      = std::max(teeth.gap_peak[gap], teeth.gap[gap]);
+      });
     }
   for (BoreForces &bores : bores_)
     {
       std::fill(bores.joint.begin(), bores.joint.end(), 0.);
-      for (const contact::Record &record : bores.family->records())
-        bores.joint[record.joint] += record.force * record.normal;
+      for (const contact::Family *family : bores.families)
+        for (const contact::Record &record : family->records())
+          bores.joint[record.joint] += record.force * record.normal;
       for (unsigned int k = 0; k < bores.joint.size(); ++k)
         bores.peak[k] = std::max(bores.peak[k], bores.joint[k]);
     }

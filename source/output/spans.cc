@@ -7,7 +7,7 @@ Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
     : scene_(scene), tension_(scene.n_joints, 0.)
 {
   joints_ = system.contacts.find("bush-pin");
-  if (joints_ == nullptr)
+  if (joints_.empty())
     return;
   pin_force_.resize(scene.n_joints);
   links_.resize(scene.n_joints);
@@ -21,8 +21,9 @@ void Spans::joint_forces(const dynamics::System &system)
 {
   for (dealii::Tensor<1, 3> &force : pin_force_)
     force = dealii::Tensor<1, 3>();
-  for (const contact::Record &record : joints_->records())
-    pin_force_[record.joint] += record.force;
+  for (const contact::Family *family : joints_)
+    for (const contact::Record &record : family->records())
+      pin_force_[record.joint] += record.force;
 
   const unsigned int n = scene_.n_joints;
   for (unsigned int k = 0; k < n; ++k)
@@ -44,7 +45,7 @@ void Spans::joint_forces(const dynamics::System &system)
 
 void Spans::update(const dynamics::System &system)
 {
-  if (joints_ != nullptr)
+  if (!joints_.empty())
     joint_forces(system);
   else if (system.bars.size() == scene_.n_joints)
     tension_ = system.bars.tension();

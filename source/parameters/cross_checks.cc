@@ -186,6 +186,18 @@ void check_model(const Parameters &p, Findings &findings)
           !(p.drive.sprockets.driver_mesh.empty() && p.drive.sprockets.driven_mesh.empty()),
       "Model/Elastic sprockets = on contradicts Drive/Sprockets/Driver mesh and Driven mesh: "
       "imported sprockets are rigid; choose auto or off.");
+  const bool arriving = p.model.elastic_links == "arriving";
+  findings.contradiction(
+      arriving && !full,
+      "Model/Elastic links = arriving contradicts Model/Fidelity = " + p.model.fidelity +
+          ", in which no link is elastic; choose all, or Fidelity = full.");
+  findings.contradiction(arriving && p.model.half,
+                         "Model/Half model = true cannot be with Elastic links = arriving, whose "
+                         "rigid links are whole; choose false, or Elastic links = all.");
+  findings.contradiction(arriving && p.model.elastic_sprockets == "on",
+                         "Model/Elastic sprockets = on contradicts Elastic links = arriving, in "
+                         "which both sprockets are rigid; choose auto or off, or Elastic links = "
+                         "all.");
   findings.note(
       start == "warm",
       "Drive/Layout/Start = warm begins at full speed under full load: Loads/Speed ramp, Ramp "

@@ -54,12 +54,20 @@ void Model::declare(dealii::ParameterHandler &prm)
       "bar; simple fidelity only, since the joints' contact damps the layered chain. Default: "
       "steel structures with bolted joints have 0.5 to 3 percent.");
   add(prm,
+      "Elastic links",
+      elastic_links,
+      {"all", "arriving"},
+      "Which links and rollers are elastic; full fidelity only. arriving: those that the driver "
+      "takes in between Output/Window start in ms and Window end in ms, and two more before and "
+      "after them; all others, and both sprockets, are rigid as in layered fidelity. For what "
+      "single links feel as they engage, at a fraction of the cost.");
+  add(prm,
       "Elastic sprockets",
       elastic_sprockets,
       {"auto", "on", "off"},
       "Whether the rims of the sprockets, from the hub diameter outwards, are elastic; full "
       "fidelity only. Imported sprockets are rigid. auto: on in full fidelity but for imported "
-      "sprockets. off: both sprockets are rigid.");
+      "sprockets and Elastic links = arriving. off: both sprockets are rigid.");
 }
 
 void Material::declare(dealii::ParameterHandler &prm)

@@ -46,7 +46,8 @@ void add_elastic_rollers(const Parameters   &parameters,
   teeth.elastic       = true;
   teeth.slave_surface = mesh::roller_outside;
   for (unsigned int k = 0; k < scene.n_joints; ++k)
-    teeth.slaves.push_back({k, dealii::Point<3>(), 0.5 * drive.chain.roller_diameter, k});
+    if (scene.bodies[k].motion == Motion::elastic)
+      teeth.slaves.push_back({k, dealii::Point<3>(), 0.5 * drive.chain.roller_diameter, k});
 }
 
 Tensor3 embed(const dealii::Tensor<1, 2> &v)
@@ -159,7 +160,11 @@ void add_sprockets(const Parameters               &parameters,
       parameters.contact.roller_tooth_stiffness.value_or(drive.roller_tooth_stiffness);
   const bool   lumped      = parameters.model.fidelity == "simple";
   const double roller_mass = scene.bodies.front().mass;
-  if (scene.bodies.front().motion != Motion::elastic)
+  const auto   n_elastic =
+      std::count_if(scene.bodies.begin(),
+                    scene.bodies.begin() + scene.n_joints,
+                    [](const Body &roller) { return roller.motion == Motion::elastic; });
+  if (n_elastic < scene.n_joints)
     scene.notes.push_back(
         "Roller-tooth stiffness " + to_text(tooth_stiffness, 4) + " N/m (" +
         (parameters.contact.roller_tooth_stiffness ? "given" :
@@ -225,12 +230,14 @@ void add_sprockets(const Parameters               &parameters,
               std::make_shared<const mesh::Sector>(*scene.parts[sprocket.kind]);
         }
 
-      if (scene.bodies.front().motion == Motion::elastic)
+      if (n_elastic > 0)
         {
-          add_elastic_rollers(parameters, drive, scene, teeth);
-          scene.teeth.push_back(std::move(teeth));
-          continue;
+          ToothFamily elastic = teeth;
+          add_elastic_rollers(parameters, drive, scene, elastic);
+          scene.teeth.push_back(std::move(elastic));
         }
+      if (n_elastic == scene.n_joints)
+        continue;
       const Law law = make_law(parameters,
                                scene.effects,
                                tooth_stiffness,
@@ -244,8 +251,9 @@ void add_sprockets(const Parameters               &parameters,
       teeth.law = law.shared_by(static_cast<unsigned int>(stations.size()));
       for (unsigned int k = 0; k < scene.n_joints; ++k)
         for (const double z : stations)
-          teeth.slaves.push_back(
-              {k, dealii::Point<3>(0., 0., z), 0.5 * drive.chain.roller_diameter, k});
+          if (scene.bodies[k].motion != Motion::elastic)
+            teeth.slaves.push_back(
+                {k, dealii::Point<3>(0., 0., z), 0.5 * drive.chain.roller_diameter, k});
       scene.teeth.push_back(std::move(teeth));
     }
 }

@@ -46,10 +46,10 @@ double link_mass_factor(const Parameters &parameters, const drive::Drive &drive)
 
 } // namespace
 
-void add_chain_bodies(const Parameters   &parameters,
-                      const drive::Drive &drive,
-                      const Motion        motion,
-                      Scene              &scene)
+void add_chain_bodies(const Parameters        &parameters,
+                      const drive::Drive      &drive,
+                      const std::vector<char> &elastic_joint,
+                      Scene                   &scene)
 {
   const drive::Layout &layout = drive.layout;
   const unsigned int   n      = scene.n_joints;
@@ -83,7 +83,7 @@ void add_chain_bodies(const Parameters   &parameters,
                                        k,
                                        drive.roller_solid,
                                        1.,
-                                       motion,
+                                       elastic_joint[k] ? Motion::elastic : Motion::rigid,
                                        placed(joint.roller, 0., joint.velocity, spin)));
     }
   for (unsigned int k = 0; k < n; ++k)
@@ -91,11 +91,12 @@ void add_chain_bodies(const Parameters   &parameters,
       const auto                &link = layout.links[k];
       const dealii::Tensor<1, 2> velocity =
           0.5 * (layout.joints[k].velocity + layout.joints[(k + 1) % n].velocity);
+      const bool elastic = elastic_joint[k] && elastic_joint[(k + 1) % n];
       scene.bodies.push_back(make_body(link.inner ? Kind::inner_link : Kind::outer_link,
                                        k,
                                        link.inner ? drive.inner_link_solid : drive.outer_link_solid,
                                        factor,
-                                       motion,
+                                       elastic ? Motion::elastic : Motion::rigid,
                                        placed(link.centre, link.angle, velocity, link_speed(k))));
     }
 }

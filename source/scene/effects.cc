@@ -62,14 +62,17 @@ std::vector<Effect> decide_effects(const Parameters &p)
                            "acceleration " + to_text(p.loads.gravity) + " m/s2"));
   effects.push_back(decide(
       "drag", p.effects.drag, p.loads.drag, "coefficient " + to_text(p.loads.drag) + " 1/s"));
+  const bool arriving = full && p.model.elastic_links == "arriving";
   effects.push_back({"elastic bodies",
                      full,
-                     full ? "fidelity full: rollers, inner and outer links" :
-                            "no group of bodies is elastic in this fidelity"});
-  const bool elastic_sprockets = full && p.model.elastic_sprockets != "off";
+                     arriving ? "fidelity full: rollers and links that arrive in the window" :
+                     full     ? "fidelity full: rollers, inner and outer links" :
+                                "no group of bodies is elastic in this fidelity"});
+  const bool elastic_sprockets = full && !arriving && p.model.elastic_sprockets != "off";
   effects.push_back({"elastic sprockets",
                      elastic_sprockets,
                      elastic_sprockets ? "fidelity full: rims, but for imported sprockets" :
+                     arriving          ? "rigid beside rigid links: Elastic links = arriving" :
                      full              ? "switched off in section Model" :
                                          "no group of bodies is elastic in this fidelity"});
   if (full)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace chaindrive::scene
 {
@@ -20,7 +21,8 @@ double thickness(const Scene &scene, const Kind kind, const mesh::Surface side)
 
 void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
 {
-  add_chain_bodies(parameters, drive, Motion::elastic, scene);
+  const std::vector<char> elastic = elastic_joints(parameters, drive, scene);
+  add_chain_bodies(parameters, drive, elastic, scene);
   scene.half                    = parameters.model.half;
   scene.parts[Kind::roller]     = make_roller_part(parameters, drive);
   scene.parts[Kind::inner_link] = make_link_part(parameters, drive, true);
@@ -60,6 +62,8 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
   const drive::ChainDimensions &chain = drive.chain;
   for (unsigned int k = 0; k < scene.n_joints; ++k)
     {
+      if (!elastic[k])
+        continue;
       const Joint joint     = joint_of(k, drive, scene.n_joints);
       const bool  at_first  = joint.bush_x < 0.; // of the inner link's two bushes
       const bool  pin_first = joint.pin_x < 0.;
@@ -78,5 +82,7 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
     }
   scene.bores.push_back(std::move(rollers));
   scene.bores.push_back(std::move(pins));
+  if (std::count(elastic.begin(), elastic.end(), false) > 0)
+    add_rigid_joints(parameters, drive, scene);
 }
 } // namespace chaindrive::scene

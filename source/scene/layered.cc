@@ -15,8 +15,18 @@ double reduced_mass(const double a, const double b) { return a * b / (a + b); }
 
 void add_layered_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
 {
-  add_chain_bodies(parameters, drive, Motion::rigid, scene);
+  add_chain_bodies(parameters, drive, std::vector<char>(scene.n_joints, false), scene);
+  add_rigid_joints(parameters, drive, scene);
+  if (is_on(scene.effects, "fields"))
+    {
+      scene.parts[Kind::roller]     = make_roller_part(parameters, drive);
+      scene.parts[Kind::inner_link] = make_link_part(parameters, drive, true);
+      scene.parts[Kind::outer_link] = make_link_part(parameters, drive, false);
+    }
+}
 
+void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
+{
   const drive::ChainDimensions &chain = drive.chain;
   const unsigned int            n     = scene.n_joints;
   const double inner_mass = scene.bodies[n].mass, outer_mass = scene.bodies[n + 1].mass;
@@ -49,6 +59,8 @@ void add_layered_chain(const Parameters &parameters, const drive::Drive &drive, 
   for (unsigned int k = 0; k < n; ++k)
     {
       const Joint joint = joint_of(k, drive, n);
+      if (scene.bodies[joint.inner].motion == Motion::elastic)
+        continue;
       for (const double z : line_stations(chain.roller_length))
         rollers.pairs.push_back(
             {k,
@@ -64,12 +76,5 @@ void add_layered_chain(const Parameters &parameters, const drive::Drive &drive, 
     }
   scene.bores.push_back(std::move(rollers));
   scene.bores.push_back(std::move(pins));
-
-  if (is_on(scene.effects, "fields"))
-    {
-      scene.parts[Kind::roller]     = make_roller_part(parameters, drive);
-      scene.parts[Kind::inner_link] = make_link_part(parameters, drive, true);
-      scene.parts[Kind::outer_link] = make_link_part(parameters, drive, false);
-    }
 }
 } // namespace chaindrive::scene

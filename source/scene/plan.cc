@@ -71,12 +71,13 @@ std::pair<unsigned int, unsigned int> size_of(const Scene &scene, const Kind kin
   return {n * part.mesh->n_active_cells(), n * part.mesh->n_used_vertices()};
 }
 
-std::string law_text(const Law &law)
+std::string law_text(const Law &law, const bool elastic)
 {
-  std::string text = "k " + to_text(law.stiffness, 4) + " N/m";
-  text += law.damping > 0. ? ", c " + to_text(law.damping, 4) + " N s/m" : ", undamped";
+  const std::string per  = elastic ? "3" : ""; // per area
+  std::string       text = "k " + to_text(law.stiffness, 4) + " N/m" + per;
+  text += law.damping > 0. ? ", c " + to_text(law.damping, 4) + " N s/m" + per : ", undamped";
   text += law.friction > 0. ? ", mu " + to_text(law.friction) : ", frictionless";
-  return text + " (each point)";
+  return text + (elastic ? " (nodes, per area)" : " (each point)");
 }
 } // namespace
 
@@ -109,12 +110,12 @@ void print_plan(std::ostream       &out,
                 const unsigned long n_steps)
 {
   out << "Bodies\n";
-  std::map<Kind, unsigned int> count;
+  std::map<std::pair<Kind, Motion>, unsigned int> count;
   for (const Body &body : scene.bodies)
-    ++count[body.kind];
-  for (const auto &[kind, n] : count)
+    ++count[{body.kind, body.motion}];
+  for (const auto &[sort, n] : count)
     for (const Body &body : scene.bodies)
-      if (body.kind == kind)
+      if (const Kind kind = body.kind; std::make_pair(kind, body.motion) == sort)
         {
           out << "  " << std::setw(4) << n << ' ' << name_of(kind) << ": " << motion_of(body);
           if (body.motion == Motion::elastic)
@@ -126,11 +127,13 @@ void print_plan(std::ostream       &out,
 
   out << "Interfaces\n";
   for (const BoreFamily &bores : scene.bores)
-    out << "  " << std::setw(4) << bores.pairs.size() << " points " << bores.name << ": "
-        << law_text(bores.law) << '\n';
+    out << "  " << std::setw(4) << bores.pairs.size() << (bores.elastic ? " pairs " : " points ")
+        << bores.name << ": " << law_text(bores.law, bores.elastic) << '\n';
   for (const ToothFamily &teeth : scene.teeth)
-    out << "  " << std::setw(4) << teeth.slaves.size() << " points " << teeth.name
-        << " (those near the sprocket are looked at): " << law_text(teeth.law) << '\n';
+    out << "  " << std::setw(4) << teeth.slaves.size() << (teeth.elastic ? " rollers " : " points ")
+        << teeth.name
+        << " (those near the sprocket are looked at): " << law_text(teeth.law, teeth.elastic)
+        << '\n';
   if (!scene.bars.empty())
     out << "  " << std::setw(4) << scene.bars.size() << " bars: k "
         << to_text(scene.bars.front().stiffness, 4) << " N/m, c "

@@ -121,6 +121,8 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
             places[bodies[k]] = {group, k};
         }
     }
+  meshes = places;
+  add_followers(scene);
 }
 
 void World::add_rim(const scene::Scene              &scene,

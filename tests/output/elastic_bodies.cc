@@ -92,7 +92,7 @@ int main()
               for (unsigned int d = 0; d < 3; ++d)
                 copies.position.local_element(copies.index(place.copy, node, d)) = scaled[d];
             }
-          const output::ElasticSnapshot snapshot = elastic.snapshot(system, system.world.places[b]);
+          const output::ElasticSnapshot snapshot = elastic.snapshot(system, place);
           for (const element::Stress &cell : snapshot.stress)
             error = std::max({error,
                               std::abs(cell.piola[0][0] - stretched * stress) / stress,

@@ -95,6 +95,15 @@ int main()
     p.model.elastic_sprockets     = "on";
     p.drive.sprockets.driven_mesh = "sprocket-41.msh";
   });
+  check([](Parameters &p) {
+    p.model.elastic_links = "arriving";
+    p.model.half          = true;
+  });
+  check([](Parameters &p) {
+    p.model.fidelity          = "full";
+    p.model.elastic_links     = "arriving";
+    p.model.elastic_sprockets = "on";
+  });
   check([](Parameters &p) { p.loads.ramp_time = 40e-3; });
   check([](Parameters &p) { p.contact.bush_pin_friction = 0.2; });
 

@@ -4,6 +4,7 @@
 #include <chaindrive/contact/family.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace chaindrive::contact
@@ -44,8 +45,8 @@ public:
 
   const std::vector<std::unique_ptr<Family>> &families() const { return families_; }
 
-  /// The family called @p name; null when the scene has none.
-  const Family *find(const std::string &name) const;
+  /// The families called @p name: one for rigid bodies, one for elastic ones, or none.
+  std::vector<const Family *> find(const std::string &name) const;
 
   /// Contacts of elastic nodes that the searches of this rank have missed: see Family.
   unsigned long n_missed() const;

@@ -10,8 +10,9 @@
 
 namespace chaindrive::contact
 {
-/// Elastic cylinders in elastic bores, n_lanes joints at a time: see JointBatch. One record per
-/// pair. A joint is evaluated by the rank that owns its bore.
+/// Elastic cylinders in elastic bores, n_lanes joints at a time: see JointBatch. One of the two may
+/// be rigid, see World::Follower. One record per pair. A joint is evaluated by the rank that owns
+/// its bore.
 class NodeBores : public Family
 {
 public:

@@ -98,7 +98,7 @@ private:
   void
   book(World &world, const Copies &copies, unsigned int batch, const Sums &sums, const Step &step);
 
-  std::vector<std::unique_ptr<Reference>> references_; ///< per group of copies
+  std::vector<std::unique_ptr<Reference>> references_; ///< per elastic group of copies
   std::vector<Limit>                      limits_;
   const Kernels                          &kernels_;
   double                                  drift_          = 0.; ///< of the last move, s

@@ -58,17 +58,18 @@ private:
   /// Normal forces on the teeth of one sprocket, now and their peaks since the last sample, N.
   struct ToothForces
   {
-    const contact::Teeth *family;
-    std::string           name;
-    std::vector<double>   roller, roller_peak; ///< per joint
-    std::vector<double>   gap, gap_peak;       ///< per gap of the sprocket
+    std::vector<const contact::Teeth *> families; ///< of rigid and of elastic rollers
+    std::string                         name;
+    std::vector<double>                 roller, roller_peak; ///< per joint
+    std::vector<double>                 gap, gap_peak;       ///< per gap of the sprocket
   };
 
   /// The same of one kind of joint contact.
   struct BoreForces
   {
-    const contact::Family *family;
-    std::vector<double>    joint, peak;
+    std::string                          name;
+    std::vector<const contact::Family *> families; ///< of rigid and of elastic bodies
+    std::vector<double>                  joint, peak;
   };
 
   void add_channels();

@@ -31,10 +31,10 @@ public:
 private:
   void joint_forces(const dynamics::System &system);
 
-  const scene::Scene               &scene_;
-  const contact::Family            *joints_ = nullptr; ///< bush-pin; none in simple fidelity
-  std::vector<unsigned int>         links_;     ///< body of each link; none in simple fidelity
-  std::vector<dealii::Tensor<1, 3>> pin_force_; ///< on the pin of each joint, N
-  std::vector<double>               tension_;
+  const scene::Scene                  &scene_;
+  std::vector<const contact::Family *> joints_;    ///< bush-pin; none in simple fidelity
+  std::vector<unsigned int>            links_;     ///< body of each link; none in simple fidelity
+  std::vector<dealii::Tensor<1, 3>>    pin_force_; ///< on the pin of each joint, N
+  std::vector<double>                  tension_;
 };
 } // namespace chaindrive::output

@@ -16,8 +16,9 @@ struct Model
   std::optional<double> mass_per_pitch;      ///< kg, of the whole chain per pitch
   std::optional<double> stiffness_per_pitch; ///< N/m, of the chain in a pull test, per pitch
   std::optional<double> driven_inertia;      ///< kg m2, of all that turns with the driven hub
-  double                chain_damping_ratio = 0.01; ///< of two lumps on their bar, simple only
-  std::string           elastic_sprockets = "auto"; ///< auto | on | off; auto: on in full fidelity
+  double                chain_damping_ratio = 0.01;  ///< of two lumps on their bar, simple only
+  std::string           elastic_links       = "all"; ///< all | arriving: which of full fidelity
+  std::string           elastic_sprockets = "auto";  ///< auto | on | off; auto: on in full fidelity
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p prm.

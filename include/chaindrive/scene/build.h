@@ -20,14 +20,26 @@ void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, S
 /// joint contact act in series in the bush-pin interface.
 void add_layered_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
 
-/// The full model: the same bodies made of elastic finite elements, whose nodes touch.
+/// The full model: the same bodies made of elastic finite elements, whose nodes touch; or only
+/// those of elastic_joints(), the others as in the layered model.
 void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
 
-/// Rollers, inner and outer links of a chain with clearances, moving as @p motion says.
-void add_chain_bodies(const Parameters   &parameters,
-                      const drive::Drive &drive,
-                      Motion              motion,
-                      Scene              &scene);
+/// Per joint, whether its roller and bush are elastic in the full model: all of them, or for
+/// Model/Elastic links = arriving those that reach the driver in Output's window, from the first
+/// bush of an inner link to the second one of another; says so in the notes of @p scene. InputError
+/// when these are the whole chain.
+std::vector<char>
+elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
+
+/// Rollers, inner and outer links of a chain with clearances: elastic where @p elastic_joint says
+/// so of the roller's joint or of both joints of the link, else rigid.
+void add_chain_bodies(const Parameters        &parameters,
+                      const drive::Drive      &drive,
+                      const std::vector<char> &elastic_joint,
+                      Scene                   &scene);
+
+/// Roller-bush and bush-pin interfaces of the joints whose bush is rigid, as in the layered model.
+void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
 
 /// At joint k meet the inner link whose bush it is and the outer link whose pin it is.
 struct Joint

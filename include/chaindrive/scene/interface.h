@@ -68,7 +68,7 @@ struct BoreFamily
   std::string           name;
   Law                   law; ///< of elastic bodies, whose nodes touch: per m2
   std::vector<BorePair> pairs;
-  bool                  elastic = false; ///< both sides of every pair are elastic bodies
+  bool elastic = false; ///< nodes touch: one of each two bodies is elastic at least
 };
 
 /// The flanks of one sprocket and every roller that could ever meet them.

@@ -53,6 +53,14 @@ public:
     unsigned int group = none, copy = none;
   };
 
+  /// Nodes on one side of a rigid body that nodes of an elastic one touch. They move with the body.
+  struct Follower
+  {
+    unsigned int              body;
+    Place                     place;
+    std::vector<unsigned int> nodes;
+  };
+
   explicit World(const scene::Scene &scene, MPI_Comm comm = MPI_COMM_SELF);
 
   /// Whether this is the rank that adds the share of everything that is not dealt out.
@@ -110,6 +118,21 @@ public:
     return frame.velocity + dealii::cross_product_3d(w, arm);
   }
 
+  /// The first groups of copies are elastic bodies; what comes after them are the meshes of rigid
+  /// ones.
+  unsigned int n_elastic_groups() const
+  {
+    return static_cast<unsigned int>(copies.size()) - n_follower_groups_;
+  }
+
+  /// Places the nodes of rigid bodies that elastic ones touch; their velocities are those of
+  /// velocity_at() at the instant @p earlier [s] before now.
+  void place_followers(double earlier);
+
+  /// Adds the moments of the forces on these nodes, which become zero, to those on their bodies.
+  /// The resultant forces are the contact's to add.
+  void take_moments_of_followers();
+
   /// The rim of @p body; null when it has none.
   const Rim *rim_of(unsigned int body) const;
 
@@ -136,6 +159,9 @@ public:
   std::vector<Place>  places; ///< per body, in copies
   std::vector<Rim>    rims;   ///< of elastic sprockets
 
+  std::vector<Place>    meshes;    ///< per body, in copies: places, and those of followers
+  std::vector<Follower> followers; ///< of rigid bodies
+
   double time = 0.; ///< s
   Ledger ledger;
 
@@ -149,6 +175,10 @@ private:
                unsigned int                     body,
                const std::vector<unsigned int> &first_batch);
 
+  /// Makes copies of the meshes of rigid bodies whose nodes touch. The first rank owns them.
+  void add_followers(const scene::Scene &scene);
+
+  unsigned int        n_follower_groups_ = 0;
   MPI_Comm            comm_;
   unsigned int        rank_, n_ranks_;
   Ledger              before_; ///< the ledger at clear_forces()

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/scene/build.h>
+#include <chaindrive/utilities/errors.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace chaindrive::scene
+{
+namespace
+{
+using dealii::numbers::PI;
+
+constexpr int margin = 2; // links beside those that arrive: plates on both sides pull at a joint
+
+/// What the driver has turned at @p time [s], in the sense of the drive, rad: see
+/// load::SpeedProgram.
+double turned(const Scene &scene, const double time)
+{
+  const double ramp = scene.loads.ramp_time;
+  const double t    = std::max(0., time - scene.start_time);
+  if (t >= ramp)
+    return scene.loads.driver_speed * (t - 0.5 * ramp);
+  const double s = t / ramp;
+  return scene.loads.driver_speed * ramp *
+         (scene.loads.speed_ramp == "cosine" ? 0.5 * s - std::sin(PI * s) / (2. * PI) :
+                                               0.5 * s * s);
+}
+} // namespace
+
+std::vector<char>
+elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
+{
+  const int n = static_cast<int>(scene.n_joints);
+  if (parameters.model.elastic_links == "all")
+    return std::vector<char>(n, true);
+
+  // joint 0 sits where the chain comes in; with every pitch that the driver turns joint n-1, n-2,
+  // ... comes after it
+  const double per_angle = drive.driver.teeth / (2. * PI);
+  const double from      = parameters.output.window_start,
+               to        = parameters.output.window_end.value_or(parameters.time.end);
+  int first              = n - static_cast<int>(std::ceil(per_angle * turned(scene, to))) - margin;
+  int last = n - static_cast<int>(std::floor(per_angle * turned(scene, from))) + margin;
+  // inner links, which begin at even joints, are the outermost: their bushes are whole
+  first -= (first % 2 + 2) % 2;
+  last += 1 - (last % 2 + 2) % 2;
+  if (last - first + 1 >= n)
+    throw InputError("Model/Elastic links = arriving: about " +
+                     std::to_string(last - first + 1 - 2 * margin) +
+                     " rollers arrive at the driver in Output's window, with those beside them the "
+                     "whole chain of " +
+                     std::to_string(n) + "; choose a shorter window or Elastic links = all.");
+
+  std::vector<char> elastic(n, false);
+  for (int k = first; k <= last; ++k)
+    elastic[((k % n) + n) % n] = true;
+  const auto name = [n](const int k) { return std::to_string(((k % n) + n) % n); };
+  scene.notes.push_back("Elastic: rollers " + name(first) + " to " + name(last) + ", " +
+                        std::to_string(last - first + 1) + " of " + std::to_string(n) +
+                        ", and the links between them: they arrive at the driver in Output's "
+                        "window, or up to " +
+                        std::to_string(margin) + " links before and after; all else is rigid");
+  return elastic;
+}
+} // namespace chaindrive::scene
