@@ -21,6 +21,7 @@ std::vector<std::array<double, 2>> extents(const mesh::Nodes               &node
                                            const std::vector<unsigned int> &side)
 {
   std::vector<double> stations;
+  stations.reserve(side.size());
   for (const unsigned int node : side)
     stations.push_back(nodes.position[node][2]);
   std::sort(stations.begin(), stations.end());

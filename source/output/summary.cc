@@ -38,6 +38,7 @@ std::vector<PhaseTimer::Row> rows_of_all_ranks(const PhaseTimer &timer, const MP
 {
   std::vector<PhaseTimer::Row> rows = timer.rows();
   std::vector<double>          seconds;
+  seconds.reserve(rows.size());
   for (const PhaseTimer::Row &row : rows)
     seconds.push_back(row.cpu_seconds);
   if (n_ranks_in(comm) > 1)

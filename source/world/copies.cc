@@ -22,7 +22,7 @@ std::vector<Frame> initial_frames(const std::vector<unsigned int> &bodies,
 } // namespace
 
 Copies::Copies(std::shared_ptr<const mesh::Part> the_part,
-               std::vector<unsigned int>         the_bodies,
+               const std::vector<unsigned int>  &the_bodies,
                const std::vector<scene::Body>   &all,
                std::vector<unsigned int>         first_batch,
                const MPI_Comm                    comm)

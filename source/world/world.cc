@@ -126,18 +126,18 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
 }
 
 void World::add_rim(const scene::Scene              &scene,
-                    const unsigned int               number,
+                    const unsigned int               body,
                     const std::vector<unsigned int> &first_batch)
 {
   unsigned int h = 0;
-  while (hubs[h].body != number)
+  while (hubs[h].body != body)
     ++h;
-  Hub               &hub    = hubs[h];
-  const scene::Body &body   = scene.bodies[number];
-  const auto        &sector = scene.sectors.at(body.kind);
+  Hub               &hub      = hubs[h];
+  const scene::Body &sprocket = scene.bodies[body];
+  const auto        &sector   = scene.sectors.at(sprocket.kind);
   std::vector<Frame> start;
   for (unsigned int s = 0; s < sector->n_sectors; ++s)
-    start.push_back(sector->frame(body.initial, s));
+    start.push_back(sector->frame(sprocket.initial, s));
   copies.emplace_back(
       sector->part, std::vector<unsigned int>(start.size(), hub.body), start, first_batch, comm_);
   rims.emplace_back(
@@ -147,7 +147,7 @@ void World::add_rim(const scene::Scene              &scene,
   const Rim &rim = rims.back();
   hub.inertia -= whole * rim.inertia;
   if (!hub.prescribed && hub.inertia < whole * rim.border_inertia)
-    throw InputError("Model/Driven inertia in kg m2 = " + to_text(body.inertia[2]) +
+    throw InputError("Model/Driven inertia in kg m2 = " + to_text(sprocket.inertia[2]) +
                      " is less than that of the elastic rim of the sprocket alone, " +
                      to_text(whole * (rim.inertia + rim.border_inertia)) +
                      "; choose a greater value, auto, or Model/Elastic sprockets = off.");

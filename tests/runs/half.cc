@@ -30,8 +30,8 @@ int main()
   for (const std::string name : {"kinetic", "strain"})
     test::range(name + " energy, half over whole",
                 ratio(half["energy"][name], whole["energy"][name]),
-                0.97,
-                1.03);
+                0.999,
+                1.001);
   test::range("energy imbalance / drive work", half["energy_imbalance_max"], 0., 1e-3);
   test::range("contacts missed by the searches", half["contacts_missed"], 0., 0.);
 }

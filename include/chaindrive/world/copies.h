@@ -31,7 +31,7 @@ public:
   /// @p bodies are numbers into @p all, the scene's bodies, all made of @p part. Rank r of @p comm
   /// owns the batches from @p first_batch[r] up to first_batch[r + 1].
   Copies(std::shared_ptr<const mesh::Part> part,
-         std::vector<unsigned int>         bodies,
+         const std::vector<unsigned int>  &bodies,
          const std::vector<scene::Body>   &all,
          std::vector<unsigned int>         first_batch,
          MPI_Comm                          comm);
@@ -85,7 +85,7 @@ public:
 
   /// Makes ghosts of these nodes of the batch that holds @p copy, unless this rank owns it. To be
   /// followed by make_ghosts().
-  void want(unsigned int copy, const std::vector<unsigned int> &nodes);
+  void want(unsigned int copy, const std::vector<unsigned int> &wanted);
 
   /// Gives the vectors room for all ghosts that any rank wants. Collective.
   void make_ghosts();
