@@ -97,7 +97,7 @@ void JointBatch::set_joint(const int lane, const JointBody &master, const JointB
   arguments_.slave_force[lane]     = slave.force;
 }
 
-const dealii::AlignedVector<double> &JointBatch::measure_gaps()
+void JointBatch::connect()
 {
   arguments_.shape   = &shape_;
   arguments_.state   = state_.data();
@@ -105,6 +105,11 @@ const dealii::AlignedVector<double> &JointBatch::measure_gaps()
   arguments_.cell    = cell_.data();
   arguments_.window  = &window_;
   arguments_.sums    = &sums_;
+}
+
+const dealii::AlignedVector<double> &JointBatch::measure_gaps()
+{
+  connect();
   GapArguments gaps{gap_.data(), covered_.data(), {}};
   kernels_.measure(arguments_, gaps);
   std::copy(gaps.closing, gaps.closing + n_lanes, closing_.begin());
@@ -169,13 +174,8 @@ void JointBatch::search_lane(const int lane, const double reach)
 
 void JointBatch::add_forces(const double dt)
 {
-  arguments_.shape   = &shape_;
-  arguments_.state   = state_.data();
-  arguments_.station = station_.data();
-  arguments_.cell    = cell_.data();
-  arguments_.window  = &window_;
-  arguments_.sums    = &sums_;
-  arguments_.dt      = dt;
+  connect();
+  arguments_.dt = dt;
   kernels_.add_forces(arguments_);
   if (!fresh_)
     holds_for_ -= dt;

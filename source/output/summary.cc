@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/output/file.h>
 #include <chaindrive/output/summary.h>
-#include <chaindrive/utilities/ranks.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cctype>
@@ -41,8 +42,7 @@ std::vector<PhaseTimer::Row> rows_of_all_ranks(const PhaseTimer &timer, const MP
   seconds.reserve(rows.size());
   for (const PhaseTimer::Row &row : rows)
     seconds.push_back(row.cpu_seconds);
-  if (n_ranks_in(comm) > 1)
-    dealii::Utilities::MPI::sum(seconds, comm, seconds);
+  dealii::Utilities::MPI::sum(seconds, comm, seconds);
   const double total = std::accumulate(seconds.begin(), seconds.end(), 0.);
   for (std::size_t i = 0; i < rows.size(); ++i)
     rows[i] = {rows[i].name, seconds[i], 100. * seconds[i] / total};

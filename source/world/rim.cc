@@ -8,12 +8,10 @@
 namespace chaindrive
 {
 Rim::Rim(const unsigned int                  the_body,
-         const unsigned int                  the_hub,
          const unsigned int                  the_group,
          std::shared_ptr<const mesh::Sector> the_sector,
          Copies                             &copies)
     : body(the_body)
-    , hub(the_hub)
     , group(the_group)
     , sector(std::move(the_sector))
     , border(mesh::SurfaceNodes(*copies.part, copies.nodes, mesh::hub).node)

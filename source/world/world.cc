@@ -5,6 +5,7 @@
 #include <chaindrive/utilities/text.h>
 #include <chaindrive/world/world.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -129,19 +130,16 @@ void World::add_rim(const scene::Scene              &scene,
                     const unsigned int               body,
                     const std::vector<unsigned int> &first_batch)
 {
-  unsigned int h = 0;
-  while (hubs[h].body != body)
-    ++h;
-  Hub               &hub      = hubs[h];
+  Hub &hub =
+      *std::find_if(hubs.begin(), hubs.end(), [body](const Hub &h) { return h.body == body; });
   const scene::Body &sprocket = scene.bodies[body];
   const auto        &sector   = scene.sectors.at(sprocket.kind);
   std::vector<Frame> start;
   for (unsigned int s = 0; s < sector->n_sectors; ++s)
     start.push_back(sector->frame(sprocket.initial, s));
   copies.emplace_back(
-      sector->part, std::vector<unsigned int>(start.size(), hub.body), start, first_batch, comm_);
-  rims.emplace_back(
-      hub.body, h, static_cast<unsigned int>(copies.size()) - 1, sector, copies.back());
+      sector->part, std::vector<unsigned int>(start.size(), body), start, first_batch, comm_);
+  rims.emplace_back(body, static_cast<unsigned int>(copies.size()) - 1, sector, copies.back());
 
   // with less inertia than the nodes that it holds a hub could be faster than the elements are
   const Rim &rim = rims.back();
@@ -183,14 +181,13 @@ void World::sum_over_ranks()
   // This rank's share of everything, one number after the other; frames of elastic bodies have one
   // share only, their owner's.
   const auto visit = [this](const auto &exchange) {
-    std::size_t i = 0;
     for (Vector *vector : {&force, &moment})
       for (double &value : *vector)
-        exchange(i++, value, whole);
+        exchange(value, whole);
     for (double Ledger::*term : Ledger::added)
       {
         double increment = ledger.*term - before_.*term;
-        exchange(i++, increment, whole);
+        exchange(increment, whole);
         ledger.*term = before_.*term + increment;
       }
     for (unsigned int body = 0; body < n_bodies(); ++body)
@@ -200,24 +197,21 @@ void World::sum_over_ranks()
           const double mine  = owns(body) ? 1. : 0.;
           for (unsigned int d = 0; d < 3; ++d)
             {
-              exchange(i++, frame.position[d], mine);
-              exchange(i++, frame.velocity[d], mine);
+              exchange(frame.position[d], mine);
+              exchange(frame.velocity[d], mine);
             }
         }
-    return i;
   };
-  const std::size_t n = visit([](std::size_t, double &, double) {});
-  shared_.resize(n);
-  visit([this](const std::size_t i, const double &value, const double share) {
-    shared_[i] = share * value;
-  });
+  shared_.clear();
+  visit([this](const double value, const double share) { shared_.push_back(share * value); });
   if (n_ranks_ > 1)
     {
-      const int status =
-          MPI_Allreduce(MPI_IN_PLACE, shared_.data(), int(n), MPI_DOUBLE, MPI_SUM, comm_);
+      const int status = MPI_Allreduce(
+          MPI_IN_PLACE, shared_.data(), int(shared_.size()), MPI_DOUBLE, MPI_SUM, comm_);
       AssertThrowMPI(status);
     }
-  visit([this](const std::size_t i, double &value, double) { value = shared_[i]; });
+  auto total = shared_.cbegin();
+  visit([&total](double &value, double) { value = *total++; });
 
   for (unsigned int body = 0; body < n_bodies(); ++body)
     if (places[body].group != Place::none)

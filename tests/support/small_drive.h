@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "ranges.h"
+
 #include <string>
 #include <vector>
 
@@ -33,5 +35,26 @@ inline std::vector<std::string> small_full_drive_with(const std::vector<std::str
   std::vector<std::string> overrides = small_full_drive;
   overrides.insert(overrides.end(), more.begin(), more.end());
   return overrides;
+}
+/// Runs that drive from rest to full speed within 0.5 ms, and on to 1.5 ms, with @p more overrides.
+/// Energy must close, the driver turn as prescribed and the chain pull the load round.
+inline nlohmann::json start_small_full_drive(std::vector<std::string> more = {})
+{
+  more.insert(more.end(),
+              {"Loads/Ramp time in ms=0.5",
+               "Time/End time in ms=1.5",
+               "Output/Window start in ms=1",
+               "Output/CSV=true",
+               "Output/Field interval in ms=1"});
+  const nlohmann::json s      = run("prm/paper/layered-auto.prm", small_full_drive_with(more));
+  const double         angle  = s["driven_angle_end"];
+  const double         turned = 120.74 * (1.5e-3 - 0.25e-3); // rad: the ramp costs half its time
+  range("energy imbalance / drive work", s["energy_imbalance_max"], 0., 1e-3);
+  range("driven angle over driver's", angle / turned, 0.75, 1.);
+  range("resisting work over torque times angle",
+        s["resisting_work"].get<double>() / (20. * (angle - 0.5 * 0.01)),
+        0.99,
+        1.01);
+  return s;
 }
 } // namespace test

@@ -92,6 +92,9 @@ public:
 private:
   void search_lane(int lane, double reach);
 
+  /// Points the kernels' arguments to what this holds, wherever that has been moved.
+  void connect();
+
   const JointTables            &tables_;
   const JointKernels           &kernels_;
   JointShape                    shape_;

@@ -20,7 +20,6 @@ struct Rim
   /// Evens out in @p copies, those of @p sector, what round-off makes different between nodes that
   /// are the same.
   Rim(unsigned int                        body,
-      unsigned int                        hub,
       unsigned int                        group,
       std::shared_ptr<const mesh::Sector> sector,
       Copies                             &copies);
@@ -35,7 +34,6 @@ struct Rim
   void hold(Copies &copies, const Frame &frame) const;
 
   unsigned int                        body;
-  unsigned int                        hub;   ///< in World::hubs
   unsigned int                        group; ///< in World::copies: sector s is copy s
   std::shared_ptr<const mesh::Sector> sector;
   std::vector<unsigned int>           border; ///< nodes of a sector that the hub holds
