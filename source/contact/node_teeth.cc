@@ -222,25 +222,23 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
     }
 }
 
-std::vector<unsigned int> NodeTeeth::node_groups() const
+std::vector<ClosedPair> NodeTeeth::closed_pairs(const World &world) const
 {
-  if (flanks_)
-    return {group_, flanks_->group()};
-  return {group_};
-}
-
-double NodeTeeth::largest_node_eigenvalue(const World &world) const
-{
-  // a rigid sprocket is heavy beside a node: each node on its own spring
-  const Copies &copies  = world.copies[group_];
-  double        largest = 0.;
+  const Copies &copies = world.copies[group_];
+  ClosedPair    pair;
+  ClosedSide   &roller = pair[1];
+  roller.group         = group_;
+  roller.stiffness.resize(copies.n_nodes());
   for (unsigned int s = 0; s < surface_->size(); ++s)
-    largest = std::max(largest,
-                       law_.stiffness * surface_->area[s] / copies.nodes.mass[surface_->node[s]]);
-  // the two sides are separate addends of B^T M^-1 B
-  if (flanks_)
-    largest += flanks_->largest_eigenvalue(
+    {
+      const unsigned int node = surface_->node[s];
+      const double       k    = law_.stiffness * surface_->area[s];
+      roller.stiffness[node]  = k;
+      roller.eigenvalue       = std::max(roller.eigenvalue, k / copies.nodes.mass[node]);
+    }
+  if (flanks_) // a rigid sprocket is heavy beside a node: each node on its own spring
+    pair[0] = flanks_->closed_side(
         law_.stiffness, world.copies[world.rim_of(scene_.sprocket)->group], *surface_, copies);
-  return largest;
+  return {pair};
 }
 } // namespace chaindrive::contact

@@ -166,10 +166,10 @@ void ToothSurface::add_force(World &world, const Foot &foot, const dealii::Tenso
     world.moment.local_element(3 * family_.sprocket + d) += couple[d];
 }
 
-double ToothSurface::largest_eigenvalue(const double              stiffness,
-                                        const Copies             &flanks,
-                                        const mesh::SurfaceNodes &slaves,
-                                        const Copies             &of_slaves) const
+ClosedSide ToothSurface::closed_side(const double              stiffness,
+                                     const Copies             &flanks,
+                                     const mesh::SurfaceNodes &slaves,
+                                     const Copies             &of_slaves) const
 {
   // spacing of the slaves along the axis and along the profile
   std::vector<double> stations;
@@ -183,22 +183,24 @@ double ToothSurface::largest_eigenvalue(const double              stiffness,
   const double beside = spacing > 0. ? area / spacing : std::sqrt(area);
 
   const unsigned int n_columns = column_.size(), n_layers = z_.size();
-  double             largest = 0.;
+  ClosedSide         side;
+  side.group = group_;
+  side.stiffness.resize(flanks.n_nodes());
   for (unsigned int c = 0; c < n_columns; ++c)
-    for (unsigned int k = 0; k < n_layers; ++k)
+    for (unsigned int layer = 0; layer < n_layers; ++layer)
       {
         const double length = half_width(c, n_columns, [&](const unsigned int i) {
           return (column_[i + 1] - column_[i]).norm();
         });
         const double height =
-            half_width(k, n_layers, [&](const unsigned int i) { return z_[i + 1] - z_[i]; });
-        // the other half of a node between two sectors is in the next one
-        const double mass =
-            (c == 0 || c + 1 == n_columns ? 2. : 1.) * flanks.nodes.mass[node(c, k)];
-        largest = std::max(largest,
-                           81. / 64. * stiffness * std::max(length, beside) *
-                               std::max(height, spacing) / mass);
+            half_width(layer, n_layers, [&](const unsigned int i) { return z_[i + 1] - z_[i]; });
+        // a node between two sectors has half of its mass and of its springs in each
+        const double half = c == 0 || c + 1 == n_columns ? 0.5 : 1.;
+        const double k =
+            half * 81. / 64. * stiffness * std::max(length, beside) * std::max(height, spacing);
+        side.stiffness[node(c, layer)] = k;
+        side.eigenvalue = std::max(side.eigenvalue, k / flanks.nodes.mass[node(c, layer)]);
       }
-  return largest;
+  return side;
 }
 } // namespace chaindrive::contact

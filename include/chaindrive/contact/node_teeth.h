@@ -24,12 +24,11 @@ class NodeTeeth : public Teeth
 public:
   NodeTeeth(const scene::ToothFamily &scene, const World &world, bool search_every_step);
 
-  void   search(const World &world, double reach) override;
-  void   add_forces(World &world, double dt) override;
-  void   add_springs(const World &, std::vector<Spring> &) const override {}
-  double largest_node_eigenvalue(const World &world) const override;
+  void search(const World &world, double reach) override;
+  void add_forces(World &world, double dt) override;
+  void add_springs(const World &, std::vector<Spring> &) const override {}
 
-  std::vector<unsigned int> node_groups() const override;
+  std::vector<ClosedPair> closed_pairs(const World &world) const override;
 
   unsigned long n_missed() const override { return n_missed_; }
 

@@ -47,13 +47,13 @@ public:
   /// Adds a force @p f [N] on the flank there.
   void add_force(World &world, const Foot &foot, const dealii::Tensor<1, 3> &f) const;
 
-  /// Largest eigenvalue [1/s2] of the flank's nodes on springs of @p stiffness [N/m3] of the
-  /// @p slaves, nodes of copies @p of_slaves, wherever these touch. The sum of a hat of half width
-  /// L at points of spacing a is at most 9/8 max(L, a) / a.
-  double largest_eigenvalue(double                    stiffness,
-                            const Copies             &flanks,
-                            const mesh::SurfaceNodes &slaves,
-                            const Copies             &of_slaves) const;
+  /// The flank's nodes on springs of @p stiffness [N/m3] of the @p slaves, nodes of copies @p
+  /// of_slaves, wherever these touch. The sum of a hat of half width L at points of spacing a is at
+  /// most 9/8 max(L, a) / a.
+  ClosedSide closed_side(double                    stiffness,
+                         const Copies             &flanks,
+                         const mesh::SurfaceNodes &slaves,
+                         const Copies             &of_slaves) const;
 
   unsigned int group() const { return group_; } ///< of the sectors in World::copies
 
