@@ -99,7 +99,7 @@ int main()
         Case{"three, damped", 3, 1e14, {1., tau, 0., 0., 0.}},
         Case{"three, damped, friction", 3, 1e14, {1., tau, 0.3, 0.8, tau}},
         Case{"three, ten times as stiff", 3, 1e15, {1., 0., 0., 0., 0.}},
-        Case{"one, ten times as stiff, damped", 1, 1e15, {1., 0.1 * tau, 0.3, 0.8, 0.1 * tau}}})
+        Case{"one, ten times as stiff, damped", 1, 1e15, {1., 0.1 * tau, 0., 0., 0.}}})
     {
       const double share = blow_up(make_scene(c.wall, c.stiffness, c.shape));
       verdict(c.name + ": bounded at 0.98 of the limit", share > 0.99);
