@@ -121,8 +121,8 @@ dealii::Tensor<1, 3> NodeTeeth::flank_velocity(const World                &world
 
 void NodeTeeth::add_forces(World &world, const double dt)
 {
+  before_ = now_;
   now_ += dt;
-  ++evaluation_;
   for (const unsigned int i : own_)
     add_roller_forces(world, i, dt);
 }
@@ -146,7 +146,7 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
           record.gap = std::min(record.gap, node.gap);
           continue;
         }
-      const bool                 left_alone = node.due >= 0. && node.visited + 1 < evaluation_;
+      const bool                 left_alone = node.due >= 0. && node.visited < before_;
       const dealii::Tensor<1, 3> x          = value(copies.position, i, s);
       const double               share      = cover(hub, x, s) * surface_->area[s];
       const Touch                touch      = this->touch(world, i, s, x, foot);
@@ -155,7 +155,7 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
       const scene::Law law    = law_.times(share);
       node.gap                = share > 0. ? touch.gap : std::numeric_limits<double>::max();
       node.due                = now_;
-      node.visited            = evaluation_;
+      node.visited            = now_;
       record.gap              = std::min(record.gap, node.gap);
       if (touch.gap >= 0. || share == 0.)
         {

@@ -68,7 +68,7 @@ private:
     double       gap     = std::numeric_limits<double>::max(); ///< when it was last visited, m
     double       due     = -1.; ///< when it must be visited again, s; negative: for the first time
     unsigned int hint    = mesh::Projection::no_facet; ///< facet met last
-    unsigned int visited = 0; ///< number of the evaluation, see evaluation_
+    double       visited = 0.;                         ///< when, s
   };
 
   Node &node(const unsigned int i, const unsigned int s)
@@ -85,8 +85,7 @@ private:
   std::vector<unsigned int>                 own_;    ///< those near that this rank owns
   std::vector<Node>                         nodes_;  ///< [slave][node of the surface]
   bool                                      every_step_;
-  double                                    now_        = 0.; ///< sum of all steps, s
-  unsigned int                              evaluation_ = 0;  ///< number of calls of add_forces()
-  unsigned long                             n_missed_   = 0;
+  double        now_ = 0., before_ = 0.; ///< sum of all steps, now and at the last evaluation, s
+  unsigned long n_missed_ = 0;
 };
 } // namespace chaindrive::contact
