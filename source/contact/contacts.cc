@@ -67,15 +67,13 @@ void Contacts::search_if_due(const World &world, const double dt)
 void Contacts::add_forces(World &world, const double dt)
 {
   world.place_followers(0.5 * dt);
-  for (Copies &copies : world.copies)
-    copies.fetch_ghosts();
+  Copies::fetch_ghosts(world.copies);
   if (needs_search_)
     search_if_due(world, dt);
   for (const auto &family : families_)
     if (family->is_dealt_out() || world.is_first_rank())
       family->add_forces(world, dt);
-  for (Copies &copies : world.copies)
-    copies.send_forces();
+  Copies::send_forces(world.copies);
   world.take_moments_of_followers();
 }
 

@@ -32,9 +32,15 @@ struct Held
 double step_of(const double a, const double b) { return 4. / (b + std::sqrt(b * b + 4. * a)); }
 
 /// t of closed_contact.h from the largest eigenvalues of the elements and of the springs of the
-/// bodies on either side: e0 + (1 + t) c0 = e1 + (1 + 1/t) c1.
-double ratio(const double e0, const double c0, const double e1, const double c1)
+/// bodies on either side: e0 + (1 + t) c0 = e1 + (1 + 1/t) c1. The fastest mode of a body's
+/// elements is spread over all of them; springs of its surface add about a quarter of their own to
+/// it.
+double ratio(const double e0, double c0, const double e1, double c1)
 {
+  const auto felt = [](const double e, const double c) {
+    return c > 0. ? c * (c + 0.25 * e) / (c + e) : 0.;
+  };
+  (e0 > e1 ? c0 : c1) = e0 > e1 ? felt(e0, c0) : felt(e1, c1);
   const double half = 0.5 * (e0 + c0 - e1 - c1), root = std::sqrt(half * half + c0 * c1);
   return half > 0. ? c1 / (half + root) : (root - half) / c0;
 }

@@ -109,18 +109,34 @@ void Copies::make_ghosts()
     }
 }
 
-void Copies::fetch_ghosts()
-{
-  if (first_batch_.size() == 2)
-    return;
-  position.update_ghost_values();
-  velocity.update_ghost_values();
-}
-
 void Copies::send_forces()
 {
-  if (first_batch_.size() > 2)
+  if (first_batch_.size() > 2) // more than one rank
     force.compress(dealii::VectorOperation::add);
+}
+
+void Copies::fetch_ghosts(std::vector<Copies> &copies)
+{
+  unsigned int channel = 0;
+  for (Copies &c : copies)
+    if (c.first_batch_.size() > 2)
+      for (const Vector *vector : {&c.position, &c.velocity})
+        vector->update_ghost_values_start(channel++);
+  for (Copies &c : copies)
+    if (c.first_batch_.size() > 2)
+      for (const Vector *vector : {&c.position, &c.velocity})
+        vector->update_ghost_values_finish();
+}
+
+void Copies::send_forces(std::vector<Copies> &copies)
+{
+  unsigned int channel = 0;
+  for (Copies &c : copies)
+    if (c.first_batch_.size() > 2)
+      c.force.compress_start(channel++, dealii::VectorOperation::add);
+  for (Copies &c : copies)
+    if (c.first_batch_.size() > 2)
+      c.force.compress_finish(dealii::VectorOperation::add);
 }
 
 std::size_t Copies::memory_consumption() const
