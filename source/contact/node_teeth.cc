@@ -55,7 +55,7 @@ NodeTeeth::NodeTeeth(const scene::ToothFamily &scene,
       *copies.part, copies.nodes, static_cast<mesh::Surface>(scene.slave_surface));
   extent_ = extents(copies.nodes, surface_->node);
   if (const Rim *rim = world.rim_of(scene.sprocket))
-    flanks_ = std::make_unique<ToothSurface>(scene_, world, *rim);
+    flanks_ = make_flanks(scene_, world, *rim);
   for (const scene::SlavePoint &slave : scene.slaves)
     {
       copy_.push_back(world.places[slave.body].copy);
@@ -107,7 +107,7 @@ Touch NodeTeeth::touch(const World                &world,
                        const unsigned int          i,
                        const unsigned int          s,
                        const dealii::Tensor<1, 3> &x,
-                       ToothSurface::Foot         &foot)
+                       Flanks::Foot         &foot)
 {
   if (flanks_)
     return flanks_->touch(world, x, 2. * reach, hint(i, s), foot);
@@ -117,7 +117,7 @@ Touch NodeTeeth::touch(const World                &world,
 void NodeTeeth::search_nodes(const World &world)
 {
   const Frame              &hub = world.frames[scene_.sprocket];
-  ToothSurface::Foot        foot;
+  Flanks::Foot        foot;
   std::vector<unsigned int> found;
   for (const unsigned int i : own_)
     {
@@ -156,7 +156,7 @@ void NodeTeeth::add_forces(World &world, const double dt)
 void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const double dt)
 {
   Copies            &copies = world.copies[group_];
-  ToothSurface::Foot foot;
+  Flanks::Foot foot;
 
   const Frame &hub    = world.frames[scene_.sprocket];
   Record      &record = records_[i];

@@ -181,11 +181,6 @@ void check_model(const Parameters &p, Findings &findings)
       !full && p.model.elastic_sprockets == "on",
       "Model/Elastic sprockets = on contradicts Model/Fidelity = " + p.model.fidelity +
           ", in which no body is elastic; choose auto or off.");
-  findings.contradiction(
-      full && p.model.elastic_sprockets == "on" &&
-          !(p.drive.sprockets.driver_mesh.empty() && p.drive.sprockets.driven_mesh.empty()),
-      "Model/Elastic sprockets = on contradicts Drive/Sprockets/Driver mesh and Driven mesh: "
-      "imported sprockets are rigid; choose auto or off.");
   const bool arriving = p.model.elastic_links == "arriving";
   findings.contradiction(
       arriving && !full,

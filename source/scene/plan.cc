@@ -2,6 +2,7 @@
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/mesh/sector.h>
 #include <chaindrive/scene/plan.h>
+#include <chaindrive/utilities/pack.h>
 #include <chaindrive/utilities/text.h>
 
 #include <iomanip>
@@ -65,10 +66,21 @@ std::string motion_of(const Body &body)
 std::pair<unsigned int, unsigned int> size_of(const Scene &scene, const Kind kind)
 {
   const auto         sector = scene.sectors.find(kind);
-  const bool         cyclic = sector != scene.sectors.end();
-  const mesh::Part  &part   = cyclic ? *sector->second->part : *scene.parts.at(kind);
-  const unsigned int n      = cyclic ? sector->second->n_sectors : 1;
+  const bool         is_rim = sector != scene.sectors.end();
+  const mesh::Part  &part   = is_rim ? *sector->second->part : *scene.parts.at(kind);
+  const unsigned int n      = is_rim ? sector->second->n_sectors : 1;
   return {n * part.mesh->n_active_cells(), n * part.mesh->n_used_vertices()};
+}
+
+/// Lanes that are computed for each copy of the sector of a sprocket, those left empty included; 1
+/// for other bodies, which are many.
+double lanes_per_copy(const Scene &scene, const Kind kind)
+{
+  const auto sector = scene.sectors.find(kind);
+  if (sector == scene.sectors.end())
+    return 1.;
+  const unsigned int n = sector->second->n_sectors;
+  return double((n + n_lanes - 1) / n_lanes * n_lanes) / n;
 }
 
 std::string law_text(const Law &law, const bool elastic)
@@ -94,7 +106,7 @@ double step_cost(const Scene &scene)
         cost += cost_of_rigid;
         break;
       case Motion::elastic:
-        cost += cost_of_element * size_of(scene, body.kind).first;
+        cost += cost_of_element * lanes_per_copy(scene, body.kind) * size_of(scene, body.kind).first;
         break;
       }
   for (const BoreFamily &bores : scene.bores)
