@@ -35,7 +35,11 @@ Touch FacetFlanks::touch(const World                &world,
   const mesh::Projection nearest =
       family_.facets->closest_point(dealii::Point<3>(X[0], X[1], z), within, hint);
   if (!nearest.found)
-    return {};
+    {
+      foot         = Foot(); // far away it moves with the hub
+      foot.arm     = x - hub.position;
+      return {};
+    }
   hint         = nearest.facet;
   foot.weights = nearest.weights;
   std::array<dealii::Tensor<1, 3>, 4> reference;
@@ -75,13 +79,12 @@ Touch FacetFlanks::touch(const World                &world,
   return touch;
 }
 
-double FacetFlanks::largest_eigenvalue(const double              stiffness,
-                                       const Copies             &flanks,
-                                       const mesh::SurfaceNodes &slaves,
-                                       const Copies             &of_slaves) const
+ClosedSide FacetFlanks::closed_side(const double              stiffness,
+                                    const Copies             &flanks,
+                                    const mesh::SurfaceNodes &slaves,
+                                    const Copies             &of_slaves) const
 {
   // the part of the axis that a node's facets cover
-  const mesh::SurfaceNodes           side(*flanks.part, flanks.nodes, mesh::tooth_flanks);
   std::vector<std::array<double, 2>> reach(flanks.n_nodes(), {{1e300, -1e300}});
   for (unsigned int f = 0; f < family_.facets->n_facets(); ++f)
     for (const unsigned int v : family_.facets->vertices(f))
@@ -92,16 +95,20 @@ double FacetFlanks::largest_eigenvalue(const double              stiffness,
           high              = std::max(high, position_[w][2]);
         }
 
-  const Share slave   = largest_share(slaves, of_slaves);
-  double      largest = 0.;
-  for (unsigned int s = 0; s < side.size(); ++s)
+  const mesh::SurfaceNodes nodes(*flanks.part, flanks.nodes, mesh::tooth_flanks);
+  const Share              slave = largest_share(slaves, of_slaves);
+  ClosedSide               side;
+  side.group = group_;
+  side.stiffness.resize(flanks.n_nodes());
+  for (unsigned int i = 0; i < nodes.size(); ++i)
     {
-      const unsigned int node = side.node[s];
+      const unsigned int node = nodes.node[i];
       const auto &[low, high] = reach[node];
-      const Share share(side.area[s], flanks.nodes.position[node][2], low, high);
-      largest =
-          std::max(largest, stiffness * carried_area(share, slave) / flanks.nodes.mass[node]);
+      const Share  share(nodes.area[i], flanks.nodes.position[node][2], low, high);
+      const double k       = stiffness * carried_area(share, slave);
+      side.stiffness[node] = k;
+      side.eigenvalue      = std::max(side.eigenvalue, k / flanks.nodes.mass[node]);
     }
-  return largest;
+  return side;
 }
 } // namespace chaindrive::contact

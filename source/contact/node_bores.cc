@@ -16,38 +16,41 @@ namespace
 constexpr double reach      = 8e-6; // m; larger: fewer searches but wider windows
 constexpr double unforeseen = 5.;   // m/s, of vibration: 100 MPa in a wave are 2.5 m/s
 
-/// Largest eigenvalue [1/s2] of the contact of one joint with all of its nodes closed: slave nodes
-/// on their springs, and master nodes that carry the springs of their share of the surface. Row
-/// sums of B^T M^-1 B, of which the two sides are separate addends. @p masters and @p slaves are
-/// groups of copies. The nodes of a rigid body have all of it to move: at the distance r from its
-/// centre a spring k adds at most k (1/m + r^2/I), I the smallest moment of inertia.
-double largest_eigenvalue(const mesh::CylinderGrid &bore,
-                          const mesh::CylinderGrid &cylinder,
-                          const SurfaceLaw         &law,
-                          const World              &world,
-                          const unsigned int        masters,
-                          const unsigned int        slaves)
+/// One side of a joint with all of its nodes closed: each node carries the springs of its share of
+/// the surface. The nodes of a rigid body have all of it to move: at the distance r from its centre
+/// a spring k adds at most k (1/m + r^2/I), I the smallest moment of inertia.
+ClosedSide closed_side(const mesh::CylinderGrid &grid,
+                       const double              stiffness,
+                       const World              &world,
+                       const unsigned int        group)
 {
-  const auto largest = [&world](const mesh::CylinderGrid &grid, const unsigned int group) {
-    const Copies &copies  = world.copies[group];
-    const bool    elastic = group < world.n_elastic_groups();
-    double        largest = 0., sum = 0., inertia = std::numeric_limits<double>::max();
-    for (const World::Rotation &rotation : world.rotations)
-      if (world.meshes[rotation.body].group == group)
-        for (unsigned int d = 0; d < 3; ++d)
-          inertia = std::min(inertia, rotation.inertia[d]);
-    for (unsigned int s = 0; s < grid.n_stations(); ++s)
-      for (unsigned int c = 0; c < grid.n_columns(); ++c)
-        {
-          const unsigned int node = copies.nodes.of_vertex[grid.vertex_at(s, c)];
-          const double       area = grid.area(s, c);
-          largest                 = std::max(largest, area / copies.nodes.mass[node]);
-          sum += area * (1. / world.mass[copies.bodies.front()] +
-                         dealii::Tensor<1, 3>(copies.nodes.position[node]).norm_square() / inertia);
-        }
-    return elastic ? largest : sum;
-  };
-  return law.stiffness * (largest(bore, masters) + largest(cylinder, slaves));
+  const Copies &copies  = world.copies[group];
+  double        inertia = std::numeric_limits<double>::max();
+  for (const World::Rotation &rotation : world.rotations)
+    if (world.meshes[rotation.body].group == group)
+      for (unsigned int d = 0; d < 3; ++d)
+        inertia = std::min(inertia, rotation.inertia[d]);
+
+  ClosedSide side;
+  side.group = group;
+  if (group < world.n_elastic_groups())
+    side.stiffness.resize(copies.n_nodes());
+  for (unsigned int s = 0; s < grid.n_stations(); ++s)
+    for (unsigned int c = 0; c < grid.n_columns(); ++c)
+      {
+        const unsigned int node = copies.nodes.of_vertex[grid.vertex_at(s, c)];
+        const double       k    = stiffness * grid.area(s, c);
+        if (side.stiffness.empty())
+          side.eigenvalue +=
+              k * (1. / world.mass[copies.bodies.front()] +
+                   dealii::Tensor<1, 3>(copies.nodes.position[node]).norm_square() / inertia);
+        else
+          {
+            side.stiffness[node] = k;
+            side.eigenvalue      = std::max(side.eigenvalue, k / copies.nodes.mass[node]);
+          }
+      }
+  return side;
 }
 
 JointBody body_at(Copies &copies, const std::size_t first, const std::vector<unsigned int> &nodes)
@@ -137,13 +140,12 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
       const mesh::CylinderGrid bore(*masters.part, static_cast<mesh::Surface>(master_surface));
       const mesh::CylinderGrid cylinder(*slaves.part, static_cast<mesh::Surface>(slave_surface));
 
-      node_groups_.insert(node_groups_.end(), {master_group, slave_group});
       Group group;
       group.tables       = std::make_unique<JointTables>(bore, cylinder);
       group.master_nodes = node_offsets(bore, masters.nodes.vertex);
       group.slave_nodes  = node_offsets(cylinder, slaves.nodes.vertex);
-      group.largest_eigenvalue =
-          largest_eigenvalue(bore, cylinder, law, world, master_group, slave_group);
+      group.closed       = {{closed_side(bore, law.stiffness, world, master_group),
+                             closed_side(cylinder, law.stiffness, world, slave_group)}};
 
       pairs.erase(std::remove_if(pairs.begin(),
                                  pairs.end(),
@@ -219,12 +221,13 @@ void NodeBores::add_forces(World &world, const double dt)
       }
 }
 
-double NodeBores::largest_node_eigenvalue(const World &) const
+std::vector<ClosedPair> NodeBores::closed_pairs(const World &) const
 {
-  double largest = 0.;
+  std::vector<ClosedPair> pairs;
+  pairs.reserve(groups_.size());
   for (const Group &group : groups_)
-    largest = std::max(largest, group.largest_eigenvalue);
-  return largest;
+    pairs.push_back(group.closed);
+  return pairs;
 }
 
 unsigned long NodeBores::n_missed() const

@@ -9,11 +9,8 @@ namespace chaindrive::contact
 {
 namespace
 {
-constexpr double reach = 100e-6; // m; larger: fewer searches but longer lists
-
-/// Nodes move relative to a tooth by the motion of their body, which is measured, and by spin and
-/// vibration: impacts of a roller drive reach a few m/s.
-constexpr double vibration = 10.; // m/s
+constexpr double within     = 200e-6; // m, how far facets of an imported mesh are looked for
+constexpr double unforeseen = 5.;     // m/s, of vibration: 100 MPa in a wave are 2.5 m/s
 
 /// How far the share of each node of a side reaches below and above it along z: half way to the
 /// next station of nodes, m.
@@ -60,20 +57,18 @@ NodeTeeth::NodeTeeth(const scene::ToothFamily &scene,
     {
       copy_.push_back(world.places[slave.body].copy);
       owner_.push_back(copies.owner_of(copy_.back()));
+      first_.push_back(copies.owns(copy_.back()) ? copies.index(copy_.back(), 0, 0) : 0);
     }
-  node_states_.resize(scene.slaves.size() * surface_->size());
-  hints_.assign(node_states_.size(), mesh::Projection::no_facet);
-  active_.resize(scene.slaves.size());
+  nodes_.resize(scene.slaves.size() * surface_->size());
 }
 
-dealii::Tensor<1, 3> NodeTeeth::value(const World          &world,
-                                      const Copies::Vector &from,
-                                      const unsigned int    i,
-                                      const unsigned int    s) const
+dealii::Tensor<1, 3>
+NodeTeeth::value(const Copies::Vector &from, const unsigned int i, const unsigned int s) const
 {
   dealii::Tensor<1, 3> v;
+  const std::size_t    place = first_[i] + std::size_t(3) * surface_->node[s] * n_lanes;
   for (unsigned int d = 0; d < 3; ++d)
-    v[d] = from.local_element(world.copies[group_].index(copy_[i], surface_->node[s], d));
+    v[d] = from.local_element(place + d * n_lanes);
   return v;
 }
 
@@ -85,17 +80,17 @@ double NodeTeeth::cover(const Frame &hub, const dealii::Tensor<1, 3> &x, const u
   return std::max(0., to - from) / (extent_[s][0] + extent_[s][1]);
 }
 
-void NodeTeeth::search(const World &world, const double roller_reach)
+void NodeTeeth::search(const World &world, const double reach)
 {
-  Teeth::search(world, roller_reach);
-  for (unsigned int i = 0; i < active_.size(); ++i)
-    if (!std::binary_search(near_.begin(), near_.end(), i))
-      active_[i].clear(); // far from every tooth
-  approach_ = reach;      // new rollers: look at their nodes
+  Teeth::search(world, reach);
   own_.clear();
-  for (const unsigned int i : near_)
-    if (world.copies[group_].owns(copy_[i]))
+  for (unsigned int i = 0; i < copy_.size(); ++i)
+    if (!world.copies[group_].owns(copy_[i]))
+      continue;
+    else if (std::binary_search(near_.begin(), near_.end(), i))
       own_.push_back(i);
+    else // far from every tooth: when it comes back it is a new one
+      std::fill_n(nodes_.begin() + i * surface_->size(), surface_->size(), Node());
 }
 
 bool NodeTeeth::within_reach(const unsigned int i) const
@@ -109,46 +104,25 @@ Touch NodeTeeth::touch(const World                &world,
                        const dealii::Tensor<1, 3> &x,
                        Flanks::Foot         &foot)
 {
+  unsigned int &hint = node(i, s).hint;
   if (flanks_)
-    return flanks_->touch(world, x, 2. * reach, hint(i, s), foot);
-  return touch_flanks(scene_, x, 0., 2. * reach, world.frames[scene_.sprocket], hint(i, s));
+    return flanks_->touch(world, x, within, hint, foot);
+  return touch_flanks(scene_, x, 0., within, world.frames[scene_.sprocket], hint);
 }
 
-void NodeTeeth::search_nodes(const World &world)
+dealii::Tensor<1, 3> NodeTeeth::flank_velocity(const World                &world,
+                                               const dealii::Tensor<1, 3> &x,
+                                               const Flanks::Foot   &foot,
+                                               const double                dt) const
 {
-  const Frame              &hub = world.frames[scene_.sprocket];
-  Flanks::Foot        foot;
-  std::vector<unsigned int> found;
-  for (const unsigned int i : own_)
-    {
-      found.clear();
-      const bool looked_at = records_[i].gap < std::numeric_limits<double>::max();
-      for (unsigned int s = 0; s < surface_->size(); ++s)
-        {
-          const dealii::Tensor<1, 3> x   = value(world, world.copies[group_].position, i, s);
-          const double               gap = touch(world, i, s, x, foot).gap;
-          if (gap < reach)
-            found.push_back(s);
-          if (gap < 0. && looked_at && cover(hub, x, s) > 0. &&
-              !std::binary_search(active_[i].begin(), active_[i].end(), s))
-            ++n_missed_;
-        }
-      active_[i].swap(found);
-    }
-  approach_ = 0.;
+  // nodal velocities are the secants of the step: the sprocket's point goes along its own
+  return flanks_ ? flanks_->velocity(world, foot) : world.velocity_at(scene_.sprocket, x, 0.5 * dt);
 }
 
 void NodeTeeth::add_forces(World &world, const double dt)
 {
-  const Frame &hub = world.frames[scene_.sprocket];
-
-  double fastest = 0.;
-  for (const unsigned int i : near_)
-    fastest = std::max(fastest, world.frames[scene_.slaves[i].body].velocity.norm());
-  approach_ += (fastest + hub.angular_velocity.norm() * scene_.outer_radius + vibration) * dt;
-  if (every_step_ || approach_ >= reach)
-    search_nodes(world);
-
+  before_ = now_;
+  now_ += dt;
   for (const unsigned int i : own_)
     add_roller_forces(world, i, dt);
 }
@@ -164,30 +138,41 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
   record.force        = dealii::Tensor<1, 3>();
   dealii::Tensor<1, 3> resultant; // of the normal forces
   double               normal_force = 0., power = 0.;
-  for (const unsigned int s : active_[i])
+  for (unsigned int s = 0; s < surface_->size(); ++s)
     {
-      const dealii::Tensor<1, 3> x     = value(world, copies.position, i, s);
-      const double               share = cover(hub, x, s) * surface_->area[s];
-      const Touch                touch = this->touch(world, i, s, x, foot);
+      Node &node = this->node(i, s);
+      if (node.due > now_ && !every_step_)
+        {
+          record.gap = std::min(record.gap, node.gap);
+          continue;
+        }
+      const bool                 left_alone = node.due >= 0. && node.visited < before_;
+      const dealii::Tensor<1, 3> x          = value(copies.position, i, s);
+      const double               share      = cover(hub, x, s) * surface_->area[s];
+      const Touch                touch      = this->touch(world, i, s, x, foot);
 
-      TouchState      &memory = state(i, s);
+      TouchState      &memory = node.touch;
       const scene::Law law    = law_.times(share);
-      if (share > 0.)
-        record.gap = std::min(record.gap, touch.gap);
+      node.gap                = share > 0. ? touch.gap : std::numeric_limits<double>::max();
+      node.due                = now_;
+      node.visited            = now_;
+      record.gap              = std::min(record.gap, node.gap);
       if (touch.gap >= 0. || share == 0.)
         {
           if (memory.overlap >
               0.) // it has just come apart: let the law book what the spring gave back
             update_touch(
                 law, std::max(0., touch.gap), 0., dealii::Tensor<1, 2>(), dt, memory, world.ledger);
+          const double speed =
+              (value(copies.velocity, i, s) - flank_velocity(world, x, foot, dt)).norm();
+          node.due += std::clamp(touch.gap, 0., within) / (2. * speed + unforeseen);
           continue;
         }
+      if (left_alone)
+        ++n_missed_;
 
-      // Nodal velocities are the secants of the step: the sprocket's point goes along its own.
       const dealii::Tensor<1, 3> relative =
-          value(world, copies.velocity, i, s) -
-          (flanks_ ? flanks_->velocity(world, foot) :
-                     world.velocity_at(scene_.sprocket, x, 0.5 * dt));
+          value(copies.velocity, i, s) - flank_velocity(world, x, foot, dt);
       const double         gap_rate = relative * touch.normal;
       dealii::Tensor<1, 2> slip_rate;
       slip_rate[0] = relative * touch.along;
@@ -201,7 +186,7 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
       if (law.friction > 0.)
         force += memory.tangential[0] * touch.along + memory.tangential[1] * touch.across;
       for (unsigned int d = 0; d < 3; ++d)
-        copies.force.local_element(copies.index(copy_[i], surface_->node[s], d)) += force[d];
+        copies.force.local_element(first_[i] + (3 * surface_->node[s] + d) * n_lanes) += force[d];
       if (flanks_)
         flanks_->add_force(world, foot, -force);
       else
@@ -222,25 +207,23 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
     }
 }
 
-std::vector<unsigned int> NodeTeeth::node_groups() const
+std::vector<ClosedPair> NodeTeeth::closed_pairs(const World &world) const
 {
-  if (flanks_)
-    return {group_, flanks_->group()};
-  return {group_};
-}
-
-double NodeTeeth::largest_node_eigenvalue(const World &world) const
-{
-  // a rigid sprocket is heavy beside a node: each node on its own spring
-  const Copies &copies  = world.copies[group_];
-  double        largest = 0.;
+  const Copies &copies = world.copies[group_];
+  ClosedPair    pair;
+  ClosedSide   &roller = pair[1];
+  roller.group         = group_;
+  roller.stiffness.resize(copies.n_nodes());
   for (unsigned int s = 0; s < surface_->size(); ++s)
-    largest = std::max(largest,
-                       law_.stiffness * surface_->area[s] / copies.nodes.mass[surface_->node[s]]);
-  // the two sides are separate addends of B^T M^-1 B
-  if (flanks_)
-    largest += flanks_->largest_eigenvalue(
+    {
+      const unsigned int node = surface_->node[s];
+      const double       k    = law_.stiffness * surface_->area[s];
+      roller.stiffness[node]  = k;
+      roller.eigenvalue       = std::max(roller.eigenvalue, k / copies.nodes.mass[node]);
+    }
+  if (flanks_) // a rigid sprocket is heavy beside a node: each node on its own spring
+    pair[0] = flanks_->closed_side(
         law_.stiffness, world.copies[world.rim_of(scene_.sprocket)->group], *surface_, copies);
-  return largest;
+  return {pair};
 }
 } // namespace chaindrive::contact

@@ -138,29 +138,31 @@ Touch ToothSurface::touch(const World                &world,
   return touch;
 }
 
-double ToothSurface::largest_eigenvalue(const double              stiffness,
-                                        const Copies             &flanks,
-                                        const mesh::SurfaceNodes &slaves,
-                                        const Copies             &of_slaves) const
+ClosedSide ToothSurface::closed_side(const double              stiffness,
+                                     const Copies             &flanks,
+                                     const mesh::SurfaceNodes &slaves,
+                                     const Copies             &of_slaves) const
 {
-  const Share        slave = largest_share(slaves, of_slaves);
+  const Share        slave     = largest_share(slaves, of_slaves);
   const unsigned int n_columns = column_.size(), n_layers = z_.size();
-  double             largest = 0.;
+  ClosedSide         side;
+  side.group = group_;
+  side.stiffness.resize(flanks.n_nodes());
   for (unsigned int c = 0; c < n_columns; ++c)
-    for (unsigned int k = 0; k < n_layers; ++k)
+    for (unsigned int layer = 0; layer < n_layers; ++layer)
       {
-        const double length = half_width(c, n_columns, [&](const unsigned int i) {
+        Share share;
+        share.beside = half_width(c, n_columns, [&](const unsigned int i) {
           return (column_[i + 1] - column_[i]).norm();
         });
-        const double height =
-            half_width(k, n_layers, [&](const unsigned int i) { return z_[i + 1] - z_[i]; });
-        // the other half of a node between two sectors is in the next one
-        const double mass =
-            (c == 0 || c + 1 == n_columns ? 2. : 1.) * flanks.nodes.mass[node(c, k)];
-        largest = std::max(largest,
-                           81. / 64. * stiffness * std::max(length, slave.beside) *
-                               std::max(height, slave.along) / mass);
+        share.along =
+            half_width(layer, n_layers, [&](const unsigned int i) { return z_[i + 1] - z_[i]; });
+        // a node between two sectors has half of its mass and of its springs in each
+        const double half = c == 0 || c + 1 == n_columns ? 0.5 : 1.;
+        const double k    = half * stiffness * carried_area(share, slave);
+        side.stiffness[node(c, layer)] = k;
+        side.eigenvalue = std::max(side.eigenvalue, k / flanks.nodes.mass[node(c, layer)]);
       }
-  return largest;
+  return side;
 }
 } // namespace chaindrive::contact

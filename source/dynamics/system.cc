@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/dynamics/closed_contact.h>
 #include <chaindrive/dynamics/newmark.h>
 #include <chaindrive/dynamics/system.h>
 #include <chaindrive/parameters/parameters.h>
@@ -88,8 +89,8 @@ std::vector<StepVote> System::votes() const
     {
       springs.clear();
       family->add_springs(world, springs);
-      const double nodes = family->largest_node_eigenvalue(world);
-      const double limit = nodes > 0. ? node_step(*family, 0.) : stable_step(world, springs);
+      const double limit =
+          std::min(stable_step(world, springs), closed_contact_step(world, *family));
       // families of rigid and of elastic bodies share a name
       const auto same = std::find_if(votes.begin(), votes.end(), [&](const StepVote &vote) {
         return vote.voter == family->name();
@@ -102,16 +103,6 @@ std::vector<StepVote> System::votes() const
   return votes;
 }
 
-double System::node_step(const contact::Family &family, const double element_eigenvalue) const
-{
-  // The largest eigenvalue of a sum of stiffnesses is at most the sum of the largest ones (Weyl);
-  // of the damping matrix, c/k times the stiffness of the contact, the same bound.
-  const double contact   = family.largest_node_eigenvalue(world);
-  const double frequency = std::sqrt(element_eigenvalue + contact);
-  const double ratio = 0.5 * family.law().damping / family.law().stiffness * contact / frequency;
-  return stable_step_of_mode(frequency, ratio);
-}
-
 double System::stable_step_limit() const
 {
   std::vector<Spring> springs;
@@ -119,19 +110,9 @@ double System::stable_step_limit() const
   contacts.add_springs(world, springs);
   double limit = stable_step(world, springs);
 
-  std::vector<double> elements; // largest eigenvalue of each group of elastic bodies
   for (const auto &part : elastic.limits())
-    {
-      limit = std::min(limit, part.step);
-      elements.push_back(4. / (part.step * part.step));
-    }
-  elements.resize(world.copies.size(), 0.); // meshes of rigid bodies
-  // Weyl's bound body by body: families meet different nodes of a body, so that their eigenvalues
-  // do not add up, and each leaves out the bodies that it does not meet.
-  for (const auto &family : contacts.families())
-    for (const unsigned int group : family->node_groups())
-      limit = std::min(limit, node_step(*family, elements[group]));
-  return limit;
+    limit = std::min(limit, part.step);
+  return closed_contact_step(world, elastic, contacts, limit);
 }
 
 std::size_t System::memory_consumption() const

@@ -465,13 +465,16 @@ void Reference::assemble(dealii::SparsityPattern      &pattern,
     matrix.add(unknowns(vertices[e]), element_stiffness(e));
 }
 
-double Reference::largest_frequency() const
+double Reference::largest_frequency(const std::vector<double> &springs) const
 {
   dealii::SparsityPattern      pattern;
   dealii::SparseMatrix<double> matrix;
   assemble(pattern, matrix);
 
-  const unsigned int     n = 3 * n_nodes();
+  const unsigned int n = 3 * n_nodes();
+  for (unsigned int i = 0; i < n && !springs.empty(); ++i)
+    matrix.diag_element(i) += springs[i / 3];
+
   dealii::Vector<double> scale(n), before(n), here(n), product(n);
   for (unsigned int i = 0; i < n; ++i)
     {

@@ -24,8 +24,9 @@ dealii::Tensor<1, 3> angular_momentum(const Frame &frame, const dealii::Tensor<1
 }
 
 /// Deals @p n_batches[g] equal batches of each group g, whose elements are @p n_elements[g] each,
-/// out to @p n_ranks ranks in turn: what does not go up goes to those that have least so far.
-/// Returns per group the first batch of each rank, and the number of batches.
+/// out to @p n_ranks ranks in turn: what does not go up goes to those that have least so far, the
+/// last of them, since the first rank has results to take care of. Returns per group the first
+/// batch of each rank, and the number of batches.
 std::vector<std::vector<unsigned int>> deal(const std::vector<unsigned int> &n_batches,
                                             const std::vector<unsigned int> &n_elements,
                                             const unsigned int               n_ranks)
@@ -39,7 +40,7 @@ std::vector<std::vector<unsigned int>> deal(const std::vector<unsigned int> &n_b
         {
           unsigned int least = 0;
           for (unsigned int r = 1; r < n_ranks; ++r)
-            if (load[r] + count[r] * double(n_elements[g]) <
+            if (load[r] + count[r] * double(n_elements[g]) <=
                 load[least] + count[least] * double(n_elements[g]))
               least = r;
           ++count[least];

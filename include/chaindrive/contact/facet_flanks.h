@@ -20,10 +20,10 @@ public:
               unsigned int               &hint,
               Foot                       &foot) const override;
 
-  double largest_eigenvalue(double                    stiffness,
-                            const Copies             &flanks,
-                            const mesh::SurfaceNodes &slaves,
-                            const Copies             &of_slaves) const override;
+  ClosedSide closed_side(double                    stiffness,
+                         const Copies             &flanks,
+                         const mesh::SurfaceNodes &slaves,
+                         const Copies             &of_slaves) const override;
 
 private:
   /// By vertices of the mesh; those that are not on the flanks have none.

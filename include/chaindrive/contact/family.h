@@ -6,6 +6,7 @@
 #include <chaindrive/world/spring.h>
 #include <chaindrive/world/world.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,20 @@ struct Record
   double               peak         = 0.; ///< largest normal force since clear_peaks(), N
 };
 
+/// What the contact of elastic nodes, all of it held closed, is to one of its two sides: springs
+/// between each node and a ground, if the other side stood still.
+struct ClosedSide
+{
+  static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+  unsigned int        group = none;    ///< of the bodies in World::copies; none: without nodes
+  std::vector<double> stiffness;       ///< per node of an elastic body, N/m; empty: a rigid one
+  double              eigenvalue = 0.; ///< largest of the springs and the masses alone, 1/s2
+};
+
+/// The two sides of all pairs of one kind.
+using ClosedPair = std::array<ClosedSide, 2>;
+
 /// All interfaces of one kind: search -> geometry -> law for each of its pairs.
 class Family
 {
@@ -41,12 +56,9 @@ public:
   /// that the search has left out do not count.
   virtual void add_springs(const World &world, std::vector<Spring> &springs) const = 0;
 
-  /// Largest eigenvalue [1/s2] that the contact of elastic nodes, held closed, can add to the
-  /// squared frequencies of their bodies; 0 for rigid and lumped slaves, whose springs are above.
-  virtual double largest_node_eigenvalue(const World &) const { return 0.; }
-
-  /// The elastic bodies that have those nodes, by their groups in World::copies.
-  virtual std::vector<unsigned int> node_groups() const { return {}; }
+  /// The contact of elastic nodes, held closed, for the stable step; none for rigid and lumped
+  /// slaves, whose springs are above.
+  virtual std::vector<ClosedPair> closed_pairs(const World &) const { return {}; }
 
   /// Nodes that a search found to overlap without having been looked at before; there must be none.
   virtual unsigned long n_missed() const { return 0; }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <chaindrive/contact/carried_area.h>
-#include <chaindrive/contact/geometry.h>
+#include <chaindrive/contact/family.h>
 #include <chaindrive/mesh/surface_nodes.h>
 #include <chaindrive/world/world.h>
 
@@ -47,12 +47,12 @@ public:
   /// Adds a force @p f [N] on the flank there.
   void add_force(World &world, const Foot &foot, const dealii::Tensor<1, 3> &f) const;
 
-  /// Largest eigenvalue [1/s2] of the flank's nodes on springs of @p stiffness [N/m3] of the
-  /// @p slaves, nodes of copies @p of_slaves, wherever these touch: see carried_area().
-  virtual double largest_eigenvalue(double                    stiffness,
-                                    const Copies             &flanks,
-                                    const mesh::SurfaceNodes &slaves,
-                                    const Copies             &of_slaves) const = 0;
+  /// The flank's nodes on springs of @p stiffness [N/m3] of the @p slaves, nodes of copies @p
+  /// of_slaves, wherever these touch: see carried_area().
+  virtual ClosedSide closed_side(double                    stiffness,
+                                 const Copies             &flanks,
+                                 const mesh::SurfaceNodes &slaves,
+                                 const Copies             &of_slaves) const = 0;
 
   unsigned int group() const { return group_; } ///< of the sectors in World::copies
 

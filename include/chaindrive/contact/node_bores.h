@@ -22,13 +22,12 @@ public:
   /// Makes ghosts in @p world of the nodes of cylinders whose bores this rank owns.
   static void want_ghosts(const scene::BoreFamily &scene, World &world);
 
-  void   search(const World &, double) override {}
-  void   add_forces(World &world, double dt) override;
-  void   add_springs(const World &, std::vector<Spring> &) const override {}
-  bool   needs_search() const override { return false; }
-  double largest_node_eigenvalue(const World &world) const override;
+  void search(const World &, double) override {}
+  void add_forces(World &world, double dt) override;
+  void add_springs(const World &, std::vector<Spring> &) const override {}
+  bool needs_search() const override { return false; }
 
-  std::vector<unsigned int> node_groups() const override { return node_groups_; }
+  std::vector<ClosedPair> closed_pairs(const World &world) const override;
 
   unsigned long n_missed() const override;
 
@@ -40,12 +39,11 @@ private:
     std::vector<unsigned int>                         master_nodes, slave_nodes; ///< node_offsets()
     std::map<unsigned int, std::vector<unsigned int>> ghost_nodes; ///< same, of batches of others
     std::vector<std::unique_ptr<JointBatch>>          batches;
-    std::vector<unsigned int> pairs;              ///< of this rank, in the order of the lanes
-    double                    largest_eigenvalue; ///< of one joint, 1/s2
+    std::vector<unsigned int> pairs;  ///< of this rank, in the order of the lanes
+    ClosedPair                closed; ///< bore and cylinder
   };
 
-  std::vector<Group>        groups_;
-  std::vector<unsigned int> node_groups_;
-  bool                      every_step_;
+  std::vector<Group> groups_;
+  bool               every_step_;
 };
 } // namespace chaindrive::contact

@@ -3,6 +3,7 @@
 
 #include <chaindrive/contact/family.h>
 #include <chaindrive/contact/flanks.h>
+#include <chaindrive/mesh/facet_surface.h>
 #include <chaindrive/mesh/surface_nodes.h>
 
 #include <array>
@@ -16,20 +17,20 @@ namespace chaindrive::contact
 /// that lies over the tooth's width. There is one record per roller, with the sum of its nodes'
 /// forces.
 ///
-/// Rollers near the sprocket are found as for rigid ones. Of their nodes only those closer to a
-/// flank than a reach are visited; the list is made anew before the nodes can have come nearer by
-/// that reach, and a node that touches without having been on it is counted as missed.
+/// Rollers near the sprocket are found as for rigid ones. A node of theirs that does not touch is
+/// left alone until its gap may have closed: at twice the speed that it has relative to the tooth,
+/// plus a speed for what bodies do meanwhile (vibration, and impacts that turn them round). A node
+/// that is found to touch after it has been left alone is counted as missed.
 class NodeTeeth : public Teeth
 {
 public:
   NodeTeeth(const scene::ToothFamily &scene, const World &world, bool search_every_step);
 
-  void   search(const World &world, double reach) override;
-  void   add_forces(World &world, double dt) override;
-  void   add_springs(const World &, std::vector<Spring> &) const override {}
-  double largest_node_eigenvalue(const World &world) const override;
+  void search(const World &world, double reach) override;
+  void add_forces(World &world, double dt) override;
+  void add_springs(const World &, std::vector<Spring> &) const override {}
 
-  std::vector<unsigned int> node_groups() const override;
+  std::vector<ClosedPair> closed_pairs(const World &world) const override;
 
   unsigned long n_missed() const override { return n_missed_; }
 
@@ -37,9 +38,6 @@ protected:
   bool within_reach(unsigned int i) const override;
 
 private:
-  /// Lists the nodes within reach of each roller that is near.
-  void search_nodes(const World &world);
-
   /// The contact of node @p s of slave @p i at @p x [m, world]; @p foot of an elastic rim only.
   Touch touch(const World                &world,
               unsigned int                i,
@@ -55,17 +53,27 @@ private:
   double cover(const Frame &hub, const dealii::Tensor<1, 3> &x, unsigned int s) const;
 
   /// Current position or velocity of the surface's node number @p s of slave @p i.
-  dealii::Tensor<1, 3>
-  value(const World &world, const Copies::Vector &from, unsigned int i, unsigned int s) const;
+  dealii::Tensor<1, 3> value(const Copies::Vector &from, unsigned int i, unsigned int s) const;
 
-  TouchState &state(const unsigned int i, const unsigned int s)
-  {
-    return node_states_[i * surface_->size() + s];
-  }
+  /// Velocity [m/s] of the flank at @p x and @p foot.
+  dealii::Tensor<1, 3> flank_velocity(const World                &world,
+                                      const dealii::Tensor<1, 3> &x,
+                                      const Flanks::Foot   &foot,
+                                      double                      dt) const;
 
-  unsigned int &hint(const unsigned int i, const unsigned int s)
+  /// What is kept of one node of one slave.
+  struct Node
   {
-    return hints_[i * surface_->size() + s];
+    TouchState   touch;
+    double       gap     = std::numeric_limits<double>::max(); ///< when it was last visited, m
+    double       due     = -1.; ///< when it must be visited again, s; negative: for the first time
+    unsigned int hint    = mesh::Projection::no_facet; ///< facet met last
+    double       visited = 0.;                         ///< when, s
+  };
+
+  Node &node(const unsigned int i, const unsigned int s)
+  {
+    return nodes_[i * surface_->size() + s];
   }
 
   unsigned int                              group_; ///< of the rollers in World::copies
@@ -73,12 +81,11 @@ private:
   std::unique_ptr<const Flanks>      flanks_; ///< of an elastic rim; null: rigid
   std::vector<std::array<double, 2>>        extent_; ///< of the nodes' shares along the axis, m
   std::vector<unsigned int>                 copy_;   ///< per slave
+  std::vector<std::size_t>                  first_;  ///< per slave of this rank, in the vectors
   std::vector<unsigned int>                 own_;    ///< those near that this rank owns
-  std::vector<TouchState>                   node_states_; ///< [slave][node of the surface]
-  std::vector<unsigned int>                 hints_;       ///< [slave][node]: facet met last
-  std::vector<std::vector<unsigned int>>    active_;      ///< per slave: nodes of the surface
+  std::vector<Node>                         nodes_;  ///< [slave][node of the surface]
   bool                                      every_step_;
-  double                                    approach_ = 0.; ///< since the nodes' search, m
-  unsigned long                             n_missed_ = 0;
+  double        now_ = 0., before_ = 0.; ///< sum of all steps, now and at the last evaluation, s
+  unsigned long n_missed_ = 0;
 };
 } // namespace chaindrive::contact

@@ -21,10 +21,10 @@ public:
               unsigned int               &hint,
               Foot                       &foot) const override;
 
-  double largest_eigenvalue(double                    stiffness,
-                            const Copies             &flanks,
-                            const mesh::SurfaceNodes &slaves,
-                            const Copies             &of_slaves) const override;
+  ClosedSide closed_side(double                    stiffness,
+                         const Copies             &flanks,
+                         const mesh::SurfaceNodes &slaves,
+                         const Copies             &of_slaves) const override;
 
 private:
   /// Where the x component of a node stands in the vectors of the copies.

@@ -44,10 +44,6 @@ public:
   PhaseTimer        timer; ///< loads count as time integration
 
 private:
-  /// The stable step [s] of elastic bodies whose elements' largest eigenvalue is given [1/s2], with
-  /// the nodes of @p family held closed.
-  double node_step(const contact::Family &family, double element_eigenvalue) const;
-
   /// Books the kinetic energy of rigid and lumped bodies at full steps.
   void close_ledger();
 

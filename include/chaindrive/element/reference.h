@@ -56,8 +56,9 @@ public:
   dealii::FullMatrix<double> element_stiffness(unsigned int e) const;
 
   /// Largest natural frequency [rad/s] of the free part at small amplitudes: the largest Ritz value
-  /// of 400 steps of Lanczos' method, less than one in a thousand too small.
-  double largest_frequency() const;
+  /// of 400 steps of Lanczos' method, less than one in a thousand too small. @p springs [N/m], if
+  /// not empty, hold each node in all directions.
+  double largest_frequency(const std::vector<double> &springs = {}) const;
 
   std::size_t memory_consumption() const;
 

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/dynamics/closed_contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace chaindrive::dynamics
+{
+namespace
+{
+using contact::ClosedSide;
+
+/// Damping time c/k [s] of a contact that sticks or slides.
+double damping_time(const scene::Law &law)
+{
+  const double normal = law.damping / law.stiffness;
+  if (law.friction > 0. && law.tangential_stiffness > 0.)
+    return std::max(normal, law.tangential_damping / law.tangential_stiffness);
+  return normal;
+}
+
+/// The springs and dampers that hold the bodies of one group, if the ground bears their other ends.
+struct Held
+{
+  std::vector<double> stiffness, damping; ///< per node, N/m and N s/m; empty: rigid bodies
+  double              stiffest = 0.;      ///< largest eigenvalue of the springs, 1/s2
+  double              damped   = 0.;      ///< the same of the dampers, 1/s
+};
+
+/// Largest dt with dt^2 a + 2 dt b <= 4.
+double step_of(const double a, const double b) { return 4. / (b + std::sqrt(b * b + 4. * a)); }
+
+/// t of closed_contact.h from the largest eigenvalues of the elements and of the springs of the
+/// bodies on either side: e0 + (1 + t) c0 = e1 + (1 + 1/t) c1.
+double ratio(const double e0, const double c0, const double e1, const double c1)
+{
+  const double half = 0.5 * (e0 + c0 - e1 - c1), root = std::sqrt(half * half + c0 * c1);
+  return half > 0. ? c1 / (half + root) : (root - half) / c0;
+}
+
+/// All contacts, held closed, for a step of about @p dt [s].
+std::vector<Held> hold(const World               &world,
+                       const std::vector<double> &elements,
+                       const contact::Contacts   &contacts,
+                       const double               dt)
+{
+  struct Kind
+  {
+    contact::ClosedPair sides;
+    double              time;
+  };
+  std::vector<Kind>   kinds;
+  std::vector<double> rigid(world.copies.size()); // all springs on a rigid body, 1/s2
+  for (const auto &family : contacts.families())
+    for (contact::ClosedPair &sides : family->closed_pairs(world))
+      {
+        for (const ClosedSide &side : sides)
+          if (side.group != ClosedSide::none && side.stiffness.empty())
+            rigid[side.group] += side.eigenvalue;
+        kinds.push_back({std::move(sides), damping_time(family->law())});
+      }
+
+  std::vector<Held> held(world.copies.size());
+  for (const Kind &kind : kinds)
+    {
+      std::array<double, 2> e{}, c{};
+      for (unsigned int i = 0; i < 2; ++i)
+        if (const ClosedSide &side = kind.sides[i]; side.group != ClosedSide::none)
+          {
+            e[i] = elements[side.group];
+            c[i] = (side.stiffness.empty() ? rigid[side.group] : side.eigenvalue) *
+                   (1. + 2. * kind.time / dt);
+          }
+      for (unsigned int i = 0; i < 2; ++i)
+        if (const ClosedSide &side = kind.sides[i]; side.group != ClosedSide::none)
+          {
+            const double factor = 1. + ratio(e[i], c[i], e[1 - i], c[1 - i]);
+            const double k      = factor * side.eigenvalue;
+            Held        &body   = held[side.group];
+            body.stiffness.resize(side.stiffness.size());
+            body.damping.resize(side.stiffness.size());
+            // a rigid body feels all its nodes at once, an elastic one each of them, where it
+            // meets one body or another
+            const bool sum = side.stiffness.empty();
+            body.stiffest  = sum ? body.stiffest + k : std::max(body.stiffest, k);
+            body.damped = sum ? body.damped + k * kind.time : std::max(body.damped, k * kind.time);
+            for (std::size_t n = 0; n < side.stiffness.size(); ++n)
+              {
+                const double of_node = factor * side.stiffness[n];
+                body.stiffness[n]    = std::max(body.stiffness[n], of_node);
+                body.damping[n]      = std::max(body.damping[n], of_node * kind.time);
+              }
+          }
+    }
+  return held;
+}
+} // namespace
+
+double closed_contact_step(const World             &world,
+                           const element::Elastic  &elastic,
+                           const contact::Contacts &contacts,
+                           double                   limit)
+{
+  std::vector<double> elements; // largest eigenvalue of each group of elastic bodies
+  for (const auto &part : elastic.limits())
+    elements.push_back(4. / (part.step * part.step));
+  elements.resize(world.copies.size(), 0.); // meshes of rigid bodies
+
+  const std::vector<Held> held = hold(world, elements, contacts, limit);
+  for (unsigned int g = 0; g < held.size(); ++g)
+    {
+      double step = step_of(elements[g] + held[g].stiffest, held[g].damped);
+      if (step < limit && !held[g].stiffness.empty())
+        // with the dampers of a smaller step the body admits at least this one: from below to it
+        for (unsigned int round = 0; round < 2; ++round)
+          {
+            std::vector<double> springs(held[g].stiffness);
+            for (std::size_t n = 0; n < springs.size(); ++n)
+              springs[n] += 2. / step * held[g].damping[n];
+            step = 2. / elastic.reference(g).largest_frequency(springs);
+          }
+      limit = std::min(limit, step);
+    }
+  return limit;
+}
+
+double closed_contact_step(const World &world, const contact::Family &family)
+{
+  const double time = damping_time(family.law());
+  double       step = std::numeric_limits<double>::infinity();
+  for (const contact::ClosedPair &pair : family.closed_pairs(world))
+    {
+      const double both = pair[0].eigenvalue + pair[1].eigenvalue;
+      step              = std::min(step, step_of(both, both * time));
+    }
+  return step;
+}
+} // namespace chaindrive::dynamics

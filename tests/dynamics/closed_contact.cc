@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A roller shrunk onto the bush of an inner link: all nodes of the joint stay closed. The stable
+// step that is printed is safe, and not far below the one at which the two blow up.
+#include "../support/scenes.h"
+
+#include <chaindrive/drive/chain.h>
+#include <chaindrive/mesh/links.h>
+
+#include <random>
+
+using namespace test;
+
+namespace
+{
+scene::Scene make_scene(const unsigned int wall, const double stiffness, const scene::Law &shape)
+{
+  scene::Scene               scene = empty_scene();
+  const parameters::Material steel;
+  const auto                 chain = drive::make_chain(parameters::Chain());
+  auto                       tight = chain;
+  tight.roller_bore                = chain.bush_diameter - 4e-6;
+  const auto add = [&](const scene::Kind kind, mesh::Part &&part, const double x) {
+    scene.bodies.push_back(body(scene::Motion::elastic,
+                                scene::Support::none,
+                                part.meshed.mass,
+                                vector(1., 1., 1.),
+                                vector(x, 0.)));
+    scene.bodies.back().kind = kind;
+    scene.parts[kind]        = std::make_shared<const mesh::Part>(std::move(part));
+  };
+  add(scene::Kind::inner_link,
+      mesh::make_inner_link(chain, steel.density, mesh::inner_link_grid(0)),
+      0.);
+  add(scene::Kind::roller,
+      mesh::make_roller(tight, steel.density, mesh::RollerGrid(wall, 24, 4)),
+      -0.5 * chain.inner_hole_pitch);
+
+  scene::BoreFamily joint;
+  joint.name    = "roller-bush";
+  joint.elastic = true;
+  joint.law     = {stiffness,
+                   shape.damping * stiffness,
+                   shape.friction,
+                   shape.tangential_stiffness * stiffness,
+                   shape.tangential_damping * stiffness};
+  joint.pairs.push_back({1,
+                         dealii::Point<3>(),
+                         0.5 * tight.roller_bore,
+                         {0, dealii::Point<3>(-0.5 * chain.inner_hole_pitch, 0., 0.), 0., 0},
+                         mesh::roller_bore,
+                         mesh::bush_outside_first});
+  scene.bores.push_back(joint);
+  scene.prestress  = 1e9; // the overlap is meant
+  scene.loads.drag = 2e5; // the shrunk parts come to rest; for the fastest mode it is nothing
+  return scene;
+}
+
+/// The smallest of the tried shares of the limit with which the joint blows up.
+double blow_up(const scene::Scene &scene)
+{
+  dynamics::System                       system(scene, false);
+  const double                           limit = system.stable_step_limit();
+  std::mt19937                           random(1);
+  std::uniform_real_distribution<double> uniform(-1e-3, 1e-3); // m/s
+  advance(system, 2000, 0.8 * limit, []() {});
+  const double at_rest = system.world.ledger.kinetic;
+  for (double share = 0.98; share < 2.; share += 0.02)
+    {
+      for (Copies &copies : system.world.copies)
+        for (unsigned int i = 0; i < copies.velocity.locally_owned_size(); i += n_lanes)
+          copies.velocity.local_element(i) += uniform(random); // of the first lane, the body
+      double largest = 0., first = 0.;
+      advance(system, share < 0.99 ? 5000 : 1000, share * limit, [&]() {
+        const double kinetic = system.world.ledger.kinetic;
+        if (first == 0.)
+          first = kinetic;
+        largest = kinetic > largest || std::isnan(kinetic) ? kinetic : largest;
+      });
+      if (!(largest < 1e3 * (first + at_rest)))
+        return share;
+    }
+  return 2.;
+}
+} // namespace
+
+int main()
+{
+  struct Case
+  {
+    std::string  name;
+    unsigned int wall;
+    double       stiffness;
+    scene::Law   shape;
+  };
+  const double tau = 4e-8;
+  for (const Case &c :
+       {Case{"one element through the wall", 1, 1e14, {1., 0., 0., 0., 0.}},
+        Case{"three elements through the wall", 3, 1e14, {1., 0., 0., 0., 0.}},
+        Case{"three, damped", 3, 1e14, {1., tau, 0., 0., 0.}},
+        Case{"three, damped, friction", 3, 1e14, {1., tau, 0.3, 0.8, tau}},
+        Case{"three, ten times as stiff", 3, 1e15, {1., 0., 0., 0., 0.}},
+        Case{"one, ten times as stiff, damped", 1, 1e15, {1., 0.1 * tau, 0., 0., 0.}}})
+    {
+      const double share = blow_up(make_scene(c.wall, c.stiffness, c.shape));
+      verdict(c.name + ": bounded at 0.98 of the limit", share > 0.99);
+      verdict(c.name + ": the limit is less than 15 % below", share < 1. / 0.85);
+    }
+}
