@@ -177,6 +177,9 @@ void check_model(const Parameters &p, Findings &findings)
       full && (p.contact.roller_tooth_stiffness || p.contact.roller_bush_stiffness),
       "Contact/Roller-tooth stiffness in N/m and Roller-bush stiffness in N/m follow from the "
       "elastic parts in Model/Fidelity = full: leave them auto and choose Penalty factor.");
+  findings.contradiction(!full && p.contact.plate_faces == "on",
+                         "Contact/Plate faces = on is for elastic bodies: Model/Fidelity = " +
+                             p.model.fidelity + " has none; choose off.");
   findings.contradiction(
       !full && p.model.elastic_sprockets == "on",
       "Model/Elastic sprockets = on contradicts Model/Fidelity = " + p.model.fidelity +

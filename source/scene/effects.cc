@@ -76,6 +76,12 @@ std::vector<Effect> decide_effects(const Parameters &p)
                      full              ? "switched off in section Model" :
                                          "no group of bodies is elastic in this fidelity"});
   if (full)
+    effects.push_back({"plate faces",
+                       p.contact.plate_faces == "on",
+                       p.contact.plate_faces == "on" ?
+                           "asked for in section Contact: between elastic links" :
+                           "Contact/Plate faces: plates pass through each other"});
+  if (full)
     effects.push_back(
         {"half model",
          p.model.half,

@@ -20,6 +20,7 @@ constexpr double cost_of_rigid   = 90e-9;
 constexpr double cost_of_bar     = 15e-9;
 constexpr double cost_of_bore    = 45e-9;
 constexpr double cost_of_tooth   = 60e-9;
+constexpr double cost_of_face    = 30e-9;
 constexpr double cost_of_element = 40e-9;
 
 // share of a tooth family's pairs that the search leaves near the sprocket, roughly the wrap
@@ -111,6 +112,8 @@ double step_cost(const Scene &scene)
       }
   for (const BoreFamily &bores : scene.bores)
     cost += cost_of_bore * bores.pairs.size();
+  for (const FaceFamily &faces : scene.faces)
+    cost += cost_of_face * faces.pairs.size();
   for (const ToothFamily &teeth : scene.teeth)
     cost += cost_of_tooth * near_share * teeth.slaves.size();
   return cost;
@@ -141,6 +144,9 @@ void print_plan(std::ostream       &out,
   for (const BoreFamily &bores : scene.bores)
     out << "  " << std::setw(4) << bores.pairs.size() << (bores.elastic ? " pairs " : " points ")
         << bores.name << ": " << law_text(bores.law, bores.elastic) << '\n';
+  for (const FaceFamily &faces : scene.faces)
+    out << "  " << std::setw(4) << faces.pairs.size() << " pairs " << faces.name << ": "
+        << law_text(faces.law, true) << '\n';
   for (const ToothFamily &teeth : scene.teeth)
     out << "  " << std::setw(4) << teeth.slaves.size() << (teeth.elastic ? " rollers " : " points ")
         << teeth.name

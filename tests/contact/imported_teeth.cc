@@ -29,7 +29,7 @@ Pressed press(Tooth c, const double angle, const double approach)
   c.velocity              = Vector3();
   const scene::Scene scene = make_scene(c);
   World              world(scene);
-  contact::NodeTeeth teeth(scene.teeth[0], world, false);
+  contact::NodeTeeth teeth(scene.teeth[0], world, true);
   teeth.search(world, 1e-3);
 
   const mesh::Part  &roller = *scene.parts.at(scene::Kind::roller),
@@ -107,7 +107,8 @@ Pressed press(Tooth c, const double angle, const double approach)
         statics.held[statics.first[1] +
                      3 * nodes.of_vertex[sector.whole_vertex[s][rim.nodes.vertex[n]]] + d] = true;
 
-  if (statics.solve(contact, touched, 1e-6) == 0)
+  // a newton or so is how much a node's force jumps where it passes from one facet to the next
+  if (statics.solve(contact, touched, 3.) == 0)
     std::cout << "no equilibrium\n";
   Vector<double> f(statics.size);
   contact(statics.u, f);

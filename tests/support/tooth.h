@@ -12,6 +12,8 @@
 #include <chaindrive/mesh/sector.h>
 #include <chaindrive/mesh/sprocket.h>
 
+#include <map>
+
 namespace test
 {
 enum class Sprocket
@@ -40,6 +42,32 @@ inline drive::ToothForm tooth_form(const drive::ChainDimensions &chain)
   return drive::make_tooth_form(15, chain, sprockets, true);
 }
 
+/// Mesh of the sprocket, its sector and the facets of an imported one; each made once.
+struct SprocketMesh
+{
+  std::shared_ptr<const mesh::Part>         whole;
+  std::shared_ptr<const mesh::Sector>       sector;
+  std::shared_ptr<const mesh::FacetSurface> facets;
+};
+
+inline const SprocketMesh &
+sprocket_mesh(const Tooth &c, const drive::ToothForm &form, const double density)
+{
+  static std::map<std::pair<Sprocket, unsigned int>, SprocketMesh> made;
+  SprocketMesh &it = made[{c.sprocket, c.refinement}];
+  if (it.whole)
+    return it;
+  const bool imported = c.sprocket == Sprocket::imported;
+  it.whole          = std::make_shared<const mesh::Part>(
+      imported ? mesh::import_sprocket(SOURCE_DIR "/../../meshes/sprocket-15.msh", form, density) :
+                          mesh::make_sprocket(form, {25e-3, 33e-3, 7.2e-3}, density, c.refinement));
+  it.sector = std::make_shared<const mesh::Sector>(*it.whole);
+  if (imported)
+    it.facets =
+        std::make_shared<const mesh::FacetSurface>(*it.sector->part, mesh::tooth_flanks);
+  return it;
+}
+
 inline scene::Scene make_scene(const Tooth &c)
 {
   scene::Scene scene = empty_scene();
@@ -59,12 +87,7 @@ inline scene::Scene make_scene(const Tooth &c)
                         ground()};
   scene.bodies[0].initial.angular_velocity = vector(0., 0., c.spin);
   scene.bodies[1].initial.rotation         = to_matrix(rotation_about_z(c.turned));
-  const double density = scene.material.density;
-  const auto   whole   = std::make_shared<const mesh::Part>(
-      c.sprocket == Sprocket::imported ?
-              mesh::import_sprocket(SOURCE_DIR "/../../meshes/sprocket-15.msh", *form, density) :
-              mesh::make_sprocket(*form, {25e-3, 33e-3, 7.2e-3}, density, c.refinement));
-  const auto sector = std::make_shared<const mesh::Sector>(*whole);
+  const auto &[whole, sector, facets] = sprocket_mesh(c, *form, scene.material.density);
   if (c.elastic)
     {
       scene.parts[scene::Kind::driver]   = whole;
@@ -84,9 +107,7 @@ inline scene::Scene make_scene(const Tooth &c)
   family.name          = "roller-driver";
   family.sprocket      = 1;
   family.form          = form;
-  if (c.sprocket == Sprocket::imported)
-    family.facets =
-        std::make_shared<const mesh::FacetSurface>(*sector->part, mesh::tooth_flanks);
+  family.facets        = facets;
   family.teeth         = form->teeth;
   family.outer_radius  = 0.5 * form->outside_diameter;
   family.half_width    = 3.6e-3;
