@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/contacts.h>
 #include <chaindrive/contact/node_bores.h>
+#include <chaindrive/contact/node_faces.h>
 #include <chaindrive/contact/node_teeth.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/errors.h>
@@ -20,6 +21,8 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
   for (const scene::BoreFamily &bores : scene.bores)
     if (bores.elastic)
       NodeBores::want_ghosts(bores, world);
+  for (const scene::FaceFamily &faces : scene.faces)
+    NodeFaces::want_ghosts(faces, world);
   for (Copies &copies : world.copies)
     copies.make_ghosts();
 
@@ -39,6 +42,8 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
       families_.push_back(std::make_unique<NodeBores>(bores, world, search_every_step));
     else
       families_.push_back(std::make_unique<Bores>(bores));
+  for (const scene::FaceFamily &faces : scene.faces)
+    families_.push_back(std::make_unique<NodeFaces>(faces, world, search_every_step));
 
   for (const auto &family : families_)
     needs_search_ = needs_search_ || family->needs_search();

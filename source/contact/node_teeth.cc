@@ -52,7 +52,7 @@ NodeTeeth::NodeTeeth(const scene::ToothFamily &scene,
       *copies.part, copies.nodes, static_cast<mesh::Surface>(scene.slave_surface));
   extent_ = extents(copies.nodes, surface_->node);
   if (const Rim *rim = world.rim_of(scene.sprocket))
-    flanks_ = std::make_unique<ToothSurface>(scene_, world, *rim);
+    flanks_ = make_flanks(scene_, world, *rim);
   for (const scene::SlavePoint &slave : scene.slaves)
     {
       copy_.push_back(world.places[slave.body].copy);
@@ -102,7 +102,7 @@ Touch NodeTeeth::touch(const World                &world,
                        const unsigned int          i,
                        const unsigned int          s,
                        const dealii::Tensor<1, 3> &x,
-                       ToothSurface::Foot         &foot)
+                       Flanks::Foot         &foot)
 {
   unsigned int &hint = node(i, s).hint;
   if (flanks_)
@@ -112,7 +112,7 @@ Touch NodeTeeth::touch(const World                &world,
 
 dealii::Tensor<1, 3> NodeTeeth::flank_velocity(const World                &world,
                                                const dealii::Tensor<1, 3> &x,
-                                               const ToothSurface::Foot   &foot,
+                                               const Flanks::Foot   &foot,
                                                const double                dt) const
 {
   // nodal velocities are the secants of the step: the sprocket's point goes along its own
@@ -130,7 +130,7 @@ void NodeTeeth::add_forces(World &world, const double dt)
 void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const double dt)
 {
   Copies            &copies = world.copies[group_];
-  ToothSurface::Foot foot;
+  Flanks::Foot foot;
 
   const Frame &hub    = world.frames[scene_.sprocket];
   Record      &record = records_[i];

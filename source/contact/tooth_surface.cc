@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/family.h>
 #include <chaindrive/contact/tooth_surface.h>
 #include <chaindrive/drive/tooth_form.h>
 
@@ -32,7 +33,7 @@ double half_width(const unsigned int i, const unsigned int n, const Distance &di
 } // namespace
 
 ToothSurface::ToothSurface(const scene::ToothFamily &family, const World &world, const Rim &rim)
-    : family_(family), group_(rim.group)
+    : Flanks(family, rim)
 {
   const Copies            &copies = world.copies[group_];
   const mesh::SurfaceNodes flanks(*copies.part, copies.nodes, mesh::tooth_flanks);
@@ -72,9 +73,8 @@ Touch ToothSurface::touch(const World                &world,
                           unsigned int               &hint,
                           Foot                       &foot) const
 {
-  const Frame               &hub    = world.frames[family_.sprocket];
-  const Copies              &copies = world.copies[group_];
-  const dealii::Tensor<1, 3> X      = dealii::transpose(hub.rotation) * (x - hub.position);
+  const Frame               &hub = world.frames[family_.sprocket];
+  const dealii::Tensor<1, 3> X   = dealii::transpose(hub.rotation) * (x - hub.position);
 
   // the facet in sector 0 and where the point meets it
   const auto                  profile  = family_.form->closest_point(dealii::Point<2>(X[0], X[1]));
@@ -96,21 +96,15 @@ Touch ToothSurface::touch(const World                &world,
   foot.nodes   = {{place(s, c, k), place(s, c + 1, k), place(s, c, k + 1), place(s, c + 1, k + 1)}};
   foot.weights = {{(1. - xi) * (1. - eta), xi * (1. - eta), (1. - xi) * eta, xi * eta}};
 
-  std::array<dealii::Tensor<1, 3>, 4> u;
-  foot.displacement = foot.arm = dealii::Tensor<1, 3>();
+  std::array<dealii::Tensor<1, 3>, 4> reference;
   for (unsigned int i = 0; i < 4; ++i)
     {
       const dealii::Tensor<1, 2> p = turned(column_[c + i % 2]);
-      dealii::Tensor<1, 3>       reference, now;
-      reference[0] = p[0];
-      reference[1] = p[1];
-      reference[2] = z_[k + i / 2];
-      for (unsigned int d = 0; d < 3; ++d)
-        now[d] = copies.position.local_element(foot.nodes[i] + d * n_lanes);
-      u[i] = now - hub.position - hub.rotation * reference;
-      foot.displacement += foot.weights[i] * u[i];
-      foot.arm += foot.weights[i] * (x - now);
+      reference[i][0]              = p[0];
+      reference[i][1]              = p[1];
+      reference[i][2]              = z_[k + i / 2];
     }
+  const auto u = complete(world, x, reference, foot);
 
   // the distance changes by no more than the displacement, to first order by its normal part
   if (profile.distance > foot.displacement.norm())
@@ -144,44 +138,12 @@ Touch ToothSurface::touch(const World                &world,
   return touch;
 }
 
-dealii::Tensor<1, 3> ToothSurface::velocity(const World &world, const Foot &foot) const
-{
-  const Copies        &copies = world.copies[group_];
-  dealii::Tensor<1, 3> v =
-      cross_product_3d(world.frames[family_.sprocket].angular_velocity, foot.arm);
-  for (unsigned int i = 0; i < 4; ++i)
-    for (unsigned int d = 0; d < 3; ++d)
-      v[d] += foot.weights[i] * copies.velocity.local_element(foot.nodes[i] + d * n_lanes);
-  return v;
-}
-
-void ToothSurface::add_force(World &world, const Foot &foot, const dealii::Tensor<1, 3> &f) const
-{
-  Copies &copies = world.copies[group_];
-  for (unsigned int i = 0; i < 4; ++i)
-    for (unsigned int d = 0; d < 3; ++d)
-      copies.force.local_element(foot.nodes[i] + d * n_lanes) += foot.weights[i] * f[d];
-  const dealii::Tensor<1, 3> couple = cross_product_3d(foot.arm, f);
-  for (unsigned int d = 0; d < 3; ++d)
-    world.moment.local_element(3 * family_.sprocket + d) += couple[d];
-}
-
 ClosedSide ToothSurface::closed_side(const double              stiffness,
                                      const Copies             &flanks,
                                      const mesh::SurfaceNodes &slaves,
                                      const Copies             &of_slaves) const
 {
-  // spacing of the slaves along the axis and along the profile
-  std::vector<double> stations;
-  for (const unsigned int n : slaves.node)
-    stations.push_back(of_slaves.nodes.position[n][2]);
-  std::sort(stations.begin(), stations.end());
-  double spacing = 0.;
-  for (unsigned int i = 1; i < stations.size(); ++i)
-    spacing = std::max(spacing, stations[i] - stations[i - 1]);
-  const double area   = *std::max_element(slaves.area.begin(), slaves.area.end());
-  const double beside = spacing > 0. ? area / spacing : std::sqrt(area);
-
+  const Share        slave     = largest_share(slaves, of_slaves);
   const unsigned int n_columns = column_.size(), n_layers = z_.size();
   ClosedSide         side;
   side.group = group_;
@@ -189,15 +151,15 @@ ClosedSide ToothSurface::closed_side(const double              stiffness,
   for (unsigned int c = 0; c < n_columns; ++c)
     for (unsigned int layer = 0; layer < n_layers; ++layer)
       {
-        const double length = half_width(c, n_columns, [&](const unsigned int i) {
+        Share share;
+        share.beside = half_width(c, n_columns, [&](const unsigned int i) {
           return (column_[i + 1] - column_[i]).norm();
         });
-        const double height =
+        share.along =
             half_width(layer, n_layers, [&](const unsigned int i) { return z_[i + 1] - z_[i]; });
         // a node between two sectors has half of its mass and of its springs in each
         const double half = c == 0 || c + 1 == n_columns ? 0.5 : 1.;
-        const double k =
-            half * 81. / 64. * stiffness * std::max(length, beside) * std::max(height, spacing);
+        const double k    = half * stiffness * carried_area(share, slave);
         side.stiffness[node(c, layer)] = k;
         side.eigenvalue = std::max(side.eigenvalue, k / flanks.nodes.mass[node(c, layer)]);
       }

@@ -131,4 +131,25 @@ Projection FacetSurface::closest_point(const Point<3>    &p,
     }
   return std::abs(best.distance) <= search_radius ? best : Projection();
 }
+
+std::array<Tensor<1, 3>, 4> FacetSurface::gradients(const Projection &at) const
+{
+  const double u = at.weights[1] + at.weights[2], v = at.weights[2] + at.weights[3];
+  Ray          s, s_u, s_v;
+  patches_[at.facet].evaluate(u, v, s, s_u, s_v);
+
+  // dual to the tangents; where the point is held on a crease, the parameter across does not change
+  const auto held = [&](const unsigned int e, const double across) {
+    return patches_[at.facet].edge(e).crease && std::abs(across) < 1e-12;
+  };
+  const bool         on_u = !held(1, u - 1.) && !held(3, u), on_v = !held(0, v) && !held(2, v - 1.);
+  const double       uu = s_u.x * s_u.x, uv = on_u && on_v ? s_u.x * s_v.x : 0., vv = s_v.x * s_v.x;
+  const double       det = uu * vv - uv * uv;
+  const Tensor<1, 3> grad_u = on_u ? (vv * s_u.x - uv * s_v.x) / det : Tensor<1, 3>(),
+                     grad_v = on_v ? (uu * s_v.x - uv * s_u.x) / det : Tensor<1, 3>();
+  return {{-(1. - v) * grad_u - (1. - u) * grad_v,
+           (1. - v) * grad_u - u * grad_v,
+           v * grad_u + u * grad_v,
+           -v * grad_u + (1. - u) * grad_v}};
+}
 } // namespace chaindrive::mesh

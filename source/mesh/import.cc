@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/import.h>
 
+#include <chaindrive/mesh/cut_out.h>
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/mesh/quality.h>
 #include <chaindrive/utilities/errors.h>
@@ -188,6 +189,45 @@ void check_teeth(const std::string              &file,
                      "of a gap must be on +x, and the number of teeth must be " +
                      std::to_string(form.teeth) + ".");
 }
+
+/// The cells of @p mesh at z >= 0, which must be its mirror image in this plane.
+std::unique_ptr<dealii::Triangulation<3>> upper_half(const std::string              &file,
+                                                     const dealii::Triangulation<3> &mesh)
+{
+  const double              same = 1e-6 * mesh.begin_active()->diameter();
+  std::vector<unsigned int> above;
+  double                    difference = 0., volume = 0.;
+  for (const auto &cell : mesh.active_cell_iterators())
+    {
+      double low = 1e300, high = -1e300;
+      for (const unsigned int v : cell->vertex_indices())
+        {
+          low  = std::min(low, cell->vertex(v)[2]);
+          high = std::max(high, cell->vertex(v)[2]);
+        }
+      if (low < -same && high > same)
+        throw InputError("Model/Half model = true needs a mesh with vertices in its middle plane, "
+                         "but in '" +
+                         file + "' the cell at " + in_mm(cell->center()) +
+                         " lies on both sides of it. Choose another mesh, or Half model = false.");
+      if (high > same)
+        above.push_back(cell->active_cell_index());
+      difference += (high > same ? 1. : -1.) * cell->measure();
+      volume += cell->measure();
+    }
+  if (std::abs(difference) > 1e-6 * volume)
+    throw InputError("Model/Half model = true needs a mesh that is symmetric about its middle "
+                     "plane, but '" +
+                     file + "' has different volumes on its two sides. Choose another mesh, or "
+                            "Half model = false.");
+  auto half = cut_out(mesh, above, [](const CellIterator &) { return middle_plane; });
+  dealii::GridTools::transform(
+      [same](const Point<3> &x) {
+        return Point<3>(x[0], x[1], std::abs(x[2]) < same ? 0. : x[2]);
+      },
+      *half);
+  return half;
+}
 } // namespace
 
 std::string find_file(const std::string &name, const std::vector<std::string> &folders)
@@ -211,7 +251,10 @@ std::string find_file(const std::string &name, const std::vector<std::string> &f
   throw InputError("There is no file '" + name + "'; looked for " + looked + ".");
 }
 
-Part import_sprocket(const std::string &file, const drive::ToothForm &form, const double density)
+Part import_sprocket(const std::string      &file,
+                     const drive::ToothForm &form,
+                     const double            density,
+                     const bool              half)
 {
   const GmshSummary summary = scan(file);
   check_elements(file, summary);
@@ -267,6 +310,11 @@ Part import_sprocket(const std::string &file, const drive::ToothForm &form, cons
           }
     }
   check_teeth(file, *part.mesh, form);
+  if (half)
+    {
+      part.mesh = upper_half(file, *part.mesh);
+      part.half = true;
+    }
   part.exact = part.meshed = meshed_properties(part);
   return part;
 }

@@ -75,6 +75,13 @@ void Contact::declare(dealii::ParameterHandler &prm)
       "thickness of the elements below the surface; full fidelity only. Numerics, not physics: a "
       "larger value lets surfaces overlap less and shortens the stable step.");
   add(prm,
+      "Plate faces",
+      plate_faces,
+      {"off", "on"},
+      "Whether the outer faces of inner plates and the inner faces of outer plates touch, round the "
+      "joints and between elastic links; full fidelity only. They are apart unless something pushes "
+      "or bends the chain sideways. off: plates pass through each other.");
+  add(prm,
       "Search",
       search,
       {"displacement", "every step"},

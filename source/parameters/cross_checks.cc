@@ -177,15 +177,13 @@ void check_model(const Parameters &p, Findings &findings)
       full && (p.contact.roller_tooth_stiffness || p.contact.roller_bush_stiffness),
       "Contact/Roller-tooth stiffness in N/m and Roller-bush stiffness in N/m follow from the "
       "elastic parts in Model/Fidelity = full: leave them auto and choose Penalty factor.");
+  findings.contradiction(!full && p.contact.plate_faces == "on",
+                         "Contact/Plate faces = on is for elastic bodies: Model/Fidelity = " +
+                             p.model.fidelity + " has none; choose off.");
   findings.contradiction(
       !full && p.model.elastic_sprockets == "on",
       "Model/Elastic sprockets = on contradicts Model/Fidelity = " + p.model.fidelity +
           ", in which no body is elastic; choose auto or off.");
-  findings.contradiction(
-      full && p.model.elastic_sprockets == "on" &&
-          !(p.drive.sprockets.driver_mesh.empty() && p.drive.sprockets.driven_mesh.empty()),
-      "Model/Elastic sprockets = on contradicts Drive/Sprockets/Driver mesh and Driven mesh: "
-      "imported sprockets are rigid; choose auto or off.");
   const bool arriving = p.model.elastic_links == "arriving";
   findings.contradiction(
       arriving && !full,

@@ -66,8 +66,8 @@ void Model::declare(dealii::ParameterHandler &prm)
       elastic_sprockets,
       {"auto", "on", "off"},
       "Whether the rims of the sprockets, from the hub diameter outwards, are elastic; full "
-      "fidelity only. Imported sprockets are rigid. auto: on in full fidelity but for imported "
-      "sprockets and Elastic links = arriving. off: both sprockets are rigid.");
+      "fidelity only. Of an imported sprocket, all but its physical volume hub zone is its rim. "
+      "auto: on in full fidelity but for Elastic links = arriving. off: both sprockets are rigid.");
 }
 
 void Material::declare(dealii::ParameterHandler &prm)

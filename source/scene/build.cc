@@ -50,6 +50,26 @@ void add_elastic_rollers(const Parameters   &parameters,
       teeth.slaves.push_back({k, dealii::Point<3>(), 0.5 * drive.chain.roller_diameter, k});
 }
 
+/// The mesh of a sprocket: from @p file, or generated where somebody needs it, else null.
+std::shared_ptr<const mesh::Part> sprocket_part(const Parameters               &parameters,
+                                                const drive::Drive             &drive,
+                                                const bool                      driver,
+                                                const std::string              &file,
+                                                const std::vector<std::string> &folders,
+                                                const Scene                    &scene)
+{
+  const bool elastic = is_on(scene.effects, "elastic sprockets");
+  if (!file.empty())
+    return std::make_shared<const mesh::Part>(
+        mesh::import_sprocket(mesh::find_file(file, folders),
+                              driver ? drive.driver : drive.driven,
+                              parameters.material.density,
+                              parameters.model.half && elastic));
+  if (is_on(scene.effects, "fields") || elastic)
+    return make_sprocket_part(parameters, drive, driver);
+  return nullptr;
+}
+
 Tensor3 embed(const dealii::Tensor<1, 2> &v)
 {
   Tensor3 result;
@@ -175,12 +195,19 @@ void add_sprockets(const Parameters               &parameters,
     {
       const unsigned int body                = static_cast<unsigned int>(scene.bodies.size());
       (driver ? scene.driver : scene.driven) = body;
-      const drive::MassProperties &solid     = driver ? drive.driver_solid : drive.driven_solid;
+      const drive::ToothForm &form           = driver ? drive.driver : drive.driven;
+      const std::string      &file =
+          driver ? parameters.drive.sprockets.driver_mesh : parameters.drive.sprockets.driven_mesh;
+      const bool elastic_rim = is_on(scene.effects, "elastic sprockets");
+      const auto part        = sprocket_part(parameters, drive, driver, file, folders, scene);
+      const drive::MassProperties &solid = !file.empty() ? part->meshed :
+                                           driver        ? drive.driver_solid :
+                                                           drive.driven_solid;
 
       Body sprocket;
       sprocket.kind    = driver ? Kind::driver : Kind::driven;
       sprocket.number  = 0;
-      sprocket.motion  = Motion::rigid;
+      sprocket.motion  = elastic_rim ? Motion::elastic : Motion::rigid;
       sprocket.support = driver ? Support::prescribed_hub : Support::loaded_hub;
       sprocket.mass    = solid.mass;
       for (unsigned int d = 0; d < 3; ++d)
@@ -197,10 +224,11 @@ void add_sprockets(const Parameters               &parameters,
                                 dealii::Tensor<1, 2>(),
                                 driver ? layout.driver_speed : layout.driven_speed);
       scene.bodies.push_back(sprocket);
+      if (part)
+        scene.parts[sprocket.kind] = part;
+      if (elastic_rim)
+        scene.sectors[sprocket.kind] = std::make_shared<const mesh::Sector>(*part);
 
-      const drive::ToothForm &form = driver ? drive.driver : drive.driven;
-      const std::string      &file =
-          driver ? parameters.drive.sprockets.driver_mesh : parameters.drive.sprockets.driven_mesh;
       ToothFamily teeth;
       teeth.name         = std::string("roller-") + (driver ? "driver" : "driven");
       teeth.sprocket     = body;
@@ -211,23 +239,11 @@ void add_sprockets(const Parameters               &parameters,
       teeth.rolls_freely = lumped;
       if (!file.empty())
         {
-          const std::string path = mesh::find_file(file, folders);
-          auto              part = std::make_shared<const mesh::Part>(
-              mesh::import_sprocket(path, form, parameters.material.density));
-          teeth.facets =
-              std::make_shared<const mesh::FacetSurface>(*part, mesh::Surface::tooth_flanks);
+          teeth.facets = std::make_shared<const mesh::FacetSurface>(
+              elastic_rim ? *scene.sectors.at(sprocket.kind)->part : *part, mesh::tooth_flanks);
           for (const dealii::Point<3> &vertex : part->mesh->get_vertices())
             teeth.outer_radius = std::max(teeth.outer_radius, std::hypot(vertex[0], vertex[1]));
-          scene.parts[sprocket.kind] = part;
           scene.notes.push_back(teeth.name + ": flanks of the imported mesh " + file);
-        }
-      else if (is_on(scene.effects, "fields") || is_on(scene.effects, "elastic sprockets"))
-        scene.parts[sprocket.kind] = make_sprocket_part(parameters, drive, driver);
-      if (file.empty() && is_on(scene.effects, "elastic sprockets"))
-        {
-          scene.bodies.back().motion = Motion::elastic;
-          scene.sectors[sprocket.kind] =
-              std::make_shared<const mesh::Sector>(*scene.parts[sprocket.kind]);
         }
 
       if (n_elastic > 0)

@@ -71,10 +71,16 @@ std::vector<Effect> decide_effects(const Parameters &p)
   const bool elastic_sprockets = full && !arriving && p.model.elastic_sprockets != "off";
   effects.push_back({"elastic sprockets",
                      elastic_sprockets,
-                     elastic_sprockets ? "fidelity full: rims, but for imported sprockets" :
+                     elastic_sprockets ? "fidelity full: rims, held by rigid hubs" :
                      arriving          ? "rigid beside rigid links: Elastic links = arriving" :
                      full              ? "switched off in section Model" :
                                          "no group of bodies is elastic in this fidelity"});
+  if (full)
+    effects.push_back({"plate faces",
+                       p.contact.plate_faces == "on",
+                       p.contact.plate_faces == "on" ?
+                           "asked for in section Contact: between elastic links" :
+                           "Contact/Plate faces: plates pass through each other"});
   if (full)
     effects.push_back(
         {"half model",

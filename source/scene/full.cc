@@ -4,6 +4,7 @@
 #include <chaindrive/utilities/text.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -82,6 +83,31 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
     }
   scene.bores.push_back(std::move(rollers));
   scene.bores.push_back(std::move(pins));
+  if (is_on(scene.effects, "plate faces"))
+    {
+      FaceFamily plates;
+      plates.name   = "plate faces";
+      plates.law    = law(Kind::outer_link,
+                       mesh::plate_inner_faces,
+                       Kind::inner_link,
+                       mesh::plate_outer_faces,
+                       std::nullopt);
+      plates.radius = 0.5 * std::min(chain.inner_plate_height, chain.outer_plate_height);
+      for (unsigned int k = 0; k < scene.n_joints; ++k)
+        {
+          const Joint joint = joint_of(k, drive, scene.n_joints);
+          if (scene.bodies[joint.inner].motion == Motion::elastic &&
+              scene.bodies[joint.outer].motion == Motion::elastic)
+            plates.pairs.push_back({joint.outer,
+                                    joint.inner,
+                                    mesh::plate_inner_faces,
+                                    mesh::plate_outer_faces,
+                                    dealii::Point<3>(joint.pin_x, 0., 0.),
+                                    dealii::Point<3>(joint.bush_x, 0., 0.),
+                                    k});
+        }
+      scene.faces.push_back(std::move(plates));
+    }
   if (std::count(elastic.begin(), elastic.end(), false) > 0)
     add_rigid_joints(parameters, drive, scene);
 }

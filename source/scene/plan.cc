@@ -2,6 +2,7 @@
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/mesh/sector.h>
 #include <chaindrive/scene/plan.h>
+#include <chaindrive/utilities/pack.h>
 #include <chaindrive/utilities/text.h>
 
 #include <iomanip>
@@ -19,6 +20,7 @@ constexpr double cost_of_rigid   = 90e-9;
 constexpr double cost_of_bar     = 15e-9;
 constexpr double cost_of_bore    = 45e-9;
 constexpr double cost_of_tooth   = 60e-9;
+constexpr double cost_of_face    = 30e-9;
 constexpr double cost_of_element = 40e-9;
 
 // share of a tooth family's pairs that the search leaves near the sprocket, roughly the wrap
@@ -65,10 +67,21 @@ std::string motion_of(const Body &body)
 std::pair<unsigned int, unsigned int> size_of(const Scene &scene, const Kind kind)
 {
   const auto         sector = scene.sectors.find(kind);
-  const bool         cyclic = sector != scene.sectors.end();
-  const mesh::Part  &part   = cyclic ? *sector->second->part : *scene.parts.at(kind);
-  const unsigned int n      = cyclic ? sector->second->n_sectors : 1;
+  const bool         is_rim = sector != scene.sectors.end();
+  const mesh::Part  &part   = is_rim ? *sector->second->part : *scene.parts.at(kind);
+  const unsigned int n      = is_rim ? sector->second->n_sectors : 1;
   return {n * part.mesh->n_active_cells(), n * part.mesh->n_used_vertices()};
+}
+
+/// Lanes that are computed for each copy of the sector of a sprocket, those left empty included; 1
+/// for other bodies, which are many.
+double lanes_per_copy(const Scene &scene, const Kind kind)
+{
+  const auto sector = scene.sectors.find(kind);
+  if (sector == scene.sectors.end())
+    return 1.;
+  const unsigned int n = sector->second->n_sectors;
+  return double((n + n_lanes - 1) / n_lanes * n_lanes) / n;
 }
 
 std::string law_text(const Law &law, const bool elastic)
@@ -94,11 +107,13 @@ double step_cost(const Scene &scene)
         cost += cost_of_rigid;
         break;
       case Motion::elastic:
-        cost += cost_of_element * size_of(scene, body.kind).first;
+        cost += cost_of_element * lanes_per_copy(scene, body.kind) * size_of(scene, body.kind).first;
         break;
       }
   for (const BoreFamily &bores : scene.bores)
     cost += cost_of_bore * bores.pairs.size();
+  for (const FaceFamily &faces : scene.faces)
+    cost += cost_of_face * faces.pairs.size();
   for (const ToothFamily &teeth : scene.teeth)
     cost += cost_of_tooth * near_share * teeth.slaves.size();
   return cost;
@@ -129,6 +144,9 @@ void print_plan(std::ostream       &out,
   for (const BoreFamily &bores : scene.bores)
     out << "  " << std::setw(4) << bores.pairs.size() << (bores.elastic ? " pairs " : " points ")
         << bores.name << ": " << law_text(bores.law, bores.elastic) << '\n';
+  for (const FaceFamily &faces : scene.faces)
+    out << "  " << std::setw(4) << faces.pairs.size() << " pairs " << faces.name << ": "
+        << law_text(faces.law, true) << '\n';
   for (const ToothFamily &teeth : scene.teeth)
     out << "  " << std::setw(4) << teeth.slaves.size() << (teeth.elastic ? " rollers " : " points ")
         << teeth.name

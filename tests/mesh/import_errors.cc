@@ -2,6 +2,7 @@
 // What a user is told about a mesh file that cannot be used.
 
 #include <chaindrive/mesh/import.h>
+#include <chaindrive/mesh/sector.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <fstream>
@@ -98,4 +99,19 @@ int main()
   expect_error("other number of teeth", [&] {
     import(good, drive::make_tooth_form(16, chain, parameters::Sprockets(), true));
   });
+
+  // as an elastic rim, and cut in half
+  const auto rim = [&](const std::string &what, const std::string &text, const bool half) {
+    expect_error(what, [&] {
+      std::ofstream("mesh.msh") << text;
+      const mesh::Sector sector(mesh::import_sprocket("mesh.msh", form, 7600., half));
+      std::cout << "  " << sector.part->mesh->n_active_cells() << " elastic cells\n";
+    });
+  };
+  rim("rim", good, false);
+  rim("half of it", good, true);
+  rim("rigid zone outside",
+      replaced(replaced(replaced(good, "\"rim\"", "\"\""), "\"hub zone\"", "\"rim\""), "\"\"", "\"hub zone\""),
+      false);
+  rim("vertex off the middle plane", replaced(good, "-3.812927470559414 0\n", "-3.812927470559414 0.1\n"), true);
 }

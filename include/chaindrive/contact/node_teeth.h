@@ -2,7 +2,7 @@
 #pragma once
 
 #include <chaindrive/contact/family.h>
-#include <chaindrive/contact/tooth_surface.h>
+#include <chaindrive/contact/flanks.h>
 #include <chaindrive/mesh/facet_surface.h>
 #include <chaindrive/mesh/surface_nodes.h>
 
@@ -12,7 +12,7 @@
 
 namespace chaindrive::contact
 {
-/// Elastic rollers on the exact arcs of a sprocket, rigid or with an elastic rim: every node of a
+/// Elastic rollers on the flanks of a sprocket, rigid or with an elastic rim: every node of a
 /// roller's outside is a slave with the stiffness of its share of the surface, or of the part of it
 /// that lies over the tooth's width. There is one record per roller, with the sum of its nodes'
 /// forces.
@@ -43,7 +43,7 @@ private:
               unsigned int                i,
               unsigned int                s,
               const dealii::Tensor<1, 3> &x,
-              ToothSurface::Foot         &foot);
+              Flanks::Foot         &foot);
 
   /// Contact of slave @p i with its record.
   void add_roller_forces(World &world, unsigned int i, double dt);
@@ -58,7 +58,7 @@ private:
   /// Velocity [m/s] of the flank at @p x and @p foot.
   dealii::Tensor<1, 3> flank_velocity(const World                &world,
                                       const dealii::Tensor<1, 3> &x,
-                                      const ToothSurface::Foot   &foot,
+                                      const Flanks::Foot   &foot,
                                       double                      dt) const;
 
   /// What is kept of one node of one slave.
@@ -78,7 +78,7 @@ private:
 
   unsigned int                              group_; ///< of the rollers in World::copies
   std::unique_ptr<const mesh::SurfaceNodes> surface_;
-  std::unique_ptr<const ToothSurface>       flanks_; ///< of an elastic rim; null: rigid
+  std::unique_ptr<const Flanks>      flanks_; ///< of an elastic rim; null: rigid
   std::vector<std::array<double, 2>>        extent_; ///< of the nodes' shares along the axis, m
   std::vector<unsigned int>                 copy_;   ///< per slave
   std::vector<std::size_t>                  first_;  ///< per slave of this rank, in the vectors

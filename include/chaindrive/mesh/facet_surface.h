@@ -55,6 +55,10 @@ public:
                            double                  search_radius,
                            unsigned int            hint = Projection::no_facet) const;
 
+  /// Gradients [1/m] of the weights of @p at, a projection onto this surface, while the point moves
+  /// along the surface; on a sharp edge, along that.
+  std::array<dealii::Tensor<1, 3>, 4> gradients(const Projection &at) const;
+
   unsigned int n_facets() const { return static_cast<unsigned int>(patches_.size()); }
 
   /// The four vertices of @p facet, in the order of Projection::weights, by their numbers in the

@@ -24,5 +24,11 @@ std::string find_file(const std::string &name, const std::vector<std::string> &f
 /// inverted cells or no surface of the required names, or whose teeth are elsewhere than those of
 /// @p form: it says where the largest deviation is. A vertex of the flanks may lie up to five
 /// percent of the pitch off the profile of @p form, so that real tooth shapes can be imported.
-Part import_sprocket(const std::string &file, const drive::ToothForm &form, double density);
+///
+/// For @p half see Part::half; the mesh must then be symmetric about its middle plane and have
+/// vertices in it.
+Part import_sprocket(const std::string      &file,
+                     const drive::ToothForm &form,
+                     double                  density,
+                     bool                    half = false);
 } // namespace chaindrive::mesh

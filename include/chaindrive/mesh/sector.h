@@ -12,10 +12,11 @@ namespace chaindrive::mesh
 {
 /// One of the equal sectors of a sprocket, its elastic zone only: the whole rim is n_sectors copies
 /// of it, copy s turned by 2 pi s / n_sectors about z. Vertices between two sectors are there
-/// twice, once in each.
+/// twice, once in each. A mesh that is not made of sectors, such as an imported one, is a single one.
 struct Sector
 {
-  /// @p whole must have several sectors (see Part::n_sectors) and an elastic zone.
+  /// Of a sprocket @p whole. Throws InputError if it has no elastic zone, if nothing holds that, or
+  /// if the rigid zone reaches the flanks.
   explicit Sector(const Part &whole);
 
   /// Frame of copy @p s of a sprocket that is placed as @p sprocket says.
@@ -35,6 +36,7 @@ struct Sector
   std::vector<std::vector<unsigned int>> whole_vertex;
 
   /// Vertices of part: the first one of copy s is the same point as the second one of copy s + 1.
+  /// None in a single sector.
   std::vector<std::pair<unsigned int, unsigned int>> seam;
 };
 } // namespace chaindrive::mesh

@@ -18,6 +18,7 @@ struct Contact
   std::optional<double> roller_tooth_friction, roller_bush_friction, bush_pin_friction;
   double                tangential_ratio = 0.8;            ///< sticking over normal stiffness
   double                penalty_factor   = 0.5;            ///< of elastic bodies
+  std::string           plate_faces      = "off";          ///< off | on
   std::string           search           = "displacement"; ///< displacement | every step
 
   /// Declares an entry for each member, which takes every value that is set. The object must

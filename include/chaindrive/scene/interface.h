@@ -71,6 +71,24 @@ struct BoreFamily
   bool elastic = false; ///< nodes touch: one of each two bodies is elastic at least
 };
 
+/// Two elastic bodies whose faces across z may touch round a common axis along z.
+struct FacePair
+{
+  unsigned int     master, slave;                 ///< bodies
+  unsigned int     master_surface, slave_surface; ///< sides of their meshes, at z < 0 and z > 0
+  dealii::Point<3> master_axis, slave_axis;       ///< a point of the axis in the body's frame, m
+  unsigned int     joint;
+};
+
+/// All faces of one kind in the scene.
+struct FaceFamily
+{
+  std::string           name;
+  Law                   law;    ///< per m2
+  double                radius; ///< about the axis, in which the master's face is a full ring, m
+  std::vector<FacePair> pairs;
+};
+
 /// The flanks of one sprocket and every roller that could ever meet them.
 struct ToothFamily
 {

@@ -63,6 +63,7 @@ struct Scene
   std::vector<Body>        bodies; ///< rollers first (in joint order), then links, then sprockets
   std::vector<Bar>         bars;   ///< simple fidelity: bar k joins rollers k and k+1
   std::vector<BoreFamily>  bores;
+  std::vector<FaceFamily>  faces;
   std::vector<ToothFamily> teeth;
   parameters::Loads        loads;     ///< with the coefficients of effects that are off set to zero
   double torque_angle_offset = 0.;    ///< rad by which the load torque's ramp is ahead

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <algorithm>
+
+namespace chaindrive::contact
+{
+/// How wide the shares of a node in its side are along one direction and beside it, m: the half
+/// widths of its shape function.
+struct Share
+{
+  Share() = default;
+
+  /// Of a node at @p at [m] along the direction, whose facets reach from @p low to @p high and of
+  /// which the area @p area [m2] belongs to it: all of the one facet's extent where the side ends.
+  Share(const double area, const double at, const double low, const double high)
+  {
+    const double half = 0.5 * (high - low);
+    const bool   end  = at - low < 0.01 * half || high - at < 0.01 * half;
+    along             = end ? 2. * half : half;
+    beside            = area / half;
+  }
+
+  void grow_to(const Share &other)
+  {
+    along  = std::max(along, other.along);
+    beside = std::max(beside, other.beside);
+  }
+
+  double along = 0., beside = 0.;
+};
+
+/// The area [m2] of slaves that a node carries by its shape function, at most; @p slave is the
+/// largest share of any of them. The sum of a hat of half width L at points of spacing a is at most
+/// 9/8 max(L, a) / a.
+inline double carried_area(const Share &node, const Share &slave)
+{
+  return 81. / 64. * std::max(node.along, slave.along) * std::max(node.beside, slave.beside);
+}
+} // namespace chaindrive::contact

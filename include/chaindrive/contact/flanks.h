@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/contact/carried_area.h>
+#include <chaindrive/contact/family.h>
+#include <chaindrive/mesh/surface_nodes.h>
+#include <chaindrive/world/world.h>
+
+#include <array>
+#include <memory>
+
+namespace chaindrive::contact
+{
+/// The flanks of a sprocket with an elastic rim: a smooth surface that turns with the hub, displaced
+/// by what the nodes of the flank mesh have moved relative to the hub.
+///
+/// A point X of the hub's frame that is nearest to the surface in the facet of nodes i with the
+/// weights w_i has the gap g = d(X - u), with the distance d from the surface and the bilinear
+/// displacement u = sum w_i u_i. Forces are the derivatives of g: along the surface's normal tilted
+/// by the facet's turn, on the nodes by their weights, and on the hub a couple, since surface and
+/// facets do not quite coincide. They cancel to round-off in force and moment.
+class Flanks
+{
+public:
+  virtual ~Flanks() = default;
+
+  /// Where a point is on the flanks.
+  struct Foot
+  {
+    std::array<std::size_t, 4> nodes{}; ///< places of their x components in the vectors
+    std::array<double, 4>      weights{};
+    dealii::Tensor<1, 3>       displacement; ///< relative to the hub, world axes, m
+    dealii::Tensor<1, 3>       arm;          ///< from the mean of the nodes to the point, m
+  };
+
+  /// The contact of a slave node at @p x [m, world] and its @p foot. The other arguments are those
+  /// of touch_flanks().
+  virtual Touch touch(const World                &world,
+                      const dealii::Tensor<1, 3> &x,
+                      double                      within,
+                      unsigned int               &hint,
+                      Foot                       &foot) const = 0;
+
+  /// Velocity [m/s] of the flank's material there.
+  dealii::Tensor<1, 3> velocity(const World &world, const Foot &foot) const;
+
+  /// Adds a force @p f [N] on the flank there.
+  void add_force(World &world, const Foot &foot, const dealii::Tensor<1, 3> &f) const;
+
+  /// The flank's nodes on springs of @p stiffness [N/m3] of the @p slaves, nodes of copies @p
+  /// of_slaves, wherever these touch: see carried_area().
+  virtual ClosedSide closed_side(double                    stiffness,
+                                 const Copies             &flanks,
+                                 const mesh::SurfaceNodes &slaves,
+                                 const Copies             &of_slaves) const = 0;
+
+  unsigned int group() const { return group_; } ///< of the sectors in World::copies
+
+protected:
+  Flanks(const scene::ToothFamily &family, const Rim &rim) : family_(family), group_(rim.group) {}
+
+  /// Completes @p foot, whose nodes and weights are there, for a slave at @p x. Returns the nodes'
+  /// displacements relative to the hub [m, world axes] from their @p reference positions in its
+  /// frame.
+  std::array<dealii::Tensor<1, 3>, 4>
+  complete(const World                               &world,
+           const dealii::Tensor<1, 3>                &x,
+           const std::array<dealii::Tensor<1, 3>, 4> &reference,
+           Foot                                      &foot) const;
+
+  const scene::ToothFamily &family_;
+  unsigned int              group_;
+};
+
+/// The largest share of a node of @p side of @p copies, along the axis z.
+Share largest_share(const mesh::SurfaceNodes &side, const Copies &copies);
+
+/// The flanks of the sprocket of @p family, whose rim is @p rim: those of its mesh if it is an
+/// imported one, else its exact arcs. The family must outlive them.
+std::unique_ptr<const Flanks>
+make_flanks(const scene::ToothFamily &family, const World &world, const Rim &rim);
+} // namespace chaindrive::contact

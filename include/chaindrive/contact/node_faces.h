@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/contact/family.h>
+#include <chaindrive/contact/moving_facets.h>
+
+#include <memory>
+#include <vector>
+
+namespace chaindrive::contact
+{
+/// Flat faces of two elastic bodies round a common axis along z, such as those of plates in a joint:
+/// nodes of one are slaves, facets of the other masters. One record per pair, with the sum over the
+/// faces at z < 0 and z > 0. A pair is evaluated by the rank that owns the slave.
+///
+/// Only slaves within a radius of the axis take part, where the master's face is a full ring however
+/// the two are turned: no node passes its rim.
+///
+/// A slave at x = P + g n, with the point P of a facet and its normal n, gets the force
+/// F = N n + T; the facet's nodes, whose weights are w_i, get -w_i F + g (T . grad w_i) n: forces
+/// and moments cancel to round-off. The slip's velocity is the one on which T does their work.
+///
+/// A pair is left alone until the gap of the nodes that do not touch may have closed, at twice the
+/// speed with which they approach and a speed for what bodies do meanwhile.
+class NodeFaces : public Family
+{
+public:
+  /// @p world must outlive this.
+  NodeFaces(const scene::FaceFamily &scene, World &world, bool search_every_step);
+
+  /// Makes ghosts in @p world of the masters' nodes whose slaves this rank owns.
+  static void want_ghosts(const scene::FaceFamily &scene, World &world);
+
+  void search(const World &, double) override {}
+  void add_forces(World &world, double dt) override;
+  void add_springs(const World &, std::vector<Spring> &) const override {}
+  bool needs_search() const override { return false; }
+
+  std::vector<ClosedPair> closed_pairs(const World &world) const override;
+
+  unsigned long n_missed() const override { return n_missed_; }
+
+private:
+  /// Two faces, one opposite the other, of all pairs of a kind.
+  struct Faces
+  {
+    std::unique_ptr<const MovingFacets> masters, slaves;
+    std::vector<unsigned int>           taking_part; ///< slaves near the axis
+  };
+
+  /// Pairs of the same sides of the same parts.
+  struct Kind
+  {
+    unsigned int       master_group, slave_group; ///< in World::copies
+    dealii::Point<3>   master_axis, slave_axis;   ///< see scene::FacePair
+    std::vector<Faces> faces;                     ///< at z < 0 and z > 0
+  };
+
+  /// What is kept of a slave.
+  struct Node
+  {
+    TouchState   touch;
+    unsigned int facet = MovingFacets::none; ///< that it was above last
+  };
+
+  /// One face of one pair of this rank.
+  struct Place
+  {
+    unsigned int              pair, kind, face;
+    std::vector<std::size_t>  masters, slaves; ///< places of nodes in the vectors
+    std::vector<Node>         nodes;           ///< per slave that takes part
+    std::vector<unsigned int> active;          ///< of these: closer than a reach
+    double                    holds_for = -1.; ///< s, that active holds
+    bool                      searched  = false;
+  };
+
+  /// Lists the slaves of @p place that are closer than a reach.
+  void search_nodes(World &world, Place &place);
+
+  /// Contact of these, added to the record of their pair.
+  void add_face_forces(World &world, Place &place, double dt);
+
+  std::vector<Kind>  kinds_;
+  std::vector<Place> places_;
+  bool               every_step_;
+  unsigned long      n_missed_ = 0;
+};
+} // namespace chaindrive::contact

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/facet_flanks.h>
+#include <chaindrive/contact/tooth_surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace chaindrive::contact
+{
+std::array<dealii::Tensor<1, 3>, 4>
+Flanks::complete(const World                               &world,
+                 const dealii::Tensor<1, 3>                &x,
+                 const std::array<dealii::Tensor<1, 3>, 4> &reference,
+                 Foot                                      &foot) const
+{
+  const Frame  &hub    = world.frames[family_.sprocket];
+  const Copies &copies = world.copies[group_];
+  foot.displacement = foot.arm = dealii::Tensor<1, 3>();
+  std::array<dealii::Tensor<1, 3>, 4> u;
+  for (unsigned int i = 0; i < 4; ++i)
+    {
+      dealii::Tensor<1, 3> now;
+      for (unsigned int d = 0; d < 3; ++d)
+        now[d] = copies.position.local_element(foot.nodes[i] + d * n_lanes);
+      u[i] = now - hub.position - hub.rotation * reference[i];
+      foot.displacement += foot.weights[i] * u[i];
+      foot.arm += foot.weights[i] * (x - now);
+    }
+  return u;
+}
+
+dealii::Tensor<1, 3> Flanks::velocity(const World &world, const Foot &foot) const
+{
+  const Copies        &copies = world.copies[group_];
+  dealii::Tensor<1, 3> v =
+      cross_product_3d(world.frames[family_.sprocket].angular_velocity, foot.arm);
+  for (unsigned int i = 0; i < 4; ++i)
+    for (unsigned int d = 0; d < 3; ++d)
+      v[d] += foot.weights[i] * copies.velocity.local_element(foot.nodes[i] + d * n_lanes);
+  return v;
+}
+
+void Flanks::add_force(World &world, const Foot &foot, const dealii::Tensor<1, 3> &f) const
+{
+  Copies &copies = world.copies[group_];
+  for (unsigned int i = 0; i < 4; ++i)
+    for (unsigned int d = 0; d < 3; ++d)
+      copies.force.local_element(foot.nodes[i] + d * n_lanes) += foot.weights[i] * f[d];
+  const dealii::Tensor<1, 3> couple = cross_product_3d(foot.arm, f);
+  for (unsigned int d = 0; d < 3; ++d)
+    world.moment.local_element(3 * family_.sprocket + d) += couple[d];
+}
+
+Share largest_share(const mesh::SurfaceNodes &side, const Copies &copies)
+{
+  std::vector<double> stations;
+  for (const unsigned int n : side.node)
+    stations.push_back(copies.nodes.position[n][2]);
+  std::sort(stations.begin(), stations.end());
+  Share share;
+  for (unsigned int i = 1; i < stations.size(); ++i)
+    share.along = std::max(share.along, stations[i] - stations[i - 1]);
+  const double area = *std::max_element(side.area.begin(), side.area.end());
+  share.beside      = share.along > 0. ? area / share.along : std::sqrt(area);
+  return share;
+}
+
+std::unique_ptr<const Flanks>
+make_flanks(const scene::ToothFamily &family, const World &world, const Rim &rim)
+{
+  if (family.facets)
+    return std::make_unique<const FacetFlanks>(family, world, rim);
+  return std::make_unique<const ToothSurface>(family, world, rim);
+}
+} // namespace chaindrive::contact

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/carried_area.h>
+#include <chaindrive/contact/node_faces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace chaindrive::contact
+{
+namespace
+{
+constexpr double reach      = 50e-6; // m; larger: fewer searches but more nodes to look at
+constexpr double unforeseen = 5.;    // m/s, of vibration: 100 MPa in a wave are 2.5 m/s
+
+/// The facets of one face: on the side of z and of x that @p axis is on.
+std::unique_ptr<const MovingFacets> facets_of(const Copies           &copies,
+                                              const unsigned int      surface,
+                                              const dealii::Point<3> &axis,
+                                              const double            sign)
+{
+  return std::make_unique<const MovingFacets>(
+      *copies.part,
+      copies.nodes,
+      static_cast<mesh::Surface>(surface),
+      [&axis, sign](const dealii::Point<3> &x) { return sign * x[2] > 0. && axis[0] * x[0] >= 0.; });
+}
+
+std::vector<double> distances(const MovingFacets     &facets,
+                              const Copies           &copies,
+                              const dealii::Point<3> &axis)
+{
+  std::vector<double> r;
+  for (const unsigned int n : facets.nodes())
+    {
+      const dealii::Point<3> &x = copies.nodes.position[n];
+      r.push_back(std::hypot(x[0] - axis[0], x[1] - axis[1]));
+    }
+  return r;
+}
+
+std::vector<Share>
+shares(const MovingFacets &facets, const Copies &copies, const dealii::Point<3> &axis)
+{
+  const std::vector<double> r     = distances(facets, copies, axis);
+  const auto                range = facets.ranges(r);
+  std::vector<Share>        result;
+  for (unsigned int i = 0; i < r.size(); ++i)
+    result.emplace_back(facets.areas()[i], r[i], range[i][0], range[i][1]);
+  return result;
+}
+
+/// The same for every pair of a kind.
+using Sides = std::tuple<unsigned int, unsigned int, unsigned int, unsigned int, bool, bool>;
+
+Sides sides_of(const scene::FacePair &pair, const World &world)
+{
+  return {world.places[pair.master].group,
+          pair.master_surface,
+          world.places[pair.slave].group,
+          pair.slave_surface,
+          pair.master_axis[0] > 0.,
+          pair.slave_axis[0] > 0.};
+}
+} // namespace
+
+void NodeFaces::want_ghosts(const scene::FaceFamily &scene, World &world)
+{
+  for (const scene::FacePair &pair : scene.pairs)
+    {
+      const World::Place &master = world.places[pair.master], &slave = world.places[pair.slave];
+      Copies             &masters = world.copies[master.group];
+      if (!world.copies[slave.group].owns(slave.copy) || masters.owns(master.copy))
+        continue;
+      for (const double sign : {-1., 1.})
+        masters.want(master.copy,
+                     facets_of(masters, pair.master_surface, pair.master_axis, sign)->nodes());
+    }
+}
+
+NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool search_every_step)
+    : Family(scene.name, scene.law), every_step_(search_every_step)
+{
+  std::map<Sides, unsigned int> kinds;
+  for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+    {
+      const scene::FacePair &pair   = scene.pairs[i];
+      const World::Place    &master = world.places[pair.master], &slave = world.places[pair.slave];
+      const Copies &masters = world.copies[master.group], &slaves = world.copies[slave.group];
+      owner_.push_back(slaves.owner_of(slave.copy));
+      records_.push_back({pair.master,
+                          pair.slave,
+                          pair.joint,
+                          std::numeric_limits<double>::max(),
+                          {},
+                          0,
+                          {},
+                          0.,
+                          0.});
+
+      const auto [entry, is_new] =
+          kinds.emplace(sides_of(pair, world), static_cast<unsigned int>(kinds_.size()));
+      if (is_new)
+        {
+          kinds_.push_back({master.group, slave.group, pair.master_axis, pair.slave_axis, {}});
+          for (const double sign : {-1., 1.})
+            {
+              Faces faces{facets_of(masters, pair.master_surface, pair.master_axis, sign),
+                          facets_of(slaves, pair.slave_surface, pair.slave_axis, sign),
+                          {}};
+              const auto r = distances(*faces.slaves, slaves, pair.slave_axis);
+              for (unsigned int n = 0; n < r.size(); ++n)
+                if (r[n] <= scene.radius)
+                  faces.taking_part.push_back(n);
+              if (faces.masters->n_facets() > 0)
+                kinds_.back().faces.push_back(std::move(faces));
+            }
+        }
+      if (!slaves.owns(slave.copy))
+        continue;
+      const Kind &kind = kinds_[entry->second];
+      for (unsigned int f = 0; f < kind.faces.size(); ++f)
+        {
+          const Faces &faces = kind.faces[f];
+          Place        place{i, entry->second, f, {}, {}, {}, {}};
+          for (const unsigned int n : faces.masters->nodes())
+            place.masters.push_back(masters.index(master.copy, n, 0));
+          for (const unsigned int s : faces.taking_part)
+            place.slaves.push_back(slaves.index(slave.copy, faces.slaves->nodes()[s], 0));
+          place.nodes.resize(faces.taking_part.size());
+          places_.push_back(std::move(place));
+        }
+    }
+  states_.resize(records_.size());
+}
+
+void NodeFaces::search_nodes(World &world, Place &place)
+{
+  const Kind         &kind    = kinds_[place.kind];
+  const MovingFacets &facets  = *kind.faces[place.face].masters;
+  Copies             &masters = world.copies[kind.master_group],
+         &slaves              = world.copies[kind.slave_group];
+  const NodeValues x{slaves.position.begin(), place.slaves},
+      v{slaves.velocity.begin(), place.slaves}, x_master{masters.position.begin(), place.masters},
+      v_master{masters.velocity.begin(), place.masters};
+
+  std::vector<unsigned int> found;
+  double                    nearest = std::numeric_limits<double>::max(), fastest = 0.;
+  for (unsigned int s = 0; s < place.nodes.size(); ++s)
+    {
+      const MovingFacets::Foot foot = facets.foot(x_master, x(s), place.nodes[s].facet);
+      place.nodes[s].facet          = foot.facet;
+      if (foot.facet == MovingFacets::none)
+        continue;
+      dealii::Tensor<1, 3> relative = v(s);
+      for (unsigned int a = 0; a < 4; ++a)
+        relative -= foot.weight[a] * v_master(foot.node[a]);
+      fastest = std::max(fastest, -(relative * foot.normal));
+      if (foot.gap < 0. && place.searched &&
+          !std::binary_search(place.active.begin(), place.active.end(), s))
+        ++n_missed_;
+      if (foot.gap < reach)
+        found.push_back(s);
+      else
+        nearest = std::min(nearest, foot.gap);
+    }
+  place.active.swap(found);
+  place.searched  = true;
+  place.holds_for = std::min(nearest, 1.) / (2. * fastest + unforeseen);
+}
+
+void NodeFaces::add_forces(World &world, const double dt)
+{
+  for (const Place &place : places_)
+    {
+      Record &record            = records_[place.pair];
+      record.gap                = std::numeric_limits<double>::max();
+      record.force              = dealii::Tensor<1, 3>();
+      states_[place.pair].normal = 0.;
+    }
+  for (Place &place : places_)
+    {
+      place.holds_for -= dt;
+      if (every_step_ || place.holds_for <= 0.)
+        search_nodes(world, place);
+      if (!place.active.empty())
+        add_face_forces(world, place, dt);
+    }
+}
+
+void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
+{
+  const Kind         &kind    = kinds_[place.kind];
+  const Faces        &faces   = kind.faces[place.face];
+  Copies             &masters = world.copies[kind.master_group],
+         &slaves              = world.copies[kind.slave_group];
+  const NodeValues x{slaves.position.begin(), place.slaves},
+      v{slaves.velocity.begin(), place.slaves}, f{slaves.force.begin(), place.slaves},
+      x_master{masters.position.begin(), place.masters},
+      v_master{masters.velocity.begin(), place.masters},
+      f_master{masters.force.begin(), place.masters};
+
+  // two nodes of the master tell a direction that turns with it
+  const unsigned int         last  = static_cast<unsigned int>(place.masters.size()) - 1;
+  const dealii::Tensor<1, 3> fixed = x_master(last) - x_master(0);
+
+  Record              &record = records_[place.pair];
+  dealii::Tensor<1, 3> resultant, normals;
+  double               normal_force = 0.;
+  for (const unsigned int s : place.active)
+    {
+      Node                    &node = place.nodes[s];
+      const MovingFacets::Foot foot = faces.masters->foot(x_master, x(s), node.facet);
+      node.facet                    = foot.facet;
+      const double     gap = foot.facet == MovingFacets::none ? reach : foot.gap;
+      const scene::Law law = law_.times(faces.slaves->areas()[faces.taking_part[s]]);
+      record.gap           = std::min(record.gap, gap);
+      if (gap >= 0.)
+        {
+          if (node.touch.overlap > 0.) // let the law book what the spring gave back
+            update_touch(law, gap, 0., dealii::Tensor<1, 2>(), dt, node.touch, world.ledger);
+          continue;
+        }
+
+      const dealii::Tensor<1, 3> &n     = foot.normal;
+      dealii::Tensor<1, 3>        along = fixed - (fixed * n) * n;
+      along /= along.norm();
+      const dealii::Tensor<1, 3> across = cross_product_3d(n, along);
+
+      dealii::Tensor<1, 3> relative = v(s), turning;
+      for (unsigned int a = 0; a < 4; ++a)
+        {
+          const dealii::Tensor<1, 3> v_a = v_master(foot.node[a]);
+          relative -= foot.weight[a] * v_a;
+          turning += (n * v_a) * foot.gradient[a];
+        }
+      const dealii::Tensor<1, 3> slip = relative + gap * turning;
+      dealii::Tensor<1, 2>       slip_rate;
+      slip_rate[0] = slip * along;
+      slip_rate[1] = slip * across;
+      update_touch(law, gap, relative * n, slip_rate, dt, node.touch, world.ledger);
+
+      dealii::Tensor<1, 3> tangential;
+      if (law.friction > 0.)
+        tangential = node.touch.tangential[0] * along + node.touch.tangential[1] * across;
+      const dealii::Tensor<1, 3> force = node.touch.normal * n + tangential;
+      f.add(s, force);
+      for (unsigned int a = 0; a < 4; ++a)
+        f_master.add(foot.node[a],
+                     -foot.weight[a] * force + gap * (tangential * foot.gradient[a]) * n);
+      resultant += force;
+      normals += node.touch.normal * n;
+      normal_force += node.touch.normal;
+    }
+
+  record.force += world.whole * resultant;
+  for (unsigned int d = 0; d < 3; ++d) // for the motion of the centres of mass
+    {
+      world.force.local_element(3 * record.slave + d) += resultant[d];
+      world.force.local_element(3 * record.master + d) -= resultant[d];
+    }
+  states_[place.pair].normal += normal_force;
+  record.peak = std::max(record.peak, world.whole * normal_force);
+  if (normal_force > 0.)
+    record.normal = normals / normals.norm();
+}
+
+std::vector<ClosedPair> NodeFaces::closed_pairs(const World &world) const
+{
+  std::vector<ClosedPair> pairs;
+  for (const Kind &kind : kinds_)
+    {
+      const Copies &masters = world.copies[kind.master_group],
+                   &slaves  = world.copies[kind.slave_group];
+      ClosedPair pair;
+      pair[0].group = kind.master_group;
+      pair[0].stiffness.resize(masters.n_nodes());
+      pair[1].group = kind.slave_group;
+      pair[1].stiffness.resize(slaves.n_nodes());
+      const auto carry = [](ClosedSide        &side,
+                            const Copies      &copies,
+                            const unsigned int node,
+                            const double       k) {
+        side.stiffness[node] = k;
+        side.eigenvalue      = std::max(side.eigenvalue, k / copies.nodes.mass[node]);
+      };
+      for (const Faces &faces : kind.faces)
+        {
+          const auto of_slaves  = shares(*faces.slaves, slaves, kind.slave_axis),
+                     of_masters = shares(*faces.masters, masters, kind.master_axis);
+          Share      largest;
+          for (const unsigned int s : faces.taking_part)
+            {
+              largest.grow_to(of_slaves[s]);
+              carry(pair[1],
+                    slaves,
+                    faces.slaves->nodes()[s],
+                    law_.stiffness * faces.slaves->areas()[s]);
+            }
+          for (unsigned int i = 0; i < of_masters.size(); ++i)
+            carry(pair[0],
+                  masters,
+                  faces.masters->nodes()[i],
+                  law_.stiffness * carried_area(of_masters[i], largest));
+        }
+      pairs.push_back(std::move(pair));
+    }
+  return pairs;
+}
+} // namespace chaindrive::contact
