@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The printed stable step against exact limits: a spring pair, a chain of bars, a bar with a
-// dashpot, a rigid roller on a frictional surface; and runs just below and just above it.
+// dashpot, a rigid roller on a frictional surface; and runs just below and just above it. With an
+// argument: for so many steps.
 #include "../support/scenes.h"
 
 using namespace test;
 
 namespace
 {
+unsigned long steps = 20000;
+
 /// Largest amplitude after many steps of @p share of the limit, over the initial one.
 double growth(const scene::Scene &scene, const double share, const double kick)
 {
@@ -14,7 +17,7 @@ double growth(const scene::Scene &scene, const double share, const double kick)
   const double     dt = share * system.stable_step_limit();
   system.world.velocity.local_element(0) += kick;
   double largest = 0.;
-  advance(system, 20000, dt, [&]() {
+  advance(system, steps, dt, [&]() {
     largest =
         std::max(largest, std::min(1e300, std::abs(system.world.velocity.local_element(0)) / kick));
   });
@@ -22,8 +25,10 @@ double growth(const scene::Scene &scene, const double share, const double kick)
 }
 } // namespace
 
-int main()
+int main(int argc, char **argv)
 {
+  if (argc > 1)
+    steps = std::stoul(argv[1]);
   {
     const double m = 0.0107, k = 3e8;
     scene::Scene scene = empty_scene();
