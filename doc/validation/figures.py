@@ -112,7 +112,8 @@ def main():
     simple = [History(folder) for folder in arguments.simple]
     full = [History(folder) for folder in arguments.full]
     for draw in (velocities, link_forces, contact_forces):
-        draw(simple[0], full[0], arguments.output)
+        os.makedirs(arguments.output, exist_ok=True)
+    draw(simple[0], full[0], arguments.output)
     pairs = max(len(simple), len(full))
     criteria.report([(simple[i % len(simple)], full[i % len(full)]) for i in range(pairs)])
 
