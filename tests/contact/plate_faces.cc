@@ -238,8 +238,6 @@ int main()
   for (const Outcome *outcome : {&smooth, &rough})
     {
       std::cout << (outcome == &smooth ? "without friction\n" : "with friction\n");
-      std::cout << outcome->worst / outcome->kinetic << ' ' << outcome->friction / outcome->kinetic
-                << ' ' << outcome->impulse << " | " << outcome->gained << '\n';
       verdict("  imbalance below 0.5 % of the energy", outcome->worst < 5e-3 * outcome->kinetic);
       verdict("  momentum changes by the impulse to 1e-3",
               (outcome->gained - outcome->impulse).norm() < 1e-3 * outcome->impulse.norm());
