@@ -36,8 +36,8 @@ Touch FacetFlanks::touch(const World                &world,
       family_.facets->closest_point(dealii::Point<3>(X[0], X[1], z), within, hint);
   if (!nearest.found)
     {
-      foot         = Foot(); // far away it moves with the hub
-      foot.arm     = x - hub.position;
+      foot     = Foot(); // far away it moves with the hub
+      foot.arm = x - hub.position;
       return {};
     }
   hint         = nearest.facet;

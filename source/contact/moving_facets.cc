@@ -10,12 +10,12 @@ namespace chaindrive::contact
 {
 using dealii::Tensor;
 
-MovingFacets::MovingFacets(const mesh::Part                                   &part,
-                           const mesh::Nodes                                  &nodes,
-                           const mesh::Surface                                 surface,
+MovingFacets::MovingFacets(const mesh::Part                                    &part,
+                           const mesh::Nodes                                   &nodes,
+                           const mesh::Surface                                  surface,
                            const std::function<bool(const dealii::Point<3> &)> &chosen)
 {
-  std::map<unsigned int, unsigned int>                                          number;
+  std::map<unsigned int, unsigned int>                                           number;
   std::map<std::pair<unsigned int, unsigned int>, std::pair<unsigned, unsigned>> edges;
   for (const auto &cell : part.mesh->active_cell_iterators())
     for (const auto &face : cell->face_iterators())
@@ -50,7 +50,7 @@ MovingFacets::MovingFacets(const mesh::Part                                   &p
                   edges.try_emplace({std::min(a, b), std::max(a, b)}, facet, e);
               if (is_first)
                 continue;
-              beyond_[facet][e]                                     = other->second.first;
+              beyond_[facet][e]                                  = other->second.first;
               beyond_[other->second.first][other->second.second] = facet;
             }
         }
@@ -93,8 +93,8 @@ unsigned int MovingFacets::foot_on(const NodeValues   &position,
   foot.weight = {{(1. - u) * (1. - v), u * (1. - v), u * v, (1. - u) * v}};
   foot.normal = cross_product_3d(a, b);
   foot.normal /= foot.normal.norm();
-  foot.gap         = r * foot.normal;
-  const double aa = a * a, bb = b * b, ab = a * b, det = aa * bb - ab * ab;
+  foot.gap              = r * foot.normal;
+  const double       aa = a * a, bb = b * b, ab = a * b, det = aa * bb - ab * ab;
   const Tensor<1, 3> grad_u = (bb * a - ab * b) / det, grad_v = (aa * b - ab * a) / det;
   foot.gradient = {{-(1. - v) * grad_u - (1. - u) * grad_v,
                     (1. - v) * grad_u - u * grad_v,
@@ -146,8 +146,7 @@ MovingFacets::Foot MovingFacets::foot(const NodeValues   &position,
   return best;
 }
 
-std::vector<std::array<double, 2>>
-MovingFacets::ranges(const std::vector<double> &values) const
+std::vector<std::array<double, 2>> MovingFacets::ranges(const std::vector<double> &values) const
 {
   std::vector<std::array<double, 2>> result;
   for (const double value : values)

@@ -21,16 +21,16 @@ std::unique_ptr<const MovingFacets> facets_of(const Copies           &copies,
                                               const dealii::Point<3> &axis,
                                               const double            sign)
 {
-  return std::make_unique<const MovingFacets>(
-      *copies.part,
-      copies.nodes,
-      static_cast<mesh::Surface>(surface),
-      [&axis, sign](const dealii::Point<3> &x) { return sign * x[2] > 0. && axis[0] * x[0] >= 0.; });
+  return std::make_unique<const MovingFacets>(*copies.part,
+                                              copies.nodes,
+                                              static_cast<mesh::Surface>(surface),
+                                              [&axis, sign](const dealii::Point<3> &x) {
+                                                return sign * x[2] > 0. && axis[0] * x[0] >= 0.;
+                                              });
 }
 
-std::vector<double> distances(const MovingFacets     &facets,
-                              const Copies           &copies,
-                              const dealii::Point<3> &axis)
+std::vector<double>
+distances(const MovingFacets &facets, const Copies &copies, const dealii::Point<3> &axis)
 {
   std::vector<double> r;
   for (const unsigned int n : facets.nodes())
@@ -107,7 +107,7 @@ NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool se
           kinds_.push_back({master.group, slave.group, pair.master_axis, pair.slave_axis, {}});
           for (const double sign : {-1., 1.})
             {
-              Faces faces{facets_of(masters, pair.master_surface, pair.master_axis, sign),
+              Faces      faces{facets_of(masters, pair.master_surface, pair.master_axis, sign),
                           facets_of(slaves, pair.slave_surface, pair.slave_axis, sign),
                           {}};
               const auto r = distances(*faces.slaves, slaves, pair.slave_axis);
@@ -138,10 +138,9 @@ NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool se
 
 void NodeFaces::search_nodes(World &world, Place &place)
 {
-  const Kind         &kind    = kinds_[place.kind];
-  const MovingFacets &facets  = *kind.faces[place.face].masters;
-  Copies             &masters = world.copies[kind.master_group],
-         &slaves              = world.copies[kind.slave_group];
+  const Kind         &kind   = kinds_[place.kind];
+  const MovingFacets &facets = *kind.faces[place.face].masters;
+  Copies &masters = world.copies[kind.master_group], &slaves = world.copies[kind.slave_group];
   const NodeValues x{slaves.position.begin(), place.slaves},
       v{slaves.velocity.begin(), place.slaves}, x_master{masters.position.begin(), place.masters},
       v_master{masters.velocity.begin(), place.masters};
@@ -175,9 +174,9 @@ void NodeFaces::add_forces(World &world, const double dt)
 {
   for (const Place &place : places_)
     {
-      Record &record            = records_[place.pair];
-      record.gap                = std::numeric_limits<double>::max();
-      record.force              = dealii::Tensor<1, 3>();
+      Record &record             = records_[place.pair];
+      record.gap                 = std::numeric_limits<double>::max();
+      record.force               = dealii::Tensor<1, 3>();
       states_[place.pair].normal = 0.;
     }
   for (Place &place : places_)
@@ -192,10 +191,9 @@ void NodeFaces::add_forces(World &world, const double dt)
 
 void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
 {
-  const Kind         &kind    = kinds_[place.kind];
-  const Faces        &faces   = kind.faces[place.face];
-  Copies             &masters = world.copies[kind.master_group],
-         &slaves              = world.copies[kind.slave_group];
+  const Kind  &kind    = kinds_[place.kind];
+  const Faces &faces   = kind.faces[place.face];
+  Copies      &masters = world.copies[kind.master_group], &slaves = world.copies[kind.slave_group];
   const NodeValues x{slaves.position.begin(), place.slaves},
       v{slaves.velocity.begin(), place.slaves}, f{slaves.force.begin(), place.slaves},
       x_master{masters.position.begin(), place.masters},
@@ -214,9 +212,9 @@ void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
       Node                    &node = place.nodes[s];
       const MovingFacets::Foot foot = faces.masters->foot(x_master, x(s), node.facet);
       node.facet                    = foot.facet;
-      const double     gap = foot.facet == MovingFacets::none ? reach : foot.gap;
-      const scene::Law law = law_.times(faces.slaves->areas()[faces.taking_part[s]]);
-      record.gap           = std::min(record.gap, gap);
+      const double     gap          = foot.facet == MovingFacets::none ? reach : foot.gap;
+      const scene::Law law          = law_.times(faces.slaves->areas()[faces.taking_part[s]]);
+      record.gap                    = std::min(record.gap, gap);
       if (gap >= 0.)
         {
           if (node.touch.overlap > 0.) // let the law book what the spring gave back
@@ -279,18 +277,16 @@ std::vector<ClosedPair> NodeFaces::closed_pairs(const World &world) const
       pair[0].stiffness.resize(masters.n_nodes());
       pair[1].group = kind.slave_group;
       pair[1].stiffness.resize(slaves.n_nodes());
-      const auto carry = [](ClosedSide        &side,
-                            const Copies      &copies,
-                            const unsigned int node,
-                            const double       k) {
-        side.stiffness[node] = k;
-        side.eigenvalue      = std::max(side.eigenvalue, k / copies.nodes.mass[node]);
-      };
+      const auto carry =
+          [](ClosedSide &side, const Copies &copies, const unsigned int node, const double k) {
+            side.stiffness[node] = k;
+            side.eigenvalue      = std::max(side.eigenvalue, k / copies.nodes.mass[node]);
+          };
       for (const Faces &faces : kind.faces)
         {
           const auto of_slaves  = shares(*faces.slaves, slaves, kind.slave_axis),
                      of_masters = shares(*faces.masters, masters, kind.master_axis);
-          Share      largest;
+          Share largest;
           for (const unsigned int s : faces.taking_part)
             {
               largest.grow_to(of_slaves[s]);

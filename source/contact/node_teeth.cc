@@ -102,7 +102,7 @@ Touch NodeTeeth::touch(const World                &world,
                        const unsigned int          i,
                        const unsigned int          s,
                        const dealii::Tensor<1, 3> &x,
-                       Flanks::Foot         &foot)
+                       Flanks::Foot               &foot)
 {
   unsigned int &hint = node(i, s).hint;
   if (flanks_)
@@ -112,7 +112,7 @@ Touch NodeTeeth::touch(const World                &world,
 
 dealii::Tensor<1, 3> NodeTeeth::flank_velocity(const World                &world,
                                                const dealii::Tensor<1, 3> &x,
-                                               const Flanks::Foot   &foot,
+                                               const Flanks::Foot         &foot,
                                                const double                dt) const
 {
   // nodal velocities are the secants of the step: the sprocket's point goes along its own
@@ -129,7 +129,7 @@ void NodeTeeth::add_forces(World &world, const double dt)
 
 void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const double dt)
 {
-  Copies            &copies = world.copies[group_];
+  Copies      &copies = world.copies[group_];
   Flanks::Foot foot;
 
   const Frame &hub    = world.frames[scene_.sprocket];

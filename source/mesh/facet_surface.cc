@@ -144,7 +144,7 @@ std::array<Tensor<1, 3>, 4> FacetSurface::gradients(const Projection &at) const
   };
   const bool         on_u = !held(1, u - 1.) && !held(3, u), on_v = !held(0, v) && !held(2, v - 1.);
   const double       uu = s_u.x * s_u.x, uv = on_u && on_v ? s_u.x * s_v.x : 0., vv = s_v.x * s_v.x;
-  const double       det = uu * vv - uv * uv;
+  const double       det    = uu * vv - uv * uv;
   const Tensor<1, 3> grad_u = on_u ? (vv * s_u.x - uv * s_v.x) / det : Tensor<1, 3>(),
                      grad_v = on_v ? (uu * s_v.x - uv * s_u.x) / det : Tensor<1, 3>();
   return {{-(1. - v) * grad_u - (1. - u) * grad_v,

@@ -218,13 +218,12 @@ std::unique_ptr<dealii::Triangulation<3>> upper_half(const std::string          
   if (std::abs(difference) > 1e-6 * volume)
     throw InputError("Model/Half model = true needs a mesh that is symmetric about its middle "
                      "plane, but '" +
-                     file + "' has different volumes on its two sides. Choose another mesh, or "
-                            "Half model = false.");
+                     file +
+                     "' has different volumes on its two sides. Choose another mesh, or "
+                     "Half model = false.");
   auto half = cut_out(mesh, above, [](const CellIterator &) { return middle_plane; });
   dealii::GridTools::transform(
-      [same](const Point<3> &x) {
-        return Point<3>(x[0], x[1], std::abs(x[2]) < same ? 0. : x[2]);
-      },
+      [same](const Point<3> &x) { return Point<3>(x[0], x[1], std::abs(x[2]) < same ? 0. : x[2]); },
       *half);
   return half;
 }

@@ -78,8 +78,10 @@ void Contact::declare(dealii::ParameterHandler &prm)
       "Plate faces",
       plate_faces,
       {"off", "on"},
-      "Whether the outer faces of inner plates and the inner faces of outer plates touch, round the "
-      "joints and between elastic links; full fidelity only. They are apart unless something pushes "
+      "Whether the outer faces of inner plates and the inner faces of outer plates touch, round "
+      "the "
+      "joints and between elastic links; full fidelity only. They are apart unless something "
+      "pushes "
       "or bends the chain sideways. off: plates pass through each other.");
   add(prm,
       "Search",

@@ -107,7 +107,8 @@ double step_cost(const Scene &scene)
         cost += cost_of_rigid;
         break;
       case Motion::elastic:
-        cost += cost_of_element * lanes_per_copy(scene, body.kind) * size_of(scene, body.kind).first;
+        cost +=
+            cost_of_element * lanes_per_copy(scene, body.kind) * size_of(scene, body.kind).first;
         break;
       }
   for (const BoreFamily &bores : scene.bores)

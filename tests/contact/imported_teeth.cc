@@ -22,24 +22,24 @@ struct Pressed
 /// [rad] from the bottom, away from the seat's centre.
 Pressed press(Tooth c, const double angle, const double approach)
 {
-  const auto    chain     = drive::make_chain(parameters::Chain());
-  const double  clearance = 0.005 * chain.roller_diameter; // radial, of the least form
-  const Vector3 direction = vector(-std::cos(angle), std::sin(angle));
-  const Vector3 moved     = (clearance + approach) * direction + vector(clearance - 5e-6, 0.);
-  c.velocity              = Vector3();
+  const auto    chain      = drive::make_chain(parameters::Chain());
+  const double  clearance  = 0.005 * chain.roller_diameter; // radial, of the least form
+  const Vector3 direction  = vector(-std::cos(angle), std::sin(angle));
+  const Vector3 moved      = (clearance + approach) * direction + vector(clearance - 5e-6, 0.);
+  c.velocity               = Vector3();
   const scene::Scene scene = make_scene(c);
   World              world(scene);
   contact::NodeTeeth teeth(scene.teeth[0], world, true);
   teeth.search(world, 1e-3);
 
-  const mesh::Part  &roller = *scene.parts.at(scene::Kind::roller),
-                    &whole  = *scene.parts.at(scene::Kind::driver);
-  const mesh::Nodes  nodes(whole);
-  const Reference    roller_elements(roller, scene.material, Formulation::enhanced),
+  const mesh::Part &roller = *scene.parts.at(scene::Kind::roller),
+                   &whole  = *scene.parts.at(scene::Kind::driver);
+  const mesh::Nodes nodes(whole);
+  const Reference   roller_elements(roller, scene.material, Formulation::enhanced),
       teeth_elements(whole, nodes, scene.material, Formulation::enhanced);
-  Statics      statics({&roller_elements, &teeth_elements});
-  const auto  &sector = *scene.sectors.at(scene::Kind::driver);
-  Copies      &rim    = world.copies[world.rims[0].group];
+  Statics       statics({&roller_elements, &teeth_elements});
+  const auto   &sector  = *scene.sectors.at(scene::Kind::driver);
+  Copies       &rim     = world.copies[world.rims[0].group];
   const Copies &rollers = world.copies[world.places[0].group];
 
   // positions and forces of both, whose numbers are those of the statics
@@ -122,13 +122,13 @@ Pressed press(Tooth c, const double angle, const double approach)
 void compare(const double degrees)
 {
   const double angle = degrees / 180. * dealii::numbers::PI, approach = 15e-6;
-  Tooth imported, generated;
+  Tooth        imported, generated;
   imported.sprocket    = Sprocket::imported;
   generated.refinement = 0;
   const Pressed a = press(imported, angle, approach), b = press(generated, angle, approach);
-  std::cout << degrees << " degrees from the bottom of the seat, pressed in by 15 um: "
-            << to_text(a.force, 2) << " N, teeth give way by " << to_text(a.deflection * 1e6, 2)
-            << " um\n";
+  std::cout << degrees
+            << " degrees from the bottom of the seat, pressed in by 15 um: " << to_text(a.force, 2)
+            << " N, teeth give way by " << to_text(a.deflection * 1e6, 2) << " um\n";
   ratio("  force at the same approach, imported over generated", a.force, b.force);
   ratio("  deflection of the teeth, imported over generated", a.deflection, b.deflection);
 }

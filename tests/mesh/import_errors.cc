@@ -111,7 +111,11 @@ int main()
   rim("rim", good, false);
   rim("half of it", good, true);
   rim("rigid zone outside",
-      replaced(replaced(replaced(good, "\"rim\"", "\"\""), "\"hub zone\"", "\"rim\""), "\"\"", "\"hub zone\""),
+      replaced(replaced(replaced(good, "\"rim\"", "\"\""), "\"hub zone\"", "\"rim\""),
+               "\"\"",
+               "\"hub zone\""),
       false);
-  rim("vertex off the middle plane", replaced(good, "-3.812927470559414 0\n", "-3.812927470559414 0.1\n"), true);
+  rim("vertex off the middle plane",
+      replaced(good, "-3.812927470559414 0\n", "-3.812927470559414 0.1\n"),
+      true);
 }

@@ -58,13 +58,12 @@ sprocket_mesh(const Tooth &c, const drive::ToothForm &form, const double density
   if (it.whole)
     return it;
   const bool imported = c.sprocket == Sprocket::imported;
-  it.whole          = std::make_shared<const mesh::Part>(
+  it.whole            = std::make_shared<const mesh::Part>(
       imported ? mesh::import_sprocket(SOURCE_DIR "/../../meshes/sprocket-15.msh", form, density) :
-                          mesh::make_sprocket(form, {25e-3, 33e-3, 7.2e-3}, density, c.refinement));
+                            mesh::make_sprocket(form, {25e-3, 33e-3, 7.2e-3}, density, c.refinement));
   it.sector = std::make_shared<const mesh::Sector>(*it.whole);
   if (imported)
-    it.facets =
-        std::make_shared<const mesh::FacetSurface>(*it.sector->part, mesh::tooth_flanks);
+    it.facets = std::make_shared<const mesh::FacetSurface>(*it.sector->part, mesh::tooth_flanks);
   return it;
 }
 
@@ -73,7 +72,7 @@ inline scene::Scene make_scene(const Tooth &c)
   scene::Scene scene = empty_scene();
   const auto   chain = drive::make_chain(parameters::Chain());
   const auto   form  = std::make_shared<const drive::ToothForm>(tooth_form(chain));
-  const auto part = std::make_shared<const mesh::Part>(
+  const auto   part  = std::make_shared<const mesh::Part>(
       mesh::make_roller(chain, scene.material.density, mesh::RollerGrid(1, 32, 4)));
   scene.parts[scene::Kind::roller] = part;
 
@@ -87,7 +86,7 @@ inline scene::Scene make_scene(const Tooth &c)
                         ground()};
   scene.bodies[0].initial.angular_velocity = vector(0., 0., c.spin);
   scene.bodies[1].initial.rotation         = to_matrix(rotation_about_z(c.turned));
-  const auto &[whole, sector, facets] = sprocket_mesh(c, *form, scene.material.density);
+  const auto &[whole, sector, facets]      = sprocket_mesh(c, *form, scene.material.density);
   if (c.elastic)
     {
       scene.parts[scene::Kind::driver]   = whole;
@@ -166,8 +165,8 @@ inline void displace(World &world, const Field &u)
 inline double error(const Vector3 &a, const Vector3 &b) { return (a - b).norm() / b.norm(); }
 
 /// Undeformed teeth give the forces of a rigid sprocket, displaced and turned ones those of a rigid
-/// one displaced and turned with them; on strained ones the force is the derivative of the contact's
-/// energy.
+/// one displaced and turned with them; on strained ones the force is the derivative of the
+/// contact's energy.
 inline void check_geometry(const Sprocket sprocket)
 {
   Tooth flank; // in the seat, off its middle

@@ -11,8 +11,8 @@
 
 namespace chaindrive::contact
 {
-/// The flanks of a sprocket with an elastic rim: a smooth surface that turns with the hub, displaced
-/// by what the nodes of the flank mesh have moved relative to the hub.
+/// The flanks of a sprocket with an elastic rim: a smooth surface that turns with the hub,
+/// displaced by what the nodes of the flank mesh have moved relative to the hub.
 ///
 /// A point X of the hub's frame that is nearest to the surface in the facet of nodes i with the
 /// weights w_i has the gap g = d(X - u), with the distance d from the surface and the bilinear
@@ -62,11 +62,10 @@ protected:
   /// Completes @p foot, whose nodes and weights are there, for a slave at @p x. Returns the nodes'
   /// displacements relative to the hub [m, world axes] from their @p reference positions in its
   /// frame.
-  std::array<dealii::Tensor<1, 3>, 4>
-  complete(const World                               &world,
-           const dealii::Tensor<1, 3>                &x,
-           const std::array<dealii::Tensor<1, 3>, 4> &reference,
-           Foot                                      &foot) const;
+  std::array<dealii::Tensor<1, 3>, 4> complete(const World                               &world,
+                                               const dealii::Tensor<1, 3>                &x,
+                                               const std::array<dealii::Tensor<1, 3>, 4> &reference,
+                                               Foot &foot) const;
 
   const scene::ToothFamily &family_;
   unsigned int              group_;

@@ -44,9 +44,9 @@ public:
 
   /// The faces of @p part that carry @p surface and whose centre @p chosen accepts. @p nodes are
   /// those of the part.
-  MovingFacets(const mesh::Part                                   &part,
-               const mesh::Nodes                                  &nodes,
-               mesh::Surface                                       surface,
+  MovingFacets(const mesh::Part                                    &part,
+               const mesh::Nodes                                   &nodes,
+               mesh::Surface                                        surface,
                const std::function<bool(const dealii::Point<3> &)> &chosen);
 
   /// Nodes of the part that the facets have, each once. Below, nodes are numbered in this order.
@@ -65,8 +65,8 @@ public:
   };
 
   /// The foot of @p x on the facets whose nodes are at @p position. It is looked for from facet
-  /// @p start on, across the facets' edges; from each of them with none. Beyond the rim a facet goes
-  /// on for a tenth of its size.
+  /// @p start on, across the facets' edges; from each of them with none. Beyond the rim a facet
+  /// goes on for a tenth of its size.
   Foot foot(const NodeValues &position, const dealii::Tensor<1, 3> &x, unsigned int start) const;
 
   const std::vector<double> &areas() const { return area_; } ///< a quarter of each facet, m2

@@ -9,12 +9,12 @@
 
 namespace chaindrive::contact
 {
-/// Flat faces of two elastic bodies round a common axis along z, such as those of plates in a joint:
-/// nodes of one are slaves, facets of the other masters. One record per pair, with the sum over the
-/// faces at z < 0 and z > 0. A pair is evaluated by the rank that owns the slave.
+/// Flat faces of two elastic bodies round a common axis along z, such as those of plates in a
+/// joint: nodes of one are slaves, facets of the other masters. One record per pair, with the sum
+/// over the faces at z < 0 and z > 0. A pair is evaluated by the rank that owns the slave.
 ///
-/// Only slaves within a radius of the axis take part, where the master's face is a full ring however
-/// the two are turned: no node passes its rim.
+/// Only slaves within a radius of the axis take part, where the master's face is a full ring
+/// however the two are turned: no node passes its rim.
 ///
 /// A slave at x = P + g n, with the point P of a facet and its normal n, gets the force
 /// F = N n + T; the facet's nodes, whose weights are w_i, get -w_i F + g (T . grad w_i) n: forces

@@ -43,7 +43,7 @@ private:
               unsigned int                i,
               unsigned int                s,
               const dealii::Tensor<1, 3> &x,
-              Flanks::Foot         &foot);
+              Flanks::Foot               &foot);
 
   /// Contact of slave @p i with its record.
   void add_roller_forces(World &world, unsigned int i, double dt);
@@ -58,7 +58,7 @@ private:
   /// Velocity [m/s] of the flank at @p x and @p foot.
   dealii::Tensor<1, 3> flank_velocity(const World                &world,
                                       const dealii::Tensor<1, 3> &x,
-                                      const Flanks::Foot   &foot,
+                                      const Flanks::Foot         &foot,
                                       double                      dt) const;
 
   /// What is kept of one node of one slave.
@@ -78,7 +78,7 @@ private:
 
   unsigned int                              group_; ///< of the rollers in World::copies
   std::unique_ptr<const mesh::SurfaceNodes> surface_;
-  std::unique_ptr<const Flanks>      flanks_; ///< of an elastic rim; null: rigid
+  std::unique_ptr<const Flanks>             flanks_; ///< of an elastic rim; null: rigid
   std::vector<std::array<double, 2>>        extent_; ///< of the nodes' shares along the axis, m
   std::vector<unsigned int>                 copy_;   ///< per slave
   std::vector<std::size_t>                  first_;  ///< per slave of this rank, in the vectors

@@ -7,8 +7,8 @@
 
 namespace chaindrive::contact
 {
-/// Elastic flanks whose surface is the exact arcs of a tooth form. Facets form a grid, columns along
-/// the profile by layers along the axis.
+/// Elastic flanks whose surface is the exact arcs of a tooth form. Facets form a grid, columns
+/// along the profile by layers along the axis.
 class ToothSurface : public Flanks
 {
 public:

@@ -12,7 +12,8 @@ namespace chaindrive::mesh
 {
 /// One of the equal sectors of a sprocket, its elastic zone only: the whole rim is n_sectors copies
 /// of it, copy s turned by 2 pi s / n_sectors about z. Vertices between two sectors are there
-/// twice, once in each. A mesh that is not made of sectors, such as an imported one, is a single one.
+/// twice, once in each. A mesh that is not made of sectors, such as an imported one, is a single
+/// one.
 struct Sector
 {
   /// Of a sprocket @p whole. Throws InputError if it has no elastic zone, if nothing holds that, or
