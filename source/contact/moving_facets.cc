@@ -149,6 +149,7 @@ MovingFacets::Foot MovingFacets::foot(const NodeValues   &position,
 std::vector<std::array<double, 2>> MovingFacets::ranges(const std::vector<double> &values) const
 {
   std::vector<std::array<double, 2>> result;
+  result.reserve(values.size());
   for (const double value : values)
     result.push_back({{value, value}});
   for (const auto &quad : quads_)
