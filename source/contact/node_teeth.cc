@@ -103,6 +103,27 @@ bool NodeTeeth::within_reach(const unsigned int i) const
   return std::binary_search(near_.begin(), near_.end(), i);
 }
 
+void NodeTeeth::exchange(const Archive &archive, const unsigned int rank)
+{
+  Teeth::exchange(archive, rank);
+  archive("nodes' approach", approach_);
+  if (archive.reads())
+    {
+      own_.clear();
+      for (const unsigned int i : near_)
+        if (owner_[i] == rank)
+          own_.push_back(i);
+    }
+}
+
+void NodeTeeth::exchange_pair(const unsigned int i, const Archive &archive)
+{
+  Teeth::exchange_pair(i, archive);
+  archive.numbers("nodes", &state(i, 0), surface_->size());
+  archive.numbers("hints", &hint(i, 0), surface_->size());
+  archive("active", active_[i]);
+}
+
 Touch NodeTeeth::touch(const World                &world,
                        const unsigned int          i,
                        const unsigned int          s,

@@ -30,6 +30,8 @@ public:
 
   std::vector<unsigned int> node_groups() const override { return node_groups_; }
 
+  void exchange(const Archive &archive, unsigned int rank) override;
+
   unsigned long n_missed() const override;
 
 private:

@@ -3,6 +3,7 @@
 
 #include <chaindrive/mesh/nodes.h>
 #include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/pack.h>
 
 #include <deal.II/base/index_set.h>
@@ -92,6 +93,9 @@ public:
 
   void fetch_ghosts(); ///< collective
   void send_forces();  ///< collective
+
+  /// The state between two steps, batch by batch: forces are then used up.
+  void exchange(const Archive &archive);
 
   std::size_t memory_consumption() const;
 
