@@ -30,6 +30,9 @@ options::options_description visible_options(CommandLine &c)
   visible.add_options()("output",
                         options::value(&c.output_directory)->value_name("DIRECTORY"),
                         "write the results there");
+  visible.add_options()("resume",
+                        options::value(&c.resume)->value_name("auto|CHECKPOINT"),
+                        "go on from the newest checkpoint in the directory, or from this one");
   add("plan", c.plan, "print what would be computed and what it costs, and stop");
   add("quiet", c.quiet, "print warnings and errors only");
   add("write-parameters", c.write_parameters, "print a commented template of FILE.prm");

@@ -17,16 +17,16 @@ namespace
 {
 using namespace chaindrive;
 
-/// Does what the command line asks for.
-void run(const int argc, char **argv, const bool is_first_rank)
+/// Does what the command line asks for; returns the status.
+int run(const int argc, char **argv, const bool is_first_rank)
 {
   const CommandLine command_line = parse_command_line(argc, argv);
   if (!(command_line.help || command_line.version || command_line.write_parameters ||
         command_line.write_documentation))
-    simulate(command_line, MPI_COMM_WORLD);
-  else if (!is_first_rank)
-    return;
-  else if (command_line.help)
+    return simulate(command_line, MPI_COMM_WORLD) ? 0 : 4;
+  if (!is_first_rank)
+    return 0;
+  if (command_line.help)
     std::cout << help_text();
   else if (command_line.version)
     std::cout << version_text();
@@ -34,9 +34,11 @@ void run(const int argc, char **argv, const bool is_first_rank)
     parameters::write_template(std::cout);
   else
     std::cout << parameters::parameter_documentation();
+  return 0;
 }
 
-/// How a rank's part ended. Status: 0 done, 2 input that cannot be run, 3 a run that failed.
+/// How a rank's part ended. Status: 0 done, 2 input that cannot be run, 3 a run that failed, 4 a
+/// run that was stopped and can be resumed.
 struct End
 {
   int         status = 0;
@@ -47,8 +49,7 @@ End run_and_catch(const int argc, char **argv, const bool is_first_rank)
 {
   try
     {
-      run(argc, argv, is_first_rank);
-      return {};
+      return {run(argc, argv, is_first_rank), {}};
     }
   catch (const InputError &error)
     {
@@ -66,7 +67,7 @@ int end_together(const End &end, const bool is_first_rank, const MPI_Comm comm)
 {
   using namespace std::chrono_literals;
   const auto say = [&end] { std::cerr << "chaindrive: " << end.message << std::endl; };
-  if (end.status != 0 && is_first_rank)
+  if (!end.message.empty() && is_first_rank)
     say();
 
   const auto  since = std::chrono::steady_clock::now();
@@ -76,7 +77,7 @@ int end_together(const End &end, const bool is_first_rank, const MPI_Comm comm)
   for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); !done;
        MPI_Test(&request, &done, MPI_STATUS_IGNORE))
     {
-      if (end.status != 0 && std::chrono::steady_clock::now() - since > 5s)
+      if (!end.message.empty() && std::chrono::steady_clock::now() - since > 5s)
         {
           if (!is_first_rank)
             say();

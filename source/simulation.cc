@@ -2,6 +2,7 @@
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/dynamics/time_loop.h>
 #include <chaindrive/mesh/report.h>
+#include <chaindrive/output/checkpoints.h>
 #include <chaindrive/output/directory.h>
 #include <chaindrive/output/file.h>
 #include <chaindrive/output/recorder.h>
@@ -9,7 +10,9 @@
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/plan.h>
 #include <chaindrive/simulation.h>
+#include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
+#include <chaindrive/utilities/signals.h>
 #include <chaindrive/utilities/text.h>
 
 #include <filesystem>
@@ -43,7 +46,7 @@ void print_step(std::ostream &log, const dynamics::StepChoice &choice, const uns
 }
 } // namespace
 
-void simulate(const CommandLine &command_line, const MPI_Comm comm)
+bool simulate(const CommandLine &command_line, const MPI_Comm comm)
 {
   const bool  is_first_rank = rank_in(comm) == 0;
   output::Log log(command_line.quiet || !is_first_rank ? nullptr : &std::cout);
@@ -57,14 +60,22 @@ void simulate(const CommandLine &command_line, const MPI_Comm comm)
   const scene::Scene scene =
       scene::build_scene(parameters, drive, {folder.empty() ? "." : folder, "."});
 
+  catch_stop_signals();
   if (!scene.has_elastic_bodies() && !is_first_rank)
-    return;
-  dynamics::System           system(scene,
+    return true;
+  dynamics::System     system(scene,
                           parameters.contact.search == "every step",
                           scene.has_elastic_bodies() ? comm : MPI_COMM_SELF);
-  const dynamics::StepChoice choice = dynamics::choose_step(system, parameters);
-  const double               start = parameters.time.start, end = parameters.time.end;
-  const unsigned long        n_steps = dynamics::n_steps(start, end, choice.step);
+  dynamics::StepChoice choice = dynamics::choose_step(system, parameters);
+
+  const std::string directory = output_directory(command_line, parameters);
+  const std::string resume =
+      command_line.resume.empty() ? parameters.output.resume : command_line.resume;
+  const auto checkpoint = output::find_checkpoint(resume, directory, input.fixed, log);
+  if (checkpoint != nullptr)
+    choice.step = checkpoint->header().dt; // the same to the last bit on any machine
+  const double        start = parameters.time.start, end = parameters.time.end;
+  const unsigned long n_steps = dynamics::n_steps(start, end, choice.step);
 
   for (const std::string &note : input.notes)
     log << note << '\n';
@@ -73,32 +84,50 @@ void simulate(const CommandLine &command_line, const MPI_Comm comm)
     mesh::print(log, mesh::make_report(*part, parameters.material));
   print_step(log, choice, n_steps);
   if (command_line.plan)
-    return;
+    return true;
 
-  const std::string directory = output_directory(command_line, parameters);
   if (is_first_rank)
     {
-      const std::string original = output::read_text(command_line.parameter_file);
-      output::prepare_directory(directory);
-      output::write_text(directory + "/input.prm", original);
-      output::write_text(directory + "/parameters.prm", input.resolved);
-      log.open(directory + "/log.txt");
+      output::prepare_directory(directory, checkpoint != nullptr);
+      log.open(directory + "/log.txt", checkpoint != nullptr);
     }
 
   output::Recorder recorder(
       scene, parameters, system, directory, input.resolved, system.timer, log);
   dynamics::EnergyGuard guard(parameters.time.energy_limit, 1e-3 * scene.nominal_energy());
-  dynamics::run(system, recorder, guard, start, end, choice.step);
-  recorder.close();
+  output::Checkpoints   checkpoints(
+      parameters, directory, input.fixed, n_steps, choice.step, recorder, guard, log);
+  unsigned long done = checkpoint == nullptr ? 0 : checkpoints.resume(system, *checkpoint);
+  if (is_first_rank)
+    {
+      output::write_text(directory + "/input.prm", output::read_text(command_line.parameter_file));
+      output::write_text(directory + "/parameters.prm", input.resolved);
+    }
+  try
+    {
+      done = dynamics::run(system, checkpoints, guard, start, end, choice.step, done);
+    }
+  catch (const RunError &error)
+    {
+      throw RunError(error.what() + checkpoints.last());
+    }
+  const bool finished = done == n_steps;
+  recorder.close(finished);
+  if (!finished)
+    {
+      log.close();
+      return false;
+    }
 
   const auto         table   = output::rows_of_all_ranks(system.timer, system.world.communicator());
   const output::Json summary = recorder.summary(system, guard, choice, n_steps, table);
   if (!is_first_rank)
-    return;
+    return true;
   output::write_json(directory + "/summary.json", summary);
   output::print_summary(log, summary);
   PhaseTimer::print(log, table);
   log << "Results: " << directory << '\n';
   log.close();
+  return true;
 }
 } // namespace chaindrive

@@ -12,6 +12,7 @@ struct CommandLine
   std::string              parameter_file;
   std::vector<std::string> overrides;        ///< "Section/Entry=value", in the order given
   std::string              output_directory; ///< empty: what the .prm file says
+  std::string              resume;           ///< empty: what the .prm file says
   bool                     plan                = false; ///< print what would be computed, and stop
   bool                     quiet               = false; ///< warnings and errors only
   bool                     write_parameters    = false; ///< print a template of a .prm file

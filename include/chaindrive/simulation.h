@@ -10,6 +10,7 @@ namespace chaindrive
 /// Reads the .prm file named on the command line and runs it from parameters to results. Throws
 /// InputError for input that cannot be run and RunError for a run that failed. Collective: elastic
 /// bodies are dealt out to the ranks of @p comm; lumped and rigid models are too small for that,
-/// the first rank computes them alone.
-void simulate(const CommandLine &command_line, MPI_Comm comm);
+/// the first rank computes them alone. Returns whether the run came to its end: false when a signal
+/// or the wall-clock limit stopped it, after a checkpoint was written.
+bool simulate(const CommandLine &command_line, MPI_Comm comm);
 } // namespace chaindrive

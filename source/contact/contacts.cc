@@ -113,6 +113,20 @@ void Contacts::gather_records(const World &world)
     }
 }
 
+void Contacts::exchange(const Archive &archive, const World &world)
+{
+  archive("approach", approach_);
+  archive("searched", searched_);
+  archive("statistics", statistics_);
+  unsigned long missed = dealii::Utilities::MPI::sum(n_missed(), world.communicator());
+  archive("missed", missed);
+  if (archive.reads() && world.is_first_rank())
+    missed_before_ = missed;
+  for (unsigned int f = 0; f < families_.size(); ++f)
+    families_[f]->exchange(archive / ("family " + std::to_string(f)),
+                           rank_in(world.communicator()));
+}
+
 void Contacts::add_springs(const World &world, std::vector<Spring> &springs) const
 {
   for (const auto &family : families_)
@@ -165,7 +179,7 @@ std::vector<const Family *> Contacts::find(const std::string &name) const
 
 unsigned long Contacts::n_missed() const
 {
-  unsigned long missed = 0;
+  unsigned long missed = missed_before_;
   for (const auto &family : families_)
     missed += family->n_missed();
   return missed;

@@ -55,6 +55,16 @@ void Family::unpack_records(const unsigned int         rank,
       visit(records_[i], [&](double &value) { value = numbers[position++]; });
 }
 
+void Family::exchange(const Archive &archive, const unsigned int rank)
+{
+  archive.numbers("records", records_);
+  if (!is_dealt_out())
+    archive.numbers("states", states_);
+  for (unsigned int i = 0; i < owner_.size(); ++i)
+    if (owner_[i] == rank)
+      exchange_pair(i, archive.of_this_rank() / ("pair " + std::to_string(i)));
+}
+
 void Family::apply(World &world, const unsigned int i, const Touch &touch, const double dt)
 {
   Record     &record = records_[i];

@@ -182,6 +182,19 @@ void JointBatch::add_forces(const double dt)
   fresh_ = false;
 }
 
+void JointBatch::exchange(const int lane, const Archive &archive)
+{
+  archive.numbers("nodes", state_.data() + lane, state_.size() / n_lanes, n_lanes);
+  archive.numbers("stations", station_.data() + lane, station_.size() / n_lanes, n_lanes);
+  archive.numbers("cells", cell_.data() + lane, cell_.size() / n_lanes, n_lanes);
+  archive("first", window_.first[lane]);
+  archive("count", window_.count[lane]);
+  archive("cell", window_.cell[lane]);
+  double holds_for = holds_for_;
+  archive("holds for", holds_for);
+  holds_for_ = lane == 0 ? holds_for : std::min(holds_for, holds_for_);
+}
+
 unsigned int JointBatch::n_visited() const
 {
   unsigned int columns = 0;

@@ -221,6 +221,15 @@ void NodeBores::add_forces(World &world, const double dt)
       }
 }
 
+void NodeBores::exchange(const Archive &archive, const unsigned int rank)
+{
+  Family::exchange(archive, rank);
+  for (Group &group : groups_)
+    for (unsigned int i = 0; i < group.pairs.size(); ++i)
+      group.batches[i / n_lanes]->exchange(
+          i % n_lanes, archive.of_this_rank() / ("joint " + std::to_string(group.pairs[i])));
+}
+
 std::vector<ClosedPair> NodeBores::closed_pairs(const World &) const
 {
   std::vector<ClosedPair> pairs;

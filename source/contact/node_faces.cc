@@ -265,6 +265,20 @@ void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
     record.normal = normals / normals.norm();
 }
 
+void NodeFaces::exchange_pair(const unsigned int i, const Archive &archive)
+{
+  Family::exchange_pair(i, archive);
+  for (Place &place : places_)
+    if (place.pair == i)
+      {
+        const Archive part = archive / ("face " + std::to_string(place.face));
+        part.numbers("nodes", place.nodes);
+        part("active", place.active);
+        part("holds for", place.holds_for);
+        part("searched", place.searched);
+      }
+}
+
 std::vector<ClosedPair> NodeFaces::closed_pairs(const World &world) const
 {
   std::vector<ClosedPair> pairs;

@@ -98,6 +98,26 @@ bool NodeTeeth::within_reach(const unsigned int i) const
   return std::binary_search(near_.begin(), near_.end(), i);
 }
 
+void NodeTeeth::exchange(const Archive &archive, const unsigned int rank)
+{
+  Teeth::exchange(archive, rank);
+  archive("now", now_);
+  archive("before", before_);
+  if (archive.reads())
+    {
+      own_.clear();
+      for (const unsigned int i : near_)
+        if (owner_[i] == rank)
+          own_.push_back(i);
+    }
+}
+
+void NodeTeeth::exchange_pair(const unsigned int i, const Archive &archive)
+{
+  Teeth::exchange_pair(i, archive);
+  archive.numbers("nodes", &node(i, 0), surface_->size());
+}
+
 Touch NodeTeeth::touch(const World                &world,
                        const unsigned int          i,
                        const unsigned int          s,

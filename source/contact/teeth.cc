@@ -95,6 +95,13 @@ void Teeth::search(const World &world, const double reach)
     }
 }
 
+void Teeth::exchange(const Archive &archive, const unsigned int rank)
+{
+  Family::exchange(archive, rank);
+  archive("near", near_);
+  archive.numbers("hints", hints_);
+}
+
 void Teeth::add_forces(World &world, const double dt)
 {
   const Frame &sprocket = world.frames[scene_.sprocket];

@@ -74,6 +74,16 @@ void System::advance(const double dt, const double new_time)
 
 void System::close_ledger() { world.ledger.kinetic += world.kinetic_energy(); }
 
+void System::exchange(const Archive &archive)
+{
+  archive("elastic started", elastic_started_);
+  world.exchange(archive / "world");
+  bars.exchange(archive / "bars");
+  elastic.exchange(archive / "elastic");
+  contacts.exchange(archive / "contacts", world);
+  loads.exchange(archive / "loads");
+}
+
 std::vector<StepVote> System::votes() const
 {
   std::vector<StepVote> votes;

@@ -27,21 +27,23 @@ unsigned long n_steps(const double start, const double end, const double dt)
   return static_cast<unsigned long>(std::max(0., std::ceil((end - start) / dt - 1e-9)));
 }
 
-unsigned long run(System      &system,
-                  Observer    &observer,
-                  EnergyGuard &guard,
-                  const double start,
-                  const double end,
-                  const double dt)
+unsigned long run(System       &system,
+                  Observer     &observer,
+                  EnergyGuard  &guard,
+                  const double  start,
+                  const double  end,
+                  const double  dt,
+                  unsigned long done)
 {
-  const unsigned long last = n_steps(start, end, dt);
-  observer.observe(system, 0, 0.);
-  for (unsigned long step = 1; step <= last; ++step)
+  const unsigned long last  = n_steps(start, end, dt);
+  bool                going = done > 0 || observer.observe(system, 0, 0.);
+  while (going && done < last)
     {
-      system.advance(dt, start + step * dt);
+      ++done;
+      system.advance(dt, start + done * dt);
       guard.check(system.world.ledger, system.world.time);
-      observer.observe(system, step, dt);
+      going = observer.observe(system, done, dt);
     }
-  return last;
+  return done;
 }
 } // namespace chaindrive::dynamics

@@ -47,6 +47,14 @@ void Bars::add_forces(World &world, const double dt)
   world.ledger.chain_damping += loss;
 }
 
+void Bars::exchange(const Archive &archive)
+{
+  archive.numbers("tension", tension_);
+  archive.numbers("peak", peak_);
+  archive.numbers("length", length_);
+  archive.numbers("viscous", viscous_);
+}
+
 void Bars::add_springs(const World &world, std::vector<Spring> &springs) const
 {
   for (const scene::Bar &bar : bars_)

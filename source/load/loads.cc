@@ -34,6 +34,15 @@ void Loads::add_forces(World &world, const double dt)
         }
 }
 
+void Loads::exchange(const Archive &archive)
+{
+  archive("drive torque", drive_torque_);
+  archive("load torque", load_torque_);
+  archive("drive angle", drive_angle_);
+  archive("load angle", load_angle_);
+  archive("booked", booked_);
+}
+
 void Loads::add_work(World &world)
 {
   // trapezoidal rule over the step that ended now: both torques belong to its two ends

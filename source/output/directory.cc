@@ -31,7 +31,7 @@ void remove_files(const fs::path &directory, const std::regex &names)
 }
 } // namespace
 
-void prepare_directory(const std::string &path)
+void prepare_directory(const std::string &path, const bool resumes)
 {
   const std::string refusal = "The output directory '" + path + "' cannot be used: ";
 
@@ -55,10 +55,13 @@ void prepare_directory(const std::string &path)
     throw InputError(refusal + std::generic_category().message(errno) + ".");
   ::close(descriptor);
 
-  static const std::regex results("(histories\\.h5|histories_[a-z0-9_]+\\.csv|(bodies|bars)\\.pvd|"
-                                  "summary\\.json)(\\.part)?");
-  static const std::regex frames("(bodies|bars)_[0-9]+(\\.[0-9]+)?\\.p?vtu(\\.part)?");
-  remove_files(path, results);
-  remove_files(fs::path(path) / "fields", frames);
+  const std::string ending = resumes ? "\\.part" : "(\\.part)?";
+  remove_files(
+      path,
+      std::regex("(histories(-[0-9]+)?\\.h5|histories_[a-z0-9_]+\\.csv|(bodies|bars)\\.pvd|"
+                 "checkpoint-[0-9]+\\.ckpt|summary\\.json)" +
+                 ending));
+  remove_files(fs::path(path) / "fields",
+               std::regex("(bodies|bars)_[0-9]+(\\.[0-9]+)?\\.p?vtu" + ending));
 }
 } // namespace chaindrive::output

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace chaindrive::output
 {
@@ -105,6 +106,19 @@ void Engagements::observe(Sprocket &sprocket, const World &world, const double d
         }
       // what is left of this joint's points in the list must not count its force again
       sprocket.force[joint] = 0.;
+    }
+}
+
+void Engagements::exchange(const Archive &archive)
+{
+  archive("found", found_);
+  for (unsigned int s = 0; s < sprockets_.size(); ++s)
+    {
+      const Archive part = archive / std::to_string(s);
+      part.numbers("last touch", sprockets_[s].last_touch);
+      part.numbers("was far", sprockets_[s].was_far);
+      part.numbers("open", sprockets_[s].open);
+      part.numbers("force", sprockets_[s].force);
     }
 }
 

@@ -2,6 +2,7 @@
 #include <chaindrive/output/file.h>
 #include <chaindrive/utilities/errors.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -23,10 +24,13 @@ std::string write_failure(const std::string &path, const int error_number)
 class File::Buffer : public std::streambuf
 {
 public:
-  explicit Buffer(const std::string &path)
-      : descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666))
+  Buffer(const std::string &path, const bool append)
+      : descriptor_(
+            ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (append ? 0 : O_TRUNC), 0666))
       , error_(descriptor_ < 0 ? errno : 0)
   {
+    if (append && error_ == 0)
+      size_ = final_size_ = std::max<off_t>(0, ::lseek(descriptor_, 0, SEEK_END));
     setp(text_.data(), text_.data() + text_.size());
   }
 
@@ -42,6 +46,12 @@ public:
         // nothing to be done if this fails too: the original error is the one that is reported
         [[maybe_unused]]
       const int ignored = ::ftruncate(descriptor_, final_size_);
+  }
+
+  void sync_with_disk()
+  {
+    if (::fsync(descriptor_) != 0 && errno != EINVAL) // not every file can be waited for
+      error_ = errno;
   }
 
   void close()
@@ -87,10 +97,10 @@ private:
   std::array<char, 65536> text_;
 };
 
-File::File(const std::string &path, const std::string &name)
+File::File(const std::string &path, const std::string &name, const bool append)
     : std::ostream(nullptr)
     , name_(name.empty() ? path : name)
-    , buffer_(std::make_unique<Buffer>(path))
+    , buffer_(std::make_unique<Buffer>(path, append))
 {
   if (buffer_->error() != 0)
     throw RunError(write_failure(name_, buffer_->error()));
@@ -110,6 +120,14 @@ void File::complete()
     throw RunError(write_failure(name_, buffer_->error()));
 }
 
+void File::sync()
+{
+  complete();
+  buffer_->sync_with_disk();
+  if (buffer_->error() != 0)
+    throw RunError(write_failure(name_, buffer_->error()));
+}
+
 void File::close()
 {
   complete();
@@ -118,13 +136,17 @@ void File::close()
     throw RunError(write_failure(name_, buffer_->error()));
 }
 
-void write_file(const std::string &path, const std::function<void(std::ostream &)> &write)
+void write_file(const std::string                         &path,
+                const std::function<void(std::ostream &)> &write,
+                const bool                                 durable)
 {
   const std::string part = path + ".part";
   try
     {
       File file(part, path);
       write(file);
+      if (durable)
+        file.sync();
       file.close();
       if (std::rename(part.c_str(), path.c_str()) != 0)
         throw RunError(write_failure(path, errno));

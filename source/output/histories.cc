@@ -2,13 +2,18 @@
 #include <chaindrive/output/file.h>
 #include <chaindrive/output/histories.h>
 #include <chaindrive/output/history_file.h>
+#include <chaindrive/utilities/errors.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <cstdio>
+#include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace chaindrive::output
@@ -59,7 +64,19 @@ struct Histories::Data
   std::size_t                      written    = 0; ///< rows
   std::size_t                      kept       = 0; ///< rows in memory, complete
   Clock::time_point                last_write = Clock::now();
-  std::vector<std::vector<double>> values; ///< of the rows in memory, one table per channel
+  std::vector<std::vector<double>> values;    ///< of the rows in memory, one table per channel
+  std::size_t                      saved = 0; ///< rows in files of their own
+
+  std::vector<TableInfo> tables() const
+  {
+    std::vector<TableInfo> infos;
+    for (const Channel &c : channels)
+      infos.push_back({(c.group.empty() ? "" : "/" + c.group) + "/" + c.name,
+                       c.columns,
+                       {{"unit", c.unit}, {"description", c.description}},
+                       c.labels});
+    return infos;
+  }
 
   void open()
   {
@@ -73,13 +90,7 @@ struct Histories::Data
     for (const Channel &channel : channels)
       values.emplace_back(block * channel.columns);
 
-    std::vector<TableInfo> tables;
-    for (const Channel &c : channels)
-      tables.push_back({(c.group.empty() ? "" : "/" + c.group) + "/" + c.name,
-                        c.columns,
-                        {{"unit", c.unit}, {"description", c.description}},
-                        c.labels});
-    file.emplace(prefix + ".h5", attributes, tables, expected, block);
+    file.emplace(prefix + ".h5", attributes, tables(), expected, block);
     if (with_csv)
       open_csv();
   }
@@ -140,6 +151,97 @@ struct Histories::Data
     written += kept;
     kept       = 0;
     last_write = Clock::now();
+  }
+
+  std::string saved_file(const std::size_t first_row) const
+  {
+    char number[32];
+    std::snprintf(number, sizeof(number), "-%09zu.h5", first_row);
+    return prefix + number;
+  }
+
+  /// The saved files by their first rows.
+  std::map<std::size_t, std::string> saved_files() const
+  {
+    namespace fs         = std::filesystem;
+    const fs::path  path = prefix;
+    std::error_code error;
+
+    std::map<std::size_t, std::string> files;
+    for (const auto &entry :
+         fs::directory_iterator(path.has_parent_path() ? path.parent_path() : ".", error))
+      {
+        const std::string name   = entry.path().filename().string();
+        const std::string begin  = path.filename().string() + "-";
+        const std::string number = name.substr(std::min(begin.size(), name.size()));
+        if (name.compare(0, begin.size(), begin) == 0 && number.size() > 3 &&
+            number.find_first_not_of("0123456789") == number.size() - 3 &&
+            entry.path().extension() == ".h5")
+          files[std::stoull(number)] = entry.path().string();
+      }
+    return files;
+  }
+
+  /// Saves the rows since the last call in a file that is renamed when it is complete.
+  void save()
+  {
+    if (!file)
+      return;
+    write_rows();
+    if (saved == written)
+      return;
+    const std::string path = saved_file(saved), part = path + ".part";
+    HistoryFile       rows(part, attributes, tables(), written - saved, block);
+    for (std::size_t first = saved; first < written; first += block)
+      {
+        const std::size_t n = std::min(block, written - first);
+        file->read(first, n, values);
+        rows.write(first - saved, n, values);
+      }
+    rows.close(written - saved);
+    if (std::rename(part.c_str(), path.c_str()) != 0)
+      throw RunError(write_failure(path, errno));
+    saved = written;
+  }
+
+  /// How many rows the saved files hold without a gap.
+  std::size_t n_saved_rows() const
+  {
+    std::size_t rows = 0;
+    for (const auto &[first, path] : saved_files())
+      if (first <= rows)
+        rows = std::max(rows, first + HistoryFile(path, tables()).n_rows());
+    return rows;
+  }
+
+  /// Makes the histories anew from the first @p rows rows of the saved files. A run that came to
+  /// its end has none, but its histories are one.
+  void restore(const std::size_t rows)
+  {
+    const std::string whole = prefix + ".h5";
+    if (n_saved_rows() < rows && std::filesystem::exists(whole))
+      std::filesystem::rename(whole, saved_file(0));
+    if (n_saved_rows() < rows)
+      throw InputError("its histories are missing: '" + whole + "', or '" + saved_file(0) +
+                       "' and so on, with " + std::to_string(rows) + " samples");
+    std::map<std::size_t, std::string> files = saved_files();
+    for (auto file = files.lower_bound(rows); file != files.end(); file = files.erase(file))
+      std::filesystem::remove(file->second);
+
+    open();
+    for (auto file = files.begin(); file != files.end(); ++file)
+      {
+        // what a later file has replaced
+        const std::size_t end = std::next(file) == files.end() ? rows : std::next(file)->first;
+        HistoryFile       from(file->second, tables());
+        while (written < std::min(end, rows))
+          {
+            kept = std::min(block, std::min(end, rows) - written);
+            from.read(written - file->first, kept, values);
+            write_rows();
+          }
+      }
+    saved = written;
   }
 };
 
@@ -213,6 +315,22 @@ void Histories::flush()
 {
   if (data_->file)
     data_->write_rows();
+}
+
+void Histories::exchange(const Archive &archive)
+{
+  if (!archive.reads())
+    data_->save();
+  std::size_t rows = data_->written;
+  archive("rows", rows);
+  if (archive.reads())
+    data_->restore(rows);
+}
+
+void Histories::remove_saved()
+{
+  for (const auto &file : data_->saved_files())
+    std::filesystem::remove(file.second);
 }
 
 void Histories::close()

@@ -68,6 +68,7 @@ struct HistoryFile::Data
   std::vector<Object>       tables;
   int                       descriptor = -1; ///< of the open file, owned by HDF5
   bool                      abandoned  = false;
+  bool                      complete   = false; ///< opened to be read
 
   ~Data()
   {
@@ -90,6 +91,8 @@ struct HistoryFile::Data
   /// vanishes with the file; a few kilobytes, since numbers are not kept.
   [[noreturn]] void abandon(const int error)
   {
+    if (complete)
+      throw InputError("The histories '" + path + "' cannot be read: the file is damaged.");
     abandoned = true;
     if (descriptor >= 0)
       {
@@ -183,6 +186,18 @@ struct HistoryFile::Data
       add_attribute(tables.back(), "columns", info.labels);
   }
 
+  /// The spaces of @p n rows from @p first on, in memory and in table @p t.
+  std::pair<Object, Object>
+  select(const std::size_t t, const std::size_t first, const std::size_t n)
+  {
+    const hsize_t start[2] = {first, 0};
+    const hsize_t count[2] = {n, columns[t]};
+    Object        memory(check(H5Screate_simple(columns[t] == 1 ? 1 : 2, count, nullptr)));
+    Object        space(check(H5Dget_space(tables[t])));
+    check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr));
+    return {std::move(memory), std::move(space)};
+  }
+
   void make(const Attributes &attributes, const std::vector<TableInfo> &infos)
   {
     // failures are reported by exceptions only
@@ -244,7 +259,45 @@ HistoryFile::HistoryFile(const std::string            &path,
     }
 }
 
+HistoryFile::HistoryFile(const std::string &path, const std::vector<TableInfo> &tables)
+    : data_(std::make_unique<Data>())
+{
+  Data &d    = *data_;
+  d.path     = path;
+  d.complete = true;
+  d.rows     = std::numeric_limits<std::size_t>::max();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  d.file = Object(d.check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)));
+  for (const TableInfo &info : tables)
+    {
+      d.columns.push_back(info.columns);
+      d.tables.emplace_back(d.check(H5Dopen2(d.file, info.path.c_str(), H5P_DEFAULT)));
+      const Object space(d.check(H5Dget_space(d.tables.back())));
+      hsize_t      size[2] = {0, 1};
+      const int    rank    = H5Sget_simple_extent_ndims(space);
+      if (rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space, size, nullptr) < 0 ||
+          size[1] != info.columns)
+        throw InputError("The histories '" + path + "' are of another run: " + info.path +
+                         " has not " + std::to_string(info.columns) + " columns there.");
+      d.rows = std::min<std::size_t>(d.rows, size[0]);
+    }
+}
+
 HistoryFile::~HistoryFile() = default;
+
+std::size_t HistoryFile::n_rows() const { return data_->rows; }
+
+void HistoryFile::read(const std::size_t                 first,
+                       const std::size_t                 n,
+                       std::vector<std::vector<double>> &values)
+{
+  for (std::size_t t = 0; t < data_->tables.size(); ++t)
+    {
+      const auto [memory, space] = data_->select(t, first, n);
+      data_->check(H5Dread(
+          data_->tables[t], H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values[t].data()));
+    }
+}
 
 void HistoryFile::write(const std::size_t                       first,
                         const std::size_t                       n,
@@ -263,11 +316,7 @@ void HistoryFile::write(const std::size_t                       first,
     }
   for (std::size_t t = 0; t < d.tables.size(); ++t)
     {
-      const hsize_t start[2] = {first, 0};
-      const hsize_t count[2] = {n, d.columns[t]};
-      const Object  memory(d.check(H5Screate_simple(d.columns[t] == 1 ? 1 : 2, count, nullptr)));
-      const Object  space(d.check(H5Dget_space(d.tables[t])));
-      d.check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr));
+      const auto [memory, space] = d.select(t, first, n);
       d.check(
           H5Dwrite(d.tables[t], H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values[t].data()));
     }

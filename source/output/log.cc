@@ -14,9 +14,9 @@ class Log::Tee : public std::streambuf
 public:
   explicit Tee(std::ostream *console) : console_(console) {}
 
-  void open(const std::string &path)
+  void open(const std::string &path, const bool append)
   {
-    file_ = std::make_unique<File>(path);
+    file_ = std::make_unique<File>(path, path, append);
     to_file(std::exchange(unwritten_, {}));
   }
 
@@ -98,7 +98,7 @@ Log::Log(std::ostream *console) : std::ostream(nullptr), tee_(std::make_unique<T
 
 Log::~Log() { tee_->show_status(""); }
 
-void Log::open(const std::string &path) { tee_->open(path); }
+void Log::open(const std::string &path, const bool append) { tee_->open(path, append); }
 
 void Log::close() { tee_->close(); }
 

@@ -20,28 +20,45 @@ std::string duration_text(const double seconds)
   return text;
 }
 
+namespace
+{
+constexpr int steps = 20; ///< lines in the log
+}
+
 bool Progress::console_is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
 
 Progress::Progress(Log &log, const double start, const double end, const bool terminal)
-    : log_(log), start_(start), end_(end), terminal_(terminal), began_(Clock::now()), shown_(began_)
+    : log_(log)
+    , start_(start)
+    , end_(end)
+    , first_(start)
+    , terminal_(terminal)
+    , began_(Clock::now())
+    , shown_(began_)
 {
+}
+
+void Progress::begin_at(const double time)
+{
+  first_    = time;
+  reported_ = static_cast<int>((time - start_) / (end_ - start_) * steps + 1e-9);
 }
 
 Progress::~Progress() { log_.show_status(""); }
 
 void Progress::update(const double time)
 {
-  constexpr int steps = 20;
-  const double  done  = (time - start_) / (end_ - start_);
-  const auto    now   = Clock::now();
-  const int     step  = static_cast<int>(done * steps + 1e-9);
-  const bool    line  = step > reported_;
+  const double done = (time - start_) / (end_ - start_);
+  const auto   now  = Clock::now();
+  const int    step = static_cast<int>(done * steps + 1e-9);
+  const bool   line = step > reported_;
   using namespace std::chrono_literals;
   const bool rewrite = terminal_ && now - shown_ > 200ms;
   if (!line && !rewrite)
     return;
 
-  const double elapsed = std::chrono::duration<double>(now - began_).count();
+  const double now_done = (time - first_) / (end_ - first_);
+  const double elapsed  = std::chrono::duration<double>(now - began_).count();
   char         text[160];
   std::snprintf(text,
                 sizeof(text),
@@ -50,7 +67,7 @@ void Progress::update(const double time)
                 1e3 * time,
                 1e3 * end_,
                 duration_text(elapsed).c_str(),
-                done > 0. ? duration_text(elapsed * (1. - done) / done).c_str() : "?");
+                now_done > 0. ? duration_text(elapsed * (1. - now_done) / now_done).c_str() : "?");
   if (line)
     {
       reported_ = step;

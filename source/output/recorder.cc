@@ -2,6 +2,8 @@
 #include <chaindrive/dynamics/newmark.h>
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/output/recorder.h>
+#include <chaindrive/utilities/checksum.h>
+#include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/text.h>
 #include <chaindrive/version.h>
@@ -17,15 +19,6 @@ namespace chaindrive::output
 {
 namespace
 {
-/// Samples are taken at the first step at or after multiples of the interval.
-bool due(const double time, const double start, const double interval, unsigned long &next)
-{
-  if (time < start + next * interval * (1. - 1e-12))
-    return false;
-  next = static_cast<unsigned long>((time - start) / interval + 1e-9) + 1;
-  return true;
-}
-
 std::size_t expected_samples(const Parameters &p)
 {
   return static_cast<std::size_t>((p.time.end - p.time.start) / p.output.history_interval) + 2;
@@ -57,6 +50,8 @@ Recorder::Recorder(const scene::Scene     &scene,
     , tight_tension_(driven_speed_)
     , slack_tension_(driven_speed_)
     , span_speed_(driven_speed_)
+    , samples_(parameters.time.start, parameters.output.history_interval)
+    , pictures_(parameters.time.start, parameters.output.field_interval)
 {
   if (system.world.is_first_rank())
     {
@@ -65,7 +60,7 @@ Recorder::Recorder(const scene::Scene     &scene,
           std::vector<std::pair<std::string, std::string>>{
               {"program", std::string("chaindrive ") + version},
               {"parameters", parameter_text},
-              {"parameter_hash", std::to_string(std::hash<std::string>()(parameter_text))},
+              {"parameter_hash", checksum(parameter_text)},
               {"span_direction", axis_text(scene.span_direction)},
               {"span_normal", axis_text(scene.span_normal)},
               {"axes", "driver at the origin, driven at (C, 0); z along the shafts; gravity -y"}},
@@ -116,11 +111,11 @@ Recorder::Recorder(const scene::Scene     &scene,
     }
 }
 
-void Recorder::observe(dynamics::System &system, const unsigned long, const double dt)
+bool Recorder::observe(dynamics::System &system, const unsigned long, const double dt)
 {
   const PhaseTimer::Scope scope(system.timer, phase_);
   system.contacts.gather_records(system.world);
-  const double time = system.world.time, start = parameters_.time.start;
+  const double time          = system.world.time;
   const bool   is_first_rank = histories_ != nullptr;
   if (is_first_rank)
     {
@@ -130,17 +125,61 @@ void Recorder::observe(dynamics::System &system, const unsigned long, const doub
       keep_means(system, dt);
     }
 
-  if (due(time, start, parameters_.output.history_interval, next_sample_))
+  if (samples_.due(time))
     {
       if (elastic_ != nullptr)
         look_at_elastic_bodies(system);
       if (is_first_rank)
         sample(system);
     }
-  if (fields_ != nullptr && due(time, start, parameters_.output.field_interval, next_field_))
+  if (pictures_.due(time))
     write_fields(system);
   if (is_first_rank)
     progress_->update(time);
+  return true;
+}
+
+void Recorder::exchange(const Archive &archive, const dynamics::System &system)
+{
+  const double time = system.world.time;
+  engagements_.exchange(archive / "engagements");
+  for (ToothForces &teeth : teeth_)
+    {
+      const Archive part = archive / teeth.name;
+      part.numbers("roller", teeth.roller);
+      part.numbers("roller peak", teeth.roller_peak);
+      part.numbers("gap", teeth.gap);
+      part.numbers("gap peak", teeth.gap_peak);
+    }
+  for (BoreForces &bores : bores_)
+    (archive / bores.name).numbers("peak", bores.peak);
+  archive.numbers("link peak", link_peak_);
+  archive("tight tension of the start", tight_tension_start_);
+
+  for (const auto &[name, mean] : {std::make_pair("driven speed", &driven_speed_),
+                                   std::make_pair("driver torque", &driver_torque_),
+                                   std::make_pair("tight tension", &tight_tension_),
+                                   std::make_pair("slack tension", &slack_tension_),
+                                   std::make_pair("span speed", &span_speed_)})
+    {
+      WindowMean earlier = *mean;
+      archive(name, earlier);
+      if (archive.reads() && !mean->go_on_from(earlier, time))
+        throw InputError("its means up to " + to_text(time * 1e3) +
+                         " ms belong to another window; leave Output/Window start in ms and "
+                         "Window end in ms as they were");
+    }
+
+  samples_.exchange(archive / "samples", time);
+  pictures_.exchange(archive / "pictures", time);
+  bool has_fields = fields_ != nullptr;
+  archive("has fields", has_fields);
+  if (has_fields && fields_ != nullptr)
+    fields_->exchange(archive / "fields");
+  if (histories_ != nullptr)
+    histories_->exchange(archive / "histories");
+  if (progress_ != nullptr && archive.reads())
+    progress_->begin_at(time);
 }
 
 void Recorder::keep_peaks(const dynamics::System &system)
@@ -289,11 +328,14 @@ void Recorder::write_fields(const dynamics::System &system)
   fields_->write(world.time, bodies, bars);
 }
 
-void Recorder::close()
+void Recorder::close(const bool finished)
 {
   progress_.reset();
-  if (histories_ != nullptr)
-    histories_->close();
+  if (histories_ == nullptr)
+    return;
+  histories_->close();
+  if (finished)
+    histories_->remove_saved();
 }
 
 Json Recorder::summary(const dynamics::System             &system,

@@ -121,6 +121,25 @@ public:
     return out.str();
   }
 
+  std::string fixed() const
+  {
+    // the links that arrive in the window are the elastic ones
+    const bool  window = input_.parameters.model.elastic_links == "arriving";
+    std::string text;
+    for (const Entry &entry : catalogue_.entries())
+      {
+        const bool of_window = entry.name.compare(0, 7, "Window ") == 0;
+        const bool free      = entry.section == "Output" && entry.name != "Rollers";
+        const bool end       = entry.section == "Time" && entry.name == "End time in ms";
+        if ((free && !(of_window && window)) || (end && !window))
+          continue;
+        const auto given = values_.find(entry.path());
+        text += entry.path() + " = " +
+                (given == values_.end() ? entry.default_value : given->second) + "\n";
+      }
+    return text;
+  }
+
 private:
   void read_statement(const Line &line, const std::string &where)
   {
@@ -255,6 +274,7 @@ Input read_parameters(const std::string &file, const std::vector<std::string> &o
   for (const std::string &note : cross_check(input.parameters))
     input.notes.push_back(note);
   input.resolved = reader.resolved();
+  input.fixed    = reader.fixed();
   return input;
 }
 } // namespace chaindrive::parameters

@@ -86,5 +86,32 @@ void Output::declare(dealii::ParameterHandler &prm)
       unit::milli,
       above(0., 1e9),
       "End of that window. auto: the end of the run.");
+  add(prm,
+      "Checkpoint interval in ms",
+      checkpoint_interval,
+      unit::milli,
+      between(0., 1e9),
+      "Simulated time between two checkpoints, from which a run that was interrupted, or whose end "
+      "time has been raised, can go on; 0 writes none for this reason. Two are kept.");
+  add(prm,
+      "Checkpoint wait in s",
+      checkpoint_wait,
+      unit::si,
+      between(0., 1e9),
+      "Elapsed time after which a checkpoint is written too; 0 writes none for this reason. "
+      "Default: no interruption costs more than ten minutes, and short runs write none.");
+  add(prm,
+      "Wall-clock limit in s",
+      wall_clock_limit,
+      unit::si,
+      between(0., 1e9),
+      "Elapsed time after which the run writes a checkpoint and ends with the status 4, as it does "
+      "on SIGTERM; 0 sets no limit. Choose some minutes less than a queue allows.");
+  add_text(prm,
+           "Resume",
+           resume,
+           "auto, the name of a checkpoint, or nothing",
+           "Go on from a checkpoint in the output directory: auto is the newest that is whole, and "
+           "the beginning when there is none. The option --resume overrides it.");
 }
 } // namespace chaindrive::parameters

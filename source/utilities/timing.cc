@@ -48,10 +48,16 @@ std::vector<PhaseTimer::Row> PhaseTimer::rows() const
   for (Phase p = 1; p < names_.size(); ++p)
     {
       const double seconds = static_cast<double>(ticks[p]) * seconds_per_tick;
-      rows.push_back({names_[p], seconds, 100. * seconds / cpu});
+      rows.push_back({names_[p], seconds, 0.});
       in_phases += seconds;
     }
-  rows.push_back({names_[rest], cpu - in_phases, 100. * (cpu - in_phases) / cpu});
+  rows.push_back({names_[rest], cpu - in_phases, 0.});
+
+  double all = 0.;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    all += rows[i].cpu_seconds += earlier_.size() == rows.size() ? earlier_[i] : 0.;
+  for (Row &row : rows)
+    row.percentage = 100. * row.cpu_seconds / all;
   return rows;
 }
 

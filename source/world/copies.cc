@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace chaindrive
@@ -137,6 +138,18 @@ void Copies::send_forces(std::vector<Copies> &copies)
   for (Copies &c : copies)
     if (c.first_batch_.size() > 2)
       c.force.compress_finish(dealii::VectorOperation::add);
+}
+
+void Copies::exchange(const Archive &archive)
+{
+  for (unsigned int batch = first_owned_batch(); batch < end_of_owned_batches(); ++batch)
+    {
+      const Archive own = archive.of_this_rank() / ("batch " + std::to_string(batch));
+      own.numbers("position", position.begin() + start_of(batch), stride());
+      own.numbers("velocity", velocity.begin() + start_of(batch), stride());
+    }
+  if (archive.reads())
+    force = 0.;
 }
 
 std::size_t Copies::memory_consumption() const

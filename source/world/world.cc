@@ -9,6 +9,8 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <string>
+#include <utility>
 
 namespace chaindrive
 {
@@ -185,6 +187,8 @@ void World::sum_over_ranks()
     for (Vector *vector : {&force, &moment})
       for (double &value : *vector)
         exchange(value, whole);
+    for (double &request : requests)
+      exchange(request, 1.);
     for (double Ledger::*term : Ledger::added)
       {
         double increment = ledger.*term - before_.*term;
@@ -235,6 +239,22 @@ double World::kinetic_energy() const
     if (!hub.prescribed)
       energy += 0.5 * hub.inertia * hub.speed * hub.speed;
   return energy;
+}
+
+void World::exchange(const Archive &archive)
+{
+  archive("time", time);
+  archive("ledger", ledger);
+  for (const auto &[name, vector] : {std::make_pair("displacement", &displacement),
+                                     std::make_pair("velocity", &velocity),
+                                     std::make_pair("force", &force),
+                                     std::make_pair("moment", &moment)})
+    archive.numbers(name, vector->begin(), vector->locally_owned_size());
+  archive.numbers("frames", frames);
+  archive.numbers("rotations", rotations);
+  archive.numbers("hubs", hubs);
+  for (unsigned int g = 0; g < n_elastic_groups(); ++g)
+    copies[g].exchange(archive / ("copies " + std::to_string(g)));
 }
 
 std::size_t World::memory_consumption() const

@@ -33,6 +33,9 @@ public:
   /// Brings the records of all pairs to the first rank. Collective.
   void gather_records(const World &world);
 
+  /// What searches and pairs remember between two steps. Collective.
+  void exchange(const Archive &archive, const World &world);
+
   /// The springs of all pairs within reach, held closed.
   void add_springs(const World &world, std::vector<Spring> &springs) const;
 
@@ -64,6 +67,7 @@ private:
   double                               approach_ = 0.; ///< bound of approach since the search, m
   bool                                 searched_ = false;
   SearchStatistics                     statistics_;
-  std::vector<double>                  message_; ///< of gather_records()
+  unsigned long                        missed_before_ = 0; ///< the run was resumed, by any rank
+  std::vector<double>                  message_;           ///< of gather_records()
 };
 } // namespace chaindrive::contact

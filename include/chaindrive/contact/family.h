@@ -72,6 +72,10 @@ public:
   void pack_records(unsigned int rank, std::vector<double> &numbers) const;
   void unpack_records(unsigned int rank, const std::vector<double> &numbers, std::size_t &position);
 
+  /// What the pairs remember between two steps: records, and pair by pair, from the rank that
+  /// evaluates it, all else. This is rank @p rank.
+  virtual void exchange(const Archive &archive, unsigned int rank);
+
   /// Whether this family needs search() at all.
   virtual bool needs_search() const = 0;
 
@@ -100,6 +104,12 @@ protected:
                   const dealii::Tensor<1, 3> &normal,
                   const dealii::Tensor<1, 3> &point,
                   std::vector<Spring>        &springs) const;
+
+  /// What pair @p i of a family that is dealt out remembers.
+  virtual void exchange_pair(const unsigned int i, const Archive &archive)
+  {
+    archive("state", states_[i]);
+  }
 
   /// Whether the last search left pair @p i within reach: the same on all ranks.
   virtual bool within_reach(const unsigned int) const { return true; }
@@ -146,6 +156,7 @@ public:
   void search(const World &world, double reach) override;
   void add_forces(World &world, double dt) override;
   void add_springs(const World &world, std::vector<Spring> &springs) const override;
+  void exchange(const Archive &archive, unsigned int rank) override;
   bool needs_search() const override { return true; }
 
   unsigned int                     sprocket() const { return scene_.sprocket; }

@@ -3,6 +3,7 @@
 
 #include <chaindrive/contact/joint_kernels.h>
 #include <chaindrive/mesh/cylinder_grid.h>
+#include <chaindrive/utilities/archive.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -68,6 +69,10 @@ public:
   /// Adds the contact forces to both sides of each joint. @p dt is the time since the last call
   /// [s], 0 at the first one.
   void add_forces(double dt);
+
+  /// What the joint in @p lane remembers. Joints that come from several batches hold as long as the
+  /// first of these would have held; lanes are to be read in ascending order.
+  void exchange(int lane, const Archive &archive);
 
   /// Gaps of all slave nodes [slave node][lane], m, measured now; see GapArguments.
   const dealii::AlignedVector<double> &measure_gaps();

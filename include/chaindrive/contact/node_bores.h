@@ -29,6 +29,8 @@ public:
 
   std::vector<ClosedPair> closed_pairs(const World &world) const override;
 
+  void exchange(const Archive &archive, unsigned int rank) override;
+
   unsigned long n_missed() const override;
 
 private:

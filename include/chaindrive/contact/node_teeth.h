@@ -34,7 +34,10 @@ public:
 
   unsigned long n_missed() const override { return n_missed_; }
 
+  void exchange(const Archive &archive, unsigned int rank) override;
+
 protected:
+  void exchange_pair(unsigned int i, const Archive &archive) override;
   bool within_reach(unsigned int i) const override;
 
 private:

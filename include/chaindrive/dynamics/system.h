@@ -34,6 +34,9 @@ public:
   std::vector<StepVote> votes() const;
   double                stable_step_limit() const;
 
+  /// The state between two steps, at least one after the start. Collective.
+  void exchange(const Archive &archive);
+
   std::size_t memory_consumption() const;
 
   World             world;

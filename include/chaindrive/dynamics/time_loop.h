@@ -13,8 +13,8 @@ public:
 
   /// Called once before the first step and then after each; @p step counts from 0, @p dt is the
   /// step that led here [s], zero at the first call. All of the system belongs to
-  /// system.world.time.
-  virtual void observe(System &system, unsigned long step, double dt) = 0;
+  /// system.world.time. Returns whether the run is to go on, on all ranks the same.
+  virtual bool observe(System &system, unsigned long step, double dt) = 0;
 };
 
 /// Watches the ledger: keeps the largest imbalance and stops a run whose energy does not close.
@@ -30,6 +30,12 @@ public:
 
   double largest_imbalance() const { return largest_; } ///< |imbalance|, J
 
+  void exchange(const Archive &archive)
+  {
+    archive("turned over", turned_over_);
+    archive("largest", largest_);
+  }
+
 private:
   double limit_;
   double turned_over_;
@@ -37,9 +43,16 @@ private:
 };
 
 /// Runs @p system from @p start to @p end [s] in steps of @p dt; time is start + step * dt. The
-/// last step is the first whose time reaches the end. Returns the number of steps.
-unsigned long
-run(System &system, Observer &observer, EnergyGuard &guard, double start, double end, double dt);
+/// last step is the first whose time reaches the end, or that after which @p observer stops the
+/// run.
+/// @p system has already gone @p done steps. Returns the number of steps since the start.
+unsigned long run(System       &system,
+                  Observer     &observer,
+                  EnergyGuard  &guard,
+                  double        start,
+                  double        end,
+                  double        dt,
+                  unsigned long done = 0);
 
 /// Number of steps that run() will take.
 unsigned long n_steps(double start, double end, double dt);

@@ -31,6 +31,8 @@ public:
   const std::vector<double> &peak() const { return peak_; }
   void                       clear_peaks() { peak_.assign(size(), 0.); }
 
+  void exchange(const Archive &archive);
+
   std::size_t memory_consumption() const
   {
     return size() * (sizeof(scene::Bar) + 4 * sizeof(double));

@@ -67,6 +67,8 @@ public:
 
   const Reference &reference(const unsigned int group) const { return *references_[group]; }
 
+  void exchange(const Archive &archive) { archive("drift", drift_); }
+
   std::size_t memory_consumption() const;
 
 private:

@@ -21,6 +21,8 @@ public:
   /// add_forces() of a step.
   void add_work(World &world);
 
+  void exchange(const Archive &archive);
+
   const SpeedProgram &speed_program() const { return speed_; }
 
   /// What acts on every node of an elastic body as it does on the others: gravity, m/s2 along -y,

@@ -10,6 +10,7 @@ namespace chaindrive::output
 /// InputError when a component of the path is not a directory or nothing can be written there.
 ///
 /// To be called when everything else about the input has been checked, so that a run that is
-/// refused leaves earlier results alone.
-void prepare_directory(const std::string &path);
+/// refused leaves earlier results alone. A run that @p resumes an earlier one keeps its results and
+/// removes only files that were left unfinished.
+void prepare_directory(const std::string &path, bool resumes = false);
 } // namespace chaindrive::output

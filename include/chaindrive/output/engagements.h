@@ -4,6 +4,9 @@
 #include <chaindrive/dynamics/system.h>
 #include <chaindrive/scene/scene.h>
 
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <string>
 #include <vector>
 
@@ -20,6 +23,12 @@ struct Engagement
   double       peak_force = 0.; ///< largest normal force within 1 ms, N
   double       impulse    = 0.; ///< of the normal force in the first 0.3 ms, N s
   bool         complete   = false; ///< the run went on for 1 ms after the touch
+
+  template <typename BoostArchive>
+  void serialize(BoostArchive &archive, unsigned int)
+  {
+    archive &sprocket &roller &time &relative_speed &normal_speed &peak_force &impulse &complete;
+  }
 };
 
 /// Finds engagements while the run goes on. A roller arrives when it has been farther than 0.15
@@ -33,6 +42,8 @@ public:
 
   /// Looks at the contacts after a step of @p dt [s].
   void observe(const dynamics::System &system, double dt);
+
+  void exchange(const Archive &archive);
 
   /// All engagements so far, in the order of their first touch.
   const std::vector<Engagement> &found() const { return found_; }

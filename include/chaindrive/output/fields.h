@@ -4,12 +4,17 @@
 #include <chaindrive/element/stress.h>
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/output/vtu.h>
+#include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/rotation.h>
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
+
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
 
 #include <array>
 #include <string>
@@ -73,6 +78,13 @@ public:
   void write(double                           time,
              const std::vector<BodySnapshot> &bodies,
              const std::vector<BarSnapshot>  &bars = {});
+
+  /// The lists of instants.
+  void exchange(const Archive &archive)
+  {
+    archive("bodies", bodies_);
+    archive("bars", bars_);
+  }
 
 private:
   using Record = std::vector<std::pair<double, std::string>>; // time, file

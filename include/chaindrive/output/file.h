@@ -13,9 +13,9 @@ namespace chaindrive::output
 class File : public std::ostream
 {
 public:
-  /// Creates the file or empties it; RunError when that fails. Messages call it @p name, by default
-  /// its path.
-  explicit File(const std::string &path, const std::string &name = "");
+  /// Creates the file or empties it, unless @p append; RunError when that fails. Messages call it
+  /// @p name, by default its path.
+  explicit File(const std::string &path, const std::string &name = "", bool append = false);
 
   /// Closes the file; a failure then is not reported.
   ~File() override;
@@ -23,6 +23,9 @@ public:
   /// Hands everything written so far to the system. When that fails the file is cut back to what
   /// the last successful call left in it, and a RunError names the file and the reason.
   void complete();
+
+  /// complete(), then waits until the system has written everything to the disk.
+  void sync();
 
   /// complete(), then closes the file and reports what the system says then.
   void close();
@@ -39,7 +42,10 @@ std::string write_failure(const std::string &path, int error_number);
 
 /// Writes a whole file at once: @p write fills `path.part`, which then takes the place of @p path.
 /// When anything fails `path.part` is removed, @p path stays as it was and a RunError is thrown.
-void write_file(const std::string &path, const std::function<void(std::ostream &)> &write);
+/// With @p durable it has reached the disk by then.
+void write_file(const std::string                         &path,
+                const std::function<void(std::ostream &)> &write,
+                bool                                       durable = false);
 
 /// The same for a text at hand.
 void write_text(const std::string &path, const std::string &text);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/utilities/archive.h>
+
 #include <deal.II/base/array_view.h>
 
 #include <memory>
@@ -33,6 +35,10 @@ struct Channel
 /// too small is found before the computing and not after it; from then on only numbers change in
 /// it. It can therefore be read at any instant, also after the program was killed: rows not yet
 /// written hold NaN, their time too. close() cuts the datasets to the rows written.
+///
+/// With exchange() the rows since the last checkpoint are also kept in a closed file of their own,
+/// `<prefix>-<number of its first row>.h5`, from which a resumed run makes the histories anew. A
+/// program that is killed while it writes can so spoil nothing that a checkpoint counts on.
 ///
 /// Every failure to write is a RunError that names the file and the reason; rows written before
 /// it stay readable.
@@ -70,8 +76,15 @@ public:
   /// Writes the rows kept in memory, so that the files are complete up to now.
   void flush();
 
+  /// Into a checkpoint: saves the rows since the last one. Out of it: the histories hold again what
+  /// they held then; to be called when all channels have been added, instead of the first sample.
+  void exchange(const Archive &archive);
+
   /// Writes what is left and closes the files.
   void close();
+
+  /// Removes the files of exchange(), which the closed histories make superfluous.
+  void remove_saved();
 
 private:
   struct Data;

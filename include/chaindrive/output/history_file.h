@@ -36,12 +36,21 @@ public:
               std::size_t                   rows,
               std::size_t                   block);
 
+  /// Opens a complete file to read these tables of it; InputError when it has them not, or other
+  /// numbers of columns.
+  HistoryFile(const std::string &path, const std::vector<TableInfo> &tables);
+
   /// Leaves the file as it is, with all its rows.
   ~HistoryFile();
 
   /// Replaces the rows [first, first + n) of every table by @p values[table], row by row; adds rows
   /// when there are not enough.
   void write(std::size_t first, std::size_t n, const std::vector<std::vector<double>> &values);
+
+  /// The rows [first, first + n) of every table into the beginning of @p values[table].
+  void read(std::size_t first, std::size_t n, std::vector<std::vector<double>> &values);
+
+  std::size_t n_rows() const;
 
   /// Cuts the tables to @p rows rows and closes the file.
   void close(std::size_t rows);

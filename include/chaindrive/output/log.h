@@ -16,8 +16,8 @@ public:
   explicit Log(std::ostream *console);
   ~Log() override;
 
-  /// Starts the file @p path; RunError when it cannot be written.
-  void open(const std::string &path);
+  /// Starts the file @p path, or goes on with it (@p append); RunError when it cannot be written.
+  void open(const std::string &path, bool append = false);
 
   /// Completes the file; RunError when something said could not be written to it.
   void close();

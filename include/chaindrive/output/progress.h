@@ -16,6 +16,9 @@ public:
   /// From @p start to @p end [s of simulated time]. @p terminal: the console can rewrite a line.
   Progress(Log &log, double start, double end, bool terminal = console_is_terminal());
 
+  /// The run begins at @p time: what comes before has been computed earlier.
+  void begin_at(double time);
+
   /// Takes the rewritten line away.
   ~Progress();
 
@@ -30,6 +33,7 @@ private:
 
   Log              &log_;
   const double      start_, end_;
+  double            first_; ///< s, where this part of the run began
   const bool        terminal_;
   Clock::time_point began_, shown_;
   int               reported_ = 0; ///< steps of 5 % in the log

@@ -7,6 +7,7 @@
 #include <chaindrive/output/fields.h>
 #include <chaindrive/output/histories.h>
 #include <chaindrive/output/progress.h>
+#include <chaindrive/output/schedule.h>
 #include <chaindrive/output/spans.h>
 #include <chaindrive/output/summary.h>
 #include <chaindrive/parameters/parameters.h>
@@ -34,10 +35,15 @@ public:
            PhaseTimer             &timer,
            Log                    &log);
 
-  void observe(dynamics::System &system, unsigned long step, double dt) override;
+  bool observe(dynamics::System &system, unsigned long step, double dt) override;
 
-  /// Writes what is left and closes the histories.
-  void close();
+  /// What was seen up to the present time of @p system. A resumed run may have other intervals, but
+  /// its window must be the same as far as it has gone (InputError).
+  void exchange(const Archive &archive, const dynamics::System &system);
+
+  /// Writes what is left and closes the histories; of a run that is @p finished, what was kept to
+  /// resume it is removed.
+  void close(bool finished);
 
   /// The numbers of summary.json; their definitions are in doc/output.md. Collective.
   Json summary(const dynamics::System             &system,
@@ -118,6 +124,6 @@ private:
   WindowMean driven_speed_, driver_torque_, tight_tension_, slack_tension_, span_speed_;
   double     tight_tension_start_ = 0.;
 
-  unsigned long next_sample_ = 0, next_field_ = 0;
+  Schedule samples_, pictures_;
 };
 } // namespace chaindrive::output

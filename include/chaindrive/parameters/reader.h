@@ -15,6 +15,9 @@ struct Input
   Parameters               parameters;
   std::vector<std::string> notes;    ///< harmless oddities, a sentence each, for the log
   std::string              resolved; ///< every entry with its value, as a .prm file
+  /// "Section/Entry = value", a line for each entry that a resumed run must have as it was: all but
+  /// the end time and those of the section Output that do not decide what is computed or recorded.
+  std::string fixed;
 };
 
 /// Reads the .prm file @p file, then applies @p overrides ("Section/Entry=value", such as

@@ -26,13 +26,17 @@ struct Time
 /// Section `Output`.
 struct Output
 {
-  std::string               directory;                ///< empty: results/<name of the .prm file>
-  double                    history_interval = 20e-6; ///< s
-  double                    field_interval   = 1e-3;  ///< s; 0 writes no fields
-  std::vector<unsigned int> rollers;                  ///< chosen rollers; empty: all
-  bool                      csv          = false;     ///< histories as CSV beside HDF5
-  double                    window_start = 10e-3;     ///< s, of the averages in summary.json
-  std::optional<double>     window_end;               ///< s; auto: the end of the run
+  std::string               directory;                  ///< empty: results/<name of the .prm file>
+  double                    history_interval = 20e-6;   ///< s
+  double                    field_interval   = 1e-3;    ///< s; 0 writes no fields
+  std::vector<unsigned int> rollers;                    ///< chosen rollers; empty: all
+  bool                      csv          = false;       ///< histories as CSV beside HDF5
+  double                    window_start = 10e-3;       ///< s, of the averages in summary.json
+  std::optional<double>     window_end;                 ///< s; auto: the end of the run
+  double                    checkpoint_interval = 0.;   ///< s, simulated; 0: none at such times
+  double                    checkpoint_wait     = 600.; ///< s, elapsed; 0: none at such times
+  double                    wall_clock_limit    = 0.;   ///< s, elapsed; 0: none
+  std::string               resume; ///< empty: a new run; auto: the newest checkpoint; its file
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p prm.

@@ -26,6 +26,16 @@ public:
       }
   }
 
+  /// Goes on from the mean of an @p earlier part of the run, which ended at @p time. Returns
+  /// whether that is possible: up to then both windows must be the same.
+  bool go_on_from(const WindowMean &earlier, const double time)
+  {
+    weight_ = earlier.weight_;
+    sum_    = earlier.sum_;
+    return std::min(start_, time) == std::min(earlier.start_, time) &&
+           std::min(end_, time) == std::min(earlier.end_, time);
+  }
+
   /// Not a number when nothing fell into the window.
   double mean() const { return weight_ > 0. ? sum_ / weight_ : std::nan(""); }
 

@@ -62,10 +62,18 @@ public:
   /// CPU time of every phase up to now, the rest last.
   std::vector<Row> rows() const;
 
-  /// Time since this was made [s].
+  /// Time since this was made, and of what it goes on from [s].
   double elapsed() const
   {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - made_).count();
+    return earlier_elapsed_ +
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - made_).count();
+  }
+
+  /// Counts an earlier part of the run in: the CPU seconds of its rows(), and its time.
+  void go_on_from(std::vector<double> cpu_seconds, const double elapsed)
+  {
+    earlier_         = std::move(cpu_seconds);
+    earlier_elapsed_ = elapsed;
   }
 
   /// CPU time of this process since it was started, its initialisation included [s].
@@ -91,6 +99,8 @@ private:
   Phase                                 running_ = rest;
   std::uint64_t                         start_, last_;
   double                                cpu_at_start_;
-  std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();
+  std::vector<double>                   earlier_; ///< per row, if as many
+  double                                earlier_elapsed_ = 0.;
+  std::chrono::steady_clock::time_point made_            = std::chrono::steady_clock::now();
 };
 } // namespace chaindrive

@@ -3,6 +3,7 @@
 
 #include <chaindrive/mesh/nodes.h>
 #include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/pack.h>
 
 #include <deal.II/base/index_set.h>
@@ -95,6 +96,9 @@ public:
   /// The same for all @p copies, whose messages travel side by side. Collective.
   static void fetch_ghosts(std::vector<Copies> &copies);
   static void send_forces(std::vector<Copies> &copies);
+
+  /// The state between two steps, batch by batch: forces are then used up.
+  void exchange(const Archive &archive);
 
   std::size_t memory_consumption() const;
 

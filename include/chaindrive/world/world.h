@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/rotation.h>
 #include <chaindrive/world/copies.h>
 #include <chaindrive/world/ledger.h>
@@ -8,6 +9,7 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <array>
 #include <vector>
 
 namespace chaindrive
@@ -85,8 +87,8 @@ public:
   void clear_resultants();
 
   /// Sums what the ranks have added since clear_forces(): forces and moments on bodies, and the
-  /// ledger but for the work of the hubs; with halves, of whole bodies. Shares out frames of
-  /// elastic bodies. Collective.
+  /// ledger but for the work of the hubs, and requests; with halves, of whole bodies. Shares out
+  /// frames of elastic bodies. Collective.
   void sum_over_ranks();
 
   /// A force @p f [N] that acts on @p body at the world point @p at [m].
@@ -140,6 +142,10 @@ public:
   /// velocities.
   double kinetic_energy() const;
 
+  /// The state between two steps, whose forces are those of the present time. Nodes that follow
+  /// rigid bodies are placed anew at every step and are none.
+  void exchange(const Archive &archive);
+
   /// Bytes held by the state.
   std::size_t memory_consumption() const;
 
@@ -164,6 +170,10 @@ public:
 
   double time = 0.; ///< s
   Ledger ledger;
+
+  /// What ranks ask of all: each adds its own before a step, and after it all see the same sums.
+  /// Nothing in the motion depends on them.
+  std::array<double, 2> requests{};
 
   /// By how much the forces on elastic bodies, their contacts' and their energies are to be
   /// multiplied to be those of whole bodies: 2 for halves.

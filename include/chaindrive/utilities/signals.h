@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+namespace chaindrive
+{
+/// From now on SIGTERM, SIGINT and SIGUSR1 do not end the program at once but are remembered; a
+/// second one of the same kind ends it as usual.
+void catch_stop_signals();
+
+/// The signal that came since then; 0: none.
+int stop_signal();
+} // namespace chaindrive

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/output/checkpoints.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/signals.h>
+#include <chaindrive/utilities/text.h>
+
+#include <csignal>
+#include <filesystem>
+#include <utility>
+
+namespace chaindrive::output
+{
+namespace
+{
+constexpr unsigned int n_kept = 2;
+
+enum Request : unsigned int // in World::requests
+{
+  checkpoint,
+  stop
+};
+
+double seconds_since(const std::chrono::steady_clock::time_point begin)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+} // namespace
+
+Checkpoints::Checkpoints(const Parameters      &parameters,
+                         std::string            directory,
+                         std::string            fixed,
+                         const unsigned long    n_steps,
+                         const double           dt,
+                         Recorder              &recorder,
+                         dynamics::EnergyGuard &guard,
+                         Log                   &log)
+    : parameters_(parameters)
+    , directory_(std::move(directory))
+    , fixed_(std::move(fixed))
+    , n_steps_(n_steps)
+    , dt_(dt)
+    , recorder_(recorder)
+    , guard_(guard)
+    , log_(log)
+    , schedule_(parameters.time.start, parameters.output.checkpoint_interval)
+    , began_(Clock::now())
+    , written_(began_)
+{
+}
+
+bool Checkpoints::observe(dynamics::System &system, const unsigned long step, const double dt)
+{
+  recorder_.observe(system, step, dt);
+  const bool stopped = system.world.requests[stop] > 0.;
+  const bool due     = schedule_.due(system.world.time);
+  const bool ended   = step == n_steps_ && (parameters_.output.checkpoint_interval > 0. ||
+                                          !last_.empty()); // who wants more time can go on
+  if (step > 0 && (due || ended || stopped || system.world.requests[checkpoint] > 0.))
+    write(system, step);
+  if (stopped && step < n_steps_)
+    {
+      say_why(system.world.time);
+      return false;
+    }
+  ask(system.world);
+  return true;
+}
+
+void Checkpoints::ask(World &world) const
+{
+  const parameters::Output &output = parameters_.output;
+  world.requests                   = {{0., 0.}};
+  if (stop_signal() != 0)
+    world.requests[stop] = 1.;
+  if (!world.is_first_rank())
+    return;
+  if (output.wall_clock_limit > 0. && seconds_since(began_) > output.wall_clock_limit)
+    world.requests[stop] = 1.;
+  if (output.checkpoint_wait > 0. && seconds_since(written_) > output.checkpoint_wait)
+    world.requests[checkpoint] = 1.;
+}
+
+void Checkpoints::say_why(const double time)
+{
+  const int number = stop_signal();
+  log_ << (number == SIGTERM ? "Stopped by SIGTERM" :
+           number == SIGINT  ? "Stopped by SIGINT" :
+           number != 0       ? "Stopped by SIGUSR1" :
+                               "Stopped by Output/Wall-clock limit in s")
+       << " at " << to_text(time * 1e3) << " ms." << last()
+       << " To go on, start it again as before with --resume auto." << std::endl;
+}
+
+void Checkpoints::exchange(const Archive &archive, dynamics::System &system)
+{
+  system.exchange(archive / "system");
+  guard_.exchange(archive / "energy guard");
+  recorder_.exchange(archive / "recorder", system);
+  schedule_.exchange(archive / "checkpoints", system.world.time);
+
+  std::vector<double> cpu_seconds;
+  for (const auto &row : rows_of_all_ranks(system.timer, system.world.communicator()))
+    cpu_seconds.push_back(row.cpu_seconds);
+  double elapsed = system.timer.elapsed();
+  archive("cpu seconds", cpu_seconds);
+  archive("elapsed", elapsed);
+  if (archive.reads() && system.world.is_first_rank())
+    system.timer.go_on_from(cpu_seconds, elapsed);
+}
+
+void Checkpoints::write(dynamics::System &system, const unsigned long step)
+{
+  const PhaseTimer::Scope scope(system.timer, system.timer.add("Output"));
+  CheckpointItems         items(system.world.communicator());
+  exchange(items.archive(), system);
+  last_ = checkpoint_path(directory_, step);
+  items.write(last_, {step, system.world.time, dt_}, fixed_);
+  written_ = Clock::now();
+  if (!system.world.is_first_rank())
+    return;
+  log_.write_to_file("Checkpoint at " + to_text(system.world.time * 1e3) + " ms: " + last_);
+  auto files = checkpoints_in(directory_);
+  for (; files.size() > n_kept; files.erase(files.begin()))
+    std::filesystem::remove(files.begin()->second);
+}
+
+unsigned long Checkpoints::resume(dynamics::System &system, const CheckpointFile &file)
+{
+  const unsigned long step = file.header().step;
+  if (step > n_steps_)
+    throw InputError(
+        "The checkpoint '" + file.path() + "' is at " + to_text(file.header().time * 1e3) +
+        " ms, after Time/End time in ms = " + to_text(parameters_.time.end * 1e3) + ".");
+  try
+    {
+      exchange(file.archive(), system);
+    }
+  catch (const InputError &error)
+    {
+      throw InputError("The checkpoint '" + file.path() + "' cannot be used: " + error.what() +
+                       ".");
+    }
+  if (system.world.is_first_rank())
+    for (const auto &[later, path] : checkpoints_in(directory_))
+      if (later > step)
+        std::filesystem::remove(path);
+  last_ = file.path();
+  return step;
+}
+
+std::string Checkpoints::last() const
+{
+  return last_.empty() ? "" : " The last checkpoint is '" + last_ + "'.";
+}
+
+namespace
+{
+/// The newest checkpoint that is whole.
+std::unique_ptr<CheckpointFile> newest(const std::string &directory, Log &log)
+{
+  std::string problem;
+  const auto  files = checkpoints_in(directory);
+  for (auto file = files.rbegin(); file != files.rend(); ++file)
+    try
+      {
+        auto found = std::make_unique<CheckpointFile>(file->second);
+        if (!problem.empty())
+          log << problem << " The one before it is taken.\n";
+        return found;
+      }
+    catch (const InputError &error)
+      {
+        problem += (problem.empty() ? "" : "\n") + std::string(error.what());
+      }
+  if (!problem.empty())
+    throw InputError(problem + "\nNo other checkpoint is in '" + directory +
+                     "'. Without --resume the run begins anew and replaces its results.");
+  log << "There is no checkpoint in '" << directory << "': the run begins at its beginning.\n";
+  return nullptr;
+}
+} // namespace
+
+std::unique_ptr<CheckpointFile> find_checkpoint(const std::string &resume,
+                                                const std::string &directory,
+                                                const std::string &fixed,
+                                                Log               &log)
+{
+  if (resume.empty())
+    return nullptr;
+  std::unique_ptr<CheckpointFile> file;
+  if (resume == "auto")
+    file = newest(directory, log);
+  else
+    {
+      namespace fs = std::filesystem;
+      file         = std::make_unique<CheckpointFile>(resume);
+      std::error_code error;
+      if (!fs::equivalent(fs::absolute(resume).parent_path(), directory, error))
+        throw InputError("The checkpoint '" + resume + "' does not lie in the output directory '" +
+                         directory + "', where its histories are; choose --output.");
+    }
+  if (file != nullptr)
+    {
+      file->check_parameters(fixed);
+      log << "Resumed from '" << file->path() << "' at " << to_text(file->header().time * 1e3)
+          << " ms.\n";
+    }
+  return file;
+}
+} // namespace chaindrive::output

@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""resume.py CASE PROGRAM REPOSITORY: runs that are interrupted and go on. Every case ends by comparing all
+results with those of a run that nobody disturbed: histories, pictures, lists and summary, byte by byte.
+
+  same FIDELITY     A to C is A to B to C, by a greater end time; simple, layered, full or full2 on two ranks
+  ranks             a checkpoint of two ranks is read by one and the other way round: equal to round-off
+  stop              SIGTERM, SIGINT and the wall-clock limit: a checkpoint, status 4, and what to do next
+  refuse            checkpoints that are cut off, damaged, of other parameters, versions and formats, or none
+  kill [N] [RANKS]  kill -9 at N random moments, 4 by default
+"""
+import json
+import os
+import pathlib
+import random
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1")
+PROGRAM, REPOSITORY = sys.argv[2], pathlib.Path(sys.argv[3])
+
+DRIVE = {
+    "Drive/Number of links": 22,
+    "Drive/Driver teeth": 9,
+    "Drive/Driven teeth": 9,
+    "Drive/Sprockets/Driver outside diameter in mm": "auto",
+    "Drive/Sprockets/Driven outside diameter in mm": "auto",
+    "Drive/Sprockets/Driver hub diameter in mm": "auto",
+    "Drive/Sprockets/Driver bore in mm": "auto",
+    "Drive/Sprockets/Driven hub diameter in mm": "auto",
+    "Drive/Sprockets/Driven bore in mm": "auto",
+    "Drive/Layout/Centre distance from": "slack",
+    "Drive/Layout/Slack in mm": 0.1,
+    "Model/Driven inertia in kg m2": 1e-4,
+    "Loads/Resisting torque in N m": 20,
+    "Loads/Torque ramp angle in rad": 0.01,
+    "Time/Step in us": "auto",
+    "Output/Window start in ms": 0,
+    "Output/CSV": "true",
+}
+RIGID = {"Loads/Ramp time in ms": 0.5, "Output/History interval in us": 20, "Output/Field interval in ms": 0.5}
+FULL = {
+    "Model/Fidelity": "full",
+    "Mesh/Refinement": 0,
+    "Loads/Ramp time in ms": 0.01,
+    "Output/History interval in us": 1,
+    "Output/Field interval in ms": 0.01,
+}
+
+
+def drive(fidelity, **more):
+    """Entries of a small drive."""
+    entries = dict(DRIVE)
+    entries.update(FULL if fidelity == "full" else {**RIGID, "Model/Fidelity": fidelity})
+    entries.update(more)
+    return entries
+
+
+def command(directory, entries, options=(), ranks=1):
+    launcher = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
+    sets = [word for name, value in entries.items() for word in ("--set", f"{name}={value}")]
+    file = REPOSITORY / "prm/paper/layered-auto.prm"
+    return [*launcher, PROGRAM, str(file), *sets, "--output", directory, *options]
+
+
+def run(directory, entries, options=(), ranks=1, status=0):
+    """Runs to the end, checks the exit status and returns what was said."""
+    done = subprocess.run(
+        command(directory, entries, options, ranks), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    )
+    check(done.returncode == status, f"{directory}: status {done.returncode} instead of {status}\n{done.stdout}")
+    return done.stdout
+
+
+def check(condition, message):
+    if not condition:
+        sys.exit(message)
+
+
+def numbers(directory):
+    """The summary without what belongs to the machine."""
+    summary = json.loads((pathlib.Path(directory) / "summary.json").read_text())
+    return {name: value for name, value in summary.items() if name not in ("wall_seconds", "cpu_seconds", "ranks")}
+
+
+def results(directory):
+    """Every result file by its name but for HDF5."""
+    folder = pathlib.Path(directory)
+    return {
+        str(file.relative_to(folder)): file.read_bytes()
+        for pattern in ("*.csv", "*.pvd", "fields/*vtu")
+        for file in folder.glob(pattern)
+    }
+
+
+def compare(undisturbed, resumed):
+    expected, got = results(undisturbed), results(resumed)
+    check(expected.keys() == got.keys(), f"{resumed}: {sorted(expected.keys() ^ got.keys())} are not in both")
+    for name in expected:
+        check(expected[name] == got[name], f"{resumed}/{name} is not as it is undisturbed")
+    check(len(expected) > 8, "there were no results to compare")
+    check(numbers(undisturbed) == numbers(resumed), f"{resumed}: another summary")
+    if shutil.which("h5diff"):  # the CSV files hold the same numbers
+        for name in ["time"] + [name[10:-4] for name in expected if name.endswith(".csv")]:
+            subprocess.run(["h5diff", f"{undisturbed}/histories.h5", f"{resumed}/histories.h5", "/" + name], check=True)
+    left = [file.name for file in pathlib.Path(resumed).iterdir() if re.search(r"part$|histories-", file.name)]
+    check(not left, f"{resumed}: {left} were left behind")
+
+
+def fresh(*directories):
+    for directory in directories:
+        shutil.rmtree(directory, ignore_errors=True)
+
+
+def checkpoints(directory):
+    return sorted(pathlib.Path(directory).glob("checkpoint-*.ckpt"))
+
+
+def same(fidelity):
+    ranks = 2 if fidelity == "full2" else 1
+    entries = drive(fidelity.rstrip("2"))
+    end, middle = (0.06, 0.031) if fidelity.startswith("full") else (3, 1.3)
+    fresh("through", "resumed")
+    run("through", {**entries, "Time/End time in ms": end}, ranks=ranks)
+    run("resumed", {**entries, "Time/End time in ms": middle, "Output/Checkpoint interval in ms": middle / 3}, ranks=ranks)
+    check(len(checkpoints("resumed")) == 2, "there are not two checkpoints")
+    said = run("resumed", {**entries, "Time/End time in ms": end, "Output/Resume": "auto"}, ranks=ranks)
+    check(re.search(f"Resumed from .* at {middle}", said), f"it does not say where it goes on:\n{said}")
+    compare("through", "resumed")
+
+
+def ranks():
+    entries = {**drive("full"), "Time/End time in ms": 0.06, "Output/Checkpoint interval in ms": 0.03}
+    for first, second in ((1, 2), (2, 1)):
+        fresh("through", "resumed")
+        run("through", entries, ranks=first)
+        run("resumed", {**entries, "Time/End time in ms": 0.03}, ranks=first)
+        run("resumed", entries, ["--resume", "auto"], ranks=second)
+        expected, got = numbers("through"), numbers("resumed")
+        largest = max(abs(value) for value in expected["energy"].values())
+        for name, value in expected["energy"].items():
+            check(abs(value - got["energy"][name]) < 1e-9 * largest, f"{name}: {got['energy'][name]}, not {value}")
+        for name in ("drive_work", "driven_angle_end", "tight_tension_mean"):
+            check(abs(expected[name] - got[name]) < 1e-9 * abs(expected[name]), f"{name}: {got[name]}")
+        check(expected["searches"] == got["searches"], "another number of searches")
+
+
+def begin(directory, entries, options=(), ranks=1):
+    return subprocess.Popen(
+        command(directory, entries, options, ranks), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    )
+
+
+def wait_for(condition, process):
+    while not condition():
+        check(process.poll() is None, "the run was over too early")
+        time.sleep(0.01)
+
+
+def stop():
+    for fidelity, ranks in (("layered", 1), ("full", 2)):
+        end = {"Time/End time in ms": 0.3 if fidelity == "full" else 20}
+        entries = {**drive(fidelity), **end}
+        fresh("through", "resumed")
+        run("through", entries, ranks=ranks)
+        for number in (signal.SIGTERM, signal.SIGINT):
+            log = pathlib.Path("resumed/log.txt")
+            before = log.stat().st_size if log.exists() else 0
+            process = begin("resumed", entries, ["--resume", "auto"], ranks)
+            wait_for(lambda: log.exists() and log.stat().st_size > before, process)
+            time.sleep(0.2)
+            process.send_signal(number)
+            said = process.communicate()[0]
+            check(process.returncode == 4, f"status {process.returncode}:\n{said}")
+            check("--resume auto" in said and "checkpoint-" in said, f"it does not say how to go on:\n{said}")
+        said = run("resumed", {**entries, "Output/Wall-clock limit in s": 0.3}, ["--resume", "auto"], ranks, status=4)
+        check("Wall-clock limit" in said, said)
+        run("resumed", entries, ["--resume", "auto"], ranks)
+        compare("through", "resumed")
+
+
+def crc64(data):
+    """CRC-64/XZ, by its definition."""
+    table = []
+    for byte in range(256):
+        for _ in range(8):
+            byte = byte >> 1 ^ (0xC96C5795D7870F42 if byte & 1 else 0)
+        table.append(byte)
+    crc = 2**64 - 1
+    for byte in data:
+        crc = table[(crc ^ byte) & 0xFF] ^ crc >> 8
+    return crc ^ 2**64 - 1
+
+
+def refuse():
+    check(crc64(b"123456789") == 0x995DC9BBDF1939FA, "crc64 is wrong")
+    entries = {**drive("simple"), "Time/End time in ms": 0.2, "Output/Checkpoint interval in ms": 0.1}
+    fresh("whole", "other")
+    run("whole", entries)
+    older, newest = checkpoints("whole")
+    content = newest.read_bytes()
+    check(crc64(content[:-8]) == int.from_bytes(content[-8:], "little"), "the checksum is not that of the contents")
+
+    def signed(data):
+        return data + crc64(data).to_bytes(8, "little")
+
+    def refused(text, change=None, more=None, options=("--resume", str(newest))):
+        newest.write_bytes(content if change is None else change)
+        before = results("whole")
+        said = run("whole", {**entries, **(more or {})}, options, status=2)
+        check(re.search(text, said, re.S), f"it does not say {text}:\n{said}")
+        check("chaindrive: " in said and "xception" not in said, said)
+        check(results("whole") == before, "results were touched")
+
+    name = re.escape(str(newest))
+    for size in (len(content) - 1, len(content) // 2, 150):
+        refused(f"{name}.*damaged or was cut off", content[:size])
+    for place in random.Random(1).sample(range(25, len(content)), 3):
+        refused(f"{name}.*damaged", content[:place] + bytes([content[place] ^ 1]) + content[place + 1 :])
+    refused(f"{name}' is no checkpoint", b"")
+    refused(f"{name}' is no checkpoint", os.urandom(5000))
+    refused(f"{name}.*format 77; this program reads the format 1", signed(content[:-8].replace(b"checkpoint 1", b"checkpoint 77", 1)))
+    refused(f"{name}.*written by chaindrive 9.9.9", signed(re.sub(rb"version [0-9.]+", b"version 9.9.9", content[:-8], 1)))
+    refused(
+        f"{name}.*other parameters: there Loads/Resisting torque in N m = 20, here .* = 30",
+        more={"Loads/Resisting torque in N m": 30},
+    )
+    refused(f"{name}.*after Time/End time", more={"Time/End time in ms": 0.15})
+    refused(f"{name}.*window", more={"Output/Window start in ms": 0.05})
+    refused("nowhere.ckpt.*cannot be read", options=("--resume", "nowhere.ckpt"))
+    refused("does not lie in the output directory", options=("--resume", str(newest), "--output", "other"))
+
+    # auto: the older one, then none
+    newest.write_bytes(content[:-100])
+    said = run("whole", entries, ["--resume", "auto"])
+    check(re.search(f"{name}.*cut off.*Resumed from '{older}' at 0.1", said, re.S), said)
+    check(newest.read_bytes() == content or len(newest.read_bytes()) == len(content), "it was not made again")
+    for file in checkpoints("whole"):
+        file.write_bytes(content[:-100])
+    refused("cut off.*cut off.*No other checkpoint", content[:-100], options=("--resume", "auto"))
+    fresh("other")
+    said = run("other", entries, ["--resume", "auto"])
+    check("begins at its beginning" in said, said)
+
+
+def kill(n=4, ranks=1):
+    """Each kill comes at a random moment after the run has begun; what is finished must stay as it is."""
+    random.seed(int(os.environ.get("CHAINDRIVE_SEED", "0")) or None)
+    fidelity = "layered" if ranks == 1 else "full"
+    end, interval = (10, 0.1) if ranks == 1 else (0.2, 0.002)
+    entries = {**drive(fidelity), "Time/End time in ms": end, "Output/Checkpoint interval in ms": interval}
+    fresh("through", "resumed")
+    began = time.time()
+    run("through", entries, ranks=ranks)
+    duration = time.time() - began
+    kills, lost = 0, []
+    while True:
+        process = begin("resumed", entries, ["--resume", "auto", "--quiet"], ranks)
+        if kills < n:
+            try:
+                process.wait(random.uniform(0.2, 0.2 + 1.5 * duration / n + duration / 10))
+            except subprocess.TimeoutExpired:
+                victims = [process.pid]
+                if ranks > 1:  # mpirun's children
+                    children = subprocess.run(["pgrep", "-P", str(process.pid)], stdout=subprocess.PIPE, text=True)
+                    victims = [int(pid) for pid in children.stdout.split()]
+                for pid in victims:
+                    os.kill(pid, signal.SIGKILL)
+                kills += 1
+        process.communicate()
+        if process.returncode == 0:
+            if kills >= n:
+                break
+            fresh("resumed")  # it came to its end before all kills were done
+            continue
+        lost.append(examine("resumed"))
+    compare("through", "resumed")
+    print(f"{n} kills of a run of {duration:.1f} s; with checkpoints before {sum(t is not None for t in lost)}")
+
+
+def examine(directory):
+    """What a killed run has left: time of the checkpoint from which it can go on, in ms."""
+    log = pathlib.Path(directory) / "log.txt"
+    logged = [float(t) for t in re.findall(r"Checkpoint at ([0-9.e-]+) ms", log.read_text())] if log.exists() else []
+    whole = []
+    for file in checkpoints(directory):
+        content = file.read_bytes()
+        check(crc64(content[:-8]) == int.from_bytes(content[-8:], "little"), f"{file} is not whole")
+        whole.append(1e3 * float(re.search(rb"\ntime (\S+)", content)[1]))
+    for file in pathlib.Path(directory).glob("fields/*.vtu"):
+        check(file.read_bytes().endswith(b"</VTKFile>\n"), f"{file} is not whole")
+    for pvd in pathlib.Path(directory).glob("*.pvd"):
+        for name in re.findall('file="([^"]+)"', pvd.read_text()):
+            check((pathlib.Path(directory) / name).exists(), f"{pvd} names {name}, which is not there")
+    # a checkpoint is due at every interval: whatever came after the last one is less than that
+    if logged:
+        check(whole and max(whole) > max(logged) * (1 - 1e-5), f"the last checkpoint, at {max(logged)} ms, is lost")
+    return max(whole, default=None)
+
+
+def main():
+    case, arguments = sys.argv[1].split()[0], sys.argv[1].split()[1:]
+    {"same": same, "ranks": ranks, "stop": stop, "refuse": refuse}.get(
+        case, lambda *words: kill(*(int(word) for word in words))
+    )(*arguments)
+
+
+main()
