@@ -9,6 +9,7 @@
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/plan.h>
 #include <chaindrive/simulation.h>
+#include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/text.h>
 
@@ -40,6 +41,12 @@ void print_step(std::ostream &log, const dynamics::StepChoice &choice, const uns
   log << "all coupled " << to_text(choice.limit * 1e6, 4) << '\n'
       << "Step: " << to_text(choice.step * 1e6, 4) << " us (" << choice.reason << "), " << n
       << " steps\n";
+}
+
+/// What there is to go on from, not later than @p sound_until [s], as the end of a message.
+std::string last_checkpoint(double /*sound_until*/)
+{
+  return " There is no checkpoint to go on from.";
 }
 } // namespace
 
@@ -87,12 +94,24 @@ void simulate(const CommandLine &command_line, const MPI_Comm comm)
 
   output::Recorder recorder(
       scene, parameters, system, directory, input.resolved, system.timer, log);
-  dynamics::EnergyGuard guard(parameters.time.energy_limit, 1e-3 * scene.nominal_energy());
-  dynamics::run(system, recorder, guard, start, end, choice.step);
+  dynamics::Guard guard(scene,
+                        system,
+                        parameters.time.energy_limit,
+                        1e-3 * scene.nominal_energy(),
+                        parameters.time.guard);
+  try
+    {
+      dynamics::run(system, recorder, guard, start, end, choice.step);
+    }
+  catch (const dynamics::Fault &fault)
+    {
+      recorder.close();
+      throw RunError(fault.what() + last_checkpoint(fault.sound_until()));
+    }
   recorder.close();
 
   const auto         table   = output::rows_of_all_ranks(system.timer, system.world.communicator());
-  const output::Json summary = recorder.summary(system, guard, choice, n_steps, table);
+  const output::Json summary = recorder.summary(system, guard.energy(), choice, n_steps, table);
   if (!is_first_rank)
     return;
   output::write_json(directory + "/summary.json", summary);

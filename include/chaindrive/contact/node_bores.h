@@ -29,6 +29,8 @@ public:
 
   std::vector<ClosedPair> closed_pairs(const World &world) const override;
 
+  std::optional<unsigned int> deepest_node(unsigned int i) const override;
+
   unsigned long n_missed() const override;
 
 private:

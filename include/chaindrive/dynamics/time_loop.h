@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/dynamics/guard.h>
 #include <chaindrive/dynamics/system.h>
 
 namespace chaindrive::dynamics
@@ -17,29 +18,10 @@ public:
   virtual void observe(System &system, unsigned long step, double dt) = 0;
 };
 
-/// Watches the ledger: keeps the largest imbalance and stops a run whose energy does not close.
-class EnergyGuard
-{
-public:
-  /// @p limit is the accepted |imbalance| / energy turned over; @p floor [J] an energy below which
-  /// nothing is judged, so that the first moments of a run are not divided by nearly zero.
-  EnergyGuard(double limit, double floor) : limit_(limit), turned_over_(floor) {}
-
-  /// Throws RunError when the balance is off by more than the limit, or is not a number.
-  void check(const Ledger &ledger, double time);
-
-  double largest_imbalance() const { return largest_; } ///< |imbalance|, J
-
-private:
-  double limit_;
-  double turned_over_;
-  double largest_ = 0.;
-};
-
 /// Runs @p system from @p start to @p end [s] in steps of @p dt; time is start + step * dt. The
 /// last step is the first whose time reaches the end. Returns the number of steps.
 unsigned long
-run(System &system, Observer &observer, EnergyGuard &guard, double start, double end, double dt);
+run(System &system, Observer &observer, Guard &guard, double start, double end, double dt);
 
 /// Number of steps that run() will take.
 unsigned long n_steps(double start, double end, double dt);

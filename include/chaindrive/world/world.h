@@ -165,6 +165,10 @@ public:
   double time = 0.; ///< s
   Ledger ledger;
 
+  /// Positive: a rank has found something wrong that only it can see. Any rank may set it to 1; the
+  /// next sum_over_ranks() tells all others.
+  double alarm = 0.;
+
   /// By how much the forces on elastic bodies, their contacts' and their energies are to be
   /// multiplied to be those of whole bodies: 2 for halves.
   double whole = 1.;
