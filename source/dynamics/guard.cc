@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <iostream>
 #include <numeric>
 #include <string>
 
@@ -16,26 +14,22 @@ namespace
 {
 constexpr unsigned int interval = 16; // steps from one look to the next
 
-constexpr double momentum_limit = 1e-7;
-constexpr double jump_limit     = 2e-3;
-constexpr double negative_limit = 2e-3;
+// Largest momentum out of nowhere over the sum of the sizes of all momenta. Of all files in prm/
+// the worst is 8e-13, while 1 N without reaction is above the limit after a few steps.
+constexpr double momentum_limit = 1e-8;
 
-struct Stats
-{
-  double momentum = 0., jump = 0., lost = 0., neg = 0., jump_t = 0., floor_share = 0.;
-  double overlap = 0., jump_e = 0.;
-  ~Stats()
-  {
-    if (getenv("GUARD_STATS"))
-      std::cerr << "STATS momentum " << momentum << " jump/stored " << jump << " jump_turned "
-                << jump_t << " jump_elastic " << jump_e << " lost " << lost << " neg " << neg
-                << " overlap " << overlap << "\n";
-  }
-} stats;
+// Largest jump of the imbalance from one look to the next, and largest energy below zero, over the
+// energy of springs, which is what a step that is too large and a force of wrong sign make: kinetic
+// energy is much larger and closes by itself. Central differences are wrong by (w dt)^2 / 4 of the
+// energy of a vibration, 0.6 % at the automatic step of rigid models, and by all of it near the
+// stable step of elastic ones, where little energy is that fast. Of all files the worst is 1.4e-3
+// (an impact in the layered model); a step above the stable one multiplies what it has at each
+// step.
+constexpr double energy_limit = 2e-2;
 
 const std::string smaller_step =
     "Most often the step is too large for what has happened: try a smaller Time/Step in us or "
-    "Time/Safety factor.";
+    "Time/Safety factor. If that does not help, please report it with the parameter file.";
 const std::string error_of_program =
     "No step, however small, mends this: it is an error in the program. Please report it with the "
     "parameter file.";
@@ -44,17 +38,16 @@ struct Line
 {
   const char *name;
   double Ledger::*term;
-  bool            stored;
 };
-constexpr Line lines[] = {{"kinetic energy", &Ledger::kinetic, true},
-                          {"energy of bars", &Ledger::bar, true},
-                          {"strain energy", &Ledger::strain, true},
-                          {"hourglass energy", &Ledger::hourglass, true},
-                          {"energy of contacts", &Ledger::contact, true},
-                          {"friction loss", &Ledger::friction, false},
-                          {"contact damping loss", &Ledger::contact_damping, false},
-                          {"chain damping loss", &Ledger::chain_damping, false},
-                          {"drag loss", &Ledger::drag, false}};
+constexpr Line lines[] = {{"kinetic energy", &Ledger::kinetic},
+                          {"energy of bars", &Ledger::bar},
+                          {"strain energy", &Ledger::strain},
+                          {"hourglass energy", &Ledger::hourglass},
+                          {"energy of contacts", &Ledger::contact},
+                          {"friction loss", &Ledger::friction},
+                          {"contact damping loss", &Ledger::contact_damping},
+                          {"chain damping loss", &Ledger::chain_damping},
+                          {"drag loss", &Ledger::drag}};
 } // namespace
 
 bool EnergyGuard::closes(const Ledger &ledger)
@@ -155,9 +148,9 @@ std::optional<Guard::Finding> Guard::look_at_momentum(System &system, const doub
     rest += system.loads.drag() * (moved(world) - start_moved_);
   if (world.whole != 1.) // the middle plane holds its nodes
     rest[2] = 0.;
-  largest_momentum_  = std::max(largest_momentum_, size);
-  stats.momentum     = std::max(stats.momentum, rest.norm() / largest_momentum_);
-  const double limit = momentum_limit * largest_momentum_;
+  largest_momentum_ = std::max(largest_momentum_, size);
+  // elastic bodies feel the drag of half a step before
+  const double limit = (momentum_limit + system.loads.drag() * dt) * largest_momentum_;
   if (rest.norm() <= limit)
     return {};
   return Finding{"Momentum of " + to_text(rest.norm(), 3) +
@@ -169,39 +162,28 @@ std::optional<Guard::Finding> Guard::look_at_momentum(System &system, const doub
 
 std::optional<Guard::Finding> Guard::look_at_energy(System &system, const double dt)
 {
-  const Ledger &now    = system.world.ledger;
-  const double  scale  = std::max(floor_, now.stored());
-  const double  gained = now.imbalance() - before_.imbalance(), lost = now.lost() - before_.lost();
-  before_              = now;
-  const double elastic = floor_ + now.bar + now.strain + now.hourglass + now.contact;
-  stats.jump_e         = std::max(stats.jump_e, std::abs(gained) / elastic);
-  if (getenv("GUARD_TRACE"))
-    std::cerr << "gained " << gained << " lost " << lost << " stored " << now.stored() << " bar "
-              << now.bar << " strain " << now.strain << " contact " << now.contact << " kinetic "
-              << now.kinetic << " floor " << floor_ << " fr " << now.friction << " cd "
-              << now.contact_damping << " ch " << now.chain_damping << "\n";
-  stats.jump   = std::max(stats.jump, std::abs(gained) / scale);
-  stats.jump_t = std::max(stats.jump_t, std::abs(gained) / energy_.turned_over());
-  stats.lost   = std::max(stats.lost, -lost / scale);
-  for (const Line &line : lines)
-    stats.neg = std::max(stats.neg, -(now.*line.term) / scale);
+  const Ledger &now = system.world.ledger;
+  const double  accepted =
+      energy_limit * (floor_ + now.bar + now.strain + now.hourglass + now.contact);
+  const double gained = now.imbalance() - before_.imbalance(), lost = now.lost() - before_.lost();
+  before_ = now;
 
   std::optional<Finding> finding;
-  if (std::abs(gained) > jump_limit * scale)
+  if (std::abs(gained) > accepted)
     finding = {"The energy balance jumps by " + to_text(gained, 3) + " J in " +
                    std::to_string(interval) + " steps, more than the accepted " +
-                   to_text(jump_limit * scale, 3) + " J",
+                   to_text(accepted, 3) + " J",
                smaller_step,
                {}};
-  else if (-lost > jump_limit * scale)
+  else if (-lost > accepted)
     finding = {"What has been lost falls by " + to_text(-lost, 3) + " J in " +
                    std::to_string(interval) + " steps, more than the accepted " +
-                   to_text(jump_limit * scale, 3) + " J",
+                   to_text(accepted, 3) + " J",
                error_of_program,
                {}};
   else
     for (const Line &line : lines)
-      if (-(now.*line.term) > negative_limit * scale)
+      if (-(now.*line.term) > accepted)
         finding = {std::string("The ") + line.name + " is " + to_text(now.*line.term, 3) +
                        " J: it must not be negative",
                    error_of_program,
@@ -217,8 +199,7 @@ bool Guard::overlaps(const System &system) const
     {
       const double accepted = family->senseless_overlap();
       for (const contact::Record &record : family->records())
-        if (stats.overlap = std::max(stats.overlap, -record.gap / accepted);
-            - record.gap > accepted)
+        if (-record.gap > accepted)
           return true;
     }
   return false;
@@ -264,7 +245,7 @@ void Guard::check(System &system, const unsigned long step, const double dt)
           last_.force.assign(world.force.begin(), world.force.end());
         }
     }
-  if (!finding || getenv("GUARD_STATS"))
+  if (!finding)
     return;
 
   std::string where;

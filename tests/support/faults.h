@@ -124,7 +124,7 @@ public:
     if (rank_in(comm) != 0)
       return;
     // the digits depend on the machine
-    std::cerr << fault << ' ' << n - 1 << '\n'; std::ofstream("messages", std::ios::app) << fault << ", " << n - 1 << " steps:\n"
+    std::ofstream("messages", std::ios::app) << fault << ", " << n - 1 << " steps:\n"
                                              << message << "\n\n";
     std::cout << fault << ": stopped within 100 steps: " << (message.empty() ? "NO" : "yes")
               << (same ? "" : ", NOT alike on all ranks") << '\n';

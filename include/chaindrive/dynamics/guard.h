@@ -61,8 +61,8 @@ private:
 ///     sum m v - sum m v at the start + integral of (force on hubs - gravity - drag) dt
 ///   is zero to round-off with central differences, whatever the step: a reaction that is lost or
 ///   has the wrong sign stays in it. In half models only along x and y.
-/// - Energy. No loss and no stored energy is negative, and neither the imbalance nor the losses
-///   jump from one look to the next.
+/// - Energy. No loss and no stored energy is negative, the imbalance does not jump from one look to
+///   the next, and the losses do not fall.
 /// - Overlap. No surfaces overlap by Family::senseless_overlap(): a contact that pulls instead of
 ///   pushing gets there in a few steps. What one rank sees goes into World::alarm, and all ranks
 ///   stop at the next step.
@@ -115,7 +115,7 @@ private:
 
   const scene::Scene &scene_;
   EnergyGuard         energy_;
-  double              floor_; ///< J
+  double              floor_; ///< of the energies that a jump is compared with, J
   bool                on_;
   unsigned int        calls_ = 0; ///< since the last look
   double              sound_until_;
