@@ -94,8 +94,12 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
 
   output::Recorder recorder(
       scene, parameters, system, directory, input.resolved, system.timer, log);
-  dynamics::EnergyGuard guard(parameters.time.energy_limit, 1e-3 * scene.nominal_energy());
-  output::Checkpoints   checkpoints(
+  dynamics::Guard     guard(scene,
+                        system,
+                        parameters.time.energy_limit,
+                        1e-3 * scene.nominal_energy(),
+                        parameters.time.guard);
+  output::Checkpoints checkpoints(
       parameters, directory, input.fixed, n_steps, choice.step, recorder, guard, log);
   unsigned long done = checkpoint == nullptr ? 0 : checkpoints.resume(system, *checkpoint);
   if (is_first_rank)
@@ -106,6 +110,11 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   try
     {
       done = dynamics::run(system, checkpoints, guard, start, end, choice.step, done);
+    }
+  catch (const dynamics::Fault &fault)
+    {
+      recorder.close(false);
+      throw RunError(fault.what() + checkpoints.last_sound(fault.sound_until()));
     }
   catch (const RunError &error)
     {
@@ -120,7 +129,7 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
     }
 
   const auto         table   = output::rows_of_all_ranks(system.timer, system.world.communicator());
-  const output::Json summary = recorder.summary(system, guard, choice, n_steps, table);
+  const output::Json summary = recorder.summary(system, guard.energy(), choice, n_steps, table);
   if (!is_first_rank)
     return true;
   output::write_json(directory + "/summary.json", summary);

@@ -6,15 +6,18 @@ namespace chaindrive::contact
 Bores::Bores(const scene::BoreFamily &scene) : Family(scene.name, scene.law), pairs_(scene.pairs)
 {
   for (const scene::BorePair &pair : pairs_)
-    records_.push_back({pair.master,
-                        pair.slave.body,
-                        pair.slave.joint,
-                        std::numeric_limits<double>::max(),
-                        {},
-                        0,
-                        {},
-                        0.,
-                        0.});
+    {
+      add_radius(pair.slave.radius);
+      records_.push_back({pair.master,
+                          pair.slave.body,
+                          pair.slave.joint,
+                          std::numeric_limits<double>::max(),
+                          {},
+                          0,
+                          {},
+                          0.,
+                          0.});
+    }
   states_.resize(records_.size());
 }
 

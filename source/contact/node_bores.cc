@@ -114,6 +114,7 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
           .push_back(i);
       owner_.push_back(
           world.copies[world.meshes[pair.master].group].owner_of(world.meshes[pair.master].copy));
+      add_radius(pair.slave.radius);
       records_.push_back({pair.master,
                           pair.slave.body,
                           pair.slave.joint,
@@ -237,6 +238,27 @@ std::vector<ClosedPair> NodeBores::closed_pairs(const World &) const
   for (const Group &group : groups_)
     pairs.push_back(group.closed);
   return pairs;
+}
+
+std::optional<unsigned int> NodeBores::deepest_node(const unsigned int i) const
+{
+  for (const Group &group : groups_)
+    {
+      const auto found = std::find(group.pairs.begin(), group.pairs.end(), i);
+      if (found == group.pairs.end())
+        continue;
+      const std::size_t place = found - group.pairs.begin(), lane = place % n_lanes;
+      const auto       &state   = group.batches[place / n_lanes]->state();
+      const auto        overlap = [&](const unsigned int node) {
+        return state[(node * n_touch_entries + touch_overlap) * n_lanes + lane];
+      };
+      unsigned int deepest = 0;
+      for (unsigned int node = 1; node < group.slave_nodes.size(); ++node)
+        if (overlap(node) > overlap(deepest))
+          deepest = node;
+      return group.slave_nodes[deepest] / (3 * n_lanes);
+    }
+  return {};
 }
 
 unsigned long NodeBores::n_missed() const

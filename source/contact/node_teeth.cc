@@ -246,4 +246,16 @@ std::vector<ClosedPair> NodeTeeth::closed_pairs(const World &world) const
         law_.stiffness, world.copies[world.rim_of(scene_.sprocket)->group], *surface_, copies);
   return {pair};
 }
+
+std::optional<unsigned int> NodeTeeth::deepest_node(const unsigned int i) const
+{
+  if (!std::binary_search(own_.begin(), own_.end(), i))
+    return {};
+  const auto first = nodes_.begin() + i * surface_->size();
+  const auto deepest =
+      std::max_element(first, first + surface_->size(), [](const Node &a, const Node &b) {
+        return a.touch.overlap < b.touch.overlap;
+      });
+  return surface_->node[deepest - first];
+}
 } // namespace chaindrive::contact

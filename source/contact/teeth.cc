@@ -66,15 +66,18 @@ Touch touch_flanks(const scene::ToothFamily   &family,
 Teeth::Teeth(const scene::ToothFamily &scene) : Family(scene.name, scene.law), scene_(scene)
 {
   for (const scene::SlavePoint &slave : scene_.slaves)
-    records_.push_back({scene_.sprocket,
-                        slave.body,
-                        slave.joint,
-                        std::numeric_limits<double>::max(),
-                        {},
-                        0,
-                        {},
-                        0.,
-                        0.});
+    {
+      add_radius(slave.radius);
+      records_.push_back({scene_.sprocket,
+                          slave.body,
+                          slave.joint,
+                          std::numeric_limits<double>::max(),
+                          {},
+                          0,
+                          {},
+                          0.,
+                          0.});
+    }
   states_.resize(records_.size());
   hints_.assign(records_.size(), mesh::Projection::no_facet);
 }

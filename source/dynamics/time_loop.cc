@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/dynamics/time_loop.h>
-#include <chaindrive/utilities/errors.h>
-#include <chaindrive/utilities/text.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace chaindrive::dynamics
 {
-void EnergyGuard::check(const Ledger &ledger, const double time)
-{
-  const double imbalance = std::abs(ledger.imbalance());
-  turned_over_           = std::max({turned_over_, std::abs(ledger.drive_work), ledger.stored()});
-  largest_               = std::max(largest_, imbalance);
-  if (!(imbalance <= limit_ * turned_over_)) // also true when it is not a number
-    throw RunError("The energy balance does not close at " + to_text(time * 1e3) +
-                   " ms: imbalance " + to_text(ledger.imbalance()) + " J of " +
-                   to_text(turned_over_) + " J turned over, more than the accepted " +
-                   to_text(limit_ * 100.) +
-                   " % (Time/Energy limit in percent). Histories up to this moment are complete.");
-}
-
 unsigned long n_steps(const double start, const double end, const double dt)
 {
   // a step that would miss the end by round-off only is not followed by another
@@ -29,7 +14,7 @@ unsigned long n_steps(const double start, const double end, const double dt)
 
 unsigned long run(System       &system,
                   Observer     &observer,
-                  EnergyGuard  &guard,
+                  Guard        &guard,
                   const double  start,
                   const double  end,
                   const double  dt,
@@ -41,7 +26,7 @@ unsigned long run(System       &system,
     {
       ++done;
       system.advance(dt, start + done * dt);
-      guard.check(system.world.ledger, system.world.time);
+      guard.check(system, done, dt);
       going = observer.observe(system, done, dt);
     }
   return done;

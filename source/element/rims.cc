@@ -12,7 +12,7 @@ void Elastic::follow_hubs(World &world)
 }
 
 void Elastic::move(World       &world,
-                   const Rim   &rim,
+                   Rim         &rim,
                    const Step  &step,
                    const double kick,
                    const bool   booked,
@@ -60,6 +60,9 @@ void Elastic::move(World       &world,
     alignas(64) Sums sums{};
     update(copies, batch, sums, {step.dt, 0., 0.}, kick);
     book_sectors(batch, sums.kinetic, world.ledger.kinetic);
+    for (unsigned int d = 0; d < 3; ++d)
+      for (unsigned int s = batch; booked && s < copies.n_copies(); s += copies.n_batches())
+        rim.momentum[d] += sums.momentum[d * n_lanes + copies.lane_of(s)];
   });
 }
 } // namespace chaindrive::element

@@ -26,14 +26,14 @@ double seconds_since(const std::chrono::steady_clock::time_point begin)
 }
 } // namespace
 
-Checkpoints::Checkpoints(const Parameters      &parameters,
-                         std::string            directory,
-                         std::string            fixed,
-                         const unsigned long    n_steps,
-                         const double           dt,
-                         Recorder              &recorder,
-                         dynamics::EnergyGuard &guard,
-                         Log                   &log)
+Checkpoints::Checkpoints(const Parameters   &parameters,
+                         std::string         directory,
+                         std::string         fixed,
+                         const unsigned long n_steps,
+                         const double        dt,
+                         Recorder           &recorder,
+                         dynamics::Guard    &guard,
+                         Log                &log)
     : parameters_(parameters)
     , directory_(std::move(directory))
     , fixed_(std::move(fixed))
@@ -94,7 +94,7 @@ void Checkpoints::say_why(const double time)
 void Checkpoints::exchange(const Archive &archive, dynamics::System &system)
 {
   system.exchange(archive / "system");
-  guard_.exchange(archive / "energy guard");
+  guard_.exchange(archive / "guard");
   recorder_.exchange(archive / "recorder", system);
   schedule_.exchange(archive / "checkpoints", system.world.time);
 
@@ -151,6 +151,18 @@ unsigned long Checkpoints::resume(dynamics::System &system, const CheckpointFile
 std::string Checkpoints::last() const
 {
   return last_.empty() ? "" : " The last checkpoint is '" + last_ + "'.";
+}
+
+std::string Checkpoints::last_sound(const double time) const
+{
+  if (last_.empty())
+    return " There is no checkpoint to go on from.";
+  std::string found;
+  for (const auto &[step, path] : checkpoints_in(directory_))
+    if (parameters_.time.start + step * dt_ <= time)
+      found = path;
+  return found.empty() ? " No checkpoint is from before that." :
+                         " The checkpoint '" + found + "' is good: --resume goes on from it.";
 }
 
 namespace

@@ -43,6 +43,13 @@ void Time::declare(dealii::ParameterHandler &prm)
       "Imbalance of energy, over the drive work, at which a run stops. A sound run stays below "
       "0.1 (simple) or 0.5 (layered); a larger imbalance means too large a step. Default: what "
       "can no longer be trusted.");
+  add(prm,
+      "Guard",
+      guard,
+      "Whether a run also stops within 100 steps when momentum comes from nowhere, energy jumps, a "
+      "loss or a stored energy is negative, or surfaces overlap by a quarter of a radius; the "
+      "message "
+      "names the place. Default: it costs next to nothing.");
 }
 
 void Output::declare(dealii::ParameterHandler &prm)

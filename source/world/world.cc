@@ -173,6 +173,8 @@ void World::clear_resultants()
 {
   force  = 0.;
   moment = 0.;
+  for (Rim &rim : rims)
+    rim.momentum = dealii::Tensor<1, 3>();
   ledger.clear_stored();
   before_ = ledger;
 }
@@ -184,6 +186,10 @@ void World::sum_over_ranks()
   // This rank's share of everything, one number after the other; frames of elastic bodies have one
   // share only, their owner's.
   const auto visit = [this](const auto &exchange) {
+    exchange(alarm, 1.);
+    for (Rim &rim : rims)
+      for (unsigned int d = 0; d < 3; ++d)
+        exchange(rim.momentum[d], whole);
     for (Vector *vector : {&force, &moment})
       for (double &value : *vector)
         exchange(value, whole);

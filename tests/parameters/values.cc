@@ -48,6 +48,7 @@ end
 subsection Time
   set Step in us = 0.25
   set Energy limit in percent = 1
+  set Guard = false
 end
 subsection Output
   set History interval in us = 5
@@ -83,7 +84,8 @@ end)"; // without a line break at the end
             << (!p.contact.roller_tooth_stiffness && p.contact.bush_pin_friction == 0.2 &&
                 p.contact.friction_coefficient == 0.1)
             << std::endl;
-  std::cout << "time: " << (p.time.step == 0.25e-6 && p.time.energy_limit == 0.01) << std::endl;
+  std::cout << "time: " << (p.time.step == 0.25e-6 && p.time.energy_limit == 0.01 && !p.time.guard)
+            << std::endl;
   std::cout << "output: "
             << (p.output.history_interval == 5e-6 && p.output.window_end == 20e-3 &&
                 p.output.rollers == std::vector<unsigned int>{3, 7, 11} && p.output.csv)

@@ -6,7 +6,10 @@
 #include <chaindrive/world/spring.h>
 #include <chaindrive/world/world.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,6 +82,13 @@ public:
   /// Whether this family needs search() at all.
   virtual bool needs_search() const = 0;
 
+  /// An overlap [m] out of all proportion to the bodies: a quarter of the smallest radius of a
+  /// slave, which even a soft penalty does not need. Infinite where slaves have no radius.
+  double senseless_overlap() const { return 0.25 * smallest_radius_; }
+
+  /// The node of an elastic slave that overlaps most in pair @p i, if this rank evaluates it.
+  virtual std::optional<unsigned int> deepest_node(const unsigned int) const { return {}; }
+
   const std::string         &name() const { return name_; }
   const scene::Law          &law() const { return law_; }
   const std::vector<Record> &records() const { return records_; }
@@ -114,11 +124,21 @@ protected:
   /// Whether the last search left pair @p i within reach: the same on all ranks.
   virtual bool within_reach(const unsigned int) const { return true; }
 
+  /// Takes @p radius [m] of a slave into account for senseless_overlap().
+  void add_radius(const double radius)
+  {
+    if (radius > 0.)
+      smallest_radius_ = std::min(smallest_radius_, radius);
+  }
+
   std::string               name_;
   scene::Law                law_; ///< of one pair
   std::vector<Record>       records_;
   std::vector<TouchState>   states_;
   std::vector<unsigned int> owner_; ///< rank that evaluates the pair; empty: the first one
+
+private:
+  double smallest_radius_ = std::numeric_limits<double>::infinity(); ///< of the slaves, m
 };
 
 /// Cylinders in bores: every pair is near all the time.

@@ -32,6 +32,8 @@ public:
 
   std::vector<ClosedPair> closed_pairs(const World &world) const override;
 
+  std::optional<unsigned int> deepest_node(unsigned int i) const override;
+
   unsigned long n_missed() const override { return n_missed_; }
 
   void exchange(const Archive &archive, unsigned int rank) override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/dynamics/guard.h>
 #include <chaindrive/dynamics/system.h>
 
 namespace chaindrive::dynamics
@@ -17,38 +18,12 @@ public:
   virtual bool observe(System &system, unsigned long step, double dt) = 0;
 };
 
-/// Watches the ledger: keeps the largest imbalance and stops a run whose energy does not close.
-class EnergyGuard
-{
-public:
-  /// @p limit is the accepted |imbalance| / energy turned over; @p floor [J] an energy below which
-  /// nothing is judged, so that the first moments of a run are not divided by nearly zero.
-  EnergyGuard(double limit, double floor) : limit_(limit), turned_over_(floor) {}
-
-  /// Throws RunError when the balance is off by more than the limit, or is not a number.
-  void check(const Ledger &ledger, double time);
-
-  double largest_imbalance() const { return largest_; } ///< |imbalance|, J
-
-  void exchange(const Archive &archive)
-  {
-    archive("turned over", turned_over_);
-    archive("largest", largest_);
-  }
-
-private:
-  double limit_;
-  double turned_over_;
-  double largest_ = 0.;
-};
-
 /// Runs @p system from @p start to @p end [s] in steps of @p dt; time is start + step * dt. The
 /// last step is the first whose time reaches the end, or that after which @p observer stops the
-/// run.
-/// @p system has already gone @p done steps. Returns the number of steps since the start.
+/// run. @p system has already gone @p done steps. Returns the number of steps since the start.
 unsigned long run(System       &system,
                   Observer     &observer,
-                  EnergyGuard  &guard,
+                  Guard        &guard,
                   double        start,
                   double        end,
                   double        dt,

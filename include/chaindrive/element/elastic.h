@@ -84,8 +84,7 @@ private:
   /// The same for the sectors of a rim: all forces first, then what neighbours have in common.
   /// Gravity and drag act on no sprocket. What the rim does to its hub is added to the forces in
   /// @p world when @p booked.
-  void
-  move(World &world, const Rim &rim, const Step &step, double kick, bool booked, PhaseTimer &timer);
+  void move(World &world, Rim &rim, const Step &step, double kick, bool booked, PhaseTimer &timer);
 
   /// Adds the internal forces of one batch to those of contacts.
   void add_forces(Copies          &copies,

@@ -21,14 +21,14 @@ class Checkpoints : public dynamics::Observer
 public:
   /// Checkpoints go to @p directory and belong to the parameters @p fixed (parameters::Input). The
   /// run has @p n_steps steps of @p dt [s].
-  Checkpoints(const Parameters      &parameters,
-              std::string            directory,
-              std::string            fixed,
-              unsigned long          n_steps,
-              double                 dt,
-              Recorder              &recorder,
-              dynamics::EnergyGuard &guard,
-              Log                   &log);
+  Checkpoints(const Parameters &parameters,
+              std::string       directory,
+              std::string       fixed,
+              unsigned long     n_steps,
+              double            dt,
+              Recorder         &recorder,
+              dynamics::Guard  &guard,
+              Log              &log);
 
   bool observe(dynamics::System &system, unsigned long step, double dt) override;
 
@@ -39,6 +39,10 @@ public:
   /// A sentence that names the last checkpoint, or nothing.
   std::string last() const;
 
+  /// A sentence that names the last checkpoint not later than @p time [s], or says that there is
+  /// none.
+  std::string last_sound(double time) const;
+
 private:
   using Clock = std::chrono::steady_clock;
 
@@ -47,16 +51,16 @@ private:
   void ask(World &world) const;
   void say_why(double time);
 
-  const Parameters      &parameters_;
-  std::string            directory_, fixed_;
-  unsigned long          n_steps_;
-  double                 dt_;
-  Recorder              &recorder_;
-  dynamics::EnergyGuard &guard_;
-  Log                   &log_;
-  Schedule               schedule_;
-  Clock::time_point      began_, written_;
-  std::string            last_;
+  const Parameters &parameters_;
+  std::string       directory_, fixed_;
+  unsigned long     n_steps_;
+  double            dt_;
+  Recorder         &recorder_;
+  dynamics::Guard  &guard_;
+  Log              &log_;
+  Schedule          schedule_;
+  Clock::time_point began_, written_;
+  std::string       last_;
 };
 
 /// The checkpoint that @p resume asks for: `auto` or a file, which must lie in @p directory; null

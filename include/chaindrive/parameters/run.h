@@ -17,6 +17,7 @@ struct Time
   std::optional<double> step;                 ///< s; auto: from accuracy and the stable step
   double                safety_factor = 0.9;  ///< largest accepted step / stable step
   double                energy_limit  = 0.05; ///< imbalance / drive work at which a run stops
+  bool                  guard         = true; ///< whether dynamics::Guard looks at more than that
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p prm.

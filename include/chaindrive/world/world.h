@@ -175,6 +175,10 @@ public:
   /// Nothing in the motion depends on them.
   std::array<double, 2> requests{};
 
+  /// Positive: a rank has found something wrong that only it can see. Any rank may set it to 1; the
+  /// next sum_over_ranks() tells all others.
+  double alarm = 0.;
+
   /// By how much the forces on elastic bodies, their contacts' and their energies are to be
   /// multiplied to be those of whole bodies: 2 for halves.
   double whole = 1.;

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/dynamics/places.h>
+#include <chaindrive/dynamics/system.h>
+#include <chaindrive/utilities/archive.h>
+#include <chaindrive/utilities/errors.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace chaindrive::dynamics
+{
+/// A run has gone wrong: the message says what, where and when, and what to try. All ranks throw it
+/// at the same step.
+class Fault : public RunError
+{
+public:
+  /// @p sound_until [s] is the an instant long enough ago that nothing was wrong then: a fault is
+  /// found within 100 steps.
+  Fault(const std::string &message, const double sound_until)
+      : RunError(message), sound_until_(sound_until)
+  {
+  }
+
+  double sound_until() const { return sound_until_; } ///< s; a later checkpoint is not to be used
+
+private:
+  double sound_until_;
+};
+
+/// Keeps the largest imbalance of the ledger and tells when its energy does not close.
+class EnergyGuard
+{
+public:
+  /// @p limit is the accepted |imbalance| / energy turned over; @p floor [J] an energy below which
+  /// nothing is judged, so that the first moments of a run are not divided by nearly zero.
+  EnergyGuard(double limit, double floor) : limit_(limit), turned_over_(floor) {}
+
+  /// False when the balance is off by more than the limit, or is not a number.
+  bool closes(const Ledger &ledger);
+
+  double limit() const { return limit_; }
+  double turned_over() const { return turned_over_; }   ///< J
+  double largest_imbalance() const { return largest_; } ///< |imbalance|, J
+
+  void exchange(const Archive &archive)
+  {
+    archive("turned over", turned_over_);
+    archive("largest", largest_);
+  }
+
+private:
+  double limit_;
+  double turned_over_;
+  double largest_ = 0.;
+};
+
+/// Stops a run that has gone wrong, and says where it did.
+///
+/// At every step the ledger must close (EnergyGuard), which nothing passes that is not a number. At
+/// every 16th step there is a closer look, at numbers that World::sum_over_ranks() has made the
+/// same on all ranks:
+///
+/// - Momentum. When all forces between bodies are equal and opposite,
+///     sum m v - sum m v at the start + integral of (force on hubs - gravity - drag) dt
+///   is zero to round-off with central differences, whatever the step: a reaction that is lost or
+///   has the wrong sign stays in it. In half models only along x and y.
+/// - Energy. No loss and no stored energy is negative, the imbalance does not jump from one look to
+///   the next, and the losses do not fall.
+/// - Overlap. No surfaces overlap by Family::senseless_overlap(): a contact that pulls instead of
+///   pushing gets there in a few steps. What one rank sees goes into World::alarm, and all ranks
+///   stop at the next step.
+///
+/// The limits and what sound runs come to are at the top of guard.cc.
+class Guard
+{
+public:
+  /// @p limit and @p floor as in EnergyGuard. When not @p on, the ledger must close, that is all.
+  /// @p scene must outlive this.
+  Guard(
+      const scene::Scene &scene, const System &system, double limit, double floor, bool on = true);
+
+  /// To be called after each step: @p step counts from 0, @p dt [s] is the step that led here.
+  /// Throws Fault. Collective.
+  void check(System &system, unsigned long step, double dt);
+
+  const EnergyGuard &energy() const { return energy_; }
+
+  void exchange(const Archive &archive);
+
+private:
+  using Vector3 = dealii::Tensor<1, 3>;
+
+  struct Finding
+  {
+    std::string        what, hint;
+    std::vector<Place> places;
+  };
+
+  Finding ledger_does_not_close(System &system) const;
+
+  /// What is wrong at a look, @p dt [s] after the step before it.
+  std::optional<Finding> look(System &system, double dt);
+  std::optional<Finding> look_at_momentum(System &system, double dt);
+  std::optional<Finding> look_at_energy(System &system, double dt);
+
+  /// Whether this rank sees surfaces that overlap too far.
+  bool overlaps(const System &system) const;
+
+  /// Where forces do not balance; or else, what moves and pulls most. @p last as in
+  /// places_out_of_balance().
+  std::vector<Place> suspects(System &system, const LastStep *last, double dt) const;
+
+  /// Momentum of all that moves freely [kg m/s]; @p size becomes the sum of its parts' sizes.
+  Vector3 momentum(const World &world, double &size) const;
+
+  /// Sum of m u [kg m], whose rate drag acts on.
+  Vector3 moved(const World &world) const;
+
+  static Vector3 force_on_hubs(const World &world);
+
+  const scene::Scene &scene_;
+  EnergyGuard         energy_;
+  double              floor_; ///< of the energies that a jump is compared with, J
+  bool                on_;
+  unsigned int        calls_ = 0; ///< since the last look
+  double              sound_until_;
+
+  std::array<double, 8> looked_; ///< instants of the last looks, s
+
+  std::vector<double> mass_; ///< of each body that moves freely, whole, kg; 0: of hubs
+  double              total_mass_;
+  double              start_time_;
+  Vector3             start_momentum_, start_moved_;
+  double              largest_momentum_; ///< sum of the sizes so far, kg m/s
+  Vector3             hub_force_;        ///< after the last step, N
+  Vector3             hub_impulse_;      ///< N s
+  Ledger              before_;           ///< at the last look
+  LastStep            last_;             ///< the step before a look
+};
+} // namespace chaindrive::dynamics

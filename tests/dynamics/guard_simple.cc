@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The simple drive at full speed, with one thing wrong: it must be stopped within 100 steps, and
+// the message must name the place.
+#include "../support/faults.h"
+
+#include <limits>
+
+using namespace test;
+
+namespace
+{
+Vector3 pull(const System &system, const unsigned int bar)
+{
+  const scene::Bar &b = system.bars.bars()[bar];
+  const Vector3     between =
+      system.world.frames[b.second].position - system.world.frames[b.first].position;
+  return system.bars.tension()[bar] / between.norm() * between;
+}
+
+const std::string roller(const unsigned int k) { return "roller " + std::to_string(k); }
+} // namespace
+
+int main()
+{
+  const scene::Scene scene    = drive_scene("prm/paper/simple.prm", {"Drive/Layout/Start=warm"});
+  const auto         sound    = [&scene]() { return Drive(scene, 2000, 0.08); };
+  const std::string  momentum = "Momentum", lost = "as if it did not get the force of the ",
+                    sign = "as if it got the wrong sign of the force of the ";
+
+  for (const unsigned int bar : {5U, 60U}) // of the tight and of the slack span
+    {
+      const std::string at = " (bar " + std::to_string(bar) + ")";
+      const std::string name =
+          "bar between " + roller(bar) + " and " + roller((bar + 1) % scene.n_joints);
+      sound().expect_stop("bar pulls at one end only" + at,
+                          {momentum, roller(bar) + ":", lost + name},
+                          [bar](System &s) { push(s, s.bars.bars()[bar].first, -pull(s, bar)); });
+      sound().expect_stop(
+          "bar pushes at one end" + at,
+          {momentum, roller(bar) + ":", sign + name},
+          [bar](System &s) { push(s, s.bars.bars()[bar].first, -2. * pull(s, bar)); });
+      sound().expect_stop(
+          "bar pushes at both ends" + at, {"energy", sign + name}, [bar](System &s) {
+            push(s, s.bars.bars()[bar].first, -2. * pull(s, bar));
+            push(s, s.bars.bars()[bar].second, 2. * pull(s, bar));
+          });
+    }
+
+  for (const std::string teeth : {"roller-driver", "roller-driven"})
+    {
+      Drive      drive = sound();
+      const auto found = drive.most_loaded(teeth);
+      const auto i     = found.second;
+      const auto force = [teeth, i](System &s) -> const contact::Record & {
+        return s.contacts.find(teeth)[0]->records()[i];
+      };
+      const std::string place =
+          "interface " + teeth + " at joint " + std::to_string(force(drive.system).joint);
+      drive.expect_stop(teeth + " without reaction", {momentum, lost + place}, [&](System &s) {
+        push(s, force(s).master, force(s).force);
+      });
+      sound().expect_stop(teeth + " acts on the sprocket only",
+                          {momentum, lost + place},
+                          [&](System &s) { push(s, force(s).slave, -force(s).force); });
+      sound().expect_stop(teeth + " has the wrong sign on the roller",
+                          {momentum, sign + place},
+                          [&](System &s) { push(s, force(s).slave, -2. * force(s).force); });
+      sound().expect_stop(teeth + " pulls", {"energy", place}, [&](System &s) {
+        push(s, force(s).slave, -2. * force(s).force);
+        push(s, force(s).master, 2. * force(s).force);
+      });
+    }
+
+  sound().expect_stop("one roller weighs nothing", {momentum, roller(40) + ":"}, [](System &s) {
+    Vector3 weight;
+    weight[1] = s.world.mass[40] * s.loads.gravity();
+    push(s, 40, weight);
+  });
+
+  sound().expect_stop("step 1.3 times the limit", {"nergy", "roller"}, {}, {}, 1.3 / 0.08);
+
+  Drive broken                                       = sound();
+  broken.system.world.velocity.local_element(3 * 17) = std::numeric_limits<double>::quiet_NaN();
+  broken.expect_stop(
+      "a velocity is not a number", {"not a number", "Where: roller 17 (position)"}, {});
+}

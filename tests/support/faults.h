@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+// Drives that run soundly until something is done to them.
+
+#include <chaindrive/drive/drive.h>
+#include <chaindrive/dynamics/guard.h>
+#include <chaindrive/dynamics/newmark.h>
+#include <chaindrive/parameters/reader.h>
+#include <chaindrive/scene/build.h>
+#include <chaindrive/utilities/ranks.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace test
+{
+using namespace chaindrive;
+using dynamics::System;
+using Vector3 = dealii::Tensor<1, 3>;
+
+/// The scene of a .prm file, relative to the repository.
+inline scene::Scene drive_scene(const std::string &file, const std::vector<std::string> &overrides)
+{
+  const std::string repository = std::string(SOURCE_DIR) + "/../../";
+  const Parameters  parameters =
+      parameters::read_parameters(repository + file, overrides).parameters;
+  return scene::build_scene(parameters, drive::make_drive(parameters), {repository});
+}
+
+inline void push(System &system, const unsigned int body, const Vector3 &force)
+{
+  for (unsigned int d = 0; d < 3; ++d)
+    system.world.force.local_element(3 * body + d) += force[d];
+}
+
+/// What is done to a system.
+using Change = std::function<void(System &)>;
+
+/// A drive with its guard after some sound steps.
+class Drive
+{
+public:
+  Drive(const scene::Scene &the_scene,
+        const unsigned int  n_sound,
+        const double        part_of_limit,
+        const MPI_Comm      comm = MPI_COMM_SELF)
+      : scene(the_scene)
+      , system(scene, false, comm)
+      , guard(scene, system, 0.05, 1e-3 * scene.nominal_energy())
+      , dt(part_of_limit * system.stable_step_limit())
+  {
+    for (unsigned int i = 0; i < n_sound; ++i)
+      {
+        system.advance(dt, system.world.time + dt);
+        guard.check(system, ++step_, dt);
+      }
+  }
+
+  /// The pair of the families called @p name with the largest force, and its family.
+  std::pair<const contact::Family *, unsigned int> most_loaded(const std::string &name)
+  {
+    std::pair<const contact::Family *, unsigned int> found(nullptr, 0);
+    double                                           largest = 0.;
+    for (const contact::Family *family : system.contacts.find(name))
+      for (unsigned int i = 0; i < family->records().size(); ++i)
+        if (const double force = family->records()[i].force.norm(); force > largest)
+          {
+            largest = force;
+            found   = {family, i};
+          }
+    return found;
+  }
+
+  /// System::advance() written out, with @p on_nodes before elastic bodies use up the forces on
+  /// their nodes and @p on_bodies before the others do.
+  void advance(const double h, const Change &on_nodes, const Change &on_bodies)
+  {
+    dynamics::first_half(system.world, &system.loads.speed_program(), h, system.world.time + h);
+    element::Elastic::follow_hubs(system.world);
+    if (on_nodes)
+      on_nodes(system);
+    system.evaluate_forces(h);
+    if (on_bodies)
+      on_bodies(system);
+    dynamics::second_half(system.world, &system.loads.speed_program(), h);
+    system.world.ledger.kinetic += system.world.kinetic_energy();
+  }
+
+  /// Goes on in steps @p times as large with what is wrong, for 100 steps at most. Prints whether
+  /// the guard has stopped it, the same on all ranks, and whether its message has all the @p words.
+  void expect_stop(const std::string              &fault,
+                   const std::vector<std::string> &words,
+                   const Change                   &on_bodies,
+                   const Change                   &on_nodes = {},
+                   const double                    times    = 1.)
+  {
+    std::string  message;
+    double       sound_until = -1.;
+    const double begin       = system.world.time;
+    unsigned int n           = 0;
+    for (n = 1; n <= 100 && message.empty(); ++n)
+      try
+        {
+          advance(times * dt, on_nodes, on_bodies);
+          guard.check(system, ++step_, times * dt);
+        }
+      catch (const dynamics::Fault &stopped)
+        {
+          message     = stopped.what();
+          sound_until = stopped.sound_until();
+        }
+    const MPI_Comm comm = system.world.communicator();
+    bool           same = true;
+    if (n_ranks_in(comm) > 1)
+      for (const std::string &other : dealii::Utilities::MPI::all_gather(comm, message))
+        same = same && other == message;
+    if (rank_in(comm) != 0)
+      return;
+    // the digits depend on the machine
+    std::ofstream("messages", std::ios::app) << fault << ", " << n - 1 << " steps:\n"
+                                             << message << "\n\n";
+    std::cout << fault << ": stopped within 100 steps: " << (message.empty() ? "NO" : "yes")
+              << (same ? "" : ", NOT alike on all ranks") << '\n';
+    for (const std::string &word : words)
+      if (message.find(word) == std::string::npos)
+        std::cout << "  does NOT say: " << word << '\n';
+    if (!(sound_until <= begin + 1e-12 && sound_until > 0.))
+      std::cout << "  holds a state after the fault for sound\n";
+  }
+
+  const scene::Scene scene;
+  System             system;
+  dynamics::Guard    guard;
+  const double       dt; ///< s
+
+private:
+  unsigned long step_ = 0;
+};
+} // namespace test
