@@ -57,6 +57,7 @@ Recorder::Recorder(const scene::Scene     &scene,
     , tight_tension_(driven_speed_)
     , slack_tension_(driven_speed_)
     , span_speed_(driven_speed_)
+    , momentum_(system)
 {
   if (system.world.is_first_rank())
     {
@@ -128,6 +129,7 @@ void Recorder::observe(dynamics::System &system, const unsigned long, const doub
       engagements_.observe(system, dt);
       keep_peaks(system);
       keep_means(system, dt);
+      momentum_.add_step(system, dt);
     }
 
   if (due(time, start, parameters_.output.history_interval, next_sample_))
@@ -165,6 +167,7 @@ void Recorder::keep_peaks(const dynamics::System &system)
         const unsigned int joint = record.joint, gap = record.feature;
         teeth.roller_peak[joint] = std::max(teeth.roller_peak[joint], teeth.roller[joint]);
         teeth.gap_peak[gap]      = std::max(teeth.gap_peak[gap], teeth.gap[gap]);
+        teeth.overlap            = std::max(teeth.overlap, -record.gap);
       });
     }
   for (BoreForces &bores : bores_)
@@ -172,7 +175,10 @@ void Recorder::keep_peaks(const dynamics::System &system)
       std::fill(bores.joint.begin(), bores.joint.end(), 0.);
       for (const contact::Family *family : bores.families)
         for (const contact::Record &record : family->records())
-          bores.joint[record.joint] += record.force * record.normal;
+          {
+            bores.joint[record.joint] += record.force * record.normal;
+            bores.overlap = std::max(bores.overlap, -record.gap);
+          }
       for (unsigned int k = 0; k < bores.joint.size(); ++k)
         bores.peak[k] = std::max(bores.peak[k], bores.joint[k]);
     }
@@ -200,6 +206,7 @@ void Recorder::keep_means(const dynamics::System &system, const double dt)
 void Recorder::sample(dynamics::System &system)
 {
   dynamics::accelerations(system.world, acceleration_);
+  momentum_.check(system);
   histories_->begin_sample(system.world.time);
   for (const Source &source : sources_)
     source.fill(system, histories_->values(source.handle));
@@ -321,21 +328,29 @@ Json Recorder::summary(const dynamics::System             &system,
     json["contacts_missed"] = missed;
   json["drive_work"]           = ledger.drive_work;
   json["resisting_work"]       = ledger.resisting_work;
-  json["energy_imbalance_max"] = guard.largest_imbalance() / std::abs(ledger.drive_work);
-  json["energy"]               = {{"kinetic", ledger.kinetic},
-                                  {"potential", ledger.potential},
-                                  {"bar", ledger.bar},
-                                  {"strain", ledger.strain},
-                                  {"hourglass", ledger.hourglass},
-                                  {"contact", ledger.contact},
-                                  {"friction_loss", ledger.friction},
-                                  {"contact_damping_loss", ledger.contact_damping},
-                                  {"chain_damping_loss", ledger.chain_damping},
-                                  {"drag_loss", ledger.drag}};
-  json["stable_step"]          = step.limit;
-  json["step"]                 = step.step;
-  json["steps"]                = n_steps;
-  json["searches"]             = system.contacts.search_statistics().searches;
+  json["energy_imbalance_max"] = nullptr; // unless there is something to compare with
+  if (ledger.drive_work != 0.)
+    json["energy_imbalance_max"] = guard.largest_imbalance() / std::abs(ledger.drive_work);
+  if (momentum_.is_kept())
+    json["momentum_imbalance_max"] = momentum_.largest_imbalance();
+  for (const ToothForces &teeth : teeth_)
+    json["overlap_max"]["roller-" + teeth.name] = teeth.overlap;
+  for (const BoreForces &bores : bores_)
+    json["overlap_max"][bores.name] = bores.overlap;
+  json["energy"]      = {{"kinetic", ledger.kinetic},
+                         {"potential", ledger.potential},
+                         {"bar", ledger.bar},
+                         {"strain", ledger.strain},
+                         {"hourglass", ledger.hourglass},
+                         {"contact", ledger.contact},
+                         {"friction_loss", ledger.friction},
+                         {"contact_damping_loss", ledger.contact_damping},
+                         {"chain_damping_loss", ledger.chain_damping},
+                         {"drag_loss", ledger.drag}};
+  json["stable_step"] = step.limit;
+  json["step"]        = step.step;
+  json["steps"]       = n_steps;
+  json["searches"]    = system.contacts.search_statistics().searches;
   json["window"] = {{"start", parameters_.output.window_start}, {"end", window_end(parameters_)}};
   json["ranks"]  = n_ranks_in(system.world.communicator());
   json["wall_seconds"] = system.timer.elapsed();

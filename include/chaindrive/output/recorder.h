@@ -6,6 +6,7 @@
 #include <chaindrive/output/engagements.h>
 #include <chaindrive/output/fields.h>
 #include <chaindrive/output/histories.h>
+#include <chaindrive/output/momentum.h>
 #include <chaindrive/output/progress.h>
 #include <chaindrive/output/spans.h>
 #include <chaindrive/output/summary.h>
@@ -62,6 +63,7 @@ private:
     std::string                         name;
     std::vector<double>                 roller, roller_peak; ///< per joint
     std::vector<double>                 gap, gap_peak;       ///< per gap of the sprocket
+    double                              overlap = 0.;        ///< largest so far, m
   };
 
   /// The same of one kind of joint contact.
@@ -70,6 +72,7 @@ private:
     std::string                          name;
     std::vector<const contact::Family *> families; ///< of rigid and of elastic bodies
     std::vector<double>                  joint, peak;
+    double                               overlap = 0.; ///< largest so far, m
   };
 
   void add_channels();
@@ -117,6 +120,8 @@ private:
 
   WindowMean driven_speed_, driver_torque_, tight_tension_, slack_tension_, span_speed_;
   double     tight_tension_start_ = 0.;
+
+  MomentumBalance momentum_;
 
   unsigned long next_sample_ = 0, next_field_ = 0;
 };
