@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <new>
 #include <string>
 #include <thread>
 
@@ -54,6 +55,12 @@ End run_and_catch(const int argc, char **argv, const bool is_first_rank)
   catch (const InputError &error)
     {
       return {2, error.what()};
+    }
+  catch (const std::bad_alloc &)
+    {
+      return {3,
+              "There is not enough memory for what was asked for: choose coarser meshes, fewer "
+              "links, a longer Output/History interval in us, or more ranks."};
     }
   catch (const std::exception &error)
     {

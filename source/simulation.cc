@@ -129,7 +129,7 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
     }
 
   const auto         table   = output::rows_of_all_ranks(system.timer, system.world.communicator());
-  const output::Json summary = recorder.summary(system, guard.energy(), choice, n_steps, table);
+  const output::Json summary = recorder.summary(system, guard, choice, n_steps, table);
   if (!is_first_rank)
     return true;
   output::write_json(directory + "/summary.json", summary);

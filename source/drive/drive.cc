@@ -20,6 +20,23 @@ double tooth_width(const ChainDimensions &chain)
   return (chain.pitch <= 12.7e-3 ? 0.93 : 0.95) * chain.inner_width;
 }
 
+/// Refuses a stiffness [N/m] so small that the tension of the load presses a cylinder deeper into
+/// its partner than a quarter of its @p radius [m]: there is no sense in contact beyond that.
+void refuse_soft(const std::string &entry,
+                 const double       stiffness,
+                 const double       tension,
+                 const double       radius,
+                 const std::string &cylinder)
+{
+  if (tension > 0.25 * radius * stiffness)
+    throw InputError(entry + " = " + to_text(stiffness, 4) + " lets the tension of the load, " +
+                     to_text(tension, 4) + " N, press the " + cylinder + " " +
+                     in_mm(tension / stiffness) + " into its partner; at most a quarter of its " +
+                     "radius, " + in_mm(0.25 * radius) + ", is accepted. Choose at least " +
+                     to_text(std::ceil(4. * tension / radius), 4) +
+                     " N/m, or a smaller Loads/Resisting torque in N m.");
+}
+
 /// A bore of a third and a hub of six tenths of the root diameter: a plain disc on a stout shaft.
 void choose_hub(const std::string           &name,
                 const ToothForm             &form,
@@ -102,6 +119,27 @@ Drive make_drive(const Parameters &parameters)
   d.roller_bush_stiffness     = roller_bush_stiffness(d.chain, reference_load, steel);
   d.stiffness_per_pitch       = parameters.model.stiffness_per_pitch.value_or(
       chain_stiffness(d.chain, reference_load, steel));
+  if (parameters.model.fidelity != "full") // there the elastic bodies give way
+    {
+      const parameters::Contact &given = parameters.contact;
+      const double               load  = d.nominal_tension;
+      refuse_soft("Contact/Roller-tooth stiffness in N/m",
+                  given.roller_tooth_stiffness.value_or(d.roller_tooth_stiffness),
+                  load,
+                  0.5 * d.chain.roller_diameter,
+                  "rollers");
+      refuse_soft("Model/Stiffness per pitch in N/m",
+                  d.stiffness_per_pitch,
+                  load,
+                  0.5 * d.chain.pin_diameter,
+                  "pins");
+      if (parameters.model.fidelity == "layered")
+        refuse_soft("Contact/Roller-bush stiffness in N/m",
+                    given.roller_bush_stiffness.value_or(d.roller_bush_stiffness),
+                    load,
+                    0.5 * d.chain.bush_diameter,
+                    "bushes");
+    }
   d.notes.push_back("Stiffness per pitch " + to_text(d.stiffness_per_pitch, 4) + " N/m (" +
                     (parameters.model.stiffness_per_pitch ?
                          "given" :

@@ -93,6 +93,7 @@ void Guard::exchange(const Archive &archive)
   archive("momentum at the start", start_momentum_);
   archive("moved at the start", start_moved_);
   archive("largest momentum", largest_momentum_);
+  archive("largest error", largest_error_);
   archive("force on hubs", hub_force_);
   archive("impulse on hubs", hub_impulse_);
   archive("ledger", before_);
@@ -165,6 +166,7 @@ std::optional<Guard::Finding> Guard::look_at_momentum(System &system, const doub
   if (world.whole != 1.) // the middle plane holds its nodes
     rest[2] = 0.;
   largest_momentum_ = std::max(largest_momentum_, size);
+  largest_error_    = std::max(largest_error_, rest.norm() / largest_momentum_);
   // elastic bodies feel the drag of half a step before
   const double limit = (momentum_limit + system.loads.drag() * dt) * largest_momentum_;
   if (rest.norm() <= limit)

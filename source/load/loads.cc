@@ -59,7 +59,7 @@ void Loads::add_work(World &world)
         }
       else
         {
-          const double torque = torque_.torque(hub.angle);
+          const double torque = torque_.torque(hub.angle, world.time);
           if (booked_)
             world.ledger.resisting_work -=
                 0.5 * (load_torque_ + torque) * (hub.angle - load_angle_);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace chaindrive::load
 {
@@ -41,12 +42,17 @@ TorqueCurve::TorqueCurve(const scene::Scene &scene)
     : full_(scene.loads.resisting_torque)
     , ramp_(scene.loads.torque_ramp_angle)
     , offset_(scene.torque_angle_offset)
+    , step_(scene.start_time +
+            scene.loads.torque_step_time.value_or(std::numeric_limits<double>::infinity()))
+    , after_(scene.loads.torque_after_step)
     , sense_(scene.sense)
 {
 }
 
-double TorqueCurve::torque(const double angle) const
+double TorqueCurve::torque(const double angle, const double time) const
 {
+  if (time >= step_)
+    return -sense_ * after_;
   const double turned = sense_ * angle + offset_;
   const double share  = ramp_ > 0. ? std::clamp(turned / ramp_, 0., 1.) : (turned >= 0. ? 1. : 0.);
   return -sense_ * full_ * share;

@@ -283,6 +283,8 @@ Part import_sprocket(const std::string      &file,
                              text.end(),
                              [](const char a, const char b) { return a == ' ' && b == ' '; }),
                  text.end());
+      if (text.find("deal.II") != std::string::npos) // words for those who program with it
+        text = " its sections, counts and numbers do not fit together, as in a damaged file.";
       throw InputError("The mesh '" + file + "' cannot be used:" + text);
     }
   dealii::GridTools::scale(1e-3, *part.mesh);

@@ -150,9 +150,14 @@ void Recorder::exchange(const Archive &archive, const dynamics::System &system)
       part.numbers("roller peak", teeth.roller_peak);
       part.numbers("gap", teeth.gap);
       part.numbers("gap peak", teeth.gap_peak);
+      part("overlap", teeth.overlap);
     }
   for (BoreForces &bores : bores_)
-    (archive / bores.name).numbers("peak", bores.peak);
+    {
+      const Archive part = archive / bores.name;
+      part.numbers("peak", bores.peak);
+      part("overlap", bores.overlap);
+    }
   archive.numbers("link peak", link_peak_);
   archive("tight tension of the start", tight_tension_start_);
 
@@ -204,6 +209,7 @@ void Recorder::keep_peaks(const dynamics::System &system)
         const unsigned int joint = record.joint, gap = record.feature;
         teeth.roller_peak[joint] = std::max(teeth.roller_peak[joint], teeth.roller[joint]);
         teeth.gap_peak[gap]      = std::max(teeth.gap_peak[gap], teeth.gap[gap]);
+        teeth.overlap            = std::max(teeth.overlap, -record.gap);
       });
     }
   for (BoreForces &bores : bores_)
@@ -211,7 +217,10 @@ void Recorder::keep_peaks(const dynamics::System &system)
       std::fill(bores.joint.begin(), bores.joint.end(), 0.);
       for (const contact::Family *family : bores.families)
         for (const contact::Record &record : family->records())
-          bores.joint[record.joint] += record.force * record.normal;
+          {
+            bores.joint[record.joint] += record.force * record.normal;
+            bores.overlap = std::max(bores.overlap, -record.gap);
+          }
       for (unsigned int k = 0; k < bores.joint.size(); ++k)
         bores.peak[k] = std::max(bores.peak[k], bores.joint[k]);
     }
@@ -339,7 +348,7 @@ void Recorder::close(const bool finished)
 }
 
 Json Recorder::summary(const dynamics::System             &system,
-                       const dynamics::EnergyGuard        &guard,
+                       const dynamics::Guard              &guard,
                        const dynamics::StepChoice         &step,
                        const unsigned long                 n_steps,
                        const std::vector<PhaseTimer::Row> &table) const
@@ -363,21 +372,29 @@ Json Recorder::summary(const dynamics::System             &system,
     json["contacts_missed"] = missed;
   json["drive_work"]           = ledger.drive_work;
   json["resisting_work"]       = ledger.resisting_work;
-  json["energy_imbalance_max"] = guard.largest_imbalance() / std::abs(ledger.drive_work);
-  json["energy"]               = {{"kinetic", ledger.kinetic},
-                                  {"potential", ledger.potential},
-                                  {"bar", ledger.bar},
-                                  {"strain", ledger.strain},
-                                  {"hourglass", ledger.hourglass},
-                                  {"contact", ledger.contact},
-                                  {"friction_loss", ledger.friction},
-                                  {"contact_damping_loss", ledger.contact_damping},
-                                  {"chain_damping_loss", ledger.chain_damping},
-                                  {"drag_loss", ledger.drag}};
-  json["stable_step"]          = step.limit;
-  json["step"]                 = step.step;
-  json["steps"]                = n_steps;
-  json["searches"]             = system.contacts.search_statistics().searches;
+  json["energy_imbalance_max"] = nullptr; // unless there is something to compare with
+  if (ledger.drive_work != 0.)
+    json["energy_imbalance_max"] = guard.energy().largest_imbalance() / std::abs(ledger.drive_work);
+  if (guard.looks())
+    json["momentum_imbalance_max"] = guard.largest_momentum_error();
+  for (const ToothForces &teeth : teeth_)
+    json["overlap_max"]["roller-" + teeth.name] = teeth.overlap;
+  for (const BoreForces &bores : bores_)
+    json["overlap_max"][bores.name] = bores.overlap;
+  json["energy"]      = {{"kinetic", ledger.kinetic},
+                         {"potential", ledger.potential},
+                         {"bar", ledger.bar},
+                         {"strain", ledger.strain},
+                         {"hourglass", ledger.hourglass},
+                         {"contact", ledger.contact},
+                         {"friction_loss", ledger.friction},
+                         {"contact_damping_loss", ledger.contact_damping},
+                         {"chain_damping_loss", ledger.chain_damping},
+                         {"drag_loss", ledger.drag}};
+  json["stable_step"] = step.limit;
+  json["step"]        = step.step;
+  json["steps"]       = n_steps;
+  json["searches"]    = system.contacts.search_statistics().searches;
   json["window"] = {{"start", parameters_.output.window_start}, {"end", window_end(parameters_)}};
   json["ranks"]  = n_ranks_in(system.world.communicator());
   json["wall_seconds"] = system.timer.elapsed();

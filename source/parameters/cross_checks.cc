@@ -204,6 +204,10 @@ void check_model(const Parameters &p, Findings &findings)
       start != "warm" && p.loads.ramp_time > p.time.end,
       "Loads/Ramp time in ms ends after the run: the driver does not reach its full speed.");
 
+  findings.note(
+      p.loads.torque_after_step != 0. && !p.loads.torque_step_time,
+      "Loads/Torque after step in N m has no effect, since Torque step time in ms is auto.");
+
   const Contact &contact = p.contact;
   findings.note(simple && (contact.roller_bush_stiffness || contact.roller_bush_friction ||
                            contact.bush_pin_friction),

@@ -74,6 +74,22 @@ void Loads::declare(dealii::ParameterHandler &prm)
       "Rotation of the driven sprocket over which the torque grows to its full value; before "
       "that, the load only resists in proportion to the rotation. Default: as in prm/paper.");
   add(prm,
+      "Torque step time in ms",
+      torque_step_time,
+      unit::milli,
+      between(0., 1e9),
+      "Time after the start at which the torque jumps from one step to the next to the value "
+      "below: "
+      "a load that is thrown off or changes sides. auto: never.");
+  add(prm,
+      "Torque after step in N m",
+      torque_after_step,
+      unit::si,
+      between(-1e7, 1e7),
+      "Torque from Torque step time in ms on, whatever the rotation; below zero the load drives, "
+      "and "
+      "the spans change their parts. Default: none.");
+  add(prm,
       "Gravity in m/s2",
       gravity,
       unit::si,

@@ -63,6 +63,22 @@ int main()
   double                  worst = 0.;
   for (double angle = -0.01; angle < 0.1; angle += 1e-4)
     worst = std::max(
-        worst, std::abs(curve.torque(angle) + 150. * std::min(std::max(angle / 0.03, 0.), 1.)));
+        worst, std::abs(curve.torque(angle, 0.) + 150. * std::min(std::max(angle / 0.03, 0.), 1.)));
   verdict("curve as prescribed to 1e-9", worst < 1e-9 * 150.);
+
+  // 150 N m against the hub for 1 ms, then 300 N m with it: one constant torque after the other.
+  scene.loads.torque_ramp_angle               = 0.;
+  scene.loads.torque_step_time                = 1e-3;
+  scene.loads.torque_after_step               = -300.;
+  scene.bodies[0].initial.angular_velocity[2] = 20.;
+  const double     inertia                    = scene.bodies[0].inertia[2];
+  dynamics::System reversed(scene, false);
+  advance(reversed, 4000, 0.5e-6, []() {});
+  const double first = 20. - 150. / inertia * 1e-3;
+  ratio("speed 1 ms after the torque was reversed",
+        reversed.world.hubs[0].speed,
+        first + 300. / inertia * 1e-3,
+        3);
+  verdict("energy closes over the step to 1e-9",
+          std::abs(reversed.world.ledger.imbalance()) < 1e-9 * reversed.world.ledger.initial);
 }

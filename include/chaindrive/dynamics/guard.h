@@ -89,6 +89,11 @@ public:
 
   const EnergyGuard &energy() const { return energy_; }
 
+  /// Whether there is a closer look, and the largest error of the balance of momentum that it has
+  /// found, over the largest sum of all |m v| so far.
+  bool   looks() const { return on_; }
+  double largest_momentum_error() const { return largest_error_; }
+
   void exchange(const Archive &archive);
 
 private:
@@ -135,10 +140,11 @@ private:
   double              total_mass_;
   double              start_time_;
   Vector3             start_momentum_, start_moved_;
-  double              largest_momentum_; ///< sum of the sizes so far, kg m/s
-  Vector3             hub_force_;        ///< after the last step, N
-  Vector3             hub_impulse_;      ///< N s
-  Ledger              before_;           ///< at the last look
-  LastStep            last_;             ///< the step before a look
+  double              largest_momentum_;   ///< sum of the sizes so far, kg m/s
+  double              largest_error_ = 0.; ///< of the balance, over that
+  Vector3             hub_force_;          ///< after the last step, N
+  Vector3             hub_impulse_;        ///< N s
+  Ledger              before_;             ///< at the last look
+  LastStep            last_;               ///< the step before a look
 };
 } // namespace chaindrive::dynamics

@@ -29,18 +29,22 @@ private:
 };
 
 /// Torque of the load on the driven hub over its angle: it grows linearly with the angle turned in
-/// the sense of the drive, then stays constant, always against that sense.
+/// the sense of the drive, then stays constant, always against that sense. From the time of the
+/// step on it is another constant.
 class TorqueCurve
 {
 public:
   explicit TorqueCurve(const scene::Scene &scene);
 
-  double torque(double angle) const; ///< N m on the hub, at @p angle [rad] since the start
+  /// N m on the hub, at @p angle [rad] since the start and @p time [s].
+  double torque(double angle, double time) const;
 
 private:
   double full_;   ///< N m
   double ramp_;   ///< rad
   double offset_; ///< rad by which the ramp is ahead at the start
+  double step_;   ///< time of the step, s
+  double after_;  ///< resisting torque after it, N m
   int    sense_;
 };
 } // namespace chaindrive::load

@@ -47,7 +47,7 @@ public:
 
   /// The numbers of summary.json; their definitions are in doc/output.md. Collective.
   Json summary(const dynamics::System             &system,
-               const dynamics::EnergyGuard        &guard,
+               const dynamics::Guard              &guard,
                const dynamics::StepChoice         &step,
                unsigned long                       n_steps,
                const std::vector<PhaseTimer::Row> &table) const;
@@ -68,6 +68,7 @@ private:
     std::string                         name;
     std::vector<double>                 roller, roller_peak; ///< per joint
     std::vector<double>                 gap, gap_peak;       ///< per gap of the sprocket
+    double                              overlap = 0.;        ///< largest so far, m
   };
 
   /// The same of one kind of joint contact.
@@ -76,6 +77,7 @@ private:
     std::string                          name;
     std::vector<const contact::Family *> families; ///< of rigid and of elastic bodies
     std::vector<double>                  joint, peak;
+    double                               overlap = 0.; ///< largest so far, m
   };
 
   void add_channels();

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <optional>
 #include <string>
 
 namespace chaindrive::parameters
@@ -10,13 +11,15 @@ namespace chaindrive::parameters
 /// Section `Loads`: what drives the system and what holds it back.
 struct Loads
 {
-  double      driver_speed      = 120.74;   ///< rad/s, magnitude; the tight span sets the sense
-  std::string speed_ramp        = "linear"; ///< linear | cosine
-  double      ramp_time         = 5e-3;     ///< s
-  double      resisting_torque  = 150.;     ///< N m, on the driven hub
-  double      torque_ramp_angle = 0.03;     ///< rad of driven rotation
-  double      gravity           = 9.81;     ///< m/s2, along -y
-  double      drag              = 0.; ///< 1/s, force = - drag * mass * velocity on chain bodies
+  double                driver_speed = 120.74; ///< rad/s, magnitude; the tight span sets the sense
+  std::string           speed_ramp   = "linear";  ///< linear | cosine
+  double                ramp_time    = 5e-3;      ///< s
+  double                resisting_torque  = 150.; ///< N m, on the driven hub
+  double                torque_ramp_angle = 0.03; ///< rad of driven rotation
+  std::optional<double> torque_step_time;         ///< s after the start; empty: never
+  double                torque_after_step = 0.;   ///< N m, below zero: it drives
+  double                gravity           = 9.81; ///< m/s2, along -y
+  double                drag = 0.; ///< 1/s, force = - drag * mass * velocity on chain bodies
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p prm.

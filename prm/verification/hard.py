@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs the hard cases of hard_cases.py and judges them by energy, momentum, penetration and step.
+
+Simple models run with the step that auto gives them, others with larger ones, see STEP. It holds when all its results are
+finite, energy and momentum close, no contact is missed or deeper than it may be, and its figures are
+those of hard.baseline as far as a chaotic motion repeats itself. A case that cannot be held must be
+refused before it runs.
+"""
+
+import argparse
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from hard_cases import CASES, SMALL, SOON
+
+HERE = Path(__file__).resolve().parent
+MODELS = {"s": "simple", "l": "layered", "f": "full"}
+STEP = {"s": 0.08, "l": 0.25, "f": 0.9}  # over the stable one
+MOMENTUM = 1e-9  # largest imbalance, over the momentum of all bodies
+
+# How far figures may be from the baseline, as a ratio; they scatter with compiler and machine.
+ALLOWED = {"steps": 1.05, "overlap_um": 2.0, "drive_work": 1.2, "driven_angle": 1.1}
+
+
+def arguments(case, model, directory, quick):
+    """What the program is started with: FILE.prm and options."""
+    changes = {"Model/Fidelity": MODELS[model], "Output/Directory": directory}
+    changes |= (SMALL if model == "f" else {}) | case.changes | case.of_model.get(model, {})
+    changes |= SOON if quick else {}
+    return [str(HERE / "hard.prm")] + [x for k, v in changes.items() for x in ("--set", f"{k}={v}")]
+
+
+def start(command):
+    environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    return subprocess.run(command, capture_output=True, text=True, errors="replace", env=environment)
+
+
+def not_finite(summary, name=""):
+    """Names of the numbers in a summary that are none. A mean over nothing is null by definition."""
+    if isinstance(summary, dict):
+        return [bad for key, value in summary.items() for bad in not_finite(value, key)]
+    nothing = summary is None and name != "pitch_time_mean"
+    return [name] if nothing or (isinstance(summary, float) and not math.isfinite(summary)) else []
+
+
+def figures(summary):
+    energy = summary["energy"]
+    stored = sum(energy[k] for k in ("kinetic", "bar", "strain", "hourglass", "contact"))
+    turned_over = max(abs(summary["drive_work"]), abs(summary["resisting_work"]), stored)
+    return {
+        "steps": summary["steps"],
+        "step_us": 1e6 * summary["step"],
+        "imbalance": summary["energy_imbalance_max"] * abs(summary["drive_work"]) / turned_over,
+        "momentum": summary.get("momentum_imbalance_max", 0.0),
+        "overlap_um": 1e6 * max(summary["overlap_max"].values()),
+        "drive_work": summary["drive_work"],
+        "driven_angle": summary["driven_angle_end"],
+        "cpu_s": summary["cpu_seconds"]["total"],
+    }
+
+
+def complaints(case, summary, found, expected):
+    """What is wrong with a run, in words; nothing when it holds."""
+    if bad := not_finite({k: v for k, v in summary.items() if k != "engagements"}):
+        return ["not a number: " + ", ".join(bad)]
+    said = []
+    if found["imbalance"] > case.imbalance:
+        said.append(f"imbalance above {case.imbalance:g}")
+    if found["momentum"] > MOMENTUM:
+        said.append(f"momentum {found['momentum']:.1e}")
+    if found["overlap_um"] > 1e3 * case.overlap:
+        said.append(f"overlap above {1e3 * case.overlap:g} um")
+    if summary.get("contacts_missed"):
+        said.append(f"{summary['contacts_missed']} contacts missed")
+    for name, ratio in ALLOWED.items() if expected else ():
+        a, b = found[name], expected[name]
+        if a != b and not 1 / ratio <= (a / b if b else math.inf) <= ratio:
+            said.append(f"{name} {a:.4g} instead of {b:.4g}")
+    return said
+
+
+def run(program, case, model, folder, expected, quick):
+    """(figures or None, what is wrong, remark) of one case and model."""
+    directory = str(folder / f"{case.name} {MODELS[model]}".replace(" ", "_").replace("%", "percent"))
+    command = [program, *arguments(case, model, directory, quick)]
+    plan = start([*command, "--plan"])
+    if case.refusal or plan.returncode:
+        said = " ".join(plan.stderr.removeprefix("chaindrive: ").split())
+        clear = plan.returncode == 2 and case.refusal and re.search(case.refusal, said)
+        return None, [] if clear else [f"status {plan.returncode}: {said}"], "refused: " + said
+    limit = float(re.search(r"all coupled ([\d.e+-]+)", plan.stdout)[1])
+    step = 0.9995 * (case.step or STEP[model]) * limit  # the plan rounds
+    result = start([*command, "--quiet", "--set", f"Time/Step in us={step:.6g}"])
+    if result.returncode:
+        return None, [f"status {result.returncode}: {' '.join(result.stderr.split())}"], ""
+    summary = json.loads(Path(directory, "summary.json").read_text())
+    found = figures(summary)
+    return found, complaints(case, summary, found, expected), ""
+
+
+def read_baseline(path):
+    lines = [line.split("|") for line in path.read_text().splitlines() if line and line[0] != "#"]
+    names = [name.strip() for name in lines[0][2:]]
+    return {
+        (line[0].strip(), line[1].strip()): dict(zip(names, map(float, line[2:]))) for line in lines[1:]
+    }
+
+
+def write_baseline(path, baseline):
+    rows = [f"{'case':28}|{'model':8}|" + "|".join(f"{name:>12}" for name in ALLOWED)]
+    rows += [
+        f"{case:28}|{model:8}|" + "|".join(f"{value[name]:12.6g}" for name in ALLOWED)
+        for (case, model), value in baseline.items()
+    ]
+    head = "# SPDX-License-Identifier: LGPL-2.1-or-later\n# Figures that hard.py compares with; hard.py --record writes them.\n"
+    path.write_text(head + "\n".join(rows) + "\n")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="*", metavar="NAME", help="only cases whose names contain one of these")
+    parser.add_argument("--models", default="slf", help="s: simple, l: layered, f: full; default: slf")
+    parser.add_argument("--program", type=Path, default=HERE.parents[1] / "build/source/chaindrive")
+    parser.add_argument("--results", type=Path, default=Path("results/hard"))
+    parser.add_argument("--jobs", type=int, default=1, help="cases at a time")
+    parser.add_argument(
+        "--quick", action="store_true", help="2.5 ms of the simple and layered models, without the baseline: a minute"
+    )
+    parser.add_argument("--record", action="store_true", help="makes what is found the baseline")
+    options = parser.parse_args()
+
+    path = HERE / "hard.baseline"
+    baseline = read_baseline(path) if path.exists() else {}
+    models = "sl" if options.quick else options.models
+    compare = not (options.quick or options.record)
+    chosen = [
+        (case, model)
+        for case in CASES
+        for model in case.models
+        if model in models and any(name in case.name for name in options.names or [""])
+        if not (options.quick and model in case.long)
+    ]
+    print(f"{'case':28}{'model':9}{'steps':>8}{'step us':>9}{'imbalance':>10}{'overlap um':>11}{'CPU s':>7}  verdict")
+    failed = 0
+    with ThreadPoolExecutor(options.jobs) as pool:
+
+        def of(pair):
+            expected = baseline.get((pair[0].name, MODELS[pair[1]])) if compare else None
+            return run(str(options.program.resolve()), *pair, options.results, expected, options.quick)
+
+        for (case, model), (found, wrong, remark) in zip(chosen, pool.map(of, chosen)):
+            key = (case.name, MODELS[model])
+            numbers = " " * 45
+            if found:
+                numbers = f"{found['steps']:8}{found['step_us']:9.3g}{found['imbalance']:10.1e}"
+                numbers += f"{found['overlap_um']:11.3g}{found['cpu_s']:7.1f}"
+                if options.record:
+                    baseline[key] = found
+                elif compare and key not in baseline:
+                    wrong.append("not in the baseline")
+            failed += bool(wrong)
+            print(f"{key[0]:28}{key[1]:9}{numbers}  {'FAILED: ' + '; '.join(wrong) if wrong else remark or 'holds'}", flush=True)
+    print(f"{len(chosen)} cases, {failed} failed")
+    if options.record:
+        write_baseline(path, baseline)
+    sys.exit(bool(failed) or not chosen)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The hard cases: what is changed in hard.prm, and which models are to hold it."""
+
+from typing import NamedTuple
+
+# What full models are made of in these cases: a small drive, or they would take hours.
+SMALL = {
+    "Drive/Number of links": 22,
+    "Drive/Driver teeth": 9,
+    "Drive/Driven teeth": 9,
+    "Drive/Layout/Slack in mm": 0.1,
+    "Model/Half model": "true",
+    "Model/Driven inertia in kg m2": 1e-4,
+    "Mesh/Refinement": 0,
+    "Loads/Resisting torque in N m": 20,
+    "Loads/Torque ramp angle in rad": 0.01,
+    "Loads/Ramp time in ms": 0.2,
+    "Time/End time in ms": 0.6,
+    "Output/History interval in us": 5,
+    "Output/Window start in ms": 0.3,
+}
+
+
+# With --quick: an end before which all cases have begun to be hard.
+SOON = {"Time/End time in ms": 2.5, "Output/Window start in ms": 1}
+
+
+class Case(NamedTuple):
+    name: str
+    models: str  # s: simple, l: layered, f: full
+    changes: dict  # of hard.prm, for all models
+    of_model: dict = {}  # {model letter: further changes}
+    refusal: str = ""  # a regular expression in what the program must say instead of running
+    overlap: float = 0.5  # largest, in mm: a tenth of a roller's radius
+    imbalance: float = 0.01  # largest, over the energy turned over
+    long: str = ""  # models that --quick leaves out
+    step: float = 0.0  # over the stable one, instead of that in hard.py
+
+
+def slack(mm):
+    return {"Drive/Layout/Slack in mm": mm}
+
+
+def penalty(factor):
+    return {
+        "s": {"Contact/Roller-tooth stiffness in N/m": 2.12e7 * factor},
+        "l": {
+            "Contact/Roller-tooth stiffness in N/m": 2.12e7 * factor,
+            "Contact/Roller-bush stiffness in N/m": 5.73e8 * factor,
+            "Time/End time in ms": 10 if factor < 10 else 2.5,  # a hundredth of the step
+            "Output/Window start in ms": 1,
+        },
+        "f": {"Contact/Penalty factor": 0.5 * factor},
+    }
+
+
+def clearance(mm):
+    """Of both cylinders, on the radius; the 525 chain has 0.045 mm."""
+    return {"Drive/Chain/Roller bore in mm": 7.43 + 2 * mm, "Drive/Chain/Pin diameter in mm": 5.33 - 2 * mm}
+
+
+CASES = [
+    Case("base", "slf", {}),
+    Case("largest step", "slf", {}, step=0.9),
+    Case("penalty x100", "slf", {}, penalty(100), long="l"),
+    Case("penalty x0.1", "slf", {}, penalty(0.1), overlap=2.5),
+    Case("penalty x0.01", "sl", {}, penalty(0.01), refusal="Roller-tooth stiffness.*quarter of its radius"),
+    Case("penalty x0.01", "f", {}, penalty(0.01)),
+    Case("clearance 0", "lf", clearance(0), refusal="leave a radial clearance"),
+    Case("clearance 1 um", "lf", clearance(0.001)),
+    Case("clearance 0.5 mm", "lf", clearance(0.5), overlap=1),
+    Case("friction 0", "slf", {"Contact/Friction coefficient": 0}),
+    Case("friction 0.05", "slf", {"Contact/Friction coefficient": 0.05}),
+    Case("friction 0.8", "slf", {"Contact/Friction coefficient": 0.8}),
+    Case("undamped", "sl", {"Contact/Damping ratio": 0, "Model/Chain damping ratio": 0}),
+    Case("10 times the speed", "sl", {"Loads/Driver speed in rad/s": 1207.4, "Drive/Layout/Start": "warm"}, overlap=2),
+    Case("10 times the speed", "f", {"Loads/Driver speed in rad/s": 1207.4}),
+    Case("torque reversed", "sl", {"Loads/Torque step time in ms": 1.5, "Loads/Torque after step in N m": -150}),
+    Case("torque removed", "sl", {"Loads/Torque step time in ms": 1.5, "Loads/Torque after step in N m": 0}),
+    Case("ramp of 0.1 ms", "slf", {"Loads/Ramp time in ms": 0.1}),
+    Case("start at full speed", "slf", {"Loads/Ramp time in ms": 0}),
+    Case("slack 20 mm", "sl", slack(20)),
+    Case("slack 40 mm, teeth jumped", "sl", {**slack(40), "Time/End time in ms": 30}),
+    Case("whipping", "sl", {**slack(10), "Loads/Resisting torque in N m": 0.5, "Time/End time in ms": 30}),
+    Case("worn by 2.5 %", "sl", {"Drive/Chain/Elongation in percent": 2.5}),
+    Case("9 and 114 teeth", "sl", {"Drive/Driver teeth": 9, "Drive/Driven teeth": 114, "Drive/Number of links": 160}),
+    Case("20 links", "sl", {"Drive/Driver teeth": 9, "Drive/Driven teeth": 9, "Drive/Number of links": 20}),
+    Case("600 links", "sl", {"Drive/Number of links": 600}),
+    Case("stiffness jump 1e4", "sl", {}, {
+        "s": {"Model/Stiffness per pitch in N/m": 2.12e11},
+        "l": {"Contact/Roller-bush stiffness in N/m": 2.12e11},
+    }),
+    Case("nu 0.495", "f", {"Material/Poisson's ratio": 0.495}),
+    Case("1 s", "s", {"Time/End time in ms": 1000}, long="s"),
+    Case("0.2 s", "l", {"Time/End time in ms": 200}, long="l"),
+]

@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Bad input never crashes: spoils parameter files and meshes of this repository at random, but the same
+way each time, and runs the program on each. It must end by itself, in time and without a signal: with
+status 0 and finite results, or with status 2 or 3 and a sentence.
+
+    fuzz.py                          20,000 inputs, one at a time
+    fuzz.py --count 500 --jobs 4     the first 500, four at a time
+    fuzz.py --only 17                input 17, with what the program says
+
+Inputs that fail are left in the folder of --results.
+"""
+
+import argparse
+import json
+import os
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from random import Random
+
+import mutations
+
+ROOT = Path(__file__).resolve().parents[2]
+MEMORY = 6 << 30  # bytes: what asks for more is told that it cannot have it
+NOT_FOR_USERS = r"exception|deal\.ii|assert|HDF5-DIAG|std::|bad_alloc|terminate"
+# few steps of a run that was meant to be long
+SHORT = {"Time/End time in ms": 0.02, "Output/Window start in ms": 0, "Output/History interval in us": 2, "Output/Field interval in ms": 0.01}
+
+
+class Inputs:
+    """Input number i is a function of the seed and i alone."""
+
+    def __init__(self, seed):
+        self.seed = seed
+        self.files = sorted(ROOT.glob("prm/**/*.prm"))
+        self.mesh = (ROOT / "meshes/sprocket-15.msh").read_text()
+        self.known = mutations.entries((ROOT / "doc/parameters.md").read_text())
+
+    def write(self, i, folder):
+        """Writes input @p i to @p folder; returns the program's options and whether it is to run."""
+        random = Random(f"{self.seed} {i}")
+        runs = random.random() < 0.2
+        file = folder / "input.prm"
+        options = [str(file)] + ([] if runs else ["--plan"])
+        if runs:
+            options += [x for k, v in SHORT.items() for x in ("--set", f"{k}={v}")]
+        if random.random() < 0.25:
+            source = ROOT / "prm/paper/imported-sprocket.prm"
+            file.write_text(source.read_text())
+            text = mutations.spoiled(self.mesh, mutations.MSH, random)
+            (folder / "input.msh").write_text(text, errors="replace")
+            options += ["--set", f"Drive/Sprockets/Driver mesh={folder / 'input.msh'}"]
+        else:
+            source = random.choice([f for f in self.files if not runs or "full" not in f.name])
+            text = mutations.spoiled(source.read_text(), mutations.PRM, random, self.known)
+            file.write_text(text, errors="replace")
+        return options + ["--output", str(folder / "results")], runs
+
+
+def limit_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+def numbers_that_are_none(summary):
+    """Members of a summary that must be finite and are not."""
+    return [k for k in ("drive_work", "resisting_work", "driven_angle_end", "step") if not isinstance(summary.get(k), (int, float))] + [
+        k for k, v in summary.get("energy", {}).items() if not isinstance(v, (int, float))
+    ]
+
+
+def judge(program, options, runs, folder, timeout):
+    """(exit status, what is wrong or nothing, what the program said)."""
+    environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    try:
+        result = subprocess.run(
+            [program, *options], capture_output=True, timeout=timeout, cwd=folder, env=environment, preexec_fn=limit_memory
+        )
+    except subprocess.TimeoutExpired:
+        return -1, f"still running after {timeout} s", ""
+    out, said = (text.decode(errors="replace") for text in (result.stdout, result.stderr))
+    status = result.returncode
+    if status < 0 or status > 128:
+        return status, f"ended by signal {-status if status < 0 else status - 128}", said
+    if status not in (0, 2, 3):
+        return status, f"exit status {status}", said
+    if status:
+        message = said[said.find("chaindrive: ") + 12 :] if "chaindrive: " in said else ""
+        if len(message.split()) < 3:
+            return status, "no sentence", said
+        if bad := re.search(NOT_FOR_USERS, said, re.IGNORECASE):
+            return status, f"a message that is not for users: {bad[0]}", said
+        return status, "", said
+    if bad := re.search(r"(?<![\w.])-?(nan|inf)(?!\w)", re.sub(r"pitch time.*", "", out)):
+        return status, f"{bad[0]} in the output", out
+    if runs:
+        bad = numbers_that_are_none(json.loads((folder / "results/summary.json").read_text()))
+        return status, "not a number: " + ", ".join(bad) if bad else "", out
+    return status, "", said
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=20000)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--only", type=int)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--timeout", type=float, default=120.0, help="seconds for one input")
+    parser.add_argument("--program", default=ROOT / "build/source/chaindrive", type=Path)
+    parser.add_argument("--results", type=Path, default=Path("results/fuzz"))
+    options = parser.parse_args()
+
+    inputs, program = Inputs(options.seed), str(options.program.resolve())
+
+    def one(i):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            arguments, runs = inputs.write(i, folder)
+            status, wrong, said = judge(program, arguments, runs, folder, options.timeout)
+            if wrong or options.only is not None:
+                kept = options.results / f"{options.seed}-{i}"
+                kept.mkdir(parents=True, exist_ok=True)
+                for file in folder.glob("input.*"):
+                    (kept / file.name).write_bytes(file.read_bytes())
+                (kept / "command").write_text(" ".join(map(repr, arguments)).replace(name, str(kept)) + "\n" + said)
+            return i, status, wrong, said
+
+    numbers = range(options.first, options.first + options.count) if options.only is None else [options.only]
+    statuses, failed = Counter(), 0
+    with ThreadPoolExecutor(options.jobs) as pool:
+        for i, status, wrong, said in pool.map(one, numbers):
+            statuses[status] += 1
+            if wrong:
+                failed += 1
+                print(f"input {i}: {wrong}\n  {said.strip()[-600:]}", flush=True)
+            elif options.only is not None:
+                print(f"status {status}\n{said}")
+    told = ", ".join(f"{n} with status {status}" for status, n in sorted(statuses.items()))
+    print(f"{len(numbers)} inputs of seed {options.seed}: {told}; {failed} failed")
+    sys.exit(bool(failed))
+
+
+if __name__ == "__main__":
+    main()
