@@ -107,8 +107,9 @@ Pressed press(Tooth c, const double angle, const double approach)
         statics.held[statics.first[1] +
                      3 * nodes.of_vertex[sector.whole_vertex[s][rim.nodes.vertex[n]]] + d] = true;
 
-  // a newton or so is how much a node's force jumps where it passes from one facet to the next
-  if (statics.solve(contact, touched, 3.) == 0)
+  // a node's force jumps by some newtons where it passes from one facet to the next, which have
+  // other slopes: Newton's method ends there
+  if (statics.solve(contact, touched, 20.) == 0)
     std::cout << "no equilibrium\n";
   Vector<double> f(statics.size);
   contact(statics.u, f);
