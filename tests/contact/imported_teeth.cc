@@ -92,7 +92,7 @@ Pressed press(Tooth c, const double angle, const double approach)
   for (const unsigned int n : flanks.node)
     {
       const Vector3 x = nodes.position[n];
-      if (std::abs(std::atan2(x[1], x[0])) < 0.6 * dealii::numbers::PI / 15.)
+      if (std::abs(std::atan2(x[1], x[0])) < dealii::numbers::PI / 15.)
         for (unsigned int d = 0; d < 3; ++d)
           touched.push_back(statics.first[1] + 3 * n + d);
     }
@@ -109,7 +109,7 @@ Pressed press(Tooth c, const double angle, const double approach)
 
   // a node's force jumps by some newtons where it passes from one facet to the next, which have
   // other slopes: Newton's method ends there
-  if (statics.solve(contact, touched, 20.) == 0)
+  if (statics.solve(contact, touched, 3.) == 0)
     std::cout << "no equilibrium\n";
   Vector<double> f(statics.size);
   contact(statics.u, f);
