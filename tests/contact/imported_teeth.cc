@@ -92,7 +92,7 @@ Pressed press(Tooth c, const double angle, const double approach)
   for (const unsigned int n : flanks.node)
     {
       const Vector3 x = nodes.position[n];
-      if (std::abs(std::atan2(x[1], x[0])) < 0.6 * dealii::numbers::PI / 15.)
+      if (std::abs(std::atan2(x[1], x[0])) < dealii::numbers::PI / 15.)
         for (unsigned int d = 0; d < 3; ++d)
           touched.push_back(statics.first[1] + 3 * n + d);
     }
@@ -107,7 +107,8 @@ Pressed press(Tooth c, const double angle, const double approach)
         statics.held[statics.first[1] +
                      3 * nodes.of_vertex[sector.whole_vertex[s][rim.nodes.vertex[n]]] + d] = true;
 
-  // a newton or so is how much a node's force jumps where it passes from one facet to the next
+  // a node's force jumps by some newtons where it passes from one facet to the next, which have
+  // other slopes: Newton's method ends there
   if (statics.solve(contact, touched, 3.) == 0)
     std::cout << "no equilibrium\n";
   Vector<double> f(statics.size);
