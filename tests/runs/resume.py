@@ -231,7 +231,9 @@ def refuse():
     refused(f"{name}.*after Time/End time", more={"Time/End time in ms": 0.15})
     refused(f"{name}.*window", more={"Output/Window start in ms": 0.05})
     refused("nowhere.ckpt.*cannot be read", options=("--resume", "nowhere.ckpt"))
-    refused("does not lie in the output directory", options=("--resume", str(newest), "--output", "other"))
+    os.mkdir("other")
+    shutil.copy(older, "other")
+    refused("other.*does not lie in the output directory", options=("--resume", f"other/{older.name}"))
 
     # auto: the older one, then none
     newest.write_bytes(content[:-100])
