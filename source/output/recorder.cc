@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <set>
 
 namespace chaindrive::output
@@ -45,7 +46,9 @@ Recorder::Recorder(const scene::Scene     &scene,
     , phase_(timer.add("Output"))
     , spans_(scene, system)
     , engagements_(scene, system)
-    , driven_speed_(parameters.output.window_start, window_end(parameters))
+    // a last step may end a little later than the run: a run that goes on counts all of it
+    , driven_speed_(parameters.output.window_start,
+                    parameters.output.window_end.value_or(std::numeric_limits<double>::infinity()))
     , driver_torque_(driven_speed_)
     , tight_tension_(driven_speed_)
     , slack_tension_(driven_speed_)
