@@ -26,8 +26,8 @@ scene::Scene impact(const double radius, const double mass, const double speed, 
 unsigned int stopped_at(const scene::Scene &scene, const unsigned int n, std::string &message)
 {
   dynamics::System system(scene, false);
-  dynamics::Guard  guard(scene, system, 0.05, 1e-6);
-  const double     dt = 0.02 * system.stable_step_limit();
+  dynamics::Guard  guard(scene, system, 0.05, 1e-3 * system.world.ledger.initial);
+  const double     dt = 0.01 * system.stable_step_limit();
   for (unsigned int i = 1; i <= n; ++i)
     try
       {
@@ -50,7 +50,7 @@ int main()
     {
       std::string        message;
       const unsigned int step =
-          stopped_at(impact(radius, mass, speed, part * radius), 1000, message);
+          stopped_at(impact(radius, mass, speed, part * radius), 2000, message);
       std::cout << part << " of the radius: " << (step > 0 ? "stopped" : "goes on") << '\n';
       if (step > 0)
         verdict("  names the interface and the body",
