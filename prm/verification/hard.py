@@ -34,7 +34,8 @@ def arguments(case, model, directory, quick):
     """What the program is started with: FILE.prm and options."""
     changes = {"Model/Fidelity": MODELS[model], "Output/Directory": directory}
     changes |= (SMALL if model == "f" else {}) | case.changes | case.of_model.get(model, {})
-    changes |= SOON if quick else {}
+    if quick and changes.get("Time/End time in ms", 10) > SOON["Time/End time in ms"]:
+        changes |= SOON
     return [str(HERE / "hard.prm")] + [x for k, v in changes.items() for x in ("--set", f"{k}={v}")]
 
 

@@ -25,6 +25,10 @@ SMALL = {
 SOON = {"Time/End time in ms": 2.5, "Output/Window start in ms": 1}
 
 
+# Where the step is small.
+SHORT = {"Time/End time in ms": 1, "Output/Window start in ms": 0.5, "Loads/Ramp time in ms": 0.5}
+
+
 def for_long(ms):
     """Energies at every 0.1 ms, and little else."""
     history = {"Output/CSV": "true", "Output/Rollers": 0, "Output/History interval in us": 100}
@@ -94,11 +98,11 @@ CASES = [
     Case("9 and 114 teeth", "sl", {"Drive/Driver teeth": 9, "Drive/Driven teeth": 114, "Drive/Number of links": 160}),
     Case("20 links", "sl", {"Drive/Driver teeth": 9, "Drive/Driven teeth": 9, "Drive/Number of links": 20}),
     Case("600 links", "sl", {"Drive/Number of links": 600}),
-    Case("stiffness jump 1e4", "sl", {}, {
+    Case("stiffness jump 1e4", "sl", SHORT, {
         "s": {"Model/Stiffness per pitch in N/m": 2.12e11},
         "l": {"Contact/Roller-bush stiffness in N/m": 2.12e11},
     }),
     Case("nu 0.495", "f", {"Material/Poisson's ratio": 0.495}),
-    Case("1 s", "s", for_long(1000), long="s", long_run=True),
-    Case("0.2 s", "l", for_long(200), long="l", long_run=True),
+    Case("1 s", "s", for_long(1000), long="s", long_run=True, step=0.25),
+    Case("0.2 s", "l", for_long(200), long="l", long_run=True, step=0.5),
 ]
