@@ -268,11 +268,15 @@ def kill(n=4, ranks=1):
     run("through", entries, ranks=ranks)
     duration = time.time() - began
     kills, lost = 0, []
+    log = pathlib.Path("resumed/log.txt")
     while True:
+        before = log.stat().st_size if log.exists() else 0
         process = begin("resumed", entries, ["--resume", "auto", "--quiet"], ranks)
         if kills < n:
+            while random.random() < 0.99 and process.poll() is None and not (log.exists() and log.stat().st_size > before):
+                time.sleep(0.02)  # mostly until it has started; now and then not
             try:
-                process.wait(random.uniform(0.2, 0.2 + 1.5 * duration / n + duration / 10))
+                process.wait(random.uniform(0, 2 * duration / n))
             except subprocess.TimeoutExpired:
                 for pid in processes(process, ranks):
                     os.kill(pid, signal.SIGKILL)
@@ -285,6 +289,7 @@ def kill(n=4, ranks=1):
             continue
         lost.append(examine("resumed"))
     compare("through", "resumed")
+    check(any(t is not None for t in lost), "every kill came before the first checkpoint")
     print(f"{n} kills of a run of {duration:.1f} s; with checkpoints before {sum(t is not None for t in lost)}")
 
 
