@@ -131,7 +131,7 @@ public:
     for (const std::string &word : words)
       if (message.find(word) == std::string::npos)
         std::cout << "  does NOT say: " << word << '\n';
-    if (!(sound_until <= begin + 1e-12 && sound_until > 0.))
+    if (!(sound_until <= begin + 1e-12 && sound_until >= 0.))
       std::cout << "  holds a state after the fault for sound\n";
   }
 
