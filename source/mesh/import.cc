@@ -287,6 +287,10 @@ Part import_sprocket(const std::string      &file,
         text = " its sections, counts and numbers do not fit together, as in a damaged file.";
       throw InputError("The mesh '" + file + "' cannot be used:" + text);
     }
+  for (const Point<3> &x : part.mesh->get_vertices())
+    if (!(x.norm() < 1e5)) // also when it is not a number
+      throw InputError("The mesh '" + file + "' has a vertex " + to_text(1e-3 * x.norm(), 3) +
+                       " m away from the origin; lengths must be in mm, and at most 100 m.");
   dealii::GridTools::scale(1e-3, *part.mesh);
   double low = 1e300, high = -1e300;
   for (const Point<3> &x : part.mesh->get_vertices())
