@@ -61,7 +61,9 @@ int main()
         p.drive.driven_teeth      = z2;
         p.drive.n_links           = n;
         p.model.fidelity          = fidelity;
-        const drive::Drive other  = drive::make_drive(p);
+        if (n == 90) // the default load would press its rollers through the teeth
+          p.loads.resisting_torque = 5.;
+        const drive::Drive other = drive::make_drive(p);
         std::cout << name << ' ' << z1 << '/' << z2 << ' ' << fidelity << ' '
                   << std::setprecision(4) << other.layout.centre_distance * 1e3 << ' '
                   << std::setprecision(3) << other.stiffness_per_pitch * 1e-6 << '\n';
