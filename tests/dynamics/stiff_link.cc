@@ -18,7 +18,7 @@ scene::Scene make_scene(const bool layered, const bool stiff_link)
   Parameters parameters;
   parameters.model.fidelity        = layered ? "layered" : "simple";
   parameters.output.field_interval = 0.;
-  parameters.loads.ramp_time       = 0.2e-3;
+  parameters.loads.ramp_time       = layered ? 1e-3 : 0.2e-3;
   scene::Scene scene = scene::build_scene(parameters, drive::make_drive(parameters), {"."});
   if (stiff_link && !layered)
     scene.bars[stiff].stiffness *= 1e4;
@@ -63,7 +63,7 @@ int main()
       const double           start = layered ? bend(world) : 0.;
       double                 worst = 0., turned = 0.;
       unsigned long          step = 0;
-      advance(system, static_cast<unsigned long>(1e-3 / dt), dt, [&]() {
+      advance(system, static_cast<unsigned long>((layered ? 5e-3 : 0.5e-3) / dt), dt, [&]() {
         worst = std::max(worst, std::abs(world.ledger.imbalance()));
         guard.check(system, ++step, dt);
         if (layered)
