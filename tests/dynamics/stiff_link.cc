@@ -74,7 +74,7 @@ int main()
       verdict("  smaller stable step", limit < like_others.stable_step_limit() || layered);
       verdict("  imbalance below 0.1 % of the drive work", worst < 1e-3 * world.ledger.drive_work);
       verdict("  momentum closes to 1e-9", guard.largest_momentum_error() < 1e-9);
-      verdict("  the driver turned the driven sprocket", world.hubs[1].angle > 0.005);
+      verdict("  the driver turned the driven sprocket", world.hubs[1].angle > 1e-3);
       if (layered)
         verdict("  the joint turned by less than a tenth of a tooth", turned < 0.1 * 0.42);
     }
