@@ -101,7 +101,7 @@ CASES = [
     Case("stiffness jump 1e4", "sl", SHORT, {
         "s": {"Model/Stiffness per pitch in N/m": 2.12e11},
         "l": {"Contact/Roller-bush stiffness in N/m": 2.12e11},
-    }),
+    }, overlap=1, long="sl"),
     Case("nu 0.495", "f", {"Material/Poisson's ratio": 0.495}),
     Case("1 s", "s", for_long(1000), long="s", long_run=True, step=0.25),
     Case("0.2 s", "l", for_long(200), long="l", long_run=True, step=0.5),

@@ -279,8 +279,8 @@ void Recorder::write_fields(const dynamics::System &system)
         contact_force[record.slave] += record.force;
         contact_force[record.master] -= record.force;
       }
-  // the first rank has all records
-  contact_force = dealii::Utilities::MPI::broadcast(world.communicator(), contact_force);
+  if (n_ranks_in(world.communicator()) > 1) // the first rank has all records
+    contact_force = dealii::Utilities::MPI::broadcast(world.communicator(), contact_force);
 
   std::vector<ElasticSnapshot> elastic(world.n_bodies());
   for (unsigned int b = 0; b < world.n_bodies(); ++b)

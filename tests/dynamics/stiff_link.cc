@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One link of a running chain that is not like the others: a bar ten thousand times as stiff, a
+// One link of a running chain that is not like the others: a bar a thousand times as stiff, a
 // joint that hardly turns. The step is voted for anew, energy closes, and what hubs give is what
 // bodies get.
 #include "../support/scenes.h"
@@ -21,7 +21,7 @@ scene::Scene make_scene(const bool layered, const bool stiff_link)
   parameters.loads.ramp_time       = layered ? 1e-3 : 0.2e-3;
   scene::Scene scene = scene::build_scene(parameters, drive::make_drive(parameters), {"."});
   if (stiff_link && !layered)
-    scene.bars[stiff].stiffness *= 1e4;
+    scene.bars[stiff].stiffness *= 1e3;
   if (stiff_link && layered)
     for (std::size_t f = 0; f < scene.bores.size(); ++f)
       if (scene.bores[f].name == "bush-pin")
@@ -63,18 +63,18 @@ int main()
       const double           start = layered ? bend(world) : 0.;
       double                 worst = 0., turned = 0.;
       unsigned long          step = 0;
-      advance(system, static_cast<unsigned long>((layered ? 5e-3 : 0.5e-3) / dt), dt, [&]() {
+      advance(system, static_cast<unsigned long>((layered ? 5e-3 : 1e-3) / dt), dt, [&]() {
         worst = std::max(worst, std::abs(world.ledger.imbalance()));
         guard.check(system, ++step, dt);
         if (layered)
           turned = std::max(turned, std::abs(bend(world) - start));
       });
       std::cout << (layered ? "layered, a joint of friction 50\n" :
-                              "simple, a bar 1e4 times as stiff\n");
+                              "simple, a bar 1e3 times as stiff\n");
       verdict("  smaller stable step", limit < like_others.stable_step_limit() || layered);
       verdict("  imbalance below 0.1 % of the drive work", worst < 1e-3 * world.ledger.drive_work);
       verdict("  momentum closes to 1e-9", guard.largest_momentum_error() < 1e-9);
-      verdict("  the driver turned the driven sprocket", world.hubs[1].angle > 1e-3);
+      verdict("  the driver turned the driven sprocket", world.hubs[1].angle > 5e-3);
       if (layered)
         verdict("  the joint turned by less than a tenth of a tooth", turned < 0.1 * 0.42);
     }
