@@ -2,6 +2,7 @@
 #include <chaindrive/utilities/signals.h>
 
 #include <csignal>
+#include <initializer_list>
 
 namespace chaindrive
 {
