@@ -14,17 +14,18 @@ namespace
 {
 constexpr unsigned int interval = 16; // steps from one look to the next
 
-// Largest momentum out of nowhere over the sum of the sizes of all momenta. Of all files in prm/
-// the worst is 8e-13, while 1 N without reaction is above the limit after a few steps.
+// Largest momentum out of nowhere over the sum of the sizes of all momenta. Of the rigid models in
+// prm/ and of small full ones the worst is 8e-13, while 1 N without reaction is above the limit
+// after a few steps.
 constexpr double momentum_limit = 1e-8;
 
 // Largest jump of the imbalance from one look to the next, and largest energy below zero, over the
 // energy of springs, which is what a step that is too large and a force of wrong sign make: kinetic
 // energy is much larger and closes by itself. Central differences are wrong by (w dt)^2 / 4 of the
 // energy of a vibration, 0.6 % at the automatic step of rigid models, and by all of it near the
-// stable step of elastic ones, where little energy is that fast. Of all files the worst is 1.4e-3
-// (an impact in the layered model); a step above the stable one multiplies what it has at each
-// step.
+// stable step of elastic ones, where little energy is that fast. Of the models measured the worst
+// is 1.4e-3 (an impact in the layered one); a step above the stable one multiplies what it has at
+// each step.
 constexpr double energy_limit = 2e-2;
 
 const std::string smaller_step =
