@@ -40,7 +40,10 @@ double ratio(const double e0, double c0, const double e1, double c1)
   const auto felt = [](const double e, const double c) {
     return c > 0. ? c * (c + 0.25 * e) / (c + e) : 0.;
   };
-  (e0 > e1 ? c0 : c1) = e0 > e1 ? felt(e0, c0) : felt(e1, c1);
+  if (e0 > e1)
+    c0 = felt(e0, c0);
+  else if (e1 > e0) // of equal bodies neither: exchanged, they must have 1 / t
+    c1 = felt(e1, c1);
   const double half = 0.5 * (e0 + c0 - e1 - c1), root = std::sqrt(half * half + c0 * c1);
   return half > 0. ? c1 / (half + root) : (root - half) / c0;
 }
