@@ -8,15 +8,7 @@ Bores::Bores(const scene::BoreFamily &scene) : Family(scene.name, scene.law), pa
   for (const scene::BorePair &pair : pairs_)
     {
       add_radius(pair.slave.radius);
-      records_.push_back({pair.master,
-                          pair.slave.body,
-                          pair.slave.joint,
-                          std::numeric_limits<double>::max(),
-                          {},
-                          0,
-                          {},
-                          0.,
-                          0.});
+      add_record(pair.master, pair.slave.body, pair.slave.joint);
     }
   states_.resize(records_.size());
 }

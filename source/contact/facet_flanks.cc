@@ -105,9 +105,8 @@ ClosedSide FacetFlanks::closed_side(const double              stiffness,
       const unsigned int node = nodes.node[i];
       const auto &[low, high] = reach[node];
       const Share  share(nodes.area[i], flanks.nodes.position[node][2], low, high);
-      const double k       = stiffness * carried_area(share, slave);
-      side.stiffness[node] = k;
-      side.eigenvalue      = std::max(side.eigenvalue, k / flanks.nodes.mass[node]);
+      const double k = stiffness * carried_area(share, slave);
+      side.hold(node, k, flanks.nodes.mass[node]);
     }
   return side;
 }

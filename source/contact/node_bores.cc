@@ -46,8 +46,7 @@ ClosedSide closed_side(const mesh::CylinderGrid &grid,
                    dealii::Tensor<1, 3>(copies.nodes.position[node]).norm_square() / inertia);
         else
           {
-            side.stiffness[node] = k;
-            side.eigenvalue      = std::max(side.eigenvalue, k / copies.nodes.mass[node]);
+            side.hold(node, k, copies.nodes.mass[node]);
           }
       }
   return side;
@@ -115,15 +114,7 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
       owner_.push_back(
           world.copies[world.meshes[pair.master].group].owner_of(world.meshes[pair.master].copy));
       add_radius(pair.slave.radius);
-      records_.push_back({pair.master,
-                          pair.slave.body,
-                          pair.slave.joint,
-                          std::numeric_limits<double>::max(),
-                          {},
-                          0,
-                          {},
-                          0.,
-                          0.});
+      add_record(pair.master, pair.slave.body, pair.slave.joint);
     }
   states_.resize(records_.size());
 

@@ -90,15 +90,7 @@ NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool se
       const World::Place    &master = world.places[pair.master], &slave = world.places[pair.slave];
       const Copies &masters = world.copies[master.group], &slaves = world.copies[slave.group];
       owner_.push_back(slaves.owner_of(slave.copy));
-      records_.push_back({pair.master,
-                          pair.slave,
-                          pair.joint,
-                          std::numeric_limits<double>::max(),
-                          {},
-                          0,
-                          {},
-                          0.,
-                          0.});
+      add_record(pair.master, pair.slave, pair.joint);
 
       const auto [entry, is_new] =
           kinds.emplace(sides_of(pair, world), static_cast<unsigned int>(kinds_.size()));
@@ -293,8 +285,7 @@ std::vector<ClosedPair> NodeFaces::closed_pairs(const World &world) const
       pair[1].stiffness.resize(slaves.n_nodes());
       const auto carry =
           [](ClosedSide &side, const Copies &copies, const unsigned int node, const double k) {
-            side.stiffness[node] = k;
-            side.eigenvalue      = std::max(side.eigenvalue, k / copies.nodes.mass[node]);
+            side.hold(node, k, copies.nodes.mass[node]);
           };
       for (const Faces &faces : kind.faces)
         {

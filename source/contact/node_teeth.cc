@@ -238,8 +238,7 @@ std::vector<ClosedPair> NodeTeeth::closed_pairs(const World &world) const
     {
       const unsigned int node = surface_->node[s];
       const double       k    = law_.stiffness * surface_->area[s];
-      roller.stiffness[node]  = k;
-      roller.eigenvalue       = std::max(roller.eigenvalue, k / copies.nodes.mass[node]);
+      roller.hold(node, k, copies.nodes.mass[node]);
     }
   if (flanks_) // a rigid sprocket is heavy beside a node: each node on its own spring
     pair[0] = flanks_->closed_side(

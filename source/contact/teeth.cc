@@ -68,15 +68,7 @@ Teeth::Teeth(const scene::ToothFamily &scene) : Family(scene.name, scene.law), s
   for (const scene::SlavePoint &slave : scene_.slaves)
     {
       add_radius(slave.radius);
-      records_.push_back({scene_.sprocket,
-                          slave.body,
-                          slave.joint,
-                          std::numeric_limits<double>::max(),
-                          {},
-                          0,
-                          {},
-                          0.,
-                          0.});
+      add_record(scene_.sprocket, slave.body, slave.joint);
     }
   states_.resize(records_.size());
   hints_.assign(records_.size(), mesh::Projection::no_facet);

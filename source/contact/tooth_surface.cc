@@ -158,10 +158,9 @@ ClosedSide ToothSurface::closed_side(const double              stiffness,
         share.along =
             half_width(layer, n_layers, [&](const unsigned int i) { return z_[i + 1] - z_[i]; });
         // a node between two sectors has half of its mass and of its springs in each
-        const double half              = c == 0 || c + 1 == n_columns ? 0.5 : 1.;
-        const double k                 = half * stiffness * carried_area(share, slave);
-        side.stiffness[node(c, layer)] = k;
-        side.eigenvalue = std::max(side.eigenvalue, k / flanks.nodes.mass[node(c, layer)]);
+        const double half = c == 0 || c + 1 == n_columns ? 0.5 : 1.;
+        const double k    = half * stiffness * carried_area(share, slave);
+        side.hold(node(c, layer), k, flanks.nodes.mass[node(c, layer)]);
       }
   return side;
 }

@@ -37,6 +37,13 @@ struct ClosedSide
   unsigned int        group = none;    ///< of the bodies in World::copies; none: without nodes
   std::vector<double> stiffness;       ///< per node of an elastic body, N/m; empty: a rigid one
   double              eigenvalue = 0.; ///< largest of the springs and the masses alone, 1/s2
+
+  /// Holds an elastic body's node of @p mass [kg] by a spring @p k [N/m].
+  void hold(const unsigned int node, const double k, const double mass)
+  {
+    stiffness[node] = k;
+    eigenvalue      = std::max(eigenvalue, k / mass);
+  }
 };
 
 /// The two sides of all pairs of one kind.
@@ -104,6 +111,16 @@ public:
 
 protected:
   Family(std::string name, const scene::Law &law) : name_(std::move(name)), law_(law) {}
+
+  /// Appends the record of a pair of bodies, for the slave's @p joint.
+  void add_record(const unsigned int master, const unsigned int slave, const unsigned int joint)
+  {
+    Record record{};
+    record.master = master;
+    record.slave  = slave;
+    record.joint  = joint;
+    records_.push_back(record);
+  }
 
   /// Law and bookkeeping of pair @p i whose geometry is @p touch.
   void apply(World &world, unsigned int i, const Touch &touch, double dt);
