@@ -3,6 +3,7 @@
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/simulation.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/signals.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -99,10 +100,16 @@ int end_together(const End &end, const bool is_first_rank, const MPI_Comm comm)
 int main(int argc, char **argv)
 {
   // A program that was not started by mpirun needs no daemon to talk to other ranks: without it
-  // OpenMPI starts a second earlier. Under mpirun the variable is not looked at.
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  // OpenMPI starts a second earlier. Nor does it need OpenMPI's directory in /tmp, which all such
+  // programs would share: one that ends takes it away from one that begins.
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
+    {
+      setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+      setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+    }
   std::signal(SIGXFSZ, SIG_IGN); // a file at its size limit is a failed write, told in a sentence
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  catch_stop_signals(); // after it: PETSc, which deal.II starts, catches signals of its own
 
   const bool is_first_rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   return end_together(run_and_catch(argc, argv, is_first_rank), is_first_rank, MPI_COMM_WORLD);

@@ -15,6 +15,8 @@
 #include <chaindrive/utilities/signals.h>
 #include <chaindrive/utilities/text.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <filesystem>
 #include <iostream>
 
@@ -44,6 +46,16 @@ void print_step(std::ostream &log, const dynamics::StepChoice &choice, const uns
       << "Step: " << to_text(choice.step * 1e6, 4) << " us (" << choice.reason << "), " << n
       << " steps\n";
 }
+
+/// Whether a signal came to any rank of @p comm while the run was prepared; says so. Collective.
+bool stopped_before_first_step(output::Log &log, const MPI_Comm comm)
+{
+  const int number = dealii::Utilities::MPI::max(stop_signal(), comm);
+  if (number != 0)
+    log << "Stopped by " << name_of_stop_signal(number)
+        << " before the first step. Nothing was computed or written." << std::endl;
+  return number != 0;
+}
 } // namespace
 
 bool simulate(const CommandLine &command_line, const MPI_Comm comm)
@@ -60,13 +72,14 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   const scene::Scene scene =
       scene::build_scene(parameters, drive, {folder.empty() ? "." : folder, "."});
 
-  catch_stop_signals();
   if (!scene.has_elastic_bodies() && !is_first_rank)
     return true;
   dynamics::System     system(scene,
                           parameters.contact.search == "every step",
                           scene.has_elastic_bodies() ? comm : MPI_COMM_SELF);
   dynamics::StepChoice choice = dynamics::choose_step(system, parameters);
+  if (stopped_before_first_step(log, system.world.communicator()))
+    return false;
 
   const std::string directory = output_directory(command_line, parameters);
   const std::string resume =

@@ -23,60 +23,33 @@ FacetFlanks::FacetFlanks(const scene::ToothFamily &family, const World &world, c
       }
 }
 
-Touch FacetFlanks::touch(const World                &world,
-                         const dealii::Tensor<1, 3> &x,
-                         const double                within,
-                         unsigned int               &hint,
-                         Foot                       &foot) const
+Flanks::Facet FacetFlanks::nearest(const dealii::Tensor<1, 3> &x,
+                                   const double                within,
+                                   unsigned int               &hint,
+                                   Foot                       &foot) const
 {
-  const Frame           &hub = world.frames[family_.sprocket];
-  const dealii::Point<3> X(dealii::transpose(hub.rotation) * (x - hub.position));
-  const double           z = std::clamp(X[2], -family_.half_width, family_.half_width);
+  const double           z = std::clamp(x[2], -family_.half_width, family_.half_width);
   const mesh::Projection nearest =
-      family_.facets->closest_point(dealii::Point<3>(X[0], X[1], z), within, hint);
+      family_.facets->closest_point(dealii::Point<3>(x[0], x[1], z), within, hint);
+  Facet facet;
+  facet.found = nearest.found;
   if (!nearest.found)
-    {
-      foot     = Foot(); // far away it moves with the hub
-      foot.arm = x - hub.position;
-      return {};
-    }
-  hint         = nearest.facet;
-  foot.weights = nearest.weights;
-  std::array<dealii::Tensor<1, 3>, 4> reference;
+    return facet;
+  hint            = nearest.facet;
+  facet.distance  = nearest.distance;
+  facet.normal    = nearest.normal;
+  facet.gradients = family_.facets->gradients(nearest);
+  foot.weights    = nearest.weights;
   for (unsigned int i = 0; i < 4; ++i)
     {
       const unsigned int v = family_.facets->vertices(nearest.facet)[i];
       foot.nodes[i]        = place_[v];
-      reference[i]         = position_[v];
+      facet.nodes[i]       = position_[v];
+      if (z != x[2])
+        facet.gradients[i][2] = 0.;
     }
-  const auto u = complete(world, x, reference, foot);
-
-  // the distance changes by no more than the displacement, to first order by its normal part
-  if (nearest.distance > foot.displacement.norm())
-    {
-      Touch apart;
-      apart.gap = nearest.distance - (hub.rotation * nearest.normal) * foot.displacement;
-      return apart;
-    }
-
-  unsigned int facet = nearest.facet;
-  Touch        touch = touch_flanks(family_, x - foot.displacement, 0., within, hub, facet);
-  if (touch.gap < 0.)
-    {
-      // what a step of the point along the surface changes in the displacement's normal part
-      const auto                 gradients = family_.facets->gradients(nearest);
-      const dealii::Tensor<1, 3> normal    = touch.normal;
-      dealii::Tensor<1, 3>       tilt;
-      for (unsigned int i = 0; i < 4; ++i)
-        tilt += (normal * u[i]) * gradients[i];
-      if (z != X[2])
-        tilt[2] = 0.;
-      touch.normal -= hub.rotation * tilt;
-      touch.normal /= touch.normal.norm();
-      touch.point = x;
-      set_tangents(touch, hub);
-    }
-  return touch;
+  foot.twins = foot.nodes; // one copy is the whole sprocket
+  return facet;
 }
 
 ClosedSide FacetFlanks::closed_side(const double              stiffness,

@@ -8,11 +8,53 @@
 
 namespace chaindrive::contact
 {
-std::array<dealii::Tensor<1, 3>, 4>
-Flanks::complete(const World                               &world,
-                 const dealii::Tensor<1, 3>                &x,
-                 const std::array<dealii::Tensor<1, 3>, 4> &reference,
-                 Foot                                      &foot) const
+Touch Flanks::touch(const World                &world,
+                    const dealii::Tensor<1, 3> &x,
+                    const double                within,
+                    unsigned int               &hint,
+                    Foot                       &foot) const
+{
+  const Frame &hub = world.frames[family_.sprocket];
+  const Facet  facet =
+      nearest(dealii::transpose(hub.rotation) * (x - hub.position), within, hint, foot);
+  if (!facet.found)
+    {
+      foot     = Foot(); // far away it moves with the hub
+      foot.arm = x - hub.position;
+      return {};
+    }
+  const auto u = complete(world, x, facet, foot);
+
+  // the distance changes by no more than the displacement, to first order by its normal part
+  if (facet.distance > foot.displacement.norm())
+    {
+      Touch apart;
+      apart.gap     = facet.distance - (hub.rotation * facet.normal) * foot.displacement;
+      apart.feature = facet.feature;
+      return apart;
+    }
+
+  unsigned int from  = hint;
+  Touch        touch = touch_flanks(family_, x - foot.displacement, 0., within, hub, from);
+  if (touch.gap < 0.)
+    {
+      // what a step of the point along the surface changes in the displacement's normal part
+      const dealii::Tensor<1, 3> normal = touch.normal;
+      dealii::Tensor<1, 3>       tilt;
+      for (unsigned int i = 0; i < 4; ++i)
+        tilt += (normal * u[i]) * facet.gradients[i];
+      touch.normal -= hub.rotation * tilt;
+      touch.normal /= touch.normal.norm();
+      touch.point = x;
+      set_tangents(touch, hub);
+    }
+  return touch;
+}
+
+std::array<dealii::Tensor<1, 3>, 4> Flanks::complete(const World                &world,
+                                                     const dealii::Tensor<1, 3> &x,
+                                                     const Facet                &facet,
+                                                     Foot                       &foot) const
 {
   const Frame  &hub    = world.frames[family_.sprocket];
   const Copies &copies = world.copies[group_];
@@ -23,7 +65,7 @@ Flanks::complete(const World                               &world,
       dealii::Tensor<1, 3> now;
       for (unsigned int d = 0; d < 3; ++d)
         now[d] = copies.position.local_element(foot.nodes[i] + d * n_lanes);
-      u[i] = now - hub.position - hub.rotation * reference[i];
+      u[i] = now - hub.position - hub.rotation * facet.nodes[i];
       foot.displacement += foot.weights[i] * u[i];
       foot.arm += foot.weights[i] * (x - now);
     }
@@ -46,7 +88,11 @@ void Flanks::add_force(World &world, const Foot &foot, const dealii::Tensor<1, 3
   Copies &copies = world.copies[group_];
   for (unsigned int i = 0; i < 4; ++i)
     for (unsigned int d = 0; d < 3; ++d)
-      copies.force.local_element(foot.nodes[i] + d * n_lanes) += foot.weights[i] * f[d];
+      {
+        const double half = 0.5 * foot.weights[i] * f[d];
+        copies.force.local_element(foot.nodes[i] + d * n_lanes) += half;
+        copies.force.local_element(foot.twins[i] + d * n_lanes) += half;
+      }
   const dealii::Tensor<1, 3> couple = cross_product_3d(foot.arm, f);
   for (unsigned int d = 0; d < 3; ++d)
     world.moment.local_element(3 * family_.sprocket + d) += couple[d];

@@ -13,8 +13,7 @@ namespace chaindrive::contact
 {
 namespace
 {
-constexpr double reach      = 8e-6; // m; larger: fewer searches but wider windows
-constexpr double unforeseen = 5.;   // m/s, of vibration: 100 MPa in a wave are 2.5 m/s
+constexpr double reach = 8e-6; // m; larger: fewer searches but wider windows
 
 /// One side of a joint with all of its nodes closed: each node carries the springs of its share of
 /// the surface. The nodes of a rigid body have all of it to move: at the distance r from its centre
@@ -175,6 +174,7 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
 
 void NodeBores::add_forces(World &world, const double dt)
 {
+  const double unforeseen = unforeseen_speed(world);
   for (Group &group : groups_)
     for (unsigned int b = 0; b < group.batches.size(); ++b)
       {

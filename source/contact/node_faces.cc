@@ -12,8 +12,7 @@ namespace chaindrive::contact
 {
 namespace
 {
-constexpr double reach      = 50e-6; // m; larger: fewer searches but more nodes to look at
-constexpr double unforeseen = 5.;    // m/s, of vibration: 100 MPa in a wave are 2.5 m/s
+constexpr double reach = 50e-6; // m; larger: fewer searches but more nodes to look at
 
 /// The facets of one face: on the side of z and of x that @p axis is on.
 std::unique_ptr<const MovingFacets> facets_of(const Copies           &copies,
@@ -159,7 +158,7 @@ void NodeFaces::search_nodes(World &world, Place &place)
     }
   place.active.swap(found);
   place.searched  = true;
-  place.holds_for = std::min(nearest, 1.) / (2. * fastest + unforeseen);
+  place.holds_for = std::min(nearest, 1.) / (2. * fastest + unforeseen_speed(world));
 }
 
 void NodeFaces::add_forces(World &world, const double dt)

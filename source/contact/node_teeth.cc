@@ -9,8 +9,7 @@ namespace chaindrive::contact
 {
 namespace
 {
-constexpr double within     = 200e-6; // m, how far facets of an imported mesh are looked for
-constexpr double unforeseen = 5.;     // m/s, of vibration: 100 MPa in a wave are 2.5 m/s
+constexpr double within = 200e-6; // m, how far facets of an imported mesh are looked for
 
 /// How far the share of each node of a side reaches below and above it along z: half way to the
 /// next station of nodes, m.
@@ -143,6 +142,7 @@ void NodeTeeth::add_forces(World &world, const double dt)
 {
   before_ = now_;
   now_ += dt;
+  unforeseen_ = unforeseen_speed(world);
   for (const unsigned int i : own_)
     add_roller_forces(world, i, dt);
 }
@@ -185,7 +185,7 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
                 law, std::max(0., touch.gap), 0., dealii::Tensor<1, 2>(), dt, memory, world.ledger);
           const double speed =
               (value(copies.velocity, i, s) - flank_velocity(world, x, foot, dt)).norm();
-          node.due += std::clamp(touch.gap, 0., within) / (2. * speed + unforeseen);
+          node.due += std::clamp(touch.gap, 0., within) / (2. * speed + unforeseen_);
           continue;
         }
       if (left_alone)

@@ -81,9 +81,10 @@ void Teeth::search(const World &world, const double reach)
   for (unsigned int i = 0; i < scene_.slaves.size(); ++i)
     {
       const scene::SlavePoint &slave = scene_.slaves[i];
-      const double             distance =
-          (to_world(world.frames[slave.body], slave.point) - sprocket.position).norm();
-      if (distance < scene_.outer_radius + slave.radius + reach)
+      dealii::Tensor<1, 3>     offset =
+          to_world(world.frames[slave.body], slave.point) - sprocket.position;
+      offset -= (offset * axis_of(sprocket, 2)) * axis_of(sprocket, 2);
+      if (offset.norm() < scene_.outer_radius + slave.radius + reach)
         near_.push_back(i);
       else
         records_[i].gap = std::numeric_limits<double>::max();

@@ -67,75 +67,48 @@ ToothSurface::ToothSurface(const scene::ToothFamily &family, const World &world,
   Assert(column_.size() * z_.size() == nodes_.size(), dealii::ExcInternalError());
 }
 
-Touch ToothSurface::touch(const World                &world,
-                          const dealii::Tensor<1, 3> &x,
-                          const double                within,
-                          unsigned int               &hint,
-                          Foot                       &foot) const
+Flanks::Facet
+ToothSurface::nearest(const dealii::Tensor<1, 3> &x, const double, unsigned int &, Foot &foot) const
 {
-  const Frame               &hub = world.frames[family_.sprocket];
-  const dealii::Tensor<1, 3> X   = dealii::transpose(hub.rotation) * (x - hub.position);
-
-  // the facet in sector 0 and where the point meets it
-  const auto                  profile  = family_.form->closest_point(dealii::Point<2>(X[0], X[1]));
+  const auto                  profile  = family_.form->closest_point(dealii::Point<2>(x[0], x[1]));
   const dealii::Tensor<1, 2> &turn     = family_.form->rotations[profile.gap];
   const auto                  unturned = [&turn](const dealii::Tensor<1, 2> &p) {
     return dealii::Point<2>(turn[0] * p[0] + turn[1] * p[1], turn[0] * p[1] - turn[1] * p[0]);
   };
-  const auto turned = [&turn](const dealii::Tensor<1, 2> &p) {
-    return dealii::Point<2>(turn[0] * p[0] - turn[1] * p[1], turn[1] * p[0] + turn[0] * p[1]);
+  const auto turned = [&turn](const dealii::Tensor<1, 2> &p, const double z) {
+    return dealii::Point<3>(turn[0] * p[0] - turn[1] * p[1], turn[1] * p[0] + turn[0] * p[1], z);
   };
+
+  // the facet in sector 0 and where the point meets it
   const dealii::Tensor<1, 2> local = unturned(profile.point);
-  const unsigned int         c = interval(angle_, polar_angle(local)), k = interval(z_, X[2]);
+  const unsigned int         c = interval(angle_, polar_angle(local)), k = interval(z_, x[2]);
   const dealii::Tensor<1, 2> chord  = column_[c + 1] - column_[c];
   const double               length = chord.norm(), height = z_[k + 1] - z_[k];
   const double xi  = std::clamp((local - column_[c]) * chord / (length * length), 0., 1.);
-  const double eta = std::clamp((X[2] - z_[k]) / height, 0., 1.);
+  const double eta = std::clamp((x[2] - z_[k]) / height, 0., 1.);
 
   const unsigned int s = profile.gap;
   foot.nodes   = {{place(s, c, k), place(s, c + 1, k), place(s, c, k + 1), place(s, c + 1, k + 1)}};
+  foot.twins   = {{twin(s, c, k), twin(s, c + 1, k), twin(s, c, k + 1), twin(s, c + 1, k + 1)}};
   foot.weights = {{(1. - xi) * (1. - eta), xi * (1. - eta), (1. - xi) * eta, xi * eta}};
 
-  std::array<dealii::Tensor<1, 3>, 4> reference;
+  Facet facet;
+  facet.found     = true;
+  facet.distance  = profile.distance;
+  facet.normal[0] = profile.normal[0];
+  facet.normal[1] = profile.normal[1];
+  facet.feature   = profile.gap;
+
+  const dealii::Tensor<1, 3> along  = turned(chord / (length * length), 0.);
+  const double               across = x[2] > z_.front() && x[2] < z_.back() ? 1. / height : 0.;
   for (unsigned int i = 0; i < 4; ++i)
     {
-      const dealii::Tensor<1, 2> p = turned(column_[c + i % 2]);
-      reference[i][0]              = p[0];
-      reference[i][1]              = p[1];
-      reference[i][2]              = z_[k + i / 2];
+      const bool beyond = i % 2 == 1, above = i / 2 == 1; // in the next column, in the next layer
+      facet.nodes[i]        = turned(column_[c + i % 2], z_[k + i / 2]);
+      facet.gradients[i]    = (beyond ? 1. : -1.) * (above ? eta : 1. - eta) * along;
+      facet.gradients[i][2] = (above ? 1. : -1.) * (beyond ? xi : 1. - xi) * across;
     }
-  const auto u = complete(world, x, reference, foot);
-
-  // the distance changes by no more than the displacement, to first order by its normal part
-  if (profile.distance > foot.displacement.norm())
-    {
-      const dealii::Tensor<1, 3> v = dealii::transpose(hub.rotation) * foot.displacement;
-      Touch                      apart;
-      apart.gap     = profile.distance - (profile.normal[0] * v[0] + profile.normal[1] * v[1]);
-      apart.feature = profile.gap;
-      return apart;
-    }
-
-  Touch touch = touch_flanks(family_, x - foot.displacement, 0., within, hub, hint);
-  if (touch.gap < 0.)
-    {
-      const dealii::Tensor<1, 2> direction = turned(chord / length);
-      dealii::Tensor<1, 3>       along;
-      along[0] = direction[0];
-      along[1] = direction[1];
-      const dealii::Tensor<1, 3> slope_along =
-          ((1. - eta) * (u[1] - u[0]) + eta * (u[3] - u[2])) / length;
-      const dealii::Tensor<1, 3> slope_across =
-          ((1. - xi) * (u[2] - u[0]) + xi * (u[3] - u[1])) / height;
-      const dealii::Tensor<1, 3> normal = touch.normal;
-      touch.normal -= (normal * slope_along) * (hub.rotation * along);
-      if (X[2] > z_.front() && X[2] < z_.back())
-        touch.normal -= (normal * slope_across) * axis_of(hub, 2);
-      touch.normal /= touch.normal.norm();
-      touch.point = x;
-      set_tangents(touch, hub);
-    }
-  return touch;
+  return facet;
 }
 
 ClosedSide ToothSurface::closed_side(const double              stiffness,

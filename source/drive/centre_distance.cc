@@ -55,10 +55,12 @@ Proposal propose(const Fitter             &fitter,
   const double farthest = 0.5 * fitter.mean_length() * fitter.n_links;
   if (is_given)
     {
-      const auto missing = -fitter.fits(given, true, 1).front().slack.slack;
+      const auto   fits = fitter.fits(given, true, 1); // none when it is far too short
+      const double missing =
+          fits.empty() ? 2. * (given - least_distance) - most_slack : -fits.front().slack.slack;
       if (missing > 1e-12)
         throw InputError("Drive/Layout/Centre distance in mm = " + to_text(given * 1e3, 7) + ": " +
-                         the_chain + " is " + in_mm(missing) +
+                         the_chain + " is " + (fits.empty() ? "much" : in_mm(missing)) +
                          " too short; the distance must be at most " +
                          in_mm(fitter.solve({Target::Kind::slack, 0.}, least_distance, farthest)) +
                          ", or the chain must have at least " +

@@ -14,18 +14,18 @@ namespace
 {
 constexpr unsigned int interval = 16; // steps from one look to the next
 
-// Largest momentum out of nowhere over the sum of the sizes of all momenta. Of the rigid models in
-// prm/ and of small full ones the worst is 8e-13, while 1 N without reaction is above the limit
-// after a few steps.
+// Largest momentum out of nowhere over the sum of the sizes of all momenta. Of all rigid models in
+// prm/ the worst is 1.7e-12 (slow), of the first millisecond of full ones 1.5e-14, while 1 N
+// without reaction is above the limit after a few steps.
 constexpr double momentum_limit = 1e-8;
 
 // Largest jump of the imbalance from one look to the next, and largest energy below zero, over the
 // energy of springs, which is what a step that is too large and a force of wrong sign make: kinetic
 // energy is much larger and closes by itself. Central differences are wrong by (w dt)^2 / 4 of the
 // energy of a vibration, 0.6 % at the automatic step of rigid models, and by all of it near the
-// stable step of elastic ones, where little energy is that fast. Of the models measured the worst
-// is 1.4e-3 (an impact in the layered one); a step above the stable one multiplies what it has at
-// each step.
+// stable step of elastic ones, where little energy is that fast. Of all rigid models in prm/ the
+// worst is 1.4e-3 (an impact), of the first millisecond of full ones 1e-4; a step above the stable
+// one multiplies what it has at each step. See energy_jump_max in doc/output.md.
 constexpr double energy_limit = 2e-2;
 
 const std::string smaller_step =
@@ -95,6 +95,7 @@ void Guard::exchange(const Archive &archive)
   archive("moved at the start", start_moved_);
   archive("largest momentum", largest_momentum_);
   archive("largest error", largest_error_);
+  archive("largest jump", largest_jump_);
   archive("force on hubs", hub_force_);
   archive("impulse on hubs", hub_impulse_);
   archive("ledger", before_);
@@ -181,11 +182,16 @@ std::optional<Guard::Finding> Guard::look_at_momentum(System &system, const doub
 
 std::optional<Guard::Finding> Guard::look_at_energy(System &system, const double dt)
 {
-  const Ledger &now = system.world.ledger;
-  const double  accepted =
-      energy_limit * (floor_ + now.bar + now.strain + now.hourglass + now.contact);
-  const double gained = now.imbalance() - before_.imbalance(), lost = now.lost() - before_.lost();
+  const Ledger &now      = system.world.ledger;
+  const double  springs  = floor_ + now.bar + now.strain + now.hourglass + now.contact;
+  const double  accepted = energy_limit * springs;
+  const double  gained = now.imbalance() - before_.imbalance(), lost = now.lost() - before_.lost();
   before_ = now;
+
+  double worst = std::max(std::abs(gained), -lost);
+  for (const Line &line : lines)
+    worst = std::max(worst, -(now.*line.term));
+  largest_jump_ = std::max(largest_jump_, worst / springs);
 
   std::optional<Finding> finding;
   if (std::abs(gained) > accepted)

@@ -48,11 +48,14 @@ void System::evaluate_forces(const double dt)
       const PhaseTimer::Scope scope(timer, internal_force_);
       bars.add_forces(world, dt);
     }
+  elastic.add_rim_forces(world, timer);
   if (!contacts.families().empty())
     {
       const PhaseTimer::Scope scope(timer, contact_);
       contacts.add_forces(world, dt);
     }
+  else
+    Copies::send_forces(world.copies);
   if (!elastic.empty())
     elastic.advance(world, {dt, loads.gravity(), loads.drag()}, timer);
   world.sum_over_ranks();

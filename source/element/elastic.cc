@@ -57,7 +57,7 @@ void Elastic::move(
           world.rims.begin(), world.rims.end(), [g](const Rim &r) { return r.group == g; });
       if (rim != world.rims.end())
         {
-          move(world, *rim, step, kick, booked, timer);
+          move(world, *rim, step, kick, booked);
           continue;
         }
       Copies &copies = world.copies[g];
@@ -86,10 +86,17 @@ void Elastic::add_forces(Copies            &copies,
   internal.force             = force;
   internal.strain_energy     = sums.strain;
   internal.hourglass_energy  = sums.hourglass;
+  internal.next              = copies.velocity.begin() + first;
+  internal.n_next            = static_cast<unsigned int>(copies.stride());
   {
     const PhaseTimer::Scope scope(timer, internal_force_);
     kernels_.add_internal_forces[static_cast<int>(reference.formulation)](internal);
   }
+}
+
+void Elastic::hold_middle_plane(Copies &copies, const unsigned int batch)
+{
+  double *force = copies.force.begin() + copies.start_of(batch);
   for (const unsigned int node : copies.on_middle_plane)
     std::fill_n(force + (3 * node + 2) * n_lanes, n_lanes, 0.);
 }
@@ -97,6 +104,7 @@ void Elastic::add_forces(Copies            &copies,
 void Elastic::update(
     Copies &copies, const unsigned int batch, Sums &sums, const Step &step, const double kick) const
 {
+  hold_middle_plane(copies, batch);
   const std::size_t first = copies.start_of(batch);
   kernels_.update({copies.n_nodes(),
                    kick,

@@ -25,8 +25,11 @@ double scaled_jacobian(const Corners &corners)
       for (unsigned int d = 0; d < 3; ++d)
         {
           // the other end of the edge along direction d
-          e[d] = corners[v ^ (1u << d)] - corners[v];
-          e[d] /= (v >> d) & 1u ? -e[d].norm() : e[d].norm();
+          e[d]                = corners[v ^ (1u << d)] - corners[v];
+          const double length = e[d].norm();
+          if (!(length > 0.))
+            return 0.; // and never the ratio of two zeros
+          e[d] /= (v >> d) & 1u ? -length : length;
         }
       worst = std::min(worst, dealii::cross_product_3d(e[0], e[1]) * e[2]);
     }

@@ -4,7 +4,6 @@
 #include <chaindrive/utilities/signals.h>
 #include <chaindrive/utilities/text.h>
 
-#include <csignal>
 #include <filesystem>
 #include <utility>
 
@@ -83,11 +82,9 @@ void Checkpoints::ask(World &world) const
 void Checkpoints::say_why(const double time)
 {
   const int number = stop_signal();
-  log_ << (number == SIGTERM ? "Stopped by SIGTERM" :
-           number == SIGINT  ? "Stopped by SIGINT" :
-           number != 0       ? "Stopped by SIGUSR1" :
-                               "Stopped by Output/Wall-clock limit in s")
-       << " at " << to_text(time * 1e3) << " ms." << last()
+  log_ << "Stopped by "
+       << (number != 0 ? name_of_stop_signal(number) : "Output/Wall-clock limit in s") << " at "
+       << to_text(time * 1e3) << " ms." << last()
        << " To go on, start it again as before with --resume auto." << std::endl;
 }
 

@@ -99,6 +99,9 @@ Recorder::Recorder(const scene::Scene     &scene,
                         std::vector<double>(scene.n_joints, 0.),
                         std::vector<double>(scene.n_joints, 0.)});
 
+  for (const scene::FaceFamily &faces : scene.faces)
+    faces_.push_back({faces.name, system.contacts.find(faces.name)});
+
   if (!system.elastic.empty())
     elastic_ =
         std::make_unique<ElasticBodies>(scene, system, parameters.output.field_interval > 0.);
@@ -161,6 +164,8 @@ void Recorder::exchange(const Archive &archive, const dynamics::System &system)
       part.numbers("peak", bores.peak);
       part("overlap", bores.overlap);
     }
+  for (FaceOverlap &faces : faces_)
+    (archive / faces.name)("overlap", faces.overlap);
   archive.numbers("link peak", link_peak_);
   archive("tight tension of the start", tight_tension_start_);
 
@@ -227,6 +232,10 @@ void Recorder::keep_peaks(const dynamics::System &system)
       for (unsigned int k = 0; k < bores.joint.size(); ++k)
         bores.peak[k] = std::max(bores.peak[k], bores.joint[k]);
     }
+  for (FaceOverlap &faces : faces_)
+    for (const contact::Family *family : faces.families)
+      for (const contact::Record &record : family->records())
+        faces.overlap = std::max(faces.overlap, -record.gap);
   const std::vector<double> &tension = spans_.link_tension();
   for (unsigned int k = 0; k < tension.size(); ++k)
     link_peak_[k] = std::max(link_peak_[k], tension[k]);
@@ -381,11 +390,16 @@ Json Recorder::summary(const dynamics::System             &system,
   if (ledger.drive_work != 0.)
     json["energy_imbalance_max"] = guard.energy().largest_imbalance() / std::abs(ledger.drive_work);
   if (guard.looks())
-    json["momentum_imbalance_max"] = guard.largest_momentum_error();
+    {
+      json["momentum_imbalance_max"] = guard.largest_momentum_error();
+      json["energy_jump_max"]        = guard.largest_energy_jump();
+    }
   for (const ToothForces &teeth : teeth_)
     json["overlap_max"]["roller-" + teeth.name] = teeth.overlap;
   for (const BoreForces &bores : bores_)
     json["overlap_max"][bores.name] = bores.overlap;
+  for (const FaceOverlap &faces : faces_)
+    json["overlap_max"][faces.name] = faces.overlap;
   json["energy"]      = {{"kinetic", ledger.kinetic},
                          {"potential", ledger.potential},
                          {"bar", ledger.bar},

@@ -42,41 +42,41 @@ void Chain::declare(dealii::ParameterHandler &prm)
   const std::string scaled =
       " auto: from the table; where it is silent, scaled from the 525 chain by the roller "
       "diameter.";
-  length("Pitch in mm", pitch, above(0., 1000.), "Nominal pitch." + listed);
+  length("Pitch in mm", pitch, between(1e-3, 1000.), "Nominal pitch." + listed);
   length("Roller diameter in mm",
          roller_diameter,
-         above(0., 1000.),
+         between(1e-3, 1000.),
          "Outside diameter of the roller. Give it, and the other dimensions, for a chain that no "
          "table lists." +
              listed);
   length("Roller bore in mm",
          roller_bore,
-         above(0., 1000.),
+         between(1e-3, 1000.),
          "Bore of the roller; with the bush diameter it sets the clearance between the two. auto: "
          "a radial clearance of 0.045 mm.");
   length("Roller length in mm",
          roller_length,
-         above(0., 1000.),
+         between(1e-3, 1000.),
          "Length of the roller, less than the inner width of the chain. auto: 0.88 of the inner "
          "width, as in the 525 chain.");
   length("Bush diameter in mm",
          bush_diameter,
-         above(0., 1000.),
+         between(1e-3, 1000.),
          "Outside diameter of the bush." + scaled);
   length("Bush bore in mm",
          bush_bore,
-         above(0., 1000.),
+         between(1e-3, 1000.),
          "Bore of the bush; with the pin diameter it sets the joint clearance. auto: a radial "
          "clearance of 0.045 mm.");
   length("Bush length in mm",
          bush_length,
-         above(0., 1000.),
+         between(1e-3, 1000.),
          "Length of the bush, from middle to middle of the inner plates: inner width and one "
          "plate's thickness together." +
              listed);
   length("Pin diameter in mm",
          pin_diameter,
-         above(0., 1000.),
+         between(1e-3, 1000.),
          "Outside diameter of the pin." + scaled);
   length("Pin bore in mm",
          pin_bore,
@@ -84,30 +84,30 @@ void Chain::declare(dealii::ParameterHandler &prm)
          "Bore of a hollow pin; 0 is a solid pin. auto: solid, but for the 525 chain.");
   length("Pin length in mm",
          pin_length,
-         above(0., 1000.),
+         between(1e-3, 1000.),
          "Length of the pin, from middle to middle of the outer plates. auto: leaves a gap "
          "between inner and outer plates that is scaled from the 525 chain.");
   length("Inner plate height in mm",
          inner_plate_height,
-         above(0., 1000.),
+         between(1e-3, 1000.),
          "Height of the inner plates at the holes. auto: from the table, or 0.95 of the pitch.");
   length("Inner plate thickness in mm",
          inner_plate_thickness,
-         above(0., 100.),
+         between(1e-3, 100.),
          "Thickness of one inner plate." + scaled);
   length("Outer plate height in mm",
          outer_plate_height,
-         above(0., 1000.),
+         between(1e-3, 1000.),
          "Height of the outer plates at the holes. auto: from the table, or 0.82 of the pitch.");
   length("Outer plate thickness in mm",
          outer_plate_thickness,
-         above(0., 100.),
+         between(1e-3, 100.),
          "Thickness of one outer plate." + scaled);
   add(prm,
       "Waist ratio",
       waist_ratio,
       unit::si,
-      above(0., 1.),
+      between(0.1, 1.),
       "Height of a plate in the middle between its holes over its height at the holes; 1 gives "
       "plates with straight flanks. The default is an estimate from pictures of chains: no "
       "standard rules it.");
@@ -134,7 +134,7 @@ void Sprockets::declare(dealii::ParameterHandler &prm)
       "bottom diameter below, as measured on a real sprocket.");
   const auto length =
       [&prm](const std::string &name, std::optional<double> &member, const std::string &meaning) {
-        add(prm, name, member, unit::milli, above(0., 10000.), meaning);
+        add(prm, name, member, unit::milli, between(1e-3, 10000.), meaning);
       };
   const std::string outside = "Diameter over the tips of the ";
   const std::string tips = " teeth. auto: the middle of the range of ISO 606 as far as the tooth "
@@ -193,7 +193,7 @@ void Layout::declare(dealii::ParameterHandler &prm)
       "Centre distance in mm",
       centre_distance,
       unit::milli,
-      above(0., 100000.),
+      between(1e-3, 100000.),
       "Distance of the shafts. A chain too short to be laid round them is refused with the "
       "numbers. Default: the drive in prm/paper with 0.5 mm of slack.");
   add(prm,

@@ -77,7 +77,7 @@ void Material::declare(dealii::ParameterHandler &prm)
       "Young's modulus in GPa",
       youngs_modulus,
       unit::giga,
-      above(0., 10000.),
+      between(1e-3, 10000.),
       "Modulus of elasticity of all parts, from which stiffnesses that are auto follow. Default: "
       "steel, as in prm/paper.");
   add(prm,
@@ -90,7 +90,7 @@ void Material::declare(dealii::ParameterHandler &prm)
       "Density in kg/m3",
       density,
       unit::si,
-      above(0., 100000.),
+      between(1., 100000.),
       "Density of all parts, from which masses and inertias that are auto follow. Default: the "
       "value of the drive in prm/paper; most steels have 7800 to 7900.");
 }

@@ -22,4 +22,9 @@ void catch_stop_signals()
 }
 
 int stop_signal() { return came; }
+
+std::string name_of_stop_signal(const int number)
+{
+  return number == SIGTERM ? "SIGTERM" : number == SIGINT ? "SIGINT" : "SIGUSR1";
+}
 } // namespace chaindrive

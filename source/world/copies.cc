@@ -110,12 +110,6 @@ void Copies::make_ghosts()
     }
 }
 
-void Copies::send_forces()
-{
-  if (first_batch_.size() > 2) // more than one rank
-    force.compress(dealii::VectorOperation::add);
-}
-
 void Copies::fetch_ghosts(std::vector<Copies> &copies)
 {
   unsigned int channel = 0;

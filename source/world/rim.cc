@@ -75,15 +75,10 @@ void Rim::find_seam(const Copies &copies)
 
 void Rim::even_out_forces(Copies &copies) const
 {
-  // what this rank adds to a ghost arrives at the other's node, and the other way round
   double *force = copies.force.begin();
   for (const auto &[own, ghost] : seam_with_others_)
     for (unsigned int d = 0; d < 3; ++d)
-      force[ghost + d * n_lanes] = force[own + d * n_lanes];
-  copies.send_forces();
-  for (const auto &[own, ghost] : seam_with_others_)
-    for (unsigned int d = 0; d < 3; ++d)
-      force[own + d * n_lanes] *= 0.5;
+      force[ghost + d * n_lanes] = force[own + d * n_lanes] *= 0.5;
   for (const auto &[i, j] : seam_)
     for (unsigned int d = 0; d < 3; ++d)
       {

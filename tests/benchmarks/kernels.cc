@@ -87,19 +87,24 @@ struct Copies
                     1e-7 * std::sin(1. + i);
   }
 
-  void forces(const element::Kernels &kernels, const unsigned int batch)
+  void forces(const element::Kernels &kernels, const unsigned int batch, const bool moves = false)
   {
     element::ForceArguments arg = reference.arguments();
     arg.position                = position.data() + batch * stride;
     arg.force                   = force.data();
     arg.strain_energy           = energy.data();
     arg.hourglass_energy        = energy.data() + n_lanes;
+    if (moves)
+      {
+        arg.next   = velocity.data() + batch * stride;
+        arg.n_next = stride;
+      }
     kernels.add_internal_forces[static_cast<int>(reference.formulation)](arg);
   }
 
   void step(const element::Kernels &kernels, const unsigned int batch)
   {
-    forces(kernels, batch);
+    forces(kernels, batch, true);
     kernels.update({reference.n_nodes(),
                     1e-9,
                     1e-9,

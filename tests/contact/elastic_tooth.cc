@@ -4,15 +4,74 @@
 // strained ones the force is the derivative of the contact's energy. Forces cancel in sum and
 // moment. A roller pressed into its seat from 5 um above it keeps its energy, and
 // with soft contact springs, under which nothing else yields, its force is that of a rigid
-// sprocket.
+// sprocket. What pushes the tip of a tooth, where two sectors meet, pushes both alike. A point of a
+// rigid roller is near however far along the axis it is.
 #include "../support/tooth.h"
 
 using namespace test;
+
+namespace
+{
+void check_between_sectors()
+{
+  const scene::Scene    scene = make_scene(Tooth());
+  dynamics::System      system(scene, false);
+  World                &world  = system.world;
+  const Rim            &rim    = world.rims[0];
+  Copies               &copies = world.copies[rim.group];
+  const double          angle  = dealii::numbers::PI / scene.teeth[0].teeth;
+  const double          radius = scene.teeth[0].outer_radius;
+  const auto            flanks = contact::make_flanks(scene.teeth[0], world, rim);
+  contact::Flanks::Foot foot;
+  unsigned int          hint = 0;
+  flanks->touch(
+      world, vector(radius * std::cos(angle), radius * std::sin(angle), 1e-3), 1e-3, hint, foot);
+  world.clear_forces();
+  const Vector3 push = vector(-3., 2., 1.);
+  flanks->add_force(world, foot, push);
+
+  Vector3 sum;
+  for (unsigned int s = 0; s < copies.n_copies(); ++s)
+    for (unsigned int node = 0; node < copies.n_nodes(); ++node)
+      for (unsigned int d = 0; d < 3; ++d)
+        sum[d] += copies.force.local_element(copies.index(s, node, d));
+  bool         alike    = true;
+  unsigned int n_pushed = 0;
+  for (const auto &[v, w] : rim.sector->seam)
+    for (unsigned int s = 0; s < copies.n_copies(); ++s)
+      {
+        const auto   i = copies.index(s, copies.nodes.of_vertex[v], 0);
+        const auto   j = copies.index((s + 1) % copies.n_copies(), copies.nodes.of_vertex[w], 0);
+        const double a = copies.force.local_element(i), b = copies.force.local_element(j);
+        alike = alike && a == b;
+        n_pushed += a != 0. ? 1 : 0;
+      }
+  verdict("a push between two sectors is one on both", alike && n_pushed == 2);
+  verdict("and no more than it is", (sum - push).norm() < 1e-12);
+}
+
+void check_far_along_the_axis()
+{
+  scene::Scene       scene  = make_scene(Tooth());
+  scene::ToothFamily family = scene.teeth[0];
+  family.elastic            = false;
+  family.half_width         = 0.1;
+  family.slaves[0].point    = dealii::Point<3>(0., 0., 0.09); // the teeth are 41 mm from the axis
+  dynamics::System    system(scene, false);
+  contact::Teeth      teeth(family);
+  std::vector<Spring> springs;
+  teeth.search(system.world, family.slaves[0].radius);
+  teeth.add_springs(system.world, springs);
+  verdict("a point of a roller 90 mm along the axis is near", !springs.empty());
+}
+} // namespace
 
 int main()
 {
   check_geometry(Sprocket::generated);
   check_balance(Sprocket::generated);
+  check_between_sectors();
+  check_far_along_the_axis();
 
   Tooth elastic, rigid;
   rigid.elastic         = false;

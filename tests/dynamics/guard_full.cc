@@ -58,7 +58,10 @@ int main(int argc, char **argv)
                         push_node(s, first_link + 7, 5, along_x(1e3));
                         push_node(s, first_link + 8, 5, along_x(-1e3));
                       });
-  Drive(scene, 0, 1.3, MPI_COMM_WORLD).expect_stop("step 1.3 times the limit", {"Where: node"}, {});
+  Drive(scene, 0, 1.3, MPI_COMM_WORLD)
+      .expect_stop("step 1.3 times the limit",
+                   {"nergy", "Most often the step is too large", "Where: node"},
+                   {});
 
   for (const unsigned int body : {0U, 5U, 13U, first_link + 3, first_link + 16})
     {

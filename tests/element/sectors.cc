@@ -112,6 +112,7 @@ void compare_forces(const std::string &name, const element::Formulation formulat
   const Whole whole = whole_mesh(scene, formulation, position);
 
   world.clear_forces();
+  elastic.add_rim_forces(world, timer);
   elastic.advance(world, {0., 9.81, 0.}, timer);
   Vector3 reaction, moment;
   double  sum = 0.; // of forces on the hub

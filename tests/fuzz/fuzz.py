@@ -7,6 +7,7 @@ status 0 and finite results, or with status 2 or 3 and a sentence.
     fuzz.py                          20,000 inputs, one at a time
     fuzz.py --count 500 --jobs 4     the first 500, four at a time
     fuzz.py --only 17                input 17, with what the program says
+    fuzz.py --server PROGRAM         with build/tests/fuzz/fuzz_server, which loads the libraries once: much faster
 
 Inputs that fail are left in the folder of --results.
 """
@@ -16,18 +17,29 @@ import json
 import os
 import re
 import resource
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from random import Random
 
+import meshes
 import mutations
 
 ROOT = Path(__file__).resolve().parents[2]
-MEMORY = 6 << 30  # bytes: what asks for more is told that it cannot have it
+# One process needs no network, and OpenMPI looks for none.
+ENVIRONMENT = {
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "OMPI_MCA_pml": "ob1",
+    "OMPI_MCA_btl": "self",
+    **os.environ,
+}
 NOT_FOR_USERS = r"exception|deal\.ii|assert|HDF5-DIAG|std::|bad_alloc|terminate"
 # few steps of a run that was meant to be long
 SHORT = {"Time/End time in ms": 0.02, "Output/Window start in ms": 0, "Output/History interval in us": 2, "Output/Field interval in ms": 0.01}
@@ -39,7 +51,8 @@ class Inputs:
     def __init__(self, seed):
         self.seed = seed
         self.files = sorted(ROOT.glob("prm/**/*.prm"))
-        self.mesh = (ROOT / "meshes/sprocket-15.msh").read_text()
+        mesh = (ROOT / "meshes/sprocket-15.msh").read_text()
+        self.meshes = [mesh, mesh, meshes.as_version_4(mesh)]
         self.known = mutations.entries((ROOT / "doc/parameters.md").read_text())
 
     def write(self, i, folder):
@@ -53,19 +66,49 @@ class Inputs:
         if random.random() < 0.25:
             source = ROOT / "prm/paper/imported-sprocket.prm"
             file.write_text(source.read_text())
-            text = mutations.spoiled(self.mesh, mutations.MSH, random)
-            (folder / "input.msh").write_text(text, errors="replace")
+            text = mutations.spoiled(random.choice(self.meshes), mutations.MSH, random)
+            (folder / "input.msh").write_text(text, errors="surrogateescape")
             options += ["--set", f"Drive/Sprockets/Driver mesh={folder / 'input.msh'}"]
         else:
             source = random.choice([f for f in self.files if not runs or "full" not in f.name])
             text = mutations.spoiled(source.read_text(), mutations.PRM, random, self.known)
-            file.write_text(text, errors="replace")
+            file.write_text(text, errors="surrogateescape")
         return options + ["--output", str(folder / "results")], runs
 
 
-def limit_memory():
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+class Program:
+    """Runs the program; called with its options, it returns the exit status, or minus the signal that ended it."""
+
+    def __init__(self, program, seconds, memory):
+        self.program, self.seconds, self.memory = str(program.resolve()), seconds, memory
+
+    def __call__(self, options, folder):
+        with open(folder / "stdout", "wb") as out, open(folder / "stderr", "wb") as said:
+            return subprocess.run(
+                [self.program, *options], stdout=out, stderr=said, stdin=subprocess.DEVNULL, cwd=folder, env=ENVIRONMENT, preexec_fn=self.limit
+            ).returncode
+
+    def limit(self):
+        if self.memory:
+            resource.setrlimit(resource.RLIMIT_AS, (self.memory, self.memory))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        signal.alarm(self.seconds)
+
+
+class Server(Program):
+    """The same with a server (server.cc) for each thread."""
+
+    local = threading.local()
+
+    def __call__(self, options, folder):
+        if not hasattr(self.local, "process"):
+            self.local.process = subprocess.Popen(
+                [self.program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=ENVIRONMENT
+            )
+        process = self.local.process
+        process.stdin.write("\t".join([str(folder), str(self.seconds), str(self.memory), *options]) + "\n")
+        process.stdin.flush()
+        return int(process.stdout.readline())
 
 
 def numbers_that_are_none(summary):
@@ -75,17 +118,12 @@ def numbers_that_are_none(summary):
     ]
 
 
-def judge(program, options, runs, folder, timeout):
+def judge(program, options, runs, folder):
     """(exit status, what is wrong or nothing, what the program said)."""
-    environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-    try:
-        result = subprocess.run(
-            [program, *options], capture_output=True, timeout=timeout, cwd=folder, env=environment, preexec_fn=limit_memory
-        )
-    except subprocess.TimeoutExpired:
-        return -1, f"still running after {timeout} s", ""
-    out, said = (text.decode(errors="replace") for text in (result.stdout, result.stderr))
-    status = result.returncode
+    status = program(options, folder)
+    out, said = ((folder / name).read_text(errors="replace") for name in ("stdout", "stderr"))
+    if status == -signal.SIGALRM:
+        return status, f"still running after {program.seconds} s", said
     if status < 0 or status > 128:
         return status, f"ended by signal {-status if status < 0 else status - 128}", said
     if status not in (0, 2, 3):
@@ -112,18 +150,22 @@ def main():
     parser.add_argument("--only", type=int)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--timeout", type=float, default=120.0, help="seconds for one input")
+    parser.add_argument("--timeout", type=int, default=120, help="seconds for one input")
+    parser.add_argument("--memory", type=float, default=6.0, help="GB: what asks for more is told that it cannot have it; 0: any")
     parser.add_argument("--program", default=ROOT / "build/source/chaindrive", type=Path)
+    parser.add_argument("--server", type=Path, help="instead of the program")
     parser.add_argument("--results", type=Path, default=Path("results/fuzz"))
     options = parser.parse_args()
 
-    inputs, program = Inputs(options.seed), str(options.program.resolve())
+    inputs, limits = Inputs(options.seed), (options.timeout, int(options.memory * 2**30))
+    program = Server(options.server, *limits) if options.server else Program(options.program, *limits)
+    began = time.time()
 
     def one(i):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             arguments, runs = inputs.write(i, folder)
-            status, wrong, said = judge(program, arguments, runs, folder, options.timeout)
+            status, wrong, said = judge(program, arguments, runs, folder)
             if wrong or options.only is not None:
                 kept = options.results / f"{options.seed}-{i}"
                 kept.mkdir(parents=True, exist_ok=True)
@@ -142,8 +184,11 @@ def main():
                 print(f"input {i}: {wrong}\n  {said.strip()[-600:]}", flush=True)
             elif options.only is not None:
                 print(f"status {status}\n{said}")
+            if sum(statuses.values()) % 1000 == 0:
+                print(f"{sum(statuses.values())} inputs, {failed} failed", flush=True)
     told = ", ".join(f"{n} with status {status}" for status, n in sorted(statuses.items()))
-    print(f"{len(numbers)} inputs of seed {options.seed}: {told}; {failed} failed")
+    seconds = (time.time() - began) / len(numbers)
+    print(f"{len(numbers)} inputs of seed {options.seed}: {told}; {failed} failed; {seconds:.2f} s for each")
     sys.exit(bool(failed))
 
 

@@ -3,6 +3,8 @@
 
 import re
 
+import meshes
+
 NUMBERS = [
     "0", "-0", "-1", "1", "2", "7", "1e-300", "1e-12", "1e-6", "0.001", "0.499999", "0.5", "3.5", "9", "10", "50", "99.9",
     "1000", "12345.678", "1e6", "1e9", "1e13", "1e300", "1e400", "-1e400", "4294967296", "99999999999999999999",
@@ -39,8 +41,8 @@ def accepted(allowed, random):
 
 
 def scaled(value, random):
-    """A number that looks likely: not far from what was there."""
-    return f"{float(value) * random.choice([-1, 0.01, 0.1, 0.5, 0.9, 0.99, 1.01, 1.1, 2, 10, 100]):g}"
+    """A number that looks likely: not far from what was there, or in another unit."""
+    return f"{float(value) * random.choice([-1, 0.01, 0.1, 0.5, 0.9, 0.99, 1.01, 1.1, 2, 10, 100, 1e-3, 1e3, 1e6, 25.4, 57.2958]):g}"
 
 
 def any_value(random, before=""):
@@ -90,12 +92,36 @@ def insert_word(lines, random, _):
     lines.insert(random.randrange(len(lines) + 1), random.choice(words))
 
 
+def swap_lines(lines, random, _):
+    i, k = random.randrange(len(lines)), random.randrange(len(lines))
+    lines[i], lines[k] = lines[k], lines[i]
+
+
+def drop_section(lines, random, _):
+    """From a `subsection` or a `$` to the next `end` or `$`."""
+    starts = [i for i, line in enumerate(lines) if re.match(r"\s*subsection|\$(?!End)", line)]
+    if starts:
+        first = random.choice(starts)
+        ends = [i for i in range(first + 1, len(lines)) if re.match(r"\s*end\s*$|\$", lines[i])]
+        del lines[first : (ends or [first])[0] + 1]
+
+
+def junk(lines, random, _):
+    """Bytes that are not text, or a run of them."""
+    i = random.randrange(len(lines))
+    at = random.randrange(len(lines[i]) + 1)
+    n = random.choice([1, 1, 1, 3, 100])
+    bytes_ = bytes(random.randrange(256) for _ in range(n)) if random.random() < 0.5 else bytes([random.randrange(128, 256)] * n)
+    lines[i] = lines[i][:at] + bytes_.decode("utf-8", "surrogateescape") + lines[i][at:]
+
+
 def truncate(lines, random, _):
     text = "\n".join(lines)
     lines[:] = text[: random.randrange(len(text) + 1)].split("\n")
 
 
-PRM = [change_value] * 6 + [add_entry] * 14 + [misspell, drop_line, repeat_line, repeat_block, insert_word, truncate]
+ANY = [drop_line, repeat_line, repeat_block, swap_lines, drop_section, junk, truncate]
+PRM = [change_value] * 10 + [add_entry] * 20 + [misspell, insert_word] + ANY
 
 
 def change_token(lines, random, _):
@@ -122,7 +148,7 @@ def change_head(lines, random, known):
     lines[i] = piece[0]
 
 
-MSH = [change_token] * 4 + [change_head] * 4 + [change_section, drop_line, repeat_line, repeat_block, truncate]
+MSH = [change_token] * 4 + [change_head] * 4 + [change_section] + ANY + meshes.MUTATIONS * 2
 
 
 def spoiled(text, mutations, random, known=()):

@@ -96,6 +96,28 @@ int main()
          replaced(cubes("3\n" + first + "2 5 2 0 0 2 9 10 3 6 11 12 7\n" + side),
                   "12 2 1 1",
                   "12 1.1 0.1 0.6"));
+  const std::string second = "2 5 2 0 0 2 9 10 3 6 11 12 7\n";
+  reject("fewer vertices than counted", replaced(good, "3150\n", "3151\n"));
+  reject("more vertices than counted", replaced(good, "3150\n", "3149\n"));
+  reject("a vertex twice", replaced(good, "\n2 34.79", "\n1 34.79"));
+  reject("a vertex that is no number", replaced(good, "\n2 34.79", "\n2 x34.79"));
+  reject("a vertex far away", replaced(good, "\n2 34.79489104630051", "\n2 1e9"));
+  reject("a number too large", replaced(good, "\n2 34.79", "\n99999999999999999999 34.79"));
+  reject("a vertex that is not there", cubes("2\n1 5 2 0 0 1 2 3 4 5 6 7 13\n" + side));
+  reject("more tags than words", cubes("2\n1 5 99 0 0 1 2 3 4 5 6 7 8\n" + side));
+  reject("seven vertices", cubes("2\n1 5 2 0 0 1 2 3 4 5 6 7\n" + side));
+  reject("a vertex twice in a cell", cubes("2\n1 5 2 0 0 1 1 3 4 5 6 7 8\n" + side));
+  reject("a cell twice", cubes("3\n" + first + first + side));
+  reject("three cells at a face", cubes("4\n" + first + second + second + side));
+  reject("a cell folded over its neighbour",
+         replaced(cubes("3\n" + first + second + side),
+                  "9 2 0 0\n10 2 1 0\n11 2 0 1\n12 2 1 1",
+                  "9 0.5 0 0\n10 0.5 1 0\n11 0.5 0 1\n12 0.5 1 1"));
+  reject("a surface between cells", cubes("3\n" + first + second + "3 3 2 1 1 2 3 7 6\n"));
+  reject("a surface with two names", cubes("3\n" + first + side + "3 3 2 2 1 4 3 2 1\n"));
+  reject("no end of the cells",
+         replaced(cubes("2\n" + first + side), "$EndElements\n", "$EndElement\n"));
+
   expect_error("other number of teeth", [&] {
     import(good, drive::make_tooth_form(16, chain, parameters::Sprockets(), true));
   });

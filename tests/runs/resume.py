@@ -4,7 +4,8 @@ results with those of a run that nobody disturbed: histories, pictures, lists an
 
   same FIDELITY     A to C is A to B to C, by a greater end time; simple, layered, full or full2 on two ranks
   ranks             a checkpoint of two ranks is read by one and the other way round: equal to round-off
-  stop              SIGTERM, SIGINT and the wall-clock limit: a checkpoint, status 4, and what to do next
+  stop              SIGTERM, SIGINT and the wall-clock limit: a checkpoint, status 4, and what to do next; a signal before the
+                    first step
   refuse            checkpoints that are cut off, damaged, of other parameters, versions and formats, or none
   kill [N] [RANKS]  kill -9 at N random moments, 4 by default
 """
@@ -143,8 +144,10 @@ def ranks():
         largest = max(abs(value) for value in expected["energy"].values())
         for name, value in expected["energy"].items():
             check(abs(value - got["energy"][name]) < 1e-9 * largest, f"{name}: {got['energy'][name]}, not {value}")
-        for name in ("drive_work", "driven_angle_end", "tight_tension_mean"):
-            check(abs(expected[name] - got[name]) < 1e-9 * abs(expected[name]), f"{name}: {got[name]}")
+        # in so short a time hardly any tension has come to where it is measured: of a newton, then
+        for name, least in (("drive_work", 0), ("driven_angle_end", 0), ("tight_tension_mean", 1)):
+            close = abs(expected[name] - got[name]) < 1e-9 * max(abs(expected[name]), least)
+            check(close, f"{name}: {got[name]}, not {expected[name]}")
         check(expected["searches"] == got["searches"], "another number of searches")
 
 
@@ -168,7 +171,25 @@ def wait_for(condition, process):
         time.sleep(0.01)
 
 
+def stop_early():
+    """The run waits for its parameter file, a pipe, while the signal comes."""
+    fresh("early")
+    pipe = pathlib.Path("waits.prm")
+    pipe.unlink(missing_ok=True)
+    os.mkfifo(pipe)
+    words = [PROGRAM, str(pipe), "--output", "early"]
+    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    with open(pipe, "w") as file:  # returns when the program has opened it too
+        os.kill(process.pid, signal.SIGTERM)
+        file.write((REPOSITORY / "prm/paper/simple-auto.prm").read_text())
+    said = process.communicate()[0]
+    check(process.returncode == 4, f"status {process.returncode}:\n{said}")
+    check("Stopped by SIGTERM before the first step" in said, said)
+    check(not pathlib.Path("early").exists(), "it has written results")
+
+
 def stop():
+    stop_early()
     for fidelity, ranks in (("layered", 1), ("full", 2)):
         end = {"Time/End time in ms": 0.3 if fidelity == "full" else 20}
         entries = {**drive(fidelity), **end}

@@ -108,7 +108,10 @@ public:
     for (n = 1; n <= 100 && message.empty(); ++n)
       try
         {
-          advance(times * dt, on_nodes, on_bodies);
+          if (on_nodes || on_bodies)
+            advance(times * dt, on_nodes, on_bodies);
+          else
+            system.advance(times * dt, system.world.time + times * dt);
           guard.check(system, ++step_, times * dt);
         }
       catch (const dynamics::Fault &stopped)

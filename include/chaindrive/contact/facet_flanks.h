@@ -14,18 +14,17 @@ public:
   /// The facets of @p family are those of the mesh that the rim's copies are made of.
   FacetFlanks(const scene::ToothFamily &family, const World &world, const Rim &rim);
 
-  Touch touch(const World                &world,
-              const dealii::Tensor<1, 3> &x,
-              double                      within,
-              unsigned int               &hint,
-              Foot                       &foot) const override;
-
   ClosedSide closed_side(double                    stiffness,
                          const Copies             &flanks,
                          const mesh::SurfaceNodes &slaves,
                          const Copies             &of_slaves) const override;
 
 private:
+  Facet nearest(const dealii::Tensor<1, 3> &x,
+                double                      within,
+                unsigned int               &hint,
+                Foot                       &foot) const override;
+
   /// By vertices of the mesh; those that are not on the flanks have none.
   std::vector<std::size_t>      place_;    ///< of the x component in the vectors
   std::vector<dealii::Point<3>> position_; ///< in the hub's frame, m

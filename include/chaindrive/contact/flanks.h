@@ -28,18 +28,20 @@ public:
   struct Foot
   {
     std::array<std::size_t, 4> nodes{}; ///< places of their x components in the vectors
-    std::array<double, 4>      weights{};
-    dealii::Tensor<1, 3>       displacement; ///< relative to the hub, world axes, m
-    dealii::Tensor<1, 3>       arm;          ///< from the mean of the nodes to the point, m
+    std::array<std::size_t, 4> twins{}; ///< the same in the next sector, for nodes between two, see
+                                        ///< Rim; else as nodes
+    std::array<double, 4> weights{};
+    dealii::Tensor<1, 3>  displacement; ///< relative to the hub, world axes, m
+    dealii::Tensor<1, 3>  arm;          ///< from the mean of the nodes to the point, m
   };
 
   /// The contact of a slave node at @p x [m, world] and its @p foot. The other arguments are those
   /// of touch_flanks().
-  virtual Touch touch(const World                &world,
-                      const dealii::Tensor<1, 3> &x,
-                      double                      within,
-                      unsigned int               &hint,
-                      Foot                       &foot) const = 0;
+  Touch touch(const World                &world,
+              const dealii::Tensor<1, 3> &x,
+              double                      within,
+              unsigned int               &hint,
+              Foot                       &foot) const;
 
   /// Velocity [m/s] of the flank's material there.
   dealii::Tensor<1, 3> velocity(const World &world, const Foot &foot) const;
@@ -59,16 +61,31 @@ public:
 protected:
   Flanks(const scene::ToothFamily &family, const Rim &rim) : family_(family), group_(rim.group) {}
 
-  /// Completes @p foot, whose nodes and weights are there, for a slave at @p x. Returns the nodes'
-  /// displacements relative to the hub [m, world axes] from their @p reference positions in its
-  /// frame.
-  std::array<dealii::Tensor<1, 3>, 4> complete(const World                               &world,
-                                               const dealii::Tensor<1, 3>                &x,
-                                               const std::array<dealii::Tensor<1, 3>, 4> &reference,
-                                               Foot &foot) const;
+  /// The facet nearest to a point, undeformed and in the hub's frame.
+  struct Facet
+  {
+    bool                                found    = false;
+    double                              distance = 0.; ///< of the surface, m
+    dealii::Tensor<1, 3>                normal;        ///< unit, outward
+    unsigned int                        feature = 0;   ///< see Touch
+    std::array<dealii::Tensor<1, 3>, 4> nodes;         ///< m
+    /// Of the weights of the nodes while the point moves along the surface, 1/m.
+    std::array<dealii::Tensor<1, 3>, 4> gradients;
+  };
+
+  /// The facet nearest to @p x [m, in the hub's frame] and no farther than @p within; sets nodes,
+  /// twins and weights of @p foot.
+  virtual Facet
+  nearest(const dealii::Tensor<1, 3> &x, double within, unsigned int &hint, Foot &foot) const = 0;
 
   const scene::ToothFamily &family_;
   unsigned int              group_;
+
+private:
+  /// Completes @p foot for a slave at @p x [m, world]. Returns the displacements of the nodes of
+  /// @p facet relative to the hub, world axes, m.
+  std::array<dealii::Tensor<1, 3>, 4>
+  complete(const World &world, const dealii::Tensor<1, 3> &x, const Facet &facet, Foot &foot) const;
 };
 
 /// The largest share of a node of @p side of @p copies, along the axis z.

@@ -113,18 +113,21 @@ CHAINDRIVE_ALWAYS_INLINE void visit(const JointArguments &arg,
       exists[l]   = place < count || count == shape.slave_columns ? 1. : 0.;
     }
   take_slave(joints, index, v.meeting);
-  const P exist    = P::load(exists),
-          cover    = exist * covered(shape, joints, v.meeting, shape.cover[s]);
+  const P depth    = depth_inside(shape, joints, v.meeting, shape.cover[s]);
   v.active         = P::load(active);
-  v.cover          = v.active * cover;
+  v.cover          = v.active * covered(depth);
   v.overlap_before = v.active * gather(overlap, 0);
   v.gap            = P(1.);
-  if (!any_less(P(0.), cover + v.overlap_before))
+  // A neighbour of a node that is just inside may be just outside, but not far: the bore is tilted
+  // by less than 0.02. Its gap counts nevertheless, and whether it does must not depend on other
+  // lanes.
+  const P counts = if_less(P(-0.1), depth, P::load(exists), P(0.)) + v.overlap_before;
+  if (!any_less(P(0.), counts))
     return;
   meet(shape, joints, cell, arg.station + s * n_lanes + lane, v.meeting);
   for (int l = 0; l < width; ++l)
     arg.cell[v.column[l] * n_lanes + lane + l] = cell[l];
-  v.gap = if_less(P(0.), exist, v.meeting.gap, P(1.));
+  v.gap = if_less(P(0.), counts, v.meeting.gap, P(1.));
 }
 
 /// Between two neighbouring columns the gap is linear. Adds the part of the overlap there that
@@ -331,7 +334,8 @@ measure_gaps_of(const JointArguments &arg, GapArguments &gaps, const int lane)
         for (int l = 0; l < width; ++l)
           arg.cell[c * n_lanes + lane + l] = cell[l];
         m.gap.store(gaps.gap + index[0] * n_lanes + lane);
-        covered(shape, joints, m, shape.cover[s]).store(gaps.covered + index[0] * n_lanes + lane);
+        covered(depth_inside(shape, joints, m, shape.cover[s]))
+            .store(gaps.covered + index[0] * n_lanes + lane);
         Motion<P> motion;
         find_motion(joints, m, motion);
         closing = greatest(closing, motion.relative[0]);

@@ -166,18 +166,25 @@ take_slave(const Joints<width> &joints, const unsigned int (&index)[width], Meet
   into_frame(joints.axes, x, m.x);
 }
 
-/// How much of the length that a slave node stands for is inside the bore: it falls to 0 at the
-/// ends, so that no force begins or ends with a jump.
+/// How deep inside the bore's ends a slave node is, over half of the length that it stands for:
+/// negative outside. @p cover is the reciprocal of that half.
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE Pack<double, width> covered(const JointShape     &shape,
-                                                     const Joints<width>  &joints,
-                                                     const Meeting<width> &m,
-                                                     const double          cover)
+CHAINDRIVE_ALWAYS_INLINE Pack<double, width> depth_inside(const JointShape     &shape,
+                                                          const Joints<width>  &joints,
+                                                          const Meeting<width> &m,
+                                                          const double          cover)
 {
   using P          = Pack<double, width>;
   const P from_end = joints.length - m.x[2];
-  const P inside   = shape.half ? from_end : least(m.x[2], from_end);
-  return greatest(P(0.), least(P(1.), inside * P(cover)));
+  return (shape.half ? from_end : least(m.x[2], from_end)) * P(cover);
+}
+
+/// How much of the length that a slave node stands for is inside the bore: it falls to 0 at the
+/// ends, so that no force begins or ends with a jump.
+template <typename P>
+CHAINDRIVE_ALWAYS_INLINE P covered(const P depth)
+{
+  return greatest(P(0.), least(P(1.), depth));
 }
 
 /// Where a column passes a plane, but not far beyond its rings: nothing touches there.

@@ -91,6 +91,7 @@ private:
   std::vector<Node>                         nodes_;  ///< [slave][node of the surface]
   bool                                      every_step_;
   double        now_ = 0., before_ = 0.; ///< sum of all steps, now and at the last evaluation, s
-  unsigned long n_missed_ = 0;
+  double        unforeseen_ = 0.;        ///< see unforeseen_speed(), m/s
+  unsigned long n_missed_   = 0;
 };
 } // namespace chaindrive::contact

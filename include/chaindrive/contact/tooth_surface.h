@@ -15,22 +15,31 @@ public:
   /// @p rim is that of the sprocket of @p family.
   ToothSurface(const scene::ToothFamily &family, const World &world, const Rim &rim);
 
-  Touch touch(const World                &world,
-              const dealii::Tensor<1, 3> &x,
-              double                      within,
-              unsigned int               &hint,
-              Foot                       &foot) const override;
-
   ClosedSide closed_side(double                    stiffness,
                          const Copies             &flanks,
                          const mesh::SurfaceNodes &slaves,
                          const Copies             &of_slaves) const override;
 
 private:
+  Facet nearest(const dealii::Tensor<1, 3> &x,
+                double                      within,
+                unsigned int               &hint,
+                Foot                       &foot) const override;
+
   /// Where the x component of a node stands in the vectors of the copies.
   std::size_t place(const unsigned int sector, const unsigned int c, const unsigned int k) const
   {
     return place_[sector * nodes_.size() + k * angle_.size() + c];
+  }
+
+  /// The same for the node in the next sector that is one with it, or for itself.
+  std::size_t twin(const unsigned int sector, const unsigned int c, const unsigned int k) const
+  {
+    const unsigned int last = angle_.size() - 1;
+    if (c > 0 && c < last)
+      return place(sector, c, k);
+    const unsigned int n = place_.size() / nodes_.size();
+    return c == 0 ? place((sector + n - 1) % n, last, k) : place((sector + 1) % n, 0, k);
   }
 
   /// Node of a sector in column @p c and layer @p k of the flanks' nodes.

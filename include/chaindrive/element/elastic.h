@@ -36,13 +36,18 @@ public:
   };
 
   /// Brings positions and velocities from the start, where both belong to the same instant, to
-  /// where advance() expects them: half a kick, a whole drift. Contact forces are those in @p
-  /// world.
+  /// where advance() expects them: half a kick, a whole drift. Contact forces, and all forces on
+  /// rims, are those in @p world.
   void start(World &world, const Step &step, PhaseTimer &timer);
 
-  /// Adds the internal forces to the contact forces in @p world, moves all nodes by one step, and
-  /// books energies, centres of mass and their velocities at the present instant. With dt = 0
-  /// nothing moves.
+  /// Adds the internal forces of rims to the forces in @p world, and books their energies and what
+  /// they do to the hubs. To be followed by Copies::send_forces(): those on nodes between two
+  /// sectors travel together with those of contacts.
+  void add_rim_forces(World &world, PhaseTimer &timer) const;
+
+  /// Adds the internal forces of all other bodies to the contact forces in @p world, moves all
+  /// nodes by one step, and books energies, centres of mass and their velocities at the present
+  /// instant. With dt = 0 nothing moves.
   void advance(World &world, const Step &step, PhaseTimer &timer);
 
   /// Places what hubs hold of elastic rims where the hubs are now; call it once they have moved.
@@ -81,10 +86,9 @@ private:
 
   void move(World &world, const Step &step, double kick, bool booked, PhaseTimer &timer);
 
-  /// The same for the sectors of a rim: all forces first, then what neighbours have in common.
-  /// Gravity and drag act on no sprocket. What the rim does to its hub is added to the forces in
-  /// @p world when @p booked.
-  void move(World &world, Rim &rim, const Step &step, double kick, bool booked, PhaseTimer &timer);
+  /// The same for the sectors of a rim, on which all forces are there. Gravity and drag act on no
+  /// sprocket.
+  void move(World &world, Rim &rim, const Step &step, double kick, bool booked) const;
 
   /// Adds the internal forces of one batch to those of contacts.
   void add_forces(Copies          &copies,
@@ -92,6 +96,9 @@ private:
                   unsigned int     batch,
                   Sums            &sums,
                   PhaseTimer      &timer) const;
+
+  /// Takes the forces along z from the nodes of a half part that stay in its middle plane.
+  static void hold_middle_plane(Copies &copies, unsigned int batch);
 
   /// Moves one batch by its forces, which become zero.
   void update(Copies &copies, unsigned int batch, Sums &sums, const Step &step, double kick) const;

@@ -131,8 +131,15 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
   P mode[3][n_modes]; // component, mode
   for (int i = 0; i < 3; ++i)
     gather_modes(arg.vertices[0], i, position, mode[i]);
+  // while elements keep the arithmetic busy memory has time: a share of the lines with each of them
+  constexpr unsigned int line    = 8;
+  const unsigned int     share   = 1 + arg.n_next / (line * arg.n_elements);
+  const double          *fetch   = arg.next;
+  const double *const    fetched = arg.next + (lane == 0 ? arg.n_next : 0);
   for (unsigned int e = 0; e < arg.n_elements; ++e)
     {
+      for (unsigned int i = 0; i < share && fetch < fetched; ++i, fetch += line)
+        __builtin_prefetch(fetch, 0, 2);
       const Vertices     &next    = arg.vertices[e + 1 < arg.n_elements ? e + 1 : e];
       const double *const numbers = arg.numbers + e * n_numbers(shape, formulation);
       const double *const G       = numbers + 1;

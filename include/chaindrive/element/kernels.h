@@ -52,6 +52,8 @@ struct ForceArguments
   double         *force;            ///< to which the internal forces are added, N
   double         *strain_energy;    ///< [lane], to which is added, J
   double         *hourglass_energy; ///< [lane], to which is added, J
+  const double   *next;   ///< what is read afterwards, and fetched into the cache meanwhile
+  unsigned int    n_next; ///< numbers there
 };
 
 /// One step of a batch: v += kick (f / m + g - drag v), then x += drift v. Forces are set to zero.

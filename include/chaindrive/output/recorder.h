@@ -80,6 +80,14 @@ private:
     double                               overlap = 0.; ///< largest so far, m
   };
 
+  /// How deep faces of one kind have been in each other.
+  struct FaceOverlap
+  {
+    std::string                          name;
+    std::vector<const contact::Family *> families;
+    double                               overlap = 0.; ///< largest so far, m
+  };
+
   void add_channels();
   void add_hub_channels();
   void add_roller_channels();
@@ -117,6 +125,7 @@ private:
   std::vector<unsigned int> rollers_; ///< chosen for the histories
   std::vector<ToothForces>  teeth_;
   std::vector<BoreForces>   bores_;
+  std::vector<FaceOverlap>  faces_;
   std::vector<double>       acceleration_; ///< of all bodies at the present sample
   std::vector<double>       link_peak_;    ///< N
 

@@ -91,9 +91,7 @@ public:
   /// Gives the vectors room for all ghosts that any rank wants. Collective.
   void make_ghosts();
 
-  void send_forces(); ///< collective
-
-  /// The same for all @p copies, whose messages travel side by side. Collective.
+  /// For all @p copies, whose messages travel side by side. Collective.
   static void fetch_ghosts(std::vector<Copies> &copies);
   static void send_forces(std::vector<Copies> &copies);
 

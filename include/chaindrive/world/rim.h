@@ -13,8 +13,9 @@ namespace chaindrive
 /// The elastic rim of a sprocket: copies of one sector round a rigid hub.
 ///
 /// Nodes between two sectors are there twice, each with its own share of the mass; they get the
-/// mean of both forces and move alike. Nodes that the hub holds follow it; they keep the velocity 0
-/// and have no part in energies and momenta of the rim, but their mass is part of the hub's.
+/// mean of both forces and move alike, as long as what pushes one of them pushes both by half.
+/// Nodes that the hub holds follow it; they keep the velocity 0 and have no part in energies and
+/// momenta of the rim, but their mass is part of the hub's.
 struct Rim
 {
   /// Evens out in @p copies, those of @p sector, what round-off makes different between nodes that
@@ -27,7 +28,8 @@ struct Rim
   /// Finds the nodes between two sectors once the ghosts of @p copies have been made.
   void find_seam(const Copies &copies);
 
-  /// Gives both of two nodes that are one the mean of the forces on them. Collective.
+  /// Gives both of two nodes that are one the mean of the forces on them. Where one of them is
+  /// another rank's, its half waits on a ghost until Copies::send_forces().
   void even_out_forces(Copies &copies) const;
 
   /// Places the nodes that the hub holds as the sprocket's @p frame says.

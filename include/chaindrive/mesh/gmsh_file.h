@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/base/point.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace chaindrive::mesh
+{
+/// What a mesh file of Gmsh says, in its own numbers and lengths; nothing refers to nodes that are
+/// there for sure.
+struct GmshFile
+{
+  struct Element
+  {
+    long              type = 0; ///< Gmsh's number: 3 quadrangle, 5 hexahedron of first order
+    std::vector<long> groups;   ///< numbers of the physical groups that it belongs to
+    std::vector<long> nodes;    ///< their numbers, in Gmsh's order
+  };
+
+  std::map<std::string, long>      surfaces, volumes; ///< names and numbers of physical groups
+  std::map<long, dealii::Point<3>> nodes;             ///< by their number
+  std::vector<Element>             elements;
+};
+
+/// Reads @p file, of version 2.2 or 4.1 in ASCII, as the chapter "File formats" of Gmsh's reference
+/// manual defines them. A count in the file is never believed before as many lines are there.
+/// Throws InputError with the line where something else was expected.
+GmshFile read_gmsh(const std::string &file);
+} // namespace chaindrive::mesh
