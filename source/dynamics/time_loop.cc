@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/dynamics/time_loop.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +11,13 @@ namespace chaindrive::dynamics
 unsigned long n_steps(const double start, const double end, const double dt)
 {
   // a step that would miss the end by round-off only is not followed by another
-  return static_cast<unsigned long>(std::max(0., std::ceil((end - start) / dt - 1e-9)));
+  const double n = std::max(0., std::ceil((end - start) / dt - 1e-9));
+  if (n > most_steps)
+    throw InputError("The run would take " + to_text(n, 2) + " steps of " + to_text(dt * 1e6, 3) +
+                     " us; at most " + to_text(most_steps) +
+                     " are allowed: choose a larger Time/Step in us or an earlier Time/End time "
+                     "in ms.");
+  return static_cast<unsigned long>(n);
 }
 
 unsigned long run(System       &system,

@@ -73,18 +73,26 @@ void Checkpoints::ask(World &world) const
     world.requests[stop] = 1.;
   if (!world.is_first_rank())
     return;
-  if (output.wall_clock_limit > 0. && seconds_since(began_) > output.wall_clock_limit)
+  if (past_wall_clock_limit())
     world.requests[stop] = 1.;
   if (output.checkpoint_wait > 0. && seconds_since(written_) > output.checkpoint_wait)
     world.requests[checkpoint] = 1.;
+}
+
+bool Checkpoints::past_wall_clock_limit() const
+{
+  const double limit = parameters_.output.wall_clock_limit;
+  return limit > 0. && seconds_since(began_) > limit;
 }
 
 void Checkpoints::say_why(const double time)
 {
   const int number = stop_signal();
   log_ << "Stopped by "
-       << (number != 0 ? name_of_stop_signal(number) : "Output/Wall-clock limit in s") << " at "
-       << to_text(time * 1e3) << " ms." << last()
+       << (number != 0             ? name_of_stop_signal(number) :
+           past_wall_clock_limit() ? "Output/Wall-clock limit in s" :
+                                     "a signal to another rank")
+       << " at " << to_text(time * 1e3) << " ms." << last()
        << " To go on, start it again as before with --resume auto." << std::endl;
 }
 

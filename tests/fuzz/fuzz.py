@@ -42,7 +42,13 @@ ENVIRONMENT = {
 }
 NOT_FOR_USERS = r"exception|deal\.ii|assert|HDF5-DIAG|std::|bad_alloc|terminate"
 # few steps of a run that was meant to be long
-SHORT = {"Time/End time in ms": 0.02, "Output/Window start in ms": 0, "Output/History interval in us": 2, "Output/Field interval in ms": 0.01}
+SHORT = {
+    "Time/End time in ms": 0.02,
+    "Time/Step in us": "auto",
+    "Output/Window start in ms": 0,
+    "Output/History interval in us": 2,
+    "Output/Field interval in ms": 0.01,
+}
 
 
 class Inputs:

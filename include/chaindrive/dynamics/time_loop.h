@@ -29,6 +29,9 @@ unsigned long run(System       &system,
                   double        dt,
                   unsigned long done = 0);
 
-/// Number of steps that run() will take.
+/// A run of more steps than this would take days with the smallest model, years with the largest.
+constexpr double most_steps = 1e11;
+
+/// Number of steps that run() will take; InputError, with what to change, above #most_steps.
 unsigned long n_steps(double start, double end, double dt);
 } // namespace chaindrive::dynamics

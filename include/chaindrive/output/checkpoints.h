@@ -49,6 +49,7 @@ private:
   void exchange(const Archive &archive, dynamics::System &system);
   void write(dynamics::System &system, unsigned long step);
   void ask(World &world) const;
+  bool past_wall_clock_limit() const;
   void say_why(double time);
 
   const Parameters &parameters_;
