@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/dynamics/closed_contact.h>
+#include <chaindrive/dynamics/stable_step.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,9 +28,6 @@ struct Held
   double              stiffest = 0.;      ///< largest eigenvalue of the springs, 1/s2
   double              damped   = 0.;      ///< the same of the dampers, 1/s
 };
-
-/// Largest dt with dt^2 a + 2 dt b <= 4.
-double step_of(const double a, const double b) { return 4. / (b + std::sqrt(b * b + 4. * a)); }
 
 /// t of closed_contact.h from the largest eigenvalues of the elements and of the springs of the
 /// bodies on either side: e0 + (1 + t) c0 = e1 + (1 + 1/t) c1. The fastest mode of a body's
@@ -119,7 +117,7 @@ double closed_contact_step(const World             &world,
   const std::vector<Held> held = hold(world, elements, contacts, limit);
   for (unsigned int g = 0; g < held.size(); ++g)
     {
-      double step = step_of(elements[g] + held[g].stiffest, held[g].damped);
+      double step = stable_step_of(elements[g] + held[g].stiffest, held[g].damped);
       if (step < limit && !held[g].stiffness.empty())
         // with the dampers of a smaller step the body admits at least this one: from below to it
         for (unsigned int round = 0; round < 2; ++round)
@@ -141,7 +139,7 @@ double closed_contact_step(const World &world, const contact::Family &family)
   for (const contact::ClosedPair &pair : family.closed_pairs(world))
     {
       const double both = pair[0].eigenvalue + pair[1].eigenvalue;
-      step              = std::min(step, step_of(both, both * time));
+      step              = std::min(step, stable_step_of(both, both * time));
     }
   return step;
 }

@@ -30,6 +30,39 @@ double coupling(const End                  &a,
 {
   return inverse_mass * (a.direction * b.direction) + a.moment * (inverse_inertia * b.moment);
 }
+
+/// The largest eigenvalue of G_ij = sqrt(k_i k_j) g_ij, from above; @p x, positive, is iterated
+/// towards the Perron vector of |G|.
+double largest_eigenvalue(const std::vector<Entry>  &couplings,
+                          const std::vector<double> &stiffness,
+                          std::vector<double>       &x)
+{
+  std::vector<double> root(stiffness.size()), y(stiffness.size());
+  for (unsigned int i = 0; i < root.size(); ++i)
+    root[i] = std::sqrt(stiffness[i]);
+  double bound = std::numeric_limits<double>::infinity();
+  for (unsigned int iteration = 0; iteration < 2000; ++iteration)
+    {
+      std::fill(y.begin(), y.end(), 0.);
+      for (const Entry &entry : couplings)
+        y[entry.row] += std::abs(entry.value) * root[entry.column] * x[entry.column];
+      double largest = 0., norm = 0.;
+      for (unsigned int i = 0; i < x.size(); ++i)
+        {
+          y[i] *= root[i];
+          largest = std::max(largest, y[i] / x[i]);
+          norm    = std::max(norm, y[i]);
+        }
+      const bool converged = largest > bound * (1. - 1e-6);
+      bound                = std::min(bound, largest);
+      if (bound == 0. || (converged && iteration > 20))
+        break;
+      // the small constant keeps x positive where a spring is much softer than its neighbours
+      for (unsigned int i = 0; i < x.size(); ++i)
+        x[i] = y[i] / norm + 1e-6;
+    }
+  return bound;
+}
 } // namespace
 
 double stable_step(const World &world, const std::vector<Spring> &springs)
@@ -74,56 +107,41 @@ double stable_step(const World &world, const std::vector<Spring> &springs)
         {
           const double value = coupling(a, b, world.inverse_mass[body], inverse_inertia[body]);
           if (value != 0.)
-            entries.push_back(
-                {a.spring,
-                 b.spring,
-                 value * std::sqrt(springs[a.spring].stiffness * springs[b.spring].stiffness)});
+            entries.push_back({a.spring, b.spring, value});
         }
   std::sort(entries.begin(), entries.end(), [](const Entry &a, const Entry &b) {
     return a.row != b.row ? a.row < b.row : a.column < b.column;
   });
-  std::vector<Entry> matrix;
+  std::vector<Entry> couplings;
   for (const Entry &entry : entries)
-    if (!matrix.empty() && matrix.back().row == entry.row && matrix.back().column == entry.column)
-      matrix.back().value += entry.value;
+    if (!couplings.empty() && couplings.back().row == entry.row &&
+        couplings.back().column == entry.column)
+      couplings.back().value += entry.value;
     else
-      matrix.push_back(entry);
+      couplings.push_back(entry);
 
-  std::vector<double> x(springs.size(), 1.), y(springs.size());
-  double              bound = std::numeric_limits<double>::infinity();
-  for (unsigned int iteration = 0; iteration < 2000; ++iteration)
-    {
-      std::fill(y.begin(), y.end(), 0.);
-      for (const Entry &entry : matrix)
-        y[entry.row] += std::abs(entry.value) * x[entry.column];
-      double largest = 0., norm = 0.;
-      for (unsigned int i = 0; i < x.size(); ++i)
-        {
-          largest = std::max(largest, y[i] / x[i]);
-          norm    = std::max(norm, y[i]);
-        }
-      const bool converged = largest > bound * (1. - 1e-6);
-      bound                = std::min(bound, largest);
-      if (bound == 0.)
-        return std::numeric_limits<double>::infinity();
-      if (converged && iteration > 20)
-        break;
-      // the small constant keeps x positive where a spring is much softer than its neighbours
-      for (unsigned int i = 0; i < x.size(); ++i)
-        x[i] = y[i] / norm + 1e-6;
-    }
-
-  const double frequency  = std::sqrt(bound);
-  double       relaxation = 0.; // largest damping time c/k
+  std::vector<double> stiffness, damping, x(springs.size(), 1.);
   for (const Spring &spring : springs)
-    if (spring.stiffness > 0.)
-      relaxation = std::max(relaxation, spring.damping / spring.stiffness);
-  const double ratio = 0.5 * relaxation * frequency;
-  return stable_step_of_mode(frequency, ratio);
+    {
+      stiffness.push_back(spring.stiffness);
+      damping.push_back(spring.damping);
+    }
+  double step = stable_step_of(largest_eigenvalue(couplings, stiffness, x),
+                               largest_eigenvalue(couplings, damping, x));
+  // from a safe step to a larger one that is safe too, since the springs soften as it grows
+  for (double before = 0.; std::isfinite(step) && step > 1.0001 * before;)
+    {
+      before = step;
+      std::vector<double> both(stiffness);
+      for (unsigned int i = 0; i < both.size(); ++i)
+        both[i] += 2. / step * damping[i];
+      step = 2. / std::sqrt(largest_eigenvalue(couplings, both, x));
+    }
+  return step;
 }
 
-double stable_step_of_mode(const double frequency, const double ratio)
+double stable_step_of(const double stiffness, const double damping)
 {
-  return 2. / frequency * (std::sqrt(1. + ratio * ratio) - ratio);
+  return 4. / (damping + std::sqrt(damping * damping + 4. * stiffness));
 }
 } // namespace chaindrive::dynamics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The printed stable step against exact limits: a spring pair, a chain of bars, a bar with a
-// dashpot, a rigid roller on a frictional surface; and runs just below and just above it. With an
-// argument: for so many steps.
+// dashpot, a stiff bar beside a damped soft one, a rigid roller on a frictional surface; and runs
+// just below and just above it. With an argument: for so many steps.
 #include "../support/scenes.h"
 
 using namespace test;
@@ -61,6 +61,25 @@ int main(int argc, char **argv)
     verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
     verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
   }
+  for (const auto &[name, first, second] :
+       {std::make_tuple("a stiff bar and a damped one", 3e12, std::make_pair(3e8, 300.)),
+        std::make_tuple("a bar and a dashpot", 3e8, std::make_pair(1., 3e4))})
+    {
+      // between three lumps; 4 M - 2 dt C - dt^2 K is singular at the limit
+      const double m     = 0.0107;
+      scene::Scene scene = empty_scene();
+      scene.bodies = {lump(m, Vector3()), lump(m, vector(0.01, 0.)), lump(m, vector(0.02, 0.))};
+      scene.bars   = {{0, 1, 0.01, first, 0.}, {1, 2, 0.01, second.first, second.second}};
+      double dt    = 1e-9;
+      for (unsigned int i = 0; i < 100; ++i)
+        {
+          const double a = first, b = second.first + 2. * second.second / dt;
+          dt = 2. / std::sqrt((a + b + std::sqrt(a * a - a * b + b * b)) / m);
+        }
+      ratio(name, dynamics::System(scene, false).stable_step_limit(), dt);
+      verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
+      verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
+    }
   {
     // slip of the surface u - R phi: 1/m + R^2/I, and the normal spring at 1/m
     const double m = 1.95e-3, inertia = 3.895e-8, r = 5.08e-3, k = 2e8;

@@ -16,13 +16,14 @@ namespace chaindrive::dynamics
 /// G_ij = sqrt(k_i k_j) b_i^T M^-1 b_j. For any positive x the largest one is bounded by
 /// max_i (|G| x)_i / x_i (Collatz-Wielandt); x is iterated towards the Perron vector of |G|, so the
 /// bound is safe at every iteration and sharp in the end. Damping, evaluated at the velocity of the
-/// half step before, lowers the step by sqrt(1 + xi^2) - xi with xi the ratio of the fastest mode
-/// (Belytschko, Liu, Moran, Nonlinear Finite Elements, 6.2).
+/// half step before, makes the step dt stable while 4 M - 2 dt C - dt^2 K is positive: as if the
+/// springs had k_i + 2 c_i / dt.
 double stable_step(const World &world, const std::vector<Spring> &springs);
 
-/// The largest stable step [s] of a mode of @p frequency [rad/s] whose damping, evaluated at the
-/// velocity of the half step before, is @p ratio times the critical one.
-double stable_step_of_mode(double frequency, double ratio);
+/// The same [s] from the largest eigenvalues of M^-1 K [1/s2] and of M^-1 C [1/s] alone: the
+/// largest dt with dt^2 @p stiffness + 2 dt @p damping <= 4. For one mode it is 2/w (sqrt(1 + xi^2)
+/// - xi) (Belytschko, Liu, Moran, Nonlinear Finite Elements, 6.2).
+double stable_step_of(double stiffness, double damping);
 
 /// One voter's limit.
 struct StepVote
