@@ -150,7 +150,7 @@ LIMITS = [
     *[(name, "dynamics/stable_step", name + r": (?s:.*?)bounded at 0.98: (\w+)",
        name + r": (?s:.*?)blows up at (1.02): yes")
       for name in ("two lumps and a bar", "with a dashpot", "chain of 60 lumps",
-                   "roller that sticks")],
+                   "a stiff bar and a damped one", "a bar and a dashpot", "roller that sticks")],
     *[(f"{part}, {kind}", "element/stable_step",
        f"(?m:^){part}, {kind}: bounded at 0.98 of the limit: (\\w+)",
        f"(?m:^){part}, {kind}: bounded.*blown up at (1.02): yes")

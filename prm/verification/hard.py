@@ -23,7 +23,7 @@ from hard_cases import CASES, SMALL, SOON
 
 HERE = Path(__file__).resolve().parent
 MODELS = {"s": "simple", "l": "layered", "f": "full"}
-STEP = {"s": 0.08, "l": 0.25, "f": 0.9}  # over the stable one
+STEP = {"s": 0.08, "l": 0.15, "f": 0.9}  # over the stable one
 MOMENTUM = 1e-9  # largest imbalance, over the momentum of all bodies
 TURNS = 5e-4  # rad, least angle of the driven sprocket: a drive in which nothing happens holds nothing
 

@@ -45,6 +45,7 @@ NOT_FOR_USERS = r"exception|deal\.ii|assert|HDF5-DIAG|std::|bad_alloc|terminate"
 SHORT = {
     "Time/End time in ms": 0.02,
     "Time/Step in us": "auto",
+    "Time/Safety factor": 0.9,
     "Output/Window start in ms": 0,
     "Output/History interval in us": 2,
     "Output/Field interval in ms": 0.01,
