@@ -58,7 +58,7 @@ int main()
       const scene::Scene     scene = make_scene(layered, true);
       dynamics::System       system(scene, false);
       const World           &world = system.world;
-      const double           limit = system.stable_step_limit(), dt = 0.25 * limit;
+      const double           limit = system.stable_step_limit(), dt = 0.14 * limit;
       dynamics::Guard        guard(scene, system, 0.05, 1e-3 * scene.nominal_energy());
       const double           start = layered ? bend(world) : 0.;
       double                 worst = 0., turned = 0.;
