@@ -90,10 +90,10 @@ void compare_forces(const std::string &name, const element::Formulation formulat
   dynamics::System   system(scene, false);
   World             &world   = system.world;
   element::Elastic  &elastic = system.elastic;
-  PhaseTimer         timer;
-  const Rim         &rim    = world.rims[0];
-  Copies            &copies = world.copies[rim.group];
-  const Frame       &hub    = world.frames[0];
+  PhaseTimer        &timer   = system.timer;
+  const Rim         &rim     = world.rims[0];
+  Copies            &copies  = world.copies[rim.group];
+  const Frame       &hub     = world.frames[0];
 
   // 20 um at random: strains of some per cent, in which the round-off of positions is lost
   std::mt19937                           random(1);
