@@ -75,7 +75,7 @@ private:
 ///   stop at the next step.
 ///
 /// A step above the stable one is found when something blows up: in the simple and full models
-/// within 32 steps at 1.3 times the limit, in the layered one within 100 at 1.8 times, since the
+/// within 32 steps at 1.3 times the limit, in the layered one within 100 at 1.4 times, since the
 /// bound of rigid joints takes all of them for closed at once. Moment of momentum is not balanced:
 /// a lost moment is found when its work is too much of the energy, or not at all; the tests
 /// contact/forces_cancel, joint_forces_cancel and plate_faces look at moments.
