@@ -9,6 +9,7 @@ results with those of a run that nobody disturbed: histories, pictures, lists an
   refuse            checkpoints that are cut off, damaged, of other parameters, versions and formats, or none
   kill [N] [RANKS]  kill -9 at N random moments, 4 by default
 """
+import contextlib
 import json
 import os
 import pathlib
@@ -298,7 +299,8 @@ def kill(n=4, ranks=1):
                 process.wait(random.uniform(0, 2 * duration / n))
             except subprocess.TimeoutExpired:
                 for pid in processes(process, ranks):
-                    os.kill(pid, signal.SIGKILL)
+                    with contextlib.suppress(ProcessLookupError):  # mpirun kills the others too
+                        os.kill(pid, signal.SIGKILL)
                 kills += 1
         process.communicate()
         if process.returncode == 0:
