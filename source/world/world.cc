@@ -25,34 +25,42 @@ dealii::Tensor<1, 3> angular_momentum(const Frame &frame, const dealii::Tensor<1
   return frame.rotation * in_body;
 }
 
-/// Deals @p n_batches[g] equal batches of each group g, whose elements are @p n_elements[g] each,
-/// out to @p n_ranks ranks in turn: what does not go up goes to those that have least so far, the
-/// last of them, since the first rank has results to take care of. Returns per group the first
-/// batch of each rank, and the number of batches.
-std::vector<std::vector<unsigned int>> deal(const std::vector<unsigned int> &n_batches,
-                                            const std::vector<unsigned int> &n_elements,
-                                            const unsigned int               n_ranks)
+/// Batches of one group of copies, to be dealt out to the ranks.
+struct Deal
+{
+  unsigned int n_batches;
+  double       cost;  ///< of each
+  bool         apart; ///< they touch few batches of other groups: any rank may have any of them
+};
+
+/// What a joint costs the owner of its bore, in elements: some 75 visits of a node, 37 ns each,
+/// beside 16 ns (doc/performance.md).
+constexpr double elements_per_joint = 170.;
+
+/// Deals the batches of each group out to @p n_ranks ranks in turn: equal shares, and what does not
+/// go up to those that have least so far, the last of them, since the first rank has results to
+/// take care of. Batches that may be apart even out the load. Returns per group the first batch of
+/// each rank, and the number of batches.
+std::vector<std::vector<unsigned int>> deal(const std::vector<Deal> &groups,
+                                            const unsigned int       n_ranks)
 {
   std::vector<double>                    load(n_ranks, 0.);
   std::vector<std::vector<unsigned int>> result;
-  for (unsigned int g = 0; g < n_batches.size(); ++g)
+  for (const Deal &group : groups)
     {
-      std::vector<unsigned int> count(n_ranks, n_batches[g] / n_ranks);
-      for (unsigned int i = 0; i < n_batches[g] % n_ranks; ++i)
+      const unsigned int        share = group.apart ? 0 : group.n_batches / n_ranks;
+      std::vector<unsigned int> count(n_ranks, share);
+      for (double &l : load)
+        l += share * group.cost;
+      for (unsigned int i = n_ranks * share; i < group.n_batches; ++i)
         {
-          unsigned int least = 0;
-          for (unsigned int r = 1; r < n_ranks; ++r)
-            if (load[r] + count[r] * double(n_elements[g]) <=
-                load[least] + count[least] * double(n_elements[g]))
-              least = r;
-          ++count[least];
+          const auto least = std::min_element(load.rbegin(), load.rend());
+          *least += group.cost;
+          ++count[load.rend() - least - 1];
         }
       std::vector<unsigned int> first = {0};
-      for (unsigned int r = 0; r < n_ranks; ++r)
-        {
-          load[r] += count[r] * double(n_elements[g]);
-          first.push_back(first.back() + count[r]);
-        }
+      for (const unsigned int n : count)
+        first.push_back(first.back() + n);
       result.push_back(first);
     }
   return result;
@@ -101,16 +109,25 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
   for (unsigned int b = 0; b < n; ++b)
     if (scene.bodies[b].motion == scene::Motion::elastic)
       elastic[scene.bodies[b].kind].push_back(b);
-  std::vector<unsigned int> n_batches, n_elements;
+  std::map<scene::Kind, unsigned int> n_joints; // at bores of elastic bodies
+  for (const scene::BoreFamily &bores : scene.bores)
+    for (const scene::BorePair &pair : bores.pairs)
+      if (bores.elastic && scene.bodies[pair.master].motion == scene::Motion::elastic)
+        ++n_joints[scene.bodies[pair.master].kind];
+  std::vector<Deal> deals;
   for (const auto &[kind, bodies] : elastic)
     {
-      const auto sector = scene.sectors.find(kind);
-      const bool is_rim = sector != scene.sectors.end();
-      n_batches.push_back(Copies::n_batches_of(is_rim ? sector->second->n_sectors : bodies.size()));
-      n_elements.push_back(
-          (is_rim ? *sector->second->part : *scene.parts.at(kind)).mesh->n_active_cells());
+      const auto         sector = scene.sectors.find(kind);
+      const bool         is_rim = sector != scene.sectors.end();
+      const unsigned int n_batches =
+          Copies::n_batches_of(is_rim ? std::size_t(sector->second->n_sectors) : bodies.size());
+      const auto &part = is_rim ? *sector->second->part : *scene.parts.at(kind);
+      deals.push_back({n_batches,
+                       part.mesh->n_active_cells() +
+                           elements_per_joint * n_joints[kind] / double(bodies.size()),
+                       is_rim});
     }
-  const auto first_batches = deal(n_batches, n_elements, n_ranks_);
+  const auto first_batches = deal(deals, n_ranks_);
   places.resize(n);
   for (const auto &[kind, bodies] : elastic)
     {
