@@ -6,7 +6,10 @@
 #include <deal.II/lac/tridiagonal_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
 
 namespace chaindrive::element
 {
@@ -128,6 +131,19 @@ struct Hexahedron
   double point_volume[8];
   double point_inverse[8][3][3]; ///< an eighth of d xi_d / dX_j
 };
+
+/// What elements have in common that differ by no more than round-off: where the corners are as
+/// seen from the first one, in femtometres. In metres round-off is some 1e-18.
+using Geometry = std::array<std::int64_t, 24>;
+
+Geometry geometry_of(const mesh::Corners &corners)
+{
+  Geometry geometry;
+  for (unsigned int a = 0; a < 8; ++a)
+    for (unsigned int d = 0; d < 3; ++d)
+      geometry[3 * a + d] = std::llround((corners[a][d] - corners[0][d]) * 1e15);
+  return geometry;
+}
 
 /// Calls @p visit with every number that the kernels read, in their order.
 template <typename Element, typename Visit>
@@ -346,15 +362,21 @@ Reference::Reference(const mesh::Part           &part,
       shape = best_shape;
     }
 
+  std::map<Geometry, std::size_t> numbers_of;
   for (unsigned int e = 0; e < cells.size(); ++e)
     {
       if (shape == Shape::general)
         placed[e] = place_as_is(cells[e].first);
       const Placed &here = placed[e];
       vertices.push_back({});
+      axes.push_back(here.axes);
       for (unsigned int a = 0; a < 8; ++a)
         vertices.back().node[a] = cells[e].second[here.order[a]];
-      axes.push_back(here.axes);
+
+      const auto [found, is_new] = numbers_of.emplace(geometry_of(here.corners), numbers.size());
+      vertices.back().numbers    = static_cast<unsigned int>(found->second);
+      if (!is_new)
+        continue;
 
       const auto gauss   = mesh::gauss_points(here.corners);
       Hexahedron element = make_hexahedron(here.corners, gauss);
@@ -382,8 +404,7 @@ ForceArguments Reference::arguments() const
 
 dealii::FullMatrix<double> Reference::element_stiffness(const unsigned int e) const
 {
-  const Hexahedron element =
-      unpack(shape, formulation, numbers.data() + e * n_numbers(shape, formulation));
+  const Hexahedron element = unpack(shape, formulation, numbers.data() + vertices[e].numbers);
   dealii::FullMatrix<double> k(24, 24);
 
   const auto add_point = [&](const Gradient &gradient, const double volume) {

@@ -141,7 +141,7 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
       for (unsigned int i = 0; i < share && fetch < fetched; ++i, fetch += line)
         __builtin_prefetch(fetch, 0, 2);
       const Vertices     &next    = arg.vertices[e + 1 < arg.n_elements ? e + 1 : e];
-      const double *const numbers = arg.numbers + e * n_numbers(shape, formulation);
+      const double *const numbers = arg.numbers + arg.vertices[e].numbers;
       const double *const G       = numbers + 1;
       const double *const H       = G + gradient.size;
       const double *const K       = H + shift.size;
@@ -246,7 +246,7 @@ CHAINDRIVE_ALWAYS_INLINE void add_full_forces(const ForceArguments &arg, const i
 
   for (unsigned int e = 0; e < arg.n_elements; ++e)
     {
-      const double *const numbers = arg.numbers + e * n_numbers(shape, Formulation::full);
+      const double *const numbers = arg.numbers + arg.vertices[e].numbers;
 
       P derivative[3][3][4], sum[3][3][4]; // component, axis, line
       for (int i = 0; i < 3; ++i)

@@ -16,10 +16,12 @@ enum class Formulation
   full       ///< 2 x 2 x 2 points of Gauss' rule
 };
 
-/// The vertices of an element in deal.II's order.
+/// The vertices of an element in deal.II's order, and where its numbers begin: elements of one
+/// geometry share them.
 struct Vertices
 {
   unsigned int node[8];
+  unsigned int numbers;
 };
 
 /// What the kernels read of an element besides its vertices, one number after the other:
@@ -46,7 +48,7 @@ struct ForceArguments
   unsigned int    n_elements;
   Shape           shape;            ///< of all elements
   const Vertices *vertices;         ///< per element
-  const double   *numbers;          ///< n_numbers() per element
+  const double   *numbers;          ///< n_numbers() per geometry
   double          lambda, mu;       ///< Lamé's constants, Pa
   const double   *position;         ///< world axes, m
   double         *force;            ///< to which the internal forces are added, N

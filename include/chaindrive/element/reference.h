@@ -66,7 +66,7 @@ public:
   Shape                             shape;      ///< of every element
   double                            lambda, mu; ///< Lamé's constants, Pa
   std::vector<Vertices>             vertices;
-  std::vector<double>               numbers;  ///< n_numbers() per element
+  std::vector<double>               numbers;  ///< n_numbers() per geometry
   std::vector<dealii::Tensor<2, 3>> axes;     ///< of each element: the rows are its unit vectors
   std::vector<double>               mass;     ///< per node, kg
   std::vector<dealii::Point<3>>     position; ///< per node, in the part's frame, m
