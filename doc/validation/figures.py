@@ -111,9 +111,9 @@ def main():
     arguments = parser.parse_args()
     simple = [History(folder) for folder in arguments.simple]
     full = [History(folder) for folder in arguments.full]
+    os.makedirs(arguments.output, exist_ok=True)
     for draw in (velocities, link_forces, contact_forces):
-        os.makedirs(arguments.output, exist_ok=True)
-    draw(simple[0], full[0], arguments.output)
+        draw(simple[0], full[0], arguments.output)
     pairs = max(len(simple), len(full))
     criteria.report([(simple[i % len(simple)], full[i % len(full)]) for i in range(pairs)])
 
