@@ -2,6 +2,8 @@
 // Every width of the kernels gives the forces and energies of the scalar ones, each lane its own;
 // forces have no resultant and no moment; the energy's derivative is the force. The kernels for
 // prisms, wherever these lie and however their vertices are numbered, do what the general ones do.
+// Elements that are alike share their numbers: all 16 of a ring, two above each other if as they
+// lie.
 #include "../support/elastic.h"
 
 #include <cstdlib>
@@ -126,6 +128,12 @@ double small_displacement_difference(const Reference &reference)
         largest, std::abs(force[i] + 0.5 * (forth.force[i * n_lanes] - back.force[i * n_lanes])));
   return largest / force.linfty_norm();
 }
+
+/// How many sets of numbers the elements of a part share.
+std::size_t n_geometries(const Reference &reference)
+{
+  return reference.numbers.size() / element::n_numbers(reference.shape, reference.formulation);
+}
 } // namespace
 
 int main()
@@ -146,7 +154,8 @@ int main()
           const Reference reference(body, material, formulation.first);
           const Reference general(body, material, formulation.first, 0.1, element::Shape::general);
           std::cout << name << ", " << formulation.second << ": "
-                    << shapes[static_cast<int>(reference.shape)]
+                    << shapes[static_cast<int>(reference.shape)] << ", geometries "
+                    << n_geometries(reference) << ", as they lie " << n_geometries(general)
                     << "; as the general kernel to 1e-12:";
           for (const int width : {1, 2, 4, 8})
             {
