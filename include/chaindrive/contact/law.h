@@ -23,10 +23,16 @@ struct TouchState
 /// Penalty force with damping and Coulomb friction of one point at one instant.
 ///
 ///   N = max(0, k d - c g'),  d = max(0, -g)            linear spring and dashpot (Kelvin-Voigt)
-///   T = - k_t s - c_t s',    |T| <= mu N               return mapping on the elastic slip s
+///   |k_t s| <= mu N                                   return mapping of the elastic slip s
+///   T = - k_t s - c_t s',    |T| <= mu N              and then of the force: the dashpot takes
+///                                                     what the spring leaves of the limit
 ///
 /// With the return mapping a contact below the limit is an elastic spring that keeps its origin: it
 /// sticks and does not creep (Giannakopoulos 1989; Wriggers, Computational Contact Mechanics, 5.2).
+/// Nothing but slip loads the spring. If T were mapped back alone and s = -T / k_t, it would take
+/// over the dashpot's share, with energy that no work has put in. The dashpot's part never drives:
+/// with the projection P onto the disc of radius mu N, which holds -k_t s, and T = P(-k_t s - c_t
+/// s'), it is (T + k_t s) . s' <= 0.
 /// Stored energy and losses go to the ledger by the trapezoidal rule over the step.
 ///
 /// @p gap g [m], negative when the surfaces overlap; @p gap_rate g' [m/s]; @p slip_rate velocity of
@@ -55,22 +61,16 @@ inline bool update_touch(const scene::Law           &law,
 
   if (law.friction > 0.)
     {
-      const dealii::Tensor<1, 2> increment = dt * slip_rate;
-      const double               limit     = law.friction * touch.normal;
-      if (limit > 0.)
-        {
-          touch.slip = before.slip + increment;
-          touch.tangential =
-              -law.tangential_stiffness * touch.slip - law.tangential_damping * slip_rate;
-          const double trial = touch.tangential.norm();
-          if (trial > limit)
-            {
-              touch.tangential *= limit / trial;
-              touch.slip = -touch.tangential / law.tangential_stiffness;
-            }
-        }
-      else
-        touch.slip = touch.tangential = dealii::Tensor<1, 2>();
+      const dealii::Tensor<1, 2> increment    = dt * slip_rate;
+      const double               limit        = law.friction * touch.normal;
+      const auto                 within_limit = [limit](const double size) {
+        return size > limit ? limit / size : 1.;
+      };
+      touch.slip = before.slip + increment;
+      touch.slip *= within_limit(law.tangential_stiffness * touch.slip.norm());
+      touch.tangential =
+          -law.tangential_stiffness * touch.slip - law.tangential_damping * slip_rate;
+      touch.tangential *= within_limit(touch.tangential.norm());
 
       const double stored_before = 0.5 * law.tangential_stiffness * before.slip.norm_square();
       const double stored        = 0.5 * law.tangential_stiffness * touch.slip.norm_square();

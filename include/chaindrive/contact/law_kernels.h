@@ -38,6 +38,13 @@ struct Approach
   P closing; ///< by how much the surfaces have come closer while they overlap, m
 };
 
+/// Length of a vector in the tangents' plane.
+template <typename P>
+CHAINDRIVE_ALWAYS_INLINE P length(const P (&v)[2])
+{
+  return square_root(v[0] * v[0] + v[1] * v[1]);
+}
+
 /// update_touch() of law.h with the same formulas. Nodes share the energy of the springs between
 /// them as k d (-g) / 2, which for a point is its own k d^2 / 2.
 template <typename P>
@@ -63,29 +70,28 @@ CHAINDRIVE_ALWAYS_INLINE void update_touches(const PointLaw<P> &law,
   if (!with_friction)
     return;
 
-  const P limit = law.friction * touch.normal;
-  P       increment[2];
+  const P    limit        = law.friction * touch.normal;
+  const auto within_limit = [&limit](const P &size) {
+    return if_less(limit, size, limit / size, P(1.));
+  };
+  P increment[2], elastic[2];
   for (int d = 0; d < 2; ++d)
     {
-      increment[d]  = dt * slip_rate[d];
-      touch.slip[d] = before.slip[d] + increment[d];
+      increment[d] = dt * slip_rate[d];
+      elastic[d]   = before.slip[d] + increment[d];
+    }
+  const P elastic_part = within_limit(law.tangential_stiffness * length(elastic));
+  for (int d = 0; d < 2; ++d)
+    {
+      touch.slip[d] = elastic_part * elastic[d];
       touch.tangential[d] =
           zero - law.tangential_stiffness * touch.slip[d] - law.tangential_damping * slip_rate[d];
     }
-  const P trial  = square_root(touch.tangential[0] * touch.tangential[0] +
-                              touch.tangential[1] * touch.tangential[1]);
-  const P factor = limit / trial;
+  const P part = within_limit(length(touch.tangential));
   P       work(0.), stored(0.), stored_before(0.);
   for (int d = 0; d < 2; ++d)
     {
-      const P slides = factor * touch.tangential[d];
-      touch.slip[d] =
-          if_less(limit, trial, zero - slides / law.tangential_stiffness, touch.slip[d]);
-      touch.tangential[d] = if_less(limit, trial, slides, touch.tangential[d]);
-      // apart: no division above counts
-      touch.slip[d]       = if_less(zero, limit, touch.slip[d], zero);
-      touch.tangential[d] = if_less(zero, limit, touch.tangential[d], zero);
-
+      touch.tangential[d] = part * touch.tangential[d];
       work += (before.tangential[d] + touch.tangential[d]) * increment[d];
       stored_before += before.slip[d] * before.slip[d];
       stored += touch.slip[d] * touch.slip[d];
