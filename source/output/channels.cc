@@ -135,7 +135,10 @@ void Recorder::add_link_channels()
        "m",
        "Mean distance of the tight span's middle from the driver's axis along the span normal"},
       [this](const auto &, Row row) { row[0] = spans_.tight_offset; });
-  add({"spans", "slack_offset", "m", "The same of the slack span"},
+  add({"spans",
+       "slack_offset",
+       "m",
+       "The same of the slack span, along its own normal and towards the tight span"},
       [this](const auto &, Row row) { row[0] = spans_.slack_offset; });
 }
 

@@ -1,11 +1,32 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/output/spans.h>
 
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
 namespace chaindrive::output
 {
 Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
     : scene_(scene), tension_(scene.n_joints, 0.)
 {
+  // The common tangents of the pitch circles touch both where their normal, turned by the angle
+  // asin((r1 - r2) / c) from the perpendicular to the line of centres, does.
+  const auto pitch_radius = [&](const unsigned int teeth) {
+    return 0.5 * scene.pitch / std::sin(dealii::numbers::PI / teeth);
+  };
+  const double r1   = pitch_radius(scene.driver_teeth);
+  const double r2   = pitch_radius(scene.driven_teeth);
+  const double sine = (r1 - r2) / scene.centre_distance;
+  const double from = r1 * sine, to = scene.centre_distance + r2 * sine;
+  middle_ = 0.5 * (from + to);
+  // never so short that it may hold no link
+  half_length_ = std::max(0.15 * (to - from), 0.51 * scene.pitch);
+  // the slack span's is the mirror image of the tight span's in the line of centres
+  slack_normal_ = scene.span_normal;
+  slack_normal_[0] *= -1.;
+
   joints_ = system.contacts.find("bush-pin");
   if (joints_.empty())
     return;
@@ -50,7 +71,6 @@ void Spans::update(const dynamics::System &system)
   else if (system.bars.size() == scene_.n_joints)
     tension_ = system.bars.tension();
 
-  const double       from = 0.35 * scene_.centre_distance, to = 0.65 * scene_.centre_distance;
   const unsigned int n       = scene_.n_joints;
   unsigned int       n_tight = 0, n_slack = 0;
   tight_tension = slack_tension = tight_speed = tight_offset = slack_offset = 0.;
@@ -59,10 +79,10 @@ void Spans::update(const dynamics::System &system)
       const Frame &first  = system.world.frames[k];
       const Frame &second = system.world.frames[(k + 1) % n];
       const double x      = 0.5 * (first.position[0] + second.position[0]);
-      if (x < from || x > to)
+      if (std::abs(x - middle_) > half_length_)
         continue;
-      const bool tight = (first.position * scene_.span_normal) > 0.;
-      if (tight)
+      // joints are counted in the direction of travel, in which the two spans differ
+      if ((second.position - first.position) * scene_.span_direction > 0.)
         {
           tight_tension += tension_[k];
           tight_speed += 0.5 * (first.velocity + second.velocity) * scene_.span_direction;
@@ -72,7 +92,7 @@ void Spans::update(const dynamics::System &system)
       else
         {
           slack_tension += tension_[k];
-          slack_offset += first.position * scene_.span_normal;
+          slack_offset += first.position * slack_normal_;
           ++n_slack;
         }
     }

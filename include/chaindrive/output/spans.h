@@ -11,8 +11,10 @@ namespace chaindrive::output
 /// Tension of every link and the state of the two spans at the last update().
 ///
 /// A link's tension is its bar's (simple fidelity) or half the difference of the joint forces on
-/// its two ends along its axis (layered). A span is made of the links whose middle lies between
-/// 35 % and 65 % of the centre distance, on the tight or on the slack side.
+/// its two ends along its axis (layered). A span is made of the links whose middle lies, along the
+/// line of centres, between 35 % and 65 % of the way from tangent point to tangent point of the
+/// pitch circles, or within half a pitch of its middle where that is more; the tight one of those
+/// that lead to the driver.
 class Spans
 {
 public:
@@ -31,7 +33,10 @@ public:
 private:
   void joint_forces(const dynamics::System &system);
 
-  const scene::Scene                  &scene_;
+  const scene::Scene  &scene_;
+  double               middle_;       ///< of both spans along x, m
+  double               half_length_;  ///< of what counts, along x, m
+  dealii::Tensor<1, 3> slack_normal_; ///< of the straight slack span, towards the tight one
   std::vector<const contact::Family *> joints_;    ///< bush-pin; none in simple fidelity
   std::vector<unsigned int>            links_;     ///< body of each link; none in simple fidelity
   std::vector<dealii::Tensor<1, 3>>    pin_force_; ///< on the pin of each joint, N
