@@ -149,6 +149,17 @@ class Tidy(unittest.TestCase):
         _, error = self.lint("std::vector<int> a;\n")
         self.assertIn("error", error)
 
+    def test_a_file_that_changed_is_looked_at_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            record = Path(folder, "passed")
+            self.assertEqual(tidy.recorded(record), set())
+            tidy.write_record(record, {"b.h": tidy.digest("checks", "b.h", "int b;"), "a.cc": tidy.digest("checks", "a.cc", "")})
+            passed = tidy.recorded(record)
+            self.assertEqual(record.read_text().split()[1::2], ["a.cc", "b.h"])
+        self.assertIn(tidy.digest("checks", "b.h", "int b;"), passed)
+        for change in (("checks", "b.h", "int c;"), ("no checks", "b.h", "int b;"), ("checks", "c.h", "int b;")):
+            self.assertNotIn(tidy.digest(*change), passed)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,27 +1,32 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs clang-tidy on our sources: tidy.py BUILD_FOLDER. Exit status 1 on complaints.
+"""Runs clang-tidy on our sources and headers: tidy.py BUILD_FOLDER [--record]. Exit status 1 on complaints.
 
-First every source is compiled without the precompiled header, to see that it includes what it
-needs. Then clang-tidy reads them, several as one because nearly all of its time goes into deal.II's
-headers; where the sources of such a batch do not go together, in smaller ones.
+A file that passed is not looked at again until its own text or the configuration changes. tests/style/
+tidy.passed, which is committed, and the folder style/ of the build remember; --record writes to the
+former what is true now. A header is a file of its own: when it changes it is looked at, but the
+sources that include it are not. All are looked at anew where neither remembers anything.
 
-A file that passed is not looked at again until it, a header of ours that it includes, the flags or
-the configuration change; the folder style/ of the build remembers.
+First every file is compiled without the precompiled header, to see that it includes what it needs.
+Then clang-tidy reads them, several as one because nearly all of its time goes into deal.II's headers;
+where those of such a batch do not go together, in smaller ones.
 """
 
+import argparse
 import hashlib
 import json
 import os
+import re
 import shlex
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import rules
 import style
 
 CONFIGURATION = style.ROOT / ".clang-tidy"
+RECORD = style.ROOT / "tests/style/tidy.passed"
+LOOKED_AT = re.compile(r"(source|include)/.*\.(cc|h)")
 
 
 def run(*command):
@@ -54,34 +59,45 @@ def language_flags(commands):
         for word in words:
             if word == "-isystem":
                 flags["-isystem" + next(words)] = None
-            elif word.startswith(("-std", "-D", "-I")):
+            elif word.startswith(("-std", "-D", "-I")) and not word.startswith("-Dmain="):
                 flags[word] = None
     return list(flags)
 
 
+def digest(configuration, path, text):
+    """What a file's verdict is remembered by; the same on every machine."""
+    return hashlib.sha256("\0".join([configuration, path, text]).encode()).hexdigest()[:16]
+
+
+def recorded(file):
+    """The digests of the files that passed, from lines 'digest path'."""
+    return {line.split()[0] for line in file.read_text().splitlines()} if file.exists() else set()
+
+
+def write_record(file, digests):
+    file.write_text("".join(f"{digest} {path}\n" for path, digest in sorted(digests.items())))
+
+
 class Linter:
     def __init__(self, build):
-        commands = compile_commands(build)
         self.memory = build / "style"
         self.memory.mkdir(exist_ok=True)
-        self.tree = style.repository()
-        paths = {os.path.relpath(entry["file"], style.ROOT): entry for entry in commands}
-        paths = {path: entry for path, entry in paths.items() if path in self.tree and path.startswith("source/")}
-        self.sources = sorted(paths)
-        self.flags = language_flags(paths.values())
-        self.version = run("clang-tidy", "--version").stdout
+        commands = compile_commands(build)
+        self.flags = language_flags(c for c in commands if Path(c["file"]).is_relative_to(style.ROOT / "source"))
+        configuration = CONFIGURATION.read_text()
+        self.digests = {
+            path: digest(configuration, path, text)
+            for path, text in style.repository().items()
+            if LOOKED_AT.fullmatch(path)
+        }
+        self.passed = recorded(RECORD) | recorded(self.memory / RECORD.name)
 
-    def stamp(self, path):
-        """A file whose name changes with everything that the verdict on a source depends on."""
-        digest = hashlib.sha256(CONFIGURATION.read_bytes())
-        digest.update(self.version.encode() + " ".join(self.flags).encode() + path.encode())
-        for file in [path, *sorted("include/" + header for header in rules.reach(self.tree, path))]:
-            digest.update(self.tree.get(file, "").encode())
-        return self.memory / digest.hexdigest()
+    def new(self):
+        return [path for path, digest in self.digests.items() if digest not in self.passed]
 
     def together(self, paths):
-        """[(sources, what is wrong with them)]: all as one, or in parts where two share a name."""
-        file = self.memory / f"{self.stamp(paths[0]).name}.cc"
+        """[(files, what is wrong with them)]: all as one, or in parts where two share a name."""
+        file = self.memory / f"{self.digests[paths[0]]}.cc"
         file.write_text("".join(f'#include "{style.ROOT / path}"\n' for path in paths))
         if len(paths) > 1 and compiles(file, self.flags):
             return self.together(paths[::2]) + self.together(paths[1::2])
@@ -90,9 +106,8 @@ class Linter:
         return [(paths, verdict)]
 
     def complaints(self):
-        """What is wrong with the sources that are new or changed, with their number."""
-        n_parallel = os.cpu_count()
-        new = [path for path in self.sources if not self.stamp(path).exists()]
+        """What is wrong with the files that are new or changed; those that pass are remembered."""
+        n_parallel, new = os.cpu_count(), self.new()
         with ThreadPoolExecutor(n_parallel) as pool:
             errors = list(pool.map(lambda path: compiles(style.ROOT / path, self.flags), new))
             valid = [path for path, error in zip(new, errors) if not error]
@@ -102,22 +117,29 @@ class Linter:
             batches = pool.map(self.together, [valid[i::n_batches] for i in range(n_batches)])
             results = [result for parts in batches for result in parts]
 
-        for paths, verdict in results:
-            for path in paths:
-                if not verdict:
-                    self.stamp(path).touch()
-        verdicts = [verdict for _, verdict in results]
-        return [text for text in [*errors, *verdicts] if text], len(new)
+        self.passed.update(self.digests[path] for paths, verdict in results if not verdict for path in paths)
+        self.record(self.memory / RECORD.name)
+        return [text for text in [*errors, *(verdict for _, verdict in results)] if text]
+
+    def record(self, file):
+        write_record(file, {path: digest for path, digest in self.digests.items() if digest in self.passed})
 
 
 def main():
-    linter = Linter(Path(sys.argv[1]))
-    if not linter.sources:
-        sys.exit("tidy.py: no sources in compile_commands.json")
-    complaints, n_new = linter.complaints()
+    parser = argparse.ArgumentParser()
+    parser.add_argument("build", type=Path)
+    parser.add_argument("--record", action="store_true")
+    arguments = parser.parse_args()
+    linter = Linter(arguments.build)
+    if not linter.digests or not linter.flags:
+        sys.exit("tidy.py: no sources, or none in compile_commands.json")
+    n_new = len(linter.new())
+    complaints = linter.complaints()
+    if arguments.record:
+        linter.record(RECORD)
     print(*complaints, sep="\n")
     verdict = "complaints above" if complaints else "no complaints"
-    print(f"clang-tidy: {len(linter.sources)} files, {n_new} new or changed, {verdict}")
+    print(f"clang-tidy: {len(linter.digests)} files, {n_new} new or changed, {verdict}")
     sys.exit(bool(complaints))
 
 
