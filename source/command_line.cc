@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/command_line.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/simd.h>
 #include <chaindrive/utilities/text.h>
 #include <chaindrive/version.h>
 
 #include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
 
 #include <boost/program_options.hpp>
 
+#include <cstdlib>
 #include <sstream>
 
 namespace chaindrive
@@ -52,6 +53,26 @@ std::vector<std::string> long_names(const options::options_description &descript
   return names;
 }
 
+/// Refuses a value that is empty, as of an unset variable of a shell, or looks like the next
+/// option.
+void check_values(const options::variables_map &values, const CommandLine &c)
+{
+  const auto check = [](const char *name, const std::string &value, const char *meaning) {
+    const std::string sentence =
+        std::string("The option --") + name + " needs a value after it, " + meaning;
+    if (value.empty())
+      throw InputError(sentence + "; it is empty.");
+    if (value.compare(0, 2, "--") == 0)
+      throw InputError(sentence + ", not the option " + value + ".");
+  };
+  if (values.count("output") > 0)
+    check("output", c.output_directory, "a directory");
+  if (values.count("resume") > 0)
+    check("resume", c.resume, "auto or a checkpoint");
+  for (const std::string &text : c.overrides)
+    check("set", text, "Section/Entry=value");
+}
+
 /// The widest vector instructions of this processor that a compiler of today would use.
 std::string processor_simd()
 {
@@ -70,6 +91,15 @@ std::string processor_simd()
 #else
   return "not known for this processor";
 #endif
+}
+/// Those that this program chooses here: elastic bodies and joints have them for each width.
+std::string kernels_text()
+{
+  const int width = simd_width();
+  return (width == 1 ? "one number at a time" :
+                       std::to_string(width) + " numbers at a time, " + std::to_string(64 * width) +
+                           " bits") +
+         (std::getenv("CHAINDRIVE_SIMD_WIDTH") != nullptr ? ", as CHAINDRIVE_SIMD_WIDTH asks" : "");
 }
 } // namespace
 
@@ -96,6 +126,7 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
                          .run(),
                      values);
       options::notify(values);
+      check_values(values, c);
     }
   catch (const options::unknown_option &error)
     {
@@ -152,12 +183,9 @@ std::string version_text()
 {
   std::ostringstream out;
   out << "chaindrive " << version << '\n'
-      << "deal.II    " << DEAL_II_PACKAGE_VERSION << ", vectorization "
-      << (DEAL_II_VECTORIZATION_WIDTH_IN_BITS == 0 ?
-              std::string("disabled") :
-              std::to_string(DEAL_II_VECTORIZATION_WIDTH_IN_BITS) + " bits")
-      << '\n'
+      << "deal.II    " << DEAL_II_PACKAGE_VERSION << '\n'
       << "processor  " << processor_simd() << '\n'
+      << "kernels    " << kernels_text() << '\n'
       << "MPI ranks  "
       << (dealii::Utilities::MPI::job_supports_mpi() ?
               dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) :

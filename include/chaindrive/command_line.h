@@ -28,7 +28,8 @@ CommandLine parse_command_line(int argc, const char *const *argv);
 /// What `--help` prints.
 std::string help_text();
 
-/// What `--version` prints: versions of the program and of deal.II, the SIMD instructions of both
-/// deal.II's build and this processor, and the number of MPI ranks.
+/// What `--version` prints: versions of the program and of deal.II, the SIMD instructions of this
+/// processor, the width of the kernels that run on it (utilities/simd.h, whose InputError it
+/// throws), and the number of MPI ranks.
 std::string version_text();
 } // namespace chaindrive

@@ -2,11 +2,13 @@
 // Options of the program, and what is said about those it does not have.
 #include <chaindrive/command_line.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/simd.h>
 #include <chaindrive/version.h>
 
 #include <deal.II/base/config.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 
 using namespace chaindrive;
@@ -57,10 +59,20 @@ int main()
   parse({"a.prm", "--output", "a", "--output", "b"});
   parse({"a.prm", "--set"});
   parse({"a.prm", "--se", "x=1"});
+  parse({"a.prm", "--resume", ""});
+  parse({"a.prm", "--output", ""});
+  parse({"a.prm", "--output", "--plan"});
+  parse({"a.prm", "--set", "--quiet"});
 
   std::cout << help_text();
+  if (has_simd_width(4))
+    setenv("CHAINDRIVE_SIMD_WIDTH", "4", 1);
   const std::string text = version_text();
   std::cout << "version_text names version " << (text.find(version) != std::string::npos)
             << ", deal.II " << (text.find(DEAL_II_PACKAGE_VERSION) != std::string::npos)
+            << ", the width of its kernels "
+            << (text.find("4 numbers at a time, 256 bits, as CHAINDRIVE_SIMD_WIDTH asks") !=
+                    std::string::npos ||
+                !has_simd_width(4))
             << ", lines " << std::count(text.begin(), text.end(), '\n') << std::endl;
 }
