@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/command_line.h>
+#include <chaindrive/output/console.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/simulation.h>
 #include <chaindrive/utilities/errors.h>
@@ -10,10 +11,13 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 #include <thread>
+#include <unistd.h>
 
 namespace
 {
@@ -74,7 +78,11 @@ End run_and_catch(const int argc, char **argv, const bool is_first_rank)
 int end_together(const End &end, const bool is_first_rank, const MPI_Comm comm)
 {
   using namespace std::chrono_literals;
-  const auto say = [&end] { std::cerr << "chaindrive: " << end.message << std::endl; };
+  const auto say = [&end] {
+    output::Console err(STDERR_FILENO);
+    err.give_up_after(2s); // a reader who reads no more must not keep the program
+    err << "chaindrive: " << end.message << std::endl;
+  };
   if (!end.message.empty() && is_first_rank)
     say();
 
@@ -99,6 +107,13 @@ int end_together(const End &end, const bool is_first_rank, const MPI_Comm comm)
 
 int main(int argc, char **argv)
 {
+  // MPI and PETSc would end in a core dump
+  if (std::error_code error; std::filesystem::current_path(error).empty())
+    {
+      std::cerr << "chaindrive: The working directory cannot be used: " << error.message()
+                << ". It may have been removed; change to another one." << std::endl;
+      return 2;
+    }
   // A program that was not started by mpirun needs no daemon to talk to other ranks: without it
   // OpenMPI starts a second earlier. Nor does it need OpenMPI's directory in /tmp, which all such
   // programs would share: one that ends takes it away from one that begins.
@@ -108,8 +123,10 @@ int main(int argc, char **argv)
       setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
     }
   std::signal(SIGXFSZ, SIG_IGN); // a file at its size limit is a failed write, told in a sentence
+  const bool ignore_hang_up = hang_up_is_ignored();
+  catch_stop_signals(ignore_hang_up);
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  catch_stop_signals(); // after it: PETSc, which deal.II starts, catches signals of its own
+  catch_stop_signals(ignore_hang_up); // again: PETSc, which deal.II starts, catches some itself
 
   const bool is_first_rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   return end_together(run_and_catch(argc, argv, is_first_rank), is_first_rank, MPI_COMM_WORLD);

@@ -3,6 +3,7 @@
 #include <chaindrive/dynamics/time_loop.h>
 #include <chaindrive/mesh/report.h>
 #include <chaindrive/output/checkpoints.h>
+#include <chaindrive/output/console.h>
 #include <chaindrive/output/directory.h>
 #include <chaindrive/output/file.h>
 #include <chaindrive/output/recorder.h>
@@ -11,14 +12,16 @@
 #include <chaindrive/scene/plan.h>
 #include <chaindrive/simulation.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/first_rank.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/signals.h>
 #include <chaindrive/utilities/text.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <chrono>
 #include <filesystem>
-#include <iostream>
+#include <unistd.h>
 
 // READ THIS FILE FIRST. What flows through the program, in the order in which it does:
 //
@@ -56,12 +59,20 @@ bool stopped_before_first_step(output::Log &log, const MPI_Comm comm)
         << " before the first step. Nothing was computed or written." << std::endl;
   return number != 0;
 }
+
+void warn(output::Log &log, const std::string &sentence)
+{
+  if (!sentence.empty())
+    log.warn(sentence);
+}
 } // namespace
 
 bool simulate(const CommandLine &command_line, const MPI_Comm comm)
 {
-  const bool  is_first_rank = rank_in(comm) == 0;
-  output::Log log(command_line.quiet || !is_first_rank ? nullptr : &std::cout);
+  const bool      is_first_rank = rank_in(comm) == 0;
+  output::Console out(STDOUT_FILENO), err(STDERR_FILENO);
+  output::Log     log(command_line.quiet || !is_first_rank ? nullptr : &out,
+                  is_first_rank ? &err : nullptr);
 
   const parameters::Input input =
       parameters::read_parameters(command_line.parameter_file, command_line.overrides);
@@ -77,21 +88,27 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   dynamics::System     system(scene,
                           parameters.contact.search == "every step",
                           scene.has_elastic_bodies() ? comm : MPI_COMM_SELF);
-  dynamics::StepChoice choice = dynamics::choose_step(system, parameters);
-  if (stopped_before_first_step(log, system.world.communicator()))
+  dynamics::StepChoice choice  = dynamics::choose_step(system, parameters);
+  const MPI_Comm       at_work = system.world.communicator();
+  if (stopped_before_first_step(log, at_work))
     return false;
 
-  const std::string directory = output_directory(command_line, parameters);
+  output::Directory directory(output_directory(command_line, parameters));
   const std::string resume =
       command_line.resume.empty() ? parameters.output.resume : command_line.resume;
-  const auto checkpoint = output::find_checkpoint(resume, directory, input.fixed, log);
-  if (checkpoint != nullptr)
+  on_first_rank(at_work, [&] {
+    if (!command_line.plan)
+      warn(log, directory.claim());
+  });
+  const auto checkpoint = output::find_checkpoint(resume, directory.path(), input.fixed, log);
+  const bool resumes    = checkpoint != nullptr;
+  if (resumes)
     choice.step = checkpoint->header().dt; // the same to the last bit on any machine
   const double        start = parameters.time.start, end = parameters.time.end;
   const unsigned long n_steps = dynamics::n_steps(start, end, choice.step);
 
   for (const std::string &note : input.notes)
-    log << note << '\n';
+    log.warn(note);
   scene::print_plan(log, scene, system.memory_consumption(), n_steps);
   for (const auto &[kind, part] : scene.parts)
     mesh::print(log, mesh::make_report(*part, parameters.material));
@@ -99,27 +116,28 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   if (command_line.plan)
     return true;
 
-  if (is_first_rank)
-    {
-      output::prepare_directory(directory, checkpoint != nullptr);
-      log.open(directory + "/log.txt", checkpoint != nullptr);
-    }
-
   output::Recorder recorder(
-      scene, parameters, system, directory, input.resolved, system.timer, log);
+      scene, parameters, system, directory.path(), input.resolved, system.timer, log);
   dynamics::Guard     guard(scene,
                         system,
                         parameters.time.energy_limit,
                         1e-3 * scene.nominal_energy(),
                         parameters.time.guard);
   output::Checkpoints checkpoints(
-      parameters, directory, input.fixed, n_steps, choice.step, recorder, guard, log);
-  unsigned long done = checkpoint == nullptr ? 0 : checkpoints.resume(system, *checkpoint);
-  if (is_first_rank)
-    {
-      output::write_text(directory + "/input.prm", output::read_text(command_line.parameter_file));
-      output::write_text(directory + "/parameters.prm", input.resolved);
-    }
+      parameters, directory.path(), input.fixed, n_steps, choice.step, recorder, guard, log);
+  unsigned long done = resumes ? checkpoints.resume(system, *checkpoint) : 0;
+
+  // Nothing is refused any more: from here on what an earlier run has left is replaced.
+  on_first_rank(at_work, [&] {
+    warn(log, directory.take_over(resumes, parameters.output.csv));
+    log.open(directory.path() + "/log.txt", resumes);
+    output::write_text(directory.path() + "/input.prm",
+                       output::read_text(command_line.parameter_file));
+    output::write_text(directory.path() + "/parameters.prm", input.resolved);
+  });
+  for (output::Console *console : {&out, &err})
+    console->give_up_after(std::chrono::seconds(2)); // it is all in the file
+
   try
     {
       done = dynamics::run(system, checkpoints, guard, start, end, choice.step, done);
@@ -127,11 +145,11 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   catch (const dynamics::Fault &fault)
     {
       recorder.close(false);
-      throw RunError(fault.what() + checkpoints.last_sound(fault.sound_until()));
+      throw RunError(log.end_with(fault.what() + checkpoints.last_sound(fault.sound_until())));
     }
   catch (const RunError &error)
     {
-      throw RunError(error.what() + checkpoints.last());
+      throw RunError(log.end_with(error.what() + checkpoints.last()));
     }
   const bool finished = done == n_steps;
   recorder.close(finished);
@@ -145,10 +163,10 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   const output::Json summary = recorder.summary(system, guard, choice, n_steps, table);
   if (!is_first_rank)
     return true;
-  output::write_json(directory + "/summary.json", summary);
+  output::write_json(directory.path() + "/summary.json", summary);
   output::print_summary(log, summary);
   PhaseTimer::print(log, table);
-  log << "Results: " << directory << '\n';
+  log << "Results: " << directory.path() << '\n';
   log.close();
   return true;
 }

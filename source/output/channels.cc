@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/output/directory.h>
 #include <chaindrive/output/recorder.h>
+
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +43,8 @@ void copy(const std::vector<double> &from, Row row)
 
 void Recorder::add(const Channel &channel, Fill fill)
 {
+  AssertThrow(is_history_group(channel.group),
+              dealii::ExcMessage("Histories of '" + channel.group + "' would never be removed"));
   if (histories_ != nullptr)
     sources_.push_back({histories_->add(channel), std::move(fill)});
 }

@@ -246,7 +246,8 @@ std::map<unsigned long, std::string> checkpoints_in(const std::string &directory
     {
       std::smatch       match;
       const std::string name = entry.path().filename().string();
-      if (std::regex_match(name, match, names))
+      std::error_code   ignored;
+      if (entry.is_regular_file(ignored) && std::regex_match(name, match, names))
         found[std::stoul(match[1])] = entry.path().string();
     }
   return found;

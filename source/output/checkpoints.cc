@@ -126,7 +126,10 @@ void Checkpoints::write(dynamics::System &system, const unsigned long step)
   log_.write_to_file("Checkpoint at " + to_text(system.world.time * 1e3) + " ms: " + last_);
   auto files = checkpoints_in(directory_);
   for (; files.size() > n_kept; files.erase(files.begin()))
-    std::filesystem::remove(files.begin()->second);
+    {
+      std::error_code error; // one too many does no harm
+      std::filesystem::remove(files.begin()->second, error);
+    }
 }
 
 unsigned long Checkpoints::resume(dynamics::System &system, const CheckpointFile &file)
@@ -182,7 +185,7 @@ std::unique_ptr<CheckpointFile> newest(const std::string &directory, Log &log)
       {
         auto found = std::make_unique<CheckpointFile>(file->second);
         if (!problem.empty())
-          log << problem << " The one before it is taken.\n";
+          log.warn(problem + " The one before it is taken.");
         return found;
       }
     catch (const InputError &error)

@@ -167,10 +167,6 @@ std::string file_name(const std::string &name, const std::size_t number, const s
 Fields::Fields(const std::string &directory, const MPI_Comm comm)
     : directory_(directory), comm_(comm)
 {
-  std::error_code error;
-  std::filesystem::create_directories(directory + "/fields", error);
-  if (error)
-    throw RunError(write_failure(directory + "/fields", error.value()));
 }
 
 void Fields::write_next(const std::string &name,
@@ -184,6 +180,10 @@ void Fields::write_next(const std::string &name,
   const auto         piece   = [&](const unsigned int r) {
     return file_name(name, number, n_ranks > 1 ? "." + std::to_string(r) + ".vtu" : ".vtu");
   };
+  std::error_code error;
+  std::filesystem::create_directories(directory_ + "/fields", error);
+  if (error)
+    throw RunError(write_failure(directory_ + "/fields", error.value()));
   write_file(directory_ + "/fields/" + piece(rank),
              [&](std::ostream &out) { write_vtu(out, grid, time); });
   std::string file = piece(0);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/output/console.h>
 #include <chaindrive/output/file.h>
 #include <chaindrive/output/log.h>
 #include <chaindrive/utilities/errors.h>
@@ -12,7 +13,10 @@ namespace chaindrive::output
 class Log::Tee : public std::streambuf
 {
 public:
-  explicit Tee(std::ostream *console) : console_(console) {}
+  Tee(std::ostream *console, std::ostream *warnings)
+      : console_(console), warnings_(warnings), slow_(dynamic_cast<const Console *>(console))
+  {
+  }
 
   void open(const std::string &path, const bool append)
   {
@@ -32,9 +36,18 @@ public:
   {
     if (console_ == nullptr || (line.empty() && !status_shown_))
       return;
+    if (!line.empty() && slow_ != nullptr && slow_->is_behind())
+      return;
     // back to the first column, the text, and clear what is left of a longer line
     *console_ << '\r' << line << "\x1b[K" << std::flush;
     status_shown_ = !line.empty();
+  }
+
+  void warn(const std::string &text)
+  {
+    xsputn(text.data(), static_cast<std::streamsize>(text.size()));
+    if (console_ == nullptr && warnings_ != nullptr)
+      *warnings_ << text << std::flush;
   }
 
   void to_file(const std::string_view text)
@@ -85,13 +98,15 @@ protected:
   }
 
 private:
-  std::ostream         *console_;
+  std::ostream         *console_, *warnings_;
+  const Console        *slow_; ///< the console, if it is one
   std::unique_ptr<File> file_;
   std::string           unwritten_; ///< said before there was a file
   bool                  status_shown_ = false;
 };
 
-Log::Log(std::ostream *console) : std::ostream(nullptr), tee_(std::make_unique<Tee>(console))
+Log::Log(std::ostream *console, std::ostream *warnings)
+    : std::ostream(nullptr), tee_(std::make_unique<Tee>(console, warnings))
 {
   rdbuf(tee_.get());
 }
@@ -101,6 +116,21 @@ Log::~Log() { tee_->show_status(""); }
 void Log::open(const std::string &path, const bool append) { tee_->open(path, append); }
 
 void Log::close() { tee_->close(); }
+
+std::string Log::end_with(std::string line)
+{
+  try
+    {
+      tee_->to_file(line + '\n');
+      tee_->close();
+    }
+  catch (const RunError &)
+    {
+    }
+  return line;
+}
+
+void Log::warn(const std::string &line) { tee_->warn(line + '\n'); }
 
 void Log::show_status(const std::string &line) { tee_->show_status(line); }
 

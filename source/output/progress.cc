@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <unistd.h>
 
 namespace chaindrive::output
@@ -25,7 +26,13 @@ namespace
 constexpr int steps = 20; ///< lines in the log
 }
 
-bool Progress::console_is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
+bool Progress::console_is_terminal()
+{
+  for (const char *name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK", "SLURM_STEP_ID"})
+    if (std::getenv(name) != nullptr)
+      return false;
+  return ::isatty(STDOUT_FILENO) == 1;
+}
 
 Progress::Progress(Log &log, const double start, const double end, const bool terminal)
     : log_(log)

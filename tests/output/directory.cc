@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <unistd.h>
 
 using namespace chaindrive;
 namespace fs = std::filesystem;
@@ -16,13 +17,26 @@ void attempt(const std::string &path)
 {
   try
     {
-      output::prepare_directory(path);
+      output::Directory directory(path);
+      directory.claim();
+      directory.take_over();
       std::cout << path << ": ready" << std::endl;
     }
   catch (const InputError &error)
     {
       std::cout << error.what() << std::endl;
     }
+}
+
+/// What lies there.
+void print_contents(const std::string &path)
+{
+  std::vector<std::string> names;
+  for (const auto &entry : fs::recursive_directory_iterator(path))
+    names.push_back(fs::relative(entry.path(), path).string());
+  std::sort(names.begin(), names.end());
+  for (const std::string &name : names)
+    std::cout << "  " << name << std::endl;
 }
 
 int main()
@@ -38,7 +52,9 @@ int main()
                            "summary.json",
                            "summary.json.part",
                            "fields/bodies_000000.vtu",
-                           "fields/bars_000012.vtu.part", // all these are replaced
+                           "fields/bars_000012.vtu.part",
+                           "checkpoint-000000012.ckpt", // all these are replaced
+                           "histories_mine.csv",
                            "my histories.h5",
                            "histories.h5.old",
                            "fields/bodies_old.vtu",
@@ -54,12 +70,40 @@ int main()
   fs::create_directory("results/deep/run/histories_all.csv"); // a directory is not ours
   attempt("results/deep/run/");
 
-  std::vector<std::string> left;
-  for (const auto &entry : fs::recursive_directory_iterator("results/deep/run"))
-    left.push_back(fs::relative(entry.path(), "results/deep/run").string());
-  std::sort(left.begin(), left.end());
-  for (const std::string &name : left)
-    std::cout << "  " << name << std::endl;
+  print_contents("results/deep/run");
+
+  {
+    output::Directory first("results/deep/run");
+    first.claim();
+    output::write_text("results/deep/run/summary.json", "");
+    output::write_text("results/deep/run/histories_hubs.csv", "");
+    output::write_text("results/deep/run/checkpoint-000000012.ckpt", "");
+    output::write_text("results/deep/run/bodies.pvd.part", "");
+    try
+      {
+        output::Directory("results/deep/../deep/run").claim();
+      }
+    catch (const InputError &error)
+      {
+        const std::string said = error.what();
+        std::cout << "a second run is refused: " << said.substr(0, said.find(": process")) << "; "
+                  << (said.find(std::to_string(::getpid())) != std::string::npos ? "names it" :
+                                                                                   said)
+                  << std::endl;
+      }
+    first.take_over(true, false);
+    std::cout << "a run that goes on, without CSV:" << std::endl;
+    print_contents("results/deep/run");
+  }
+  attempt("results/deep/run"); // the lock is gone with its owner
+  output::write_text("results/deep/run/chaindrive.lock", "of a run that was killed");
+  attempt("results/deep/run");
+  fs::create_directory("results/deep/run/summary.json");
+  attempt("results/deep/run");
+  fs::remove("results/deep/run/summary.json");
+  fs::remove_all("results/deep/run/fields");
+  output::write_text("results/deep/run/fields", "");
+  attempt("results/deep/run");
 
   output::write_text("a_file", "");
   attempt("a_file");

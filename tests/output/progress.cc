@@ -4,6 +4,7 @@
 #include <chaindrive/output/progress.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <iostream>
 #include <regex>
 #include <sstream>
@@ -66,6 +67,18 @@ int main()
                     "yes" :
                     "no")
             << std::endl;
+
+  std::ostringstream errors;
+  {
+    output::Log log(nullptr, &errors);
+    log << "what is quiet" << std::endl;
+    log.warn("a warning");
+  }
+  std::cout << "when quiet, this is said: " << errors.str();
+
+  setenv("OMPI_COMM_WORLD_SIZE", "2", 1);
+  std::cout << "under mpirun, standard output is a terminal: "
+            << (output::Progress::console_is_terminal() ? "yes" : "no") << std::endl;
 
   for (const double seconds : {0.4, 59.4, 59.6, 200., 3599.6, 7500., 1e6})
     std::cout << output::duration_text(seconds) << std::endl;

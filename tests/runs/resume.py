@@ -341,4 +341,5 @@ def main():
     )(*arguments)
 
 
-main()
+if __name__ == "__main__":
+    main()

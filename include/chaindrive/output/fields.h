@@ -71,7 +71,8 @@ struct BarSnapshot
 class Fields
 {
 public:
-  /// Makes the folder `fields` in @p directory. Each rank of @p comm writes its own bodies.
+  /// Pictures go to the folder `fields` in @p directory. Each rank of @p comm writes its own
+  /// bodies.
   explicit Fields(const std::string &directory, MPI_Comm comm = MPI_COMM_SELF);
 
   /// Collective; bars are the first rank's.

@@ -12,8 +12,9 @@ namespace chaindrive::output
 class Log : public std::ostream
 {
 public:
-  /// Without a console (`--quiet`, or a rank other than the first) only the file is written.
-  explicit Log(std::ostream *console);
+  /// Without a console (`--quiet`, or a rank other than the first) only the file is written, and
+  /// warnings go to @p warnings, if there is that.
+  explicit Log(std::ostream *console, std::ostream *warnings = nullptr);
   ~Log() override;
 
   /// Starts the file @p path, or goes on with it (@p append); RunError when it cannot be written.
@@ -22,8 +23,15 @@ public:
   /// Completes the file; RunError when something said could not be written to it.
   void close();
 
+  /// The last line of a run that failed: for the file alone, since main() says it on the console.
+  /// Returns @p line, even when the file cannot be written.
+  std::string end_with(std::string line);
+
+  /// A line that is to be seen even by who asked for quiet.
+  void warn(const std::string &line);
+
   /// A line for the console alone, which takes the place of the last one; it vanishes when
-  /// something else is said. For terminals.
+  /// something else is said. For terminals. Left out while a Console is behind.
   void show_status(const std::string &line);
 
   /// A line for the file alone.

@@ -25,7 +25,8 @@ public:
   /// To be called as often as convenient, every sample for example: mostly there is nothing to say.
   void update(double time);
 
-  /// Whether standard output is a terminal.
+  /// Whether standard output is a terminal of the user's own. What mpirun gives its processes looks
+  /// like one, wherever mpirun's own output goes.
   static bool console_is_terminal();
 
 private:
