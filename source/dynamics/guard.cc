@@ -31,24 +31,30 @@ constexpr double energy_limit = 2e-2;
 const std::string smaller_step =
     "Most often the step is too large for what has happened: try a smaller Time/Step in us or "
     "Time/Safety factor. If that does not help, please report it with the parameter file.";
-const std::string error_of_program =
-    "No step, however small, mends this: it is an error in the program. Please report it with the "
-    "parameter file.";
+/// @p entries: those that may get round it.
+std::string error_of_program(const std::string &entries)
+{
+  return "No step, however small, mends this: it is an error in the program. Please report it with "
+         "the parameter file. Until then, what may get round it: " +
+         entries + ".";
+}
 
 struct Line
 {
   const char *name;
   double Ledger::*term;
+  const char     *entry; ///< that decides on it
 };
-constexpr Line lines[] = {{"kinetic energy", &Ledger::kinetic},
-                          {"energy of bars", &Ledger::bar},
-                          {"strain energy", &Ledger::strain},
-                          {"hourglass energy", &Ledger::hourglass},
-                          {"energy of contacts", &Ledger::contact},
-                          {"friction loss", &Ledger::friction},
-                          {"contact damping loss", &Ledger::contact_damping},
-                          {"chain damping loss", &Ledger::chain_damping},
-                          {"drag loss", &Ledger::drag}};
+constexpr Line lines[] = {
+    {"kinetic energy", &Ledger::kinetic, "Time/Step in us"},
+    {"energy of bars", &Ledger::bar, "Model/Stiffness per pitch in N/m"},
+    {"strain energy", &Ledger::strain, "Elements/Formulation"},
+    {"hourglass energy", &Ledger::hourglass, "Elements/Hourglass coefficient"},
+    {"energy of contacts", &Ledger::contact, "Contact/Tangential ratio or Effects/Friction"},
+    {"friction loss", &Ledger::friction, "Effects/Friction"},
+    {"contact damping loss", &Ledger::contact_damping, "Effects/Contact damping"},
+    {"chain damping loss", &Ledger::chain_damping, "Effects/Chain damping"},
+    {"drag loss", &Ledger::drag, "Effects/Drag"}};
 } // namespace
 
 bool EnergyGuard::closes(const Ledger &ledger)
@@ -173,11 +179,12 @@ std::optional<Guard::Finding> Guard::look_at_momentum(System &system, const doub
   const double limit = (momentum_limit + system.loads.drag() * dt) * largest_momentum_;
   if (rest.norm() <= limit)
     return {};
-  return Finding{"Momentum of " + to_text(rest.norm(), 3) +
-                     " N s comes from nowhere, more than the accepted " + to_text(limit, 3) +
-                     " N s: a force acts without its reaction",
-                 error_of_program,
-                 suspects(system, &last_, dt)};
+  return Finding{
+      "Momentum of " + to_text(rest.norm(), 3) +
+          " N s comes from nowhere, more than the accepted " + to_text(limit, 3) +
+          " N s: a force acts without its reaction",
+      error_of_program("Time/Guard = false, which looks at nothing but the energy balance"),
+      suspects(system, &last_, dt)};
 }
 
 std::optional<Guard::Finding> Guard::look_at_energy(System &system, const double dt)
@@ -204,14 +211,14 @@ std::optional<Guard::Finding> Guard::look_at_energy(System &system, const double
     finding = {"What has been lost falls by " + to_text(-lost, 3) + " J in " +
                    std::to_string(interval) + " steps, more than the accepted " +
                    to_text(accepted, 3) + " J",
-               error_of_program,
+               error_of_program("Effects/Friction, Contact damping, Chain damping or Drag = off"),
                {}};
   else
     for (const Line &line : lines)
       if (-(now.*line.term) > accepted)
         finding = {std::string("The ") + line.name + " is " + to_text(now.*line.term, 3) +
                        " J: it must not be negative",
-                   error_of_program,
+                   error_of_program(line.entry),
                    {}};
   if (finding)
     finding->places = suspects(system, &last_, dt);
@@ -249,9 +256,11 @@ void Guard::check(System &system, const unsigned long step, const double dt)
   const World           &world = system.world;
   std::optional<Finding> finding;
   if (world.alarm > 0.)
-    finding = {"Bodies run through each other",
-               "Try a smaller step, or a stiffer contact.",
-               places_that_overlap(scene_, system)};
+    finding = {
+        "Bodies run through each other",
+        "Try a smaller Time/Step in us, or a stiffer contact: Contact/Roller-tooth stiffness in "
+        "N/m, Roller-bush stiffness in N/m, of elastic bodies Penalty factor.",
+        places_that_overlap(scene_, system)};
   else if (!energy_.closes(world.ledger))
     finding = ledger_does_not_close(system);
   else if (on_)
@@ -273,12 +282,8 @@ void Guard::check(System &system, const unsigned long step, const double dt)
   if (!finding)
     return;
 
-  std::string where;
-  for (std::size_t i = 0; i < std::min<std::size_t>(finding->places.size(), 4); ++i)
-    where += (i == 0 ? "" : "; ") + finding->places[i].text;
   throw Fault(finding->what + ", at " + to_text(world.time * 1e3, 8) + " ms, step " +
-                  std::to_string(step) +
-                  ". Where: " + (where.empty() ? "no place stands out" : where) + ". " +
+                  std::to_string(step) + ". Where: " + list_of(finding->places, 4) + ". " +
                   finding->hint + " Until " + to_text(sound_until_ * 1e3, 8) +
                   " ms nothing was wrong. Histories up to this moment are complete.",
               sound_until_);

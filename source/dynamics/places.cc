@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace chaindrive::dynamics
@@ -110,18 +111,20 @@ std::vector<Place> share(std::vector<Place> mine, const World &world)
   if (n_ranks_in(world.communicator()) > 1)
     {
       std::vector<double>      sizes;
-      std::vector<std::string> texts;
+      std::vector<std::string> texts, bodies;
       for (const Place &place : mine)
         {
           sizes.push_back(place.size);
           texts.push_back(place.text);
+          bodies.push_back(place.of);
         }
-      const auto all_sizes = dealii::Utilities::MPI::all_gather(world.communicator(), sizes);
-      const auto all_texts = dealii::Utilities::MPI::all_gather(world.communicator(), texts);
+      const auto all_sizes  = dealii::Utilities::MPI::all_gather(world.communicator(), sizes);
+      const auto all_texts  = dealii::Utilities::MPI::all_gather(world.communicator(), texts);
+      const auto all_bodies = dealii::Utilities::MPI::all_gather(world.communicator(), bodies);
       mine.clear();
       for (std::size_t rank = 0; rank < all_sizes.size(); ++rank)
         for (std::size_t i = 0; i < all_sizes[rank].size(); ++i)
-          mine.push_back({all_sizes[rank][i], all_texts[rank][i]});
+          mine.push_back({all_sizes[rank][i], all_texts[rank][i], all_bodies[rank][i]});
     }
   std::stable_sort(
       mine.begin(), mine.end(), [](const Place &a, const Place &b) { return a.size > b.size; });
@@ -198,6 +201,16 @@ double free_mass(const World &world, const unsigned int body)
   if (place.group != World::Place::none)
     return world.whole * world.copies[place.group].mass;
   return world.inverse_mass[body] > 0. ? world.mass[body] : 0.;
+}
+
+std::string list_of(const std::vector<Place> &places, const unsigned int n)
+{
+  std::string           text;
+  std::set<std::string> named;
+  for (const Place &place : places)
+    if (named.size() < n && named.insert(place.of.empty() ? place.text : place.of).second)
+      text += (text.empty() ? "" : "; ") + place.text;
+  return text.empty() ? "no place stands out" : text;
 }
 
 std::vector<Place> places_not_finite(const scene::Scene &scene, System &system)
@@ -284,7 +297,8 @@ std::vector<Place> places_out_of_balance(const scene::Scene &scene,
                               name_of(scene.bodies[b]) + ": the force on it differs by " +
                                   text_of(rest, 1.) +
                                   " N from what contacts, bars and loads report" +
-                                  explanation(reported, b, rest)});
+                                  explanation(reported, b, rest),
+                              name_of(scene.bodies[b])});
         }
     }
   for_each_own_copy(world, [&](const unsigned int g, const unsigned int copy) {
@@ -308,7 +322,8 @@ std::vector<Place> places_out_of_balance(const scene::Scene &scene,
       places.push_back({rest.norm(),
                         name_of(scene.bodies[body]) + ": its momentum changes by " +
                             text_of(rest, 1.) + " N more than the forces on it; fastest is " +
-                            text_of(scene, world, g, copy, fastest_node(world, g, copy).first)});
+                            text_of(scene, world, g, copy, fastest_node(world, g, copy).first),
+                        name_of(scene.bodies[body])});
   });
   return share(places, world);
 }
@@ -330,7 +345,8 @@ std::vector<Place> places_that_overlap(const scene::Scene &scene, System &system
                                                          world.meshes[record.slave].group,
                                                          world.meshes[record.slave].copy,
                                                          *node) :
-                                  "")});
+                                  ""),
+                      text_of(scene, family, record)});
   });
   return share(places, world);
 }

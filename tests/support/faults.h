@@ -12,10 +12,14 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <regex>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -38,6 +42,31 @@ inline void push(System &system, const unsigned int body, const Vector3 &force)
 {
   for (unsigned int d = 0; d < 3; ++d)
     system.world.force.local_element(3 * body + d) += force[d];
+}
+
+/// Whether a message of the guard has the path of an entry in it.
+inline bool names_an_entry(const std::string &message)
+{
+  static const std::regex path("(Time|Contact|Effects|Model|Elements)/[A-Z]");
+  return std::regex_search(message, path);
+}
+
+/// Whether each place in a message of the guard is another.
+inline bool places_differ(const std::string &message)
+{
+  const std::string     begin = "Where: ";
+  const std::size_t     first = std::min(message.find(begin), message.size() - begin.size());
+  const std::string     where = message.substr(first + begin.size());
+  std::istringstream    list(where.substr(0, where.find(". ")));
+  std::set<std::string> places;
+  std::string           place;
+  while (std::getline(list, place, ';'))
+    {
+      const std::size_t end = std::min(place.find(" overlaps"), place.find(": "));
+      if (!places.insert(place.substr(place.find_first_not_of(' '), end)).second)
+        return false;
+    }
+  return true;
 }
 
 /// What is done to a system.
@@ -134,6 +163,10 @@ public:
     for (const std::string &word : words)
       if (message.find(word) == std::string::npos)
         std::cout << "  does NOT say: " << word << '\n';
+    if (!message.empty() && !names_an_entry(message))
+      std::cout << "  names no entry that could be changed\n";
+    if (!places_differ(message))
+      std::cout << "  names a place twice\n";
     if (!(sound_until <= begin + 1e-12 && sound_until >= 0.))
       std::cout << "  holds a state after the fault for sound\n";
   }

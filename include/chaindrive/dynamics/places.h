@@ -11,9 +11,13 @@ namespace chaindrive::dynamics
 /// Where something is wrong.
 struct Place
 {
-  double      size; ///< how wrong, to compare places of one kind
-  std::string text; ///< such as "node 12 of roller 5 (at ...)"
+  double      size;    ///< how wrong, to compare places of one kind
+  std::string text;    ///< such as "node 12 of roller 5 (at ...)"
+  std::string of = {}; ///< body or pair, if the text says more than that: it is named once
 };
+
+/// The first @p n of @p places as text, each named once.
+std::string list_of(const std::vector<Place> &places, unsigned int n);
 
 /// What is kept of the step before a look.
 struct LastStep
