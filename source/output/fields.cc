@@ -7,6 +7,7 @@
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -71,7 +72,14 @@ std::vector<VtuGrid::FloatData> stresses_of(const std::vector<BodySnapshot> &bod
           {"stress", 6, std::move(stress)}};
 }
 
-VtuGrid grid_of(const std::vector<BodySnapshot> &bodies)
+bool have_stress(const std::vector<BodySnapshot> &bodies)
+{
+  return std::any_of(bodies.begin(), bodies.end(), [](const BodySnapshot &body) {
+    return body.stress.size() > 0;
+  });
+}
+
+VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const bool with_stress)
 {
   std::size_t n_points = 0, n_cells = 0;
   for (const BodySnapshot &body : bodies)
@@ -125,9 +133,7 @@ VtuGrid grid_of(const std::vector<BodySnapshot> &bodies)
   grid.point_data = {{"displacement", 3, std::move(displacement)},
                      {"velocity", 3, std::move(velocity)}};
   grid.cell_data  = {{"contact_force", 3, std::move(contact_force)}};
-  if (std::any_of(bodies.begin(), bodies.end(), [](const BodySnapshot &body) {
-        return body.stress.size() > 0;
-      }))
+  if (with_stress)
     for (VtuGrid::FloatData &data : stresses_of(bodies))
       grid.cell_data.push_back(std::move(data));
   grid.cell_numbers = {{"body", std::move(id)}, {"kind", std::move(kind)}};
@@ -209,7 +215,9 @@ void Fields::write(const double                     time,
                    const std::vector<BodySnapshot> &bodies,
                    const std::vector<BarSnapshot>  &bars)
 {
-  write_next("bodies", grid_of(bodies), time, bodies_);
+  // all pieces of a picture have the same fields: those of any rank
+  const int with_stress = dealii::Utilities::MPI::max(int(have_stress(bodies)), comm_);
+  write_next("bodies", grid_of(bodies, with_stress != 0), time, bodies_);
   if (!bars.empty())
     write_next("bars", grid_of(bars), time, bars_);
 }

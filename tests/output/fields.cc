@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // VTU files, read back without the code that wrote them: points, displacement and velocity of a
 // rigid, an elastic and a lumped body against closed forms; strain and stress of an elastic one;
-// cells, bars and the list of instants.
+// cells, bars and the list of instants. On two ranks, of which the second alone has an elastic
+// body: every piece has the fields that the whole picture names.
 #include <chaindrive/output/fields.h>
 #include <chaindrive/output/file.h>
+#include <chaindrive/utilities/ranks.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
 
 #include <cmath>
@@ -70,8 +73,53 @@ output::BodySnapshot turned(const output::PartPatches &part, const double angle,
   return body;
 }
 
-int main()
+/// The names of all data arrays of a file.
+std::vector<std::string> names_in(const std::string &path)
 {
+  const std::string        text = output::read_text(path);
+  std::vector<std::string> names;
+  for (std::size_t at = text.find("DataArray type");
+       at < text.find("</UnstructuredGrid>") && at < text.find("</PUnstructuredGrid>");
+       at = text.find("DataArray type", at + 1))
+    {
+      const std::size_t begin = text.find("Name=\"", at) + 6;
+      const std::string name  = text.substr(begin, text.find('"', begin) - begin);
+      if (name != "TimeValue" && name != "connectivity" && name != "offsets" && name != "types")
+        names.push_back(name);
+    }
+  return names;
+}
+
+/// Rank 0 has a rigid body, rank 1 an elastic one.
+void write_on_two_ranks(const output::BodySnapshot &rigid, const output::BodySnapshot &elastic)
+{
+  const unsigned int rank = rank_in(MPI_COMM_WORLD);
+  output::Fields     fields(".", MPI_COMM_WORLD);
+  fields.write(0., {rank == 0 ? rigid : elastic});
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (rank > 0)
+    return;
+  const auto names = names_in("fields/bodies_000000.pvtu");
+  for (const std::string &name : names)
+    std::cout << name << ' ';
+  std::cout << std::endl;
+  for (const int piece : {0, 1})
+    std::cout << "as in piece " << piece << ": "
+              << (names_in("fields/bodies_000000." + std::to_string(piece) + ".vtu") == names ?
+                      "yes" :
+                      "no")
+              << std::endl;
+  const auto von_mises =
+      read_array<float>(output::read_text("fields/bodies_000000.0.vtu"), "von_mises");
+  std::cout << "rigid body free of stress: "
+            << (von_mises == std::vector<float>(rigid.part->cells.size(), 0.F) ? "yes" : "no")
+            << std::endl;
+}
+
+int main(int argc, char *argv[])
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
   dealii::Triangulation<3> mesh;
   dealii::GridGenerator::subdivided_hyper_rectangle(
       mesh, {3, 2, 1}, Point<3>(), Point<3>(0.03, 0.02, 0.01));
@@ -99,6 +147,11 @@ int main()
   const element::Stress              held = element::stress(F, material);
   const std::vector<element::Stress> stresses(6, held);
   elastic.stress = {stresses.data(), stresses.size()};
+  if (n_ranks_in(MPI_COMM_WORLD) == 2)
+    {
+      write_on_two_ranks(rigid, elastic);
+      return 0;
+    }
 
   output::Fields fields(".");
   fields.write(0., {turned(part, 0., 40.)});
