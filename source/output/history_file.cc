@@ -207,6 +207,9 @@ struct HistoryFile::Data
 
     const Object access(check(H5Pcreate(H5P_FILE_ACCESS)));
     check(H5Pset_sieve_buf_size(access, 0));
+    // The format of HDF5 1.8: before it an attribute, the names of many columns, has at most 64
+    // KiB; a later one marks the file as being written, and nobody could read it meanwhile.
+    check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
     // first without HDF5, which need not be tidied up after
     const int trial = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (trial < 0)

@@ -8,6 +8,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <cmath>
+#include <hdf5.h>
 #include <iostream>
 
 using namespace chaindrive;
@@ -60,6 +61,42 @@ void check(const std::string &prefix)
             << right << ", not written " << unwritten << std::endl;
 }
 
+/// The names of the columns of a dataset.
+std::vector<std::string> columns_of(const std::string &path, const std::string &dataset)
+{
+  const hid_t   file  = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t   names = H5Aopen_by_name(file, dataset.c_str(), "columns", H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t   type = H5Aget_type(names), space = H5Aget_space(names);
+  const hsize_t n = H5Sget_simple_extent_npoints(space);
+  std::vector<char *> texts(n);
+  H5Aread(names, type, texts.data());
+  std::vector<std::string> result(texts.begin(), texts.end());
+  H5Dvlen_reclaim(type, space, H5P_DEFAULT, texts.data());
+  H5Tclose(type);
+  H5Sclose(space);
+  H5Aclose(names);
+  H5Fclose(file);
+  return result;
+}
+
+/// As many columns as the longest chain allowed has links.
+void check_many_columns()
+{
+  std::vector<std::string> labels;
+  for (unsigned int k = 0; k < 10000; ++k)
+    labels.push_back(std::to_string(k));
+  output::Histories histories("many", {}, 2);
+  const auto        tension = histories.add({"links", "tension", "N", "Of a link", 10000, labels});
+  histories.begin_sample(0.);
+  histories.values(tension)[9999] = 5.;
+  histories.end_sample();
+  histories.close();
+  File       file("many.h5", File::FileAccessMode::open);
+  const auto values = file.open_dataset("links/tension").read<dealii::FullMatrix<double>>();
+  std::cout << "columns " << values.n() << ", last " << values(0, 9999) << ", names right: "
+            << (columns_of("many.h5", "links/tension") == labels ? "yes" : "no") << std::endl;
+}
+
 int main()
 {
   for (const unsigned int n : {1u, 300u, 512u, 1000u})
@@ -82,6 +119,8 @@ int main()
     run.sample(i);
   check("being_written");
   std::cout << "samples given so far: " << run.histories.n_samples() << std::endl;
+
+  check_many_columns();
 
   File file("samples_300.h5", File::FileAccessMode::open);
   std::cout << file.get_attribute<std::string>("program") << ", "
