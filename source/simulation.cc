@@ -109,6 +109,10 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
 
   for (const std::string &note : input.notes)
     log.warn(note);
+  if (parameters.output.history_interval < choice.step)
+    log << "Output/History interval in us = " << to_text(parameters.output.history_interval * 1e6)
+        << " is shorter than the step of " << to_text(choice.step * 1e6, 4)
+        << " us: every step is a sample, " << n_steps + 1 << " in all.\n";
   scene::print_plan(log, scene, system.memory_consumption(), n_steps);
   for (const auto &[kind, part] : scene.parts)
     mesh::print(log, mesh::make_report(*part, parameters.material));
@@ -117,7 +121,7 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
     return true;
 
   output::Recorder recorder(
-      scene, parameters, system, directory.path(), input.resolved, system.timer, log);
+      scene, parameters, system, n_steps, directory.path(), input.resolved, system.timer, log);
   dynamics::Guard     guard(scene,
                         system,
                         parameters.time.energy_limit,

@@ -20,9 +20,11 @@ namespace chaindrive::output
 {
 namespace
 {
-std::size_t expected_samples(const Parameters &p)
+/// At most one at every step, and one before the first.
+std::size_t expected_samples(const Parameters &p, const unsigned long n_steps)
 {
-  return static_cast<std::size_t>((p.time.end - p.time.start) / p.output.history_interval) + 2;
+  const double intervals = (p.time.end - p.time.start) / p.output.history_interval;
+  return static_cast<std::size_t>(std::min(intervals + 1., double(n_steps))) + 1;
 }
 
 /// The components of a unit vector as text, so that they read back exactly.
@@ -37,6 +39,7 @@ double window_end(const Parameters &p) { return p.output.window_end.value_or(p.t
 Recorder::Recorder(const scene::Scene     &scene,
                    const Parameters       &parameters,
                    const dynamics::System &system,
+                   const unsigned long     n_steps,
                    const std::string      &directory,
                    const std::string      &parameter_text,
                    PhaseTimer             &timer,
@@ -67,7 +70,7 @@ Recorder::Recorder(const scene::Scene     &scene,
               {"span_direction", axis_text(scene.span_direction)},
               {"span_normal", axis_text(scene.span_normal)},
               {"axes", "driver at the origin, driven at (C, 0); z along the shafts; gravity -y"}},
-          expected_samples(parameters),
+          expected_samples(parameters, n_steps),
           parameters.output.csv);
       progress_ = std::make_unique<Progress>(log, parameters.time.start, parameters.time.end);
     }

@@ -50,8 +50,6 @@ void check_times(const Parameters &p, Findings &findings)
       output.history_interval > duration,
       "Output/History interval in us is longer than the whole run: " + us(output.history_interval) +
           " against " + ms(duration) + "; choose a shorter interval.");
-  findings.note(time.step && output.history_interval < *time.step,
-                "Output/History interval in us is shorter than the step: every step is a sample.");
   findings.note(output.field_interval > duration,
                 "Output/Field interval in ms is longer than the whole run: only its first state "
                 "is written for ParaView.");

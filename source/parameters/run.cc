@@ -67,7 +67,8 @@ void Output::declare(dealii::ParameterHandler &prm)
       unit::micro,
       above(0., 1e9),
       "Time between two samples of the histories. Every force is also recorded by its maximum "
-      "since the last sample, since an impact may last 20 us only.");
+      "since the last sample, since an impact may last 20 us only. Below the step, every step is a "
+      "sample.");
   add(prm,
       "Field interval in ms",
       field_interval,

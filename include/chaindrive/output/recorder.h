@@ -26,10 +26,12 @@ namespace chaindrive::output
 class Recorder : public dynamics::Observer
 {
 public:
-  /// Results go to @p directory, which must exist; the hash of the parameters is stored with them.
+  /// Results of a run of @p n_steps steps go to @p directory, which must exist; the hash of the
+  /// parameters is stored with them.
   Recorder(const scene::Scene     &scene,
            const Parameters       &parameters,
            const dynamics::System &system,
+           unsigned long           n_steps,
            const std::string      &directory,
            const std::string      &parameter_text,
            PhaseTimer             &timer,

@@ -3,6 +3,8 @@
 
 #include <chaindrive/utilities/archive.h>
 
+#include <algorithm>
+
 namespace chaindrive::output
 {
 /// What happens at the first step at or after multiples of an interval.
@@ -33,7 +35,8 @@ public:
 private:
   unsigned long after(const double time) const
   {
-    return static_cast<unsigned long>((time - start_) / interval_ + 1e-9) + 1;
+    // an interval that is too short to be counted is over at every step
+    return static_cast<unsigned long>(std::min((time - start_) / interval_ + 1e-9, 1e15)) + 1;
   }
 
   double        start_, interval_;
