@@ -134,6 +134,7 @@ void Checkpoints::write(dynamics::System &system, const unsigned long step)
 
 unsigned long Checkpoints::resume(dynamics::System &system, const CheckpointFile &file)
 {
+  MPI_Barrier(system.world.communicator()); // all ranks have looked at what is now changed
   const unsigned long step = file.header().step;
   if (step > n_steps_)
     throw InputError(
@@ -175,7 +176,21 @@ std::string Checkpoints::last_sound(const double time) const
 
 namespace
 {
-/// The newest checkpoint that is whole.
+/// InputError when the histories that @p file counts on are missing or damaged.
+void check_histories(const CheckpointFile &file, const std::string &directory)
+{
+  try
+    {
+      Recorder::check(file.archive() / "recorder", directory);
+    }
+  catch (const InputError &error)
+    {
+      throw InputError("The checkpoint '" + file.path() + "' cannot be used: " + error.what() +
+                       ".");
+    }
+}
+
+/// The newest checkpoint that is whole and whose histories are.
 std::unique_ptr<CheckpointFile> newest(const std::string &directory, Log &log)
 {
   std::string problem;
@@ -184,6 +199,7 @@ std::unique_ptr<CheckpointFile> newest(const std::string &directory, Log &log)
     try
       {
         auto found = std::make_unique<CheckpointFile>(file->second);
+        check_histories(*found, directory);
         if (!problem.empty())
           log.warn(problem + " The one before it is taken.");
         return found;
@@ -218,6 +234,7 @@ std::unique_ptr<CheckpointFile> find_checkpoint(const std::string &resume,
       if (!fs::equivalent(fs::absolute(resume).parent_path(), directory, error))
         throw InputError("The checkpoint '" + resume + "' does not lie in the output directory '" +
                          directory + "', where its histories are; choose --output.");
+      check_histories(*file, directory);
     }
   if (file != nullptr)
     {

@@ -34,8 +34,9 @@ std::string csv_files()
 }
 
 // Names of results, as regular expressions.
-constexpr const char *others     = "(parameters\\.prm|input\\.prm|log\\.txt)";
-constexpr const char *series     = "(histories(-[0-9]+)?\\.h5|checkpoint-[0-9]+\\.ckpt)";
+constexpr const char *others = "(parameters\\.prm|input\\.prm|log\\.txt)";
+constexpr const char *series =
+    "(histories(-[0-9]+)?\\.h5|histories\\.saved|checkpoint-[0-9]+\\.ckpt)";
 constexpr const char *lists      = "(bodies|bars)\\.pvd";
 constexpr const char *pictures   = "(bodies|bars)_[0-9]+(\\.[0-9]+)?\\.p?vtu";
 constexpr const char *summary    = "summary\\.json";

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <streambuf>
@@ -19,6 +20,29 @@ std::string write_failure(const std::string &path, const int error_number)
 {
   return "Cannot write '" + path + "': " + std::generic_category().message(error_number) + ".";
 }
+
+namespace
+{
+/// Waits for a file or directory. Returns an error number, or 0; not every file system can do this,
+/// and a directory may be closed to readers.
+int sync_path(const std::string &path)
+{
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0)
+    return errno == EACCES ? 0 : errno;
+  const int error = ::fsync(descriptor) != 0 && errno != EINVAL ? errno : 0;
+  ::close(descriptor);
+  return error;
+}
+
+/// Waits for the name of a file: a rename is in its directory.
+void sync_name(const std::string &path)
+{
+  const std::string directory = std::filesystem::path(path).parent_path().string();
+  if (const int error = sync_path(directory.empty() ? "." : directory); error != 0)
+    throw RunError(write_failure(path, error));
+}
+} // namespace
 
 /// Writes to a file descriptor and keeps the first error number, which std::filebuf would lose.
 class File::Buffer : public std::streambuf
@@ -156,6 +180,15 @@ void write_file(const std::string                         &path,
       ::unlink(part.c_str());
       throw;
     }
+  if (durable)
+    sync_name(path);
+}
+
+void sync_file(const std::string &path)
+{
+  if (const int error = sync_path(path); error != 0)
+    throw RunError(write_failure(path, error));
+  sync_name(path);
 }
 
 void write_text(const std::string &path, const std::string &text)

@@ -2,18 +2,14 @@
 #include <chaindrive/output/file.h>
 #include <chaindrive/output/histories.h>
 #include <chaindrive/output/history_file.h>
-#include <chaindrive/utilities/errors.h>
+#include <chaindrive/output/saved_rows.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <chrono>
-#include <cstdio>
-#include <filesystem>
 #include <limits>
-#include <map>
 #include <optional>
 
 namespace chaindrive::output
@@ -64,8 +60,8 @@ struct Histories::Data
   std::size_t                      written    = 0; ///< rows
   std::size_t                      kept       = 0; ///< rows in memory, complete
   Clock::time_point                last_write = Clock::now();
-  std::vector<std::vector<double>> values;    ///< of the rows in memory, one table per channel
-  std::size_t                      saved = 0; ///< rows in files of their own
+  std::vector<std::vector<double>> values; ///< of the rows in memory, one table per channel
+  std::optional<SavedRows>         saved;
 
   std::vector<TableInfo> tables() const
   {
@@ -78,18 +74,23 @@ struct Histories::Data
     return infos;
   }
 
-  void open()
+  void make_room()
   {
-    // Blocks of at most 8 MiB and 256 rows; short histories are one block.
+    // Blocks of at most 8 MiB and 256 rows, all of them full when the last expected row is written.
     std::size_t row_bytes = 0;
     for (const Channel &channel : channels)
       row_bytes += channel.columns * sizeof(double);
-    block = std::min({std::size_t(256),
-                      std::max<std::size_t>(8388608 / row_bytes, 8),
-                      std::max<std::size_t>(expected, 1)});
+    const std::size_t rows   = std::max<std::size_t>(expected, 1);
+    const std::size_t most   = std::clamp<std::size_t>(8388608 / row_bytes, 8, 256);
+    const std::size_t blocks = (rows - 1) / most + 1;
+    block                    = (rows - 1) / blocks + 1;
     for (const Channel &channel : channels)
       values.emplace_back(block * channel.columns);
+    saved.emplace(prefix, tables(), block);
+  }
 
+  void open()
+  {
     file.emplace(prefix + ".h5", attributes, tables(), expected, block);
     if (with_csv)
       open_csv();
@@ -153,95 +154,20 @@ struct Histories::Data
     last_write = Clock::now();
   }
 
-  std::string saved_file(const std::size_t first_row) const
+  /// Makes the histories anew from the rows of @p mark.
+  void restore(const SavedMark &mark)
   {
-    char number[32];
-    std::snprintf(number, sizeof(number), "-%09zu.h5", first_row);
-    return prefix + number;
-  }
-
-  /// The saved files by their first rows.
-  std::map<std::size_t, std::string> saved_files() const
-  {
-    namespace fs         = std::filesystem;
-    const fs::path  path = prefix;
-    std::error_code error;
-
-    std::map<std::size_t, std::string> files;
-    for (const auto &entry :
-         fs::directory_iterator(path.has_parent_path() ? path.parent_path() : ".", error))
-      {
-        const std::string name   = entry.path().filename().string();
-        const std::string begin  = path.filename().string() + "-";
-        const std::string number = name.substr(std::min(begin.size(), name.size()));
-        if (name.compare(0, begin.size(), begin) == 0 && number.size() > 3 &&
-            number.find_first_not_of("0123456789") == number.size() - 3 &&
-            entry.path().extension() == ".h5")
-          files[std::stoull(number)] = entry.path().string();
-      }
-    return files;
-  }
-
-  /// Saves the rows since the last call in a file that is renamed when it is complete.
-  void save()
-  {
-    if (!file)
+    if (mark.rows == 0)
       return;
-    write_rows();
-    if (saved == written)
-      return;
-    const std::string path = saved_file(saved), part = path + ".part";
-    HistoryFile       rows(part, attributes, tables(), written - saved, block);
-    for (std::size_t first = saved; first < written; first += block)
-      {
-        const std::size_t n = std::min(block, written - first);
-        file->read(first, n, values);
-        rows.write(first - saved, n, values);
-      }
-    rows.close(written - saved);
-    if (std::rename(part.c_str(), path.c_str()) != 0)
-      throw RunError(write_failure(path, errno));
-    saved = written;
-  }
-
-  /// How many rows the saved files hold without a gap.
-  std::size_t n_saved_rows() const
-  {
-    std::size_t rows = 0;
-    for (const auto &[first, path] : saved_files())
-      if (first <= rows)
-        rows = std::max(rows, first + HistoryFile(path, tables()).n_rows());
-    return rows;
-  }
-
-  /// Makes the histories anew from the first @p rows rows of the saved files. A run that came to
-  /// its end has none, but its histories are one.
-  void restore(const std::size_t rows)
-  {
-    const std::string whole = prefix + ".h5";
-    if (n_saved_rows() < rows && std::filesystem::exists(whole))
-      std::filesystem::rename(whole, saved_file(0));
-    if (n_saved_rows() < rows)
-      throw InputError("its histories are missing: '" + whole + "', or '" + saved_file(0) +
-                       "' and so on, with " + std::to_string(rows) + " samples");
-    std::map<std::size_t, std::string> files = saved_files();
-    for (auto file = files.lower_bound(rows); file != files.end(); file = files.erase(file))
-      std::filesystem::remove(file->second);
-
+    make_room();
+    saved->open(mark);
     open();
-    for (auto file = files.begin(); file != files.end(); ++file)
+    while (written < mark.rows)
       {
-        // what a later file has replaced
-        const std::size_t end = std::next(file) == files.end() ? rows : std::next(file)->first;
-        HistoryFile       from(file->second, tables());
-        while (written < std::min(end, rows))
-          {
-            kept = std::min(block, std::min(end, rows) - written);
-            from.read(written - file->first, kept, values);
-            write_rows();
-          }
+        kept = std::min<std::size_t>(block, mark.rows - written);
+        saved->read(kept, values);
+        write_rows();
       }
-    saved = written;
   }
 };
 
@@ -291,7 +217,10 @@ void Histories::begin_sample(const double time)
 {
   Data &d = *data_;
   if (!d.file)
-    d.open();
+    {
+      d.make_room();
+      d.open();
+    }
   else if (d.kept == d.block || Clock::now() - d.last_write > longest_wait)
     d.write_rows();
   for (std::size_t c = 0; c < d.channels.size(); ++c)
@@ -319,19 +248,27 @@ void Histories::flush()
 
 void Histories::exchange(const Archive &archive)
 {
-  if (!archive.reads())
-    data_->save();
-  std::size_t rows = data_->written;
-  archive("rows", rows);
+  Data     &d = *data_;
+  SavedMark mark;
+  if (!archive.reads() && d.file)
+    {
+      d.write_rows();
+      d.saved->add(*d.file, d.written);
+      mark = d.saved->mark();
+    }
+  mark.exchange(archive);
   if (archive.reads())
-    data_->restore(rows);
+    d.restore(mark);
 }
 
-void Histories::remove_saved()
+void Histories::check(const std::string &prefix, const Archive &archive)
 {
-  for (const auto &file : data_->saved_files())
-    std::filesystem::remove(file.second);
+  SavedMark mark;
+  mark.exchange(archive);
+  check_saved_rows(prefix, mark);
 }
+
+void Histories::remove_saved() { SavedRows::remove(data_->prefix); }
 
 void Histories::close()
 {

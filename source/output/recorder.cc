@@ -20,6 +20,8 @@ namespace chaindrive::output
 {
 namespace
 {
+constexpr const char *histories_name = "/histories";
+
 /// At most one at every step, and one before the first.
 std::size_t expected_samples(const Parameters &p, const unsigned long n_steps)
 {
@@ -62,7 +64,7 @@ Recorder::Recorder(const scene::Scene     &scene,
   if (system.world.is_first_rank())
     {
       histories_ = std::make_unique<Histories>(
-          directory + "/histories",
+          directory + histories_name,
           std::vector<std::pair<std::string, std::string>>{
               {"program", std::string("chaindrive ") + version},
               {"parameters", parameter_text},
@@ -196,6 +198,11 @@ void Recorder::exchange(const Archive &archive, const dynamics::System &system)
     histories_->exchange(archive / "histories");
   if (progress_ != nullptr && archive.reads())
     progress_->begin_at(time);
+}
+
+void Recorder::check(const Archive &archive, const std::string &directory)
+{
+  Histories::check(directory + histories_name, archive / "histories");
 }
 
 void Recorder::keep_peaks(const dynamics::System &system)

@@ -78,7 +78,7 @@ int main()
   alarm(60);
 
   std::cout << "Histories that will not fit are refused at their first sample" << std::endl;
-  for (const rlim_t bytes : {0, 100, 2000, 5000, 10000, 20000, 100000, 600000})
+  for (const rlim_t bytes : {0, 100, 2000, 5000, 10000, 20480, 100000, 600000})
     with_limit(bytes, [] {
       auto histories = new_histories("too_large", 100000, false);
       add_samples(histories, 1);
@@ -99,7 +99,7 @@ int main()
 
   std::cout << "Histories whose space is taken away while they are written" << std::endl;
   {
-    auto histories = new_histories("half_way", 20000, false);
+    auto histories = new_histories("half_way", 20480, false);
     add_samples(histories, 10240);
     with_limit(std::filesystem::file_size("half_way.h5") / 2, [&] {
       add_samples(histories, 9000);
@@ -110,7 +110,7 @@ int main()
 
   std::cout << "The same at closing" << std::endl;
   {
-    auto histories = new_histories("closing", 20000, false);
+    auto histories = new_histories("closing", 20480, false);
     add_samples(histories, 10240);
     histories.flush();
     with_limit(100, [&] { histories.close(); });
@@ -119,9 +119,9 @@ int main()
 
   std::cout << "CSV keeps whole blocks of lines" << std::endl;
   {
-    auto histories = new_histories("text", 20000, true);
+    auto histories = new_histories("text", 20480, true);
     with_limit(450000, [&] {
-      add_samples(histories, 20000);
+      add_samples(histories, 20480);
       histories.close();
     });
     const std::string csv   = output::read_text("text_group.csv");

@@ -7,6 +7,7 @@ results with those of a run that nobody disturbed: histories, pictures, lists an
   stop              SIGTERM, SIGINT and the wall-clock limit: a checkpoint, status 4, and what to do next; a signal before the
                     first step
   refuse            checkpoints that are cut off, damaged, of other parameters, versions and formats, or none
+  histories         histories kept for a checkpoint that are cut off, damaged or gone
   kill [N] [RANKS]  kill -9 at N random moments, 4 by default
 """
 import contextlib
@@ -108,7 +109,7 @@ def compare(undisturbed, resumed):
     if shutil.which("h5diff"):  # the CSV files hold the same numbers
         for name in ["time"] + [name[10:-4] for name in expected if name.endswith(".csv")]:
             subprocess.run(["h5diff", f"{undisturbed}/histories.h5", f"{resumed}/histories.h5", "/" + name], check=True)
-    left = [file.name for file in pathlib.Path(resumed).iterdir() if re.search(r"part$|histories-", file.name)]
+    left = [file.name for file in pathlib.Path(resumed).iterdir() if re.search(r"part$|saved$|histories-", file.name)]
     check(not left, f"{resumed}: {left} were left behind")
 
 
@@ -251,7 +252,7 @@ def refuse():
         refused(f"{name}.*damaged", content[:place] + bytes([content[place] ^ 1]) + content[place + 1 :])
     refused(f"{name}' is no checkpoint", b"")
     refused(f"{name}' is no checkpoint", os.urandom(5000))
-    refused(f"{name}.*format 77; this program reads the format 1", signed(content[:-8].replace(b"checkpoint 1", b"checkpoint 77", 1)))
+    refused(f"{name}.*format 77; this program reads the format 2", signed(content[:-8].replace(b"checkpoint 2", b"checkpoint 77", 1)))
     refused(f"{name}.*written by chaindrive 9.9.9", signed(re.sub(rb"version [0-9.]+", b"version 9.9.9", content[:-8], 1)))
     refused(
         f"{name}.*other parameters: there Loads/Resisting torque in N m = 20, here .* = 30",
@@ -275,6 +276,59 @@ def refuse():
     fresh("other")
     said = run("other", entries, ["--resume", "auto"])
     check("begins at its beginning" in said, said)
+
+
+def turn_bit(file, place):
+    content = bytearray(file.read_bytes())
+    content[place] ^= 4
+    file.write_bytes(content)
+
+
+def histories():
+    """Of a run that was stopped: which checkpoint --resume auto takes, and that all goes on as if nothing had been."""
+    entries = {**drive("simple"), "Output/Checkpoint interval in ms": 0.2, "Output/History interval in us": 5}
+    fresh("through")
+    older = newest = 0
+    while newest - older < 0.02:  # with samples between them
+        fresh("stopped")
+        process = begin("stopped", {**entries, "Time/End time in ms": 1e3})
+        wait_for(lambda: len(checkpoints("stopped")) == 2, process)
+        process.terminate()
+        check(process.wait() == 4, "it did not stop")
+        older, newest = (1e3 * float(re.search(rb"\ntime (\S+)", file.read_bytes())[1]) for file in checkpoints("stopped"))
+    entries["Time/End time in ms"] = newest + 0.1
+    run("through", entries)
+
+    def damaged(time, *changes, options=("--resume", "auto"), status=0):
+        fresh("resumed")
+        shutil.copytree("stopped", "resumed")
+        for change in changes:
+            change(pathlib.Path("resumed"))
+        said = run("resumed", entries, options, status=status)
+        if status == 0:
+            check(re.search(rf"Resumed from .* at {time:.6g}", said), f"it does not go on from {time} ms:\n{said}")
+            compare("through", "resumed")
+        return said
+
+    rows = pathlib.Path("stopped/histories.saved").stat().st_size
+    cut, turn_last, turn_first, remove, lose = (
+        lambda folder: os.truncate(folder / "histories.saved", rows - 1),
+        lambda folder: turn_bit(folder / "histories.saved", rows - 20),
+        lambda folder: turn_bit(folder / "histories.saved", 20),
+        lambda folder: (folder / "histories.saved").unlink(),
+        lambda folder: (folder / "histories.h5").unlink(),
+    )
+    for change in (cut, turn_last):
+        said = damaged(older, change, lose)
+        check("histories.saved" in said and "The one before it is taken" in said, said)
+    for change in (cut, turn_first, remove):
+        damaged(newest, change)  # what the run had written is whole
+    damaged(newest, lose)
+    said = damaged(None, turn_first, lose, status=2)
+    check("No other checkpoint" in said and "histories.saved" in said, said)
+    name = checkpoints("stopped")[1].name
+    said = damaged(None, cut, lose, options=("--resume", f"resumed/{name}"), status=2)
+    check(name in said and "histories.saved" in said, said)
 
 
 def kill(n=4, ranks=1):
@@ -336,7 +390,7 @@ def examine(directory):
 
 def main():
     case, arguments = sys.argv[1].split()[0], sys.argv[1].split()[1:]
-    {"same": same, "ranks": ranks, "stop": stop, "refuse": refuse}.get(
+    {"same": same, "ranks": ranks, "stop": stop, "refuse": refuse, "histories": histories}.get(
         case, lambda *words: kill(*(int(word) for word in words))
     )(*arguments)
 

@@ -16,7 +16,7 @@ namespace chaindrive::output
 /// A checkpoint: one file with lines of text, an empty line, the items of an Archive, and the
 /// checksum (Checksum) of all that. Numbers are stored as the machine has them.
 ///
-///     chaindrive checkpoint 1
+///     chaindrive checkpoint 2
 ///     version 0.1.0
 ///     parameters 0123456789abcdef
 ///     step 1200

@@ -42,10 +42,13 @@ std::string write_failure(const std::string &path, int error_number);
 
 /// Writes a whole file at once: @p write fills `path.part`, which then takes the place of @p path.
 /// When anything fails `path.part` is removed, @p path stays as it was and a RunError is thrown.
-/// With @p durable it has reached the disk by then.
+/// With @p durable it and its new name have reached the disk by then.
 void write_file(const std::string                         &path,
                 const std::function<void(std::ostream &)> &write,
                 bool                                       durable = false);
+
+/// Waits until what was written to the file @p path, and its name, have reached the disk.
+void sync_file(const std::string &path);
 
 /// The same for a text at hand.
 void write_text(const std::string &path, const std::string &text);

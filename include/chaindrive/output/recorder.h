@@ -43,6 +43,9 @@ public:
   /// its window must be the same as far as it has gone (InputError).
   void exchange(const Archive &archive, const dynamics::System &system);
 
+  /// InputError when the histories in @p directory are not those of @p archive, or are damaged.
+  static void check(const Archive &archive, const std::string &directory);
+
   /// Writes what is left and closes the histories; of a run that is @p finished, what was kept to
   /// resume it is removed.
   void close(bool finished);
