@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/dynamics/time_loop.h>
+#include <chaindrive/mesh/import.h>
 #include <chaindrive/mesh/report.h>
 #include <chaindrive/output/checkpoints.h>
 #include <chaindrive/output/console.h>
@@ -11,6 +12,7 @@
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/plan.h>
 #include <chaindrive/simulation.h>
+#include <chaindrive/utilities/checksum.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/first_rank.h>
 #include <chaindrive/utilities/ranks.h>
@@ -21,7 +23,9 @@
 
 #include <chrono>
 #include <filesystem>
+#include <string>
 #include <unistd.h>
+#include <vector>
 
 // READ THIS FILE FIRST. What flows through the program, in the order in which it does:
 //
@@ -48,6 +52,19 @@ void print_step(std::ostream &log, const dynamics::StepChoice &choice, const uns
   log << "all coupled " << to_text(choice.limit * 1e6, 4) << '\n'
       << "Step: " << to_text(choice.step * 1e6, 4) << " us (" << choice.reason << "), " << n
       << " steps\n";
+}
+
+/// What a resumed run must find as it was: @p fixed (parameters::Input) and the contents of meshes.
+std::string with_contents(const std::string              &fixed,
+                          const parameters::Sprockets    &sprockets,
+                          const std::vector<std::string> &folders)
+{
+  std::string text = fixed;
+  for (const std::string &name : {sprockets.driver_mesh, sprockets.driven_mesh})
+    if (!name.empty())
+      text += "the checksum of the mesh '" + name +
+              "' = " + checksum(output::read_text(mesh::find_file(name, folders))) + "\n";
+  return text;
 }
 
 /// Whether a signal came to any rank of @p comm while the run was prepared; says so. Collective.
@@ -80,8 +97,9 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   const drive::Drive drive      = drive::make_drive(parameters);
   const std::string  folder =
       std::filesystem::path(command_line.parameter_file).parent_path().string();
-  const scene::Scene scene =
-      scene::build_scene(parameters, drive, {folder.empty() ? "." : folder, "."});
+  const std::vector<std::string> folders = {folder.empty() ? "." : folder, "."};
+  const scene::Scene             scene   = scene::build_scene(parameters, drive, folders);
+  const std::string fixed = with_contents(input.fixed, parameters.drive.sprockets, folders);
 
   if (!scene.has_elastic_bodies() && !is_first_rank)
     return true;
@@ -100,7 +118,7 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
     if (!command_line.plan)
       warn(log, directory.claim());
   });
-  const auto checkpoint = output::find_checkpoint(resume, directory.path(), input.fixed, log);
+  const auto checkpoint = output::find_checkpoint(resume, directory.path(), fixed, log);
   const bool resumes    = checkpoint != nullptr;
   if (resumes)
     choice.step = checkpoint->header().dt; // the same to the last bit on any machine
@@ -128,7 +146,7 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
                         1e-3 * scene.nominal_energy(),
                         parameters.time.guard);
   output::Checkpoints checkpoints(
-      parameters, directory.path(), input.fixed, n_steps, choice.step, recorder, guard, log);
+      parameters, directory.path(), fixed, n_steps, choice.step, recorder, guard, log);
   unsigned long done = resumes ? checkpoints.resume(system, *checkpoint) : 0;
 
   // Nothing is refused any more: from here on what an earlier run has left is replaced.

@@ -8,6 +8,7 @@ results with those of a run that nobody disturbed: histories, pictures, lists an
                     first step
   refuse            checkpoints that are cut off, damaged, of other parameters, versions and formats, or none
   histories         histories kept for a checkpoint that are cut off, damaged or gone
+  mesh              an imported mesh whose contents have changed
   kill [N] [RANKS]  kill -9 at N random moments, 4 by default
 """
 import contextlib
@@ -331,6 +332,31 @@ def histories():
     check(name in said and "histories.saved" in said, said)
 
 
+def mesh():
+    content = (REPOSITORY / "meshes/sprocket-15.msh").read_text()
+    file = pathlib.Path("driver.msh")
+    entries = {
+        **drive("simple"),
+        "Drive/Number of links": 28,
+        "Drive/Driver teeth": 15,
+        "Drive/Sprockets/Driver outside diameter in mm": 81.8,
+        "Drive/Sprockets/Driver hub diameter in mm": 33,
+        "Drive/Sprockets/Driver bore in mm": 25,
+        "Drive/Sprockets/Driver mesh": file,
+        "Time/End time in ms": 0.2,
+        "Output/Checkpoint interval in ms": 0.1,
+    }
+    fresh("whole")
+    file.write_text(content)
+    run("whole", entries)
+    x = re.search(r"\$Nodes\n\d+\n1 (\S+)", content)  # of the first node
+    file.write_text(content[: x.start(1)] + str(float(x[1]) + 1e-9) + content[x.end(1) :])
+    said = run("whole", entries, ["--resume", "auto"], status=2)
+    check("checksum of the mesh 'driver.msh'" in said and "Only the end time" in said, said)
+    file.write_text(content)
+    run("whole", entries, ["--resume", "auto"])
+
+
 def kill(n=4, ranks=1):
     """Each kill comes at a random moment after the run has begun; what is finished must stay as it is."""
     random.seed(int(os.environ.get("CHAINDRIVE_SEED", "0")) or None)
@@ -390,7 +416,7 @@ def examine(directory):
 
 def main():
     case, arguments = sys.argv[1].split()[0], sys.argv[1].split()[1:]
-    {"same": same, "ranks": ranks, "stop": stop, "refuse": refuse, "histories": histories}.get(
+    {"same": same, "ranks": ranks, "stop": stop, "refuse": refuse, "histories": histories, "mesh": mesh}.get(
         case, lambda *words: kill(*(int(word) for word in words))
     )(*arguments)
 
