@@ -128,9 +128,10 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   for (const std::string &note : input.notes)
     log.warn(note);
   if (parameters.output.history_interval < choice.step)
-    log << "Output/History interval in us = " << to_text(parameters.output.history_interval * 1e6)
-        << " is shorter than the step of " << to_text(choice.step * 1e6, 4)
-        << " us: every step is a sample, " << n_steps + 1 << " in all.\n";
+    log.warn(
+        "Output/History interval in us = " + to_text(parameters.output.history_interval * 1e6) +
+        " is shorter than the step of " + to_text(choice.step * 1e6, 4) +
+        " us: every step is a sample, " + std::to_string(n_steps + 1) + " in all.");
   scene::print_plan(log, scene, system.memory_consumption(), n_steps);
   for (const auto &[kind, part] : scene.parts)
     mesh::print(log, mesh::make_report(*part, parameters.material));
