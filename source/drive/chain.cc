@@ -76,6 +76,22 @@ void require_inside(const std::string &inner_name,
                      in_mm(0.5 * (outer - inner)) + "; the first must be less than the second.");
 }
 
+/// Walls of tubes thinner than a thousandth of their diameter are no parts of a chain, and the
+/// vertices of their meshes would fall together.
+void require_wall(const std::string &inner_name,
+                  const double       inner,
+                  const std::string &outer_name,
+                  const double       outer,
+                  const std::string &what)
+{
+  require_inside(inner_name, inner, outer_name, outer, what);
+  if (outer - inner < 2e-3 * outer)
+    throw InputError(
+        "Drive/Chain: " + inner_name + " = " + to_text(inner * 1e3, 12) + " mm and " + outer_name +
+        " = " + in_mm(outer) + " leave " + what + " of " + in_mm(0.5 * (outer - inner)) +
+        "; at least a thousandth of the diameter is accepted, " + in_mm(1e-3 * outer) + ".");
+}
+
 void check(const ChainDimensions &c)
 {
   for (const auto &[name, value] : {std::pair<const char *, double>{"Pitch", c.pitch},
@@ -97,10 +113,9 @@ void check(const ChainDimensions &c)
                  "Bush bore",
                  c.bush_bore,
                  "a radial clearance between pin and bush");
-  require_inside(
-      "Roller bore", c.roller_bore, "Roller diameter", c.roller_diameter, "a roller wall");
-  require_inside("Bush bore", c.bush_bore, "Bush diameter", c.bush_diameter, "a bush wall");
-  require_inside("Pin bore", c.pin_bore, "Pin diameter", c.pin_diameter, "a pin wall");
+  require_wall("Roller bore", c.roller_bore, "Roller diameter", c.roller_diameter, "a roller wall");
+  require_wall("Bush bore", c.bush_bore, "Bush diameter", c.bush_diameter, "a bush wall");
+  require_wall("Pin bore", c.pin_bore, "Pin diameter", c.pin_diameter, "a pin wall");
   require_inside("Bush diameter",
                  c.bush_diameter,
                  "Inner plate height",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/drive.h>
+#include <chaindrive/drive/rest.h>
 #include <chaindrive/drive/stiffness.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -20,21 +21,44 @@ double tooth_width(const ChainDimensions &chain)
   return (chain.pitch <= 12.7e-3 ? 0.93 : 0.95) * chain.inner_width;
 }
 
-/// Refuses a stiffness [N/m] so small that the tension of the load presses a cylinder deeper into
+/// The largest tension that an entry asks for, and the entry.
+struct Pull
+{
+  double      tension; ///< N
+  std::string of;      ///< whose tension
+  std::string entry;
+};
+
+/// What pulls hardest: the load, before or after its step, or the pre-tension.
+Pull hardest_pull(const Parameters &parameters, const double pitch_radius)
+{
+  const parameters::Loads  &loads  = parameters.loads;
+  const parameters::Layout &layout = parameters.drive.layout;
+  Pull pull{loads.resisting_torque / pitch_radius, "of the load", "Loads/Resisting torque in N m"};
+  const double after = std::abs(loads.torque_after_step) / pitch_radius;
+  if (loads.torque_step_time && after > pull.tension)
+    pull = {after, "of the load after its step", "Loads/Torque after step in N m"};
+  if (layout.centre_distance_from == "pretension" && layout.pretension > pull.tension)
+    pull = {layout.pretension, "before the start", "Drive/Layout/Pretension in N"};
+  return pull;
+}
+
+/// Refuses a stiffness [N/m] so small that the tension @p pull presses a cylinder deeper into
 /// its partner than a quarter of its @p radius [m]: there is no sense in contact beyond that.
 void refuse_soft(const std::string &entry,
                  const double       stiffness,
-                 const double       tension,
+                 const Pull        &pull,
                  const double       radius,
                  const std::string &cylinder)
 {
-  if (tension > 0.25 * radius * stiffness)
-    throw InputError(entry + " = " + to_text(stiffness, 4) + " lets the tension of the load, " +
-                     to_text(tension, 4) + " N, press the " + cylinder + " " +
-                     in_mm(tension / stiffness) + " into its partner; at most a quarter of its " +
-                     "radius, " + in_mm(0.25 * radius) + ", is accepted. Choose at least " +
-                     to_text(std::ceil(4. * tension / radius), 4) +
-                     " N/m, or a smaller Loads/Resisting torque in N m.");
+  if (pull.tension > 0.25 * radius * stiffness)
+    throw InputError(entry + " = " + to_text(stiffness, 4) + " lets the tension " + pull.of + ", " +
+                     to_text(pull.tension, 4) + " N, press the " + cylinder + " " +
+                     in_mm(pull.tension / stiffness) +
+                     " into its partner; at most a quarter of its radius, " + in_mm(0.25 * radius) +
+                     ", is accepted. Choose at least " +
+                     to_text(std::ceil(4. * pull.tension / radius), 4) + " N/m, or a smaller " +
+                     pull.entry + ".");
 }
 
 /// A bore of a third and a hub of six tenths of the root diameter: a plain disc on a stout shaft.
@@ -58,6 +82,33 @@ void choose_hub(const std::string           &name,
                      " must be positive, the bore not larger than the hub, the hub "
                      "smaller than the root diameter " +
                      in_mm(form.root_diameter) + ".");
+}
+
+/// The acceleration that acts, m/s2.
+double gravity(const Parameters &p) { return p.effects.gravity == "off" ? 0. : p.loads.gravity; }
+
+/// The chain of the simple or the layered model for bring_to_rest().
+RestingChain resting_chain(const Parameters &p, const Drive &d)
+{
+  const double mass = p.model.mass_per_pitch.value_or(d.mass_per_pitch);
+  RestingChain chain;
+  chain.weight          = mass * gravity(p);
+  chain.roller_radius   = 0.5 * d.chain.roller_diameter;
+  chain.tooth_stiffness = p.contact.roller_tooth_stiffness.value_or(d.roller_tooth_stiffness);
+  if (p.model.fidelity == "simple")
+    {
+      const double mean     = d.chain.loaded_pitch();
+      chain.length          = {mean, mean};
+      chain.inner_stiffness = chain.outer_stiffness = d.stiffness_per_pitch;
+      chain.bush_clearance = chain.bush_stiffness = 0.;
+      return chain;
+    }
+  chain.length          = {d.chain.loaded_inner_pitch(), d.chain.loaded_outer_pitch()};
+  chain.outer_stiffness = 0.5 * d.stiffness_per_pitch; // two joints in series
+  chain.inner_stiffness = 1e3 * d.stiffness_per_pitch; // as good as rigid
+  chain.bush_clearance  = d.chain.roller_clearance();
+  chain.bush_stiffness  = p.contact.roller_bush_stiffness.value_or(d.roller_bush_stiffness);
+  return chain;
 }
 
 void append(std::vector<std::string> &notes, const std::vector<std::string> &more)
@@ -122,7 +173,7 @@ Drive make_drive(const Parameters &parameters)
   if (parameters.model.fidelity != "full") // there the elastic bodies give way
     {
       const parameters::Contact &given = parameters.contact;
-      const double               load  = d.nominal_tension;
+      const Pull                 load  = hardest_pull(parameters, 0.5 * d.driven.pitch_diameter);
       refuse_soft("Contact/Roller-tooth stiffness in N/m",
                   given.roller_tooth_stiffness.value_or(d.roller_tooth_stiffness),
                   load,
@@ -146,14 +197,22 @@ Drive make_drive(const Parameters &parameters)
                          "auto: plates and joint contact at " + to_text(reference_load, 4) + " N") +
                     ")");
 
-  d.layout = make_layout(parameters.drive,
+  d.layout                         = make_layout(parameters.drive,
                          d.chain,
                          d.driver,
                          d.driven,
                          parameters.model.fidelity != "simple",
                          d.stiffness_per_pitch,
                          parameters.loads.driver_speed,
-                         d.nominal_tension);
+                         d.nominal_tension,
+                         gravity(parameters) == 0.);
+  const parameters::Layout &layout = parameters.drive.layout;
+  if (layout.centre_distance_from == "pretension" && layout.pretension > 0. &&
+      layout.start != "warm")
+    bring_to_rest(d.layout, resting_chain(parameters, d), d.driver, d.driven, layout.pretension);
+  if (layout.centre_distance_from != "given")
+    d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance * 1e3, 7) +
+                      " mm, from " + layout.centre_distance_from + ".");
   return d;
 }
 } // namespace chaindrive::drive

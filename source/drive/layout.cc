@@ -32,7 +32,8 @@ Fitter make_fitter(const parameters::Drive &drive,
                    const ChainDimensions   &chain,
                    const bool               clearances,
                    const double             stiffness_per_pitch,
-                   const double             tight_tension)
+                   const double             tight_tension,
+                   const bool               weightless)
 {
   const parameters::Layout &layout = drive.layout;
   Fitter                    fitter;
@@ -41,7 +42,7 @@ Fitter make_fitter(const parameters::Drive &drive,
   fitter.n_links      = drive.n_links;
   fitter.phase        = layout.start_phase;
   // the tight span above: the slack one hangs away from it; below: it sags towards it
-  fitter.bulge = layout.tight_span == "lower" ? -1 : 1;
+  fitter.bulge = layout.tight_span == "lower" && !weightless ? -1 : 1;
 
   const double mean = chain.loaded_pitch();
   fitter.seats = clearances ? LinkLengths{chain.loaded_inner_pitch(), chain.loaded_outer_pitch()} :
@@ -200,17 +201,6 @@ void mirror(Layout &layout, const Wheel &driver, const Wheel &driven)
     }
 }
 
-void set_links(Layout &layout)
-{
-  const unsigned int n = layout.joints.size();
-  for (unsigned int k = 0; k < n; ++k)
-    {
-      const Point<2> &a = layout.joints[k].bush, &b = layout.joints[(k + 1) % n].bush;
-      layout.links.push_back(
-          {Point<2>(0.5 * (a + b)), std::atan2(b[1] - a[1], b[0] - a[0]), k % 2 == 0});
-    }
-}
-
 /// What is wrong with the layout, in a sentence; empty if nothing is.
 std::string find_overlap(const Layout          &layout,
                          const ChainDimensions &chain,
@@ -274,7 +264,61 @@ void check_slack(const Fit &fit, const Fitter &fitter, const double height, cons
                          "links, a greater centre distance, or Tight span = upper.");
     }
 }
+/// Why the chain closes on no route: the entry that decides the centre distance, its value, and up
+/// to where there is one.
+std::string no_route(const parameters::Layout &layout,
+                     const Fitter             &fitter,
+                     const double              least_distance,
+                     const bool                even)
+{
+  const std::string what = ": the chain closes on no route around these sprockets";
+  if (layout.centre_distance_from == "given")
+    return "Drive/Layout/Centre distance in mm = " + to_text(layout.centre_distance * 1e3, 7) +
+           what + "; choose a larger one, or Centre distance from = slack.";
+  if (layout.centre_distance_from == "pretension")
+    return "Drive/Layout/Pretension in N = " + to_text(layout.pretension) + what +
+           "; choose another number of links.";
+
+  parameters::Layout trial = layout;
+  const bool         sag   = layout.centre_distance_from == "sag";
+  double            &value = sag ? trial.sag : trial.slack;
+  double             low = 0., high = value;
+  for (unsigned int i = 0; i < 20; ++i)
+    {
+      value         = 0.5 * (low + high);
+      bool possible = false;
+      try
+        {
+          const Proposal proposal = propose(fitter, trial, least_distance, even);
+          for (const Fit &near : proposal.fits)
+            {
+              const auto fit = fitter.solve(*proposal.target, near.route, near.centre_distance);
+              possible       = possible || (fit && fit->slack.links >= 1);
+            }
+        }
+      catch (const InputError &)
+        {
+        }
+      (possible ? low : high) = value;
+    }
+  const double unit = sag ? 1e2 : 1e3;
+  return std::string("Drive/Layout/") + (sag ? "Sag in percent" : "Slack in mm") + " = " +
+         to_text((sag ? layout.sag : layout.slack) * unit) + what + "; choose at most " +
+         to_text(std::floor(low * unit * 10.) / 10., 4) + ".";
+}
 } // namespace
+
+void set_links(Layout &layout)
+{
+  const unsigned int n = layout.joints.size();
+  layout.links.clear();
+  for (unsigned int k = 0; k < n; ++k)
+    {
+      const Point<2> &a = layout.joints[k].bush, &b = layout.joints[(k + 1) % n].bush;
+      layout.links.push_back(
+          {Point<2>(0.5 * (a + b)), std::atan2(b[1] - a[1], b[0] - a[0]), k % 2 == 0});
+    }
+}
 
 Layout make_layout(const parameters::Drive &drive,
                    const ChainDimensions   &chain,
@@ -283,17 +327,18 @@ Layout make_layout(const parameters::Drive &drive,
                    const bool               clearances,
                    const double             stiffness_per_pitch,
                    const double             driver_speed,
-                   const double             tight_tension)
+                   const double             tight_tension,
+                   const bool               weightless)
 {
   check_choices(drive, clearances);
-  const Fitter   fitter = make_fitter(drive, chain, clearances, stiffness_per_pitch, tight_tension);
-  const Proposal proposal = propose(
-      fitter, drive.layout, 0.5 * (driver.outside_diameter + driven.outside_diameter), clearances);
+  const Fitter fitter =
+      make_fitter(drive, chain, clearances, stiffness_per_pitch, tight_tension, weightless);
+  const double   least    = 0.5 * (driver.outside_diameter + driven.outside_diameter);
+  const Proposal proposal = propose(fitter, drive.layout, least, clearances);
 
   // The best route may leave a roller just short of its seat, touching a flank: then it belongs on
   // the sprocket, which is one of the next routes.
-  std::string problem = "the chain closes on no route around these sprockets.";
-  bool        first   = true;
+  std::string problem;
   for (const Fit &near : proposal.fits)
     {
       const std::optional<Fit> found =
@@ -306,7 +351,7 @@ Layout make_layout(const parameters::Drive &drive,
       Layout layout = lay(fit, fitter);
       if (drive.layout.start == "warm")
         set_in_motion(layout, std::abs(driver_speed));
-      if (fitter.bulge < 0)
+      if (drive.layout.tight_span == "lower")
         mirror(layout, fit.driver, fit.driven);
       const std::string overlap = find_overlap(layout, chain, driver, driven, clearances);
       if (overlap.empty())
@@ -316,10 +361,10 @@ Layout make_layout(const parameters::Drive &drive,
           set_links(layout);
           return layout;
         }
-      if (first)
+      if (problem.empty())
         problem = overlap;
-      first = false;
     }
-  throw InputError("Drive: " + problem);
+  throw InputError(problem.empty() ? no_route(drive.layout, fitter, least, clearances) :
+                                     "Drive: " + problem);
 }
 } // namespace chaindrive::drive

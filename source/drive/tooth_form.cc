@@ -220,13 +220,25 @@ ToothForm make_tooth_form(const unsigned int           teeth,
       const double least_iso = t.pitch_diameter + p * (1. - 1.6 / z) - d1;
       const double most_iso  = t.pitch_diameter + 1.25 * p - d1;
       const double wanted = ansi ? p * (0.6 + 1. / std::tan(PI / z)) : 0.5 * (least_iso + most_iso);
-      const double limit  = diameter_for_land(flank, PI / z, least, t.pointed_diameter, 0.05 * p);
-      t.outside_diameter  = std::min(wanted, limit);
+      const auto   for_land = [&](const double land) {
+        return diameter_for_land(flank, PI / z, least, t.pointed_diameter, land * p);
+      };
+      const double limit = for_land(0.05), hard_limit = for_land(0.025);
+      std::string  reason;
+      if (wanted <= limit)
+        reason = ansi ? "as ANSI/ASME B29.1" : "midway between the limits of ISO 606";
+      else if (ansi || limit >= least_iso)
+        reason = "for a tip land of 0.05 of the pitch";
+      else if (hard_limit >= least_iso)
+        reason = "the least of ISO 606, which leaves a tip land of less than 0.05 of the pitch";
+      else
+        reason = "for a tip land of 0.05 of the pitch, below the limits of ISO 606, " +
+                 in_mm(least_iso) + " and " + in_mm(most_iso) + " mm";
+      t.outside_diameter = !ansi && limit < least_iso && least_iso <= hard_limit ?
+                               least_iso :
+                               std::min(wanted, limit);
       t.derived.push_back(name + " outside diameter " + in_mm(t.outside_diameter) + " mm, " +
-                          (wanted > limit ? std::string("for a tip land of 0.05 of the pitch") :
-                           ansi           ? std::string("as ANSI/ASME B29.1") :
-                                            std::string("midway between the limits of ISO 606")) +
-                          ".");
+                          reason + ".");
     }
   if (!(t.outside_diameter > least && t.outside_diameter < t.pointed_diameter))
     throw InputError(

@@ -86,6 +86,8 @@ int main()
     }
 
   std::cout << "== refused\n";
+  refuse("pin wall of a tenth of a nanometre",
+         [](parameters::Chain &chain) { chain.pin_bore = 5.2399998e-3; });
   refuse("unknown chain", [](parameters::Chain &p) { p.designation = "08C"; });
   refuse("negative clearance", [](parameters::Chain &p) {
     p.bush_diameter = 7.6e-3;

@@ -48,6 +48,8 @@ int main()
   d              = Drive();
   d.layout.slack = 1.2;
   refuse("more slack than there is", d);
+  d.layout.slack = 0.12;
+  refuse("more slack than a span can hang through", d);
 
   d                                  = Drive();
   d.sprockets.seat_centre            = "bottom diameter";

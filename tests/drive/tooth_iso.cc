@@ -222,6 +222,34 @@ int main()
   const auto clipped   = drive::make_tooth_form(15, chain, automatic, true);
   compare("tip land of the maximum form over the pitch", clipped.tip_land() / chain.pitch, 0.05, 6);
 
+  // ISO 606 allows d + p (1 - 1.6 / z) - d1 to d + 1.25 p - d1
+  unsigned int n = 0, n_below = 0, n_silent = 0;
+  for (const std::string &name : drive::chain_designations())
+    for (const std::string form : {"iso min", "iso mid", "iso max"})
+      for (unsigned int z = 9; z <= 150; z += 3)
+        {
+          parameters::Chain size;
+          size.designation     = name;
+          automatic.tooth_form = form;
+          const auto   c       = drive::make_chain(size);
+          const auto   f       = drive::make_tooth_form(z, c, automatic, true);
+          const double least   = f.pitch_diameter + c.pitch * (1. - 1.6 / z) - c.roller_diameter;
+          const bool   below   = f.outside_diameter < least * (1. - 1e-12);
+          const bool   said    = f.derived.front().find("below the limits") != std::string::npos;
+          ++n;
+          n_below += below ? 1 : 0;
+          n_silent += below != said ? 1 : 0;
+        }
+  std::cout << "of " << n << " automatic diameters " << n_below << " are below ISO 606, of which "
+            << n_silent << " do not say so\n";
+  parameters::Chain eight;
+  eight.designation    = "08B";
+  automatic.tooth_form = "iso max";
+  const auto tight     = drive::make_tooth_form(57, drive::make_chain(eight), automatic, true);
+  compare(
+      "08B, 57 teeth, maximum form: the least of ISO 606", tight.outside_diameter * 1e3, 234.37, 2);
+  std::cout << tight.derived.front() << '\n';
+
   std::cout << "== refused\n";
   expect_refusal("8 teeth", [&] { drive::make_tooth_form(8, chain, automatic, true); });
   expect_refusal("maximum form with 82.9 mm", [&] {

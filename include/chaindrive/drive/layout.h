@@ -67,7 +67,7 @@ struct Layout
 ///
 /// Rollers on a sprocket are on the circle of radius p / (2 sin(pi/z)), p the loaded pitch, in the
 /// middle of their gaps. The tight span is straight. The slack span is a polygon with equal angles
-/// between its links that bulges along gravity (-y).
+/// between its links that bulges along gravity (-y), or outwards where there is none.
 ///
 /// @param clearances  false: the simple model, one lump per joint, all links of the loaded mean
 /// pitch.
@@ -79,6 +79,7 @@ struct Layout
 ///   stretch is in the outer links, whose joints carry the compliance.
 /// @param driver_speed   magnitude, rad/s, for start `warm`
 /// @param tight_tension  N, for start `warm`
+/// @param weightless     no gravity acts
 ///
 /// @throws InputError when the chain does not fit (states what would), when a roller overlaps a
 /// tooth or a bush its roller (states where and by how much), for an odd number of links with
@@ -90,5 +91,9 @@ Layout make_layout(const parameters::Drive &drive,
                    bool                     clearances,
                    double                   stiffness_per_pitch,
                    double                   driver_speed,
-                   double                   tight_tension);
+                   double                   tight_tension,
+                   bool                     weightless = false);
+
+/// Centre and direction of every link of @p layout from the bushes of its two joints.
+void set_links(Layout &layout);
 } // namespace chaindrive::drive

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/rest.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace chaindrive::drive
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+using Vector = Tensor<1, 2>;
+using Matrix = Tensor<2, 2>;
+/// What a joint has in common with joint 0 and the driven hub, the unknowns without neighbours on
+/// one side.
+using Border = std::array<Vector, 3>;
+
+/// Lower triangle of the Cholesky factor of @p a; false if @p a is not positive definite.
+bool cholesky(std::array<std::array<double, 3>, 3> &a)
+{
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j <= i; ++j)
+      {
+        double sum = a[i][j];
+        for (unsigned int k = 0; k < j; ++k)
+          sum -= a[i][k] * a[j][k];
+        if (i == j && !(sum > 0.))
+          return false;
+        a[i][j] = i == j ? std::sqrt(sum) : sum / a[j][j];
+      }
+  return true;
+}
+
+bool positive_definite(const Matrix &m) { return m[0][0] > 0. && determinant(m) > 0.; }
+
+/// Energy, forces and stiffness of the drive, and one step of Newton's method.
+class Equilibrium
+{
+public:
+  Equilibrium(Layout &layout, const RestingChain &chain, const ToothForm &a, const ToothForm &b)
+      : layout_(layout)
+      , chain_(chain)
+      , forms_{{&a, &b}}
+      , n_(layout.joints.size())
+      , hub_radius_(0.5 * b.pitch_diameter)
+      , contact_radius_(chain.roller_radius - chain.bush_clearance)
+      , contact_stiffness_(chain.bush_clearance > 0. ?
+                               chain.tooth_stiffness * chain.bush_stiffness /
+                                   (chain.tooth_stiffness + chain.bush_stiffness) :
+                               chain.tooth_stiffness)
+  {
+    for (const Layout::Joint &joint : layout.joints)
+      at_.push_back(joint.bush);
+  }
+
+  /// Moves the driven shaft, and the chain with it, as if all of it were stretched alike.
+  void move_shaft(const double by)
+  {
+    const double centres = layout_.centre_distance;
+    for (Point<2> &p : at_)
+      p[0] += std::clamp(p[0] / centres, 0., 1.) * by;
+    layout_.centre_distance += by;
+  }
+
+  /// Finds the equilibrium to @p tolerance [N]; false if there seems to be none.
+  bool solve(const double tolerance)
+  {
+    const double stiffest = chain_.tooth_stiffness + chain_.outer_stiffness;
+    double       shift = 1e-6 * stiffest, energy = assemble();
+    for (unsigned int iteration = 0; iteration < 1000; ++iteration)
+      {
+        if (largest_force() < tolerance)
+          return true;
+        if (!newton_step(shift))
+          {
+            shift = std::max(10. * shift, 1e-9 * stiffest);
+            continue;
+          }
+        const auto   before  = at_;
+        const double angle   = turned_;
+        double       longest = std::abs(hub_step_);
+        for (const Vector &s : step_)
+          longest = std::max(longest, s.norm());
+        const double part = std::min(1., largest_move / longest);
+        for (unsigned int k = 0; k < n_; ++k)
+          at_[k] += part * step_[k];
+        turned_ += part * hub_step_ / hub_radius_;
+        const double now = assemble();
+        if (now <= energy + 1e-14 * std::abs(energy))
+          {
+            energy = now;
+            shift  = shift < 1e-9 * stiffest ? 0. : 0.2 * shift;
+            continue;
+          }
+        at_     = before;
+        turned_ = angle;
+        shift   = std::max(10. * shift, 1e-9 * stiffest);
+        if (shift > 1e6 * stiffest)
+          return false;
+        assemble();
+      }
+    return false;
+  }
+
+  /// Of the link from joint @p k on, N.
+  double tension(const unsigned int k) const
+  {
+    return stiffness(k) * (at_[k].distance(at_[(k + 1) % n_]) - chain_.length.of(k));
+  }
+
+  /// Puts what was found into the layout.
+  void store() const
+  {
+    for (unsigned int k = 0; k < n_; ++k)
+      {
+        layout_.joints[k].bush   = at_[k];
+        layout_.joints[k].roller = roller(at_[k]);
+      }
+    layout_.driven_angle += turned_;
+  }
+
+private:
+  static constexpr double largest_move = 0.5e-3; // m, of a joint in one iteration
+  static constexpr double nudge        = 1e-9;   // m, for differences of contact forces
+
+  double stiffness(const unsigned int k) const
+  {
+    return k % 2 == 0 ? chain_.inner_stiffness : chain_.outer_stiffness;
+  }
+
+  /// By how much the point of joint @p k at @p p overlaps a sprocket, the driven one turned on by
+  /// @p turn; very negative where it is far from it. @p normal points away from the tooth.
+  double overlap(const bool driver, const Point<2> &p, const double turn, Vector &normal) const
+  {
+    const ToothForm &form = *forms_[driver ? 0 : 1];
+    const Vector     arm  = p - Point<2>(driver ? 0. : layout_.centre_distance, 0.);
+    normal                = Vector();
+    if (arm.norm() > 0.5 * form.outside_diameter + chain_.roller_radius)
+      return -1.;
+    const double angle = driver ? layout_.driver_angle : layout_.driven_angle + turned_ + turn;
+    const double c = std::cos(angle), s = std::sin(angle);
+    const auto   nearest =
+        form.closest_point(Point<2>(c * arm[0] + s * arm[1], c * arm[1] - s * arm[0]));
+    normal[0] = c * nearest.normal[0] - s * nearest.normal[1];
+    normal[1] = s * nearest.normal[0] + c * nearest.normal[1];
+    return contact_radius_ - nearest.distance;
+  }
+
+  /// Where the roller of the bush at @p bush is: a loaded one lies on the tooth, and the bush in
+  /// it, along one normal; one that hangs on its bush beside the teeth takes the room that they
+  /// leave.
+  Point<2> roller(const Point<2> &bush) const
+  {
+    const double clearance = chain_.bush_clearance;
+    if (clearance == 0.)
+      return bush;
+    Vector   normal;
+    Point<2> at   = bush;
+    bool     free = true;
+    for (const bool driver : {true, false})
+      {
+        const double depth = overlap(driver, bush, 0., normal);
+        if (depth > -clearance)
+          at += (depth > 0. ? clearance + depth * contact_stiffness_ / chain_.bush_stiffness :
+                              clearance + depth) *
+                normal;
+        free = free && depth <= -clearance;
+      }
+    if (free && chain_.weight > 0.)
+      {
+        at[1] -= clearance;
+        for (const bool driver : {true, false})
+          if (overlap(driver, at, 0., normal) > -clearance)
+            return bush;
+      }
+    return at;
+  }
+
+  /// Derivatives of a contact's energy by the joint's position and the driven hub's way at its
+  /// pitch radius; returns the energy.
+  double contact(const bool             driver,
+                 const Point<2>        &p,
+                 const double           turn,
+                 std::array<double, 3> &gradient) const
+  {
+    Vector       normal;
+    const double depth = std::max(0., overlap(driver, p, turn, normal));
+    const double force = contact_stiffness_ * depth;
+    const Vector arm   = p - Point<2>(layout_.centre_distance, 0.);
+    gradient           = {{-force * normal[0],
+                           -force * normal[1],
+                 driver ? 0. : force * (normal[1] * arm[0] - normal[0] * arm[1]) / hub_radius_}};
+    return 0.5 * force * depth;
+  }
+
+  void add_contact(const unsigned int k, const bool driver)
+  {
+    std::array<double, 3> here, there;
+    energy_ += contact(driver, at_[k], 0., here);
+    gradient_[k][0] += here[0];
+    gradient_[k][1] += here[1];
+    hub_gradient_ += here[2];
+    if (here[0] == 0. && here[1] == 0.)
+      return;
+    for (unsigned int j = 0; j < 3; ++j)
+      {
+        Point<2> moved = at_[k];
+        if (j < 2)
+          moved[j] += nudge;
+        else if (driver)
+          break;
+        contact(driver, moved, j < 2 ? 0. : nudge / hub_radius_, there);
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            const double second = (there[i] - here[i]) / nudge;
+            if (i < 2 && j < 2)
+              diagonal_[k][i][j] += second;
+            else if (i == 2 && j == 2)
+              hub_diagonal_ += second;
+            else if (j == 2)
+              to_hub_[k][i] += second;
+          }
+      }
+  }
+
+  /// Energy [J] at the present state; its derivatives become members.
+  double assemble()
+  {
+    energy_ = hub_gradient_ = hub_diagonal_ = 0.;
+    gradient_.assign(n_, Vector());
+    to_hub_.assign(n_, Vector());
+    diagonal_.assign(n_, Matrix());
+    to_next_.assign(n_, Matrix());
+    for (unsigned int k = 0; k < n_; ++k)
+      {
+        const unsigned int next   = (k + 1) % n_;
+        const Vector       vector = at_[next] - at_[k];
+        const double       length = vector.norm(), stretch = length - chain_.length.of(k);
+        const Vector       axis  = vector / length;
+        const double       force = stiffness(k) * stretch;
+        energy_ += 0.5 * force * stretch + chain_.weight * at_[k][1];
+        gradient_[k] -= force * axis;
+        gradient_[next] += force * axis;
+        gradient_[k][1] += chain_.weight;
+        Matrix along;
+        for (unsigned int i = 0; i < 2; ++i)
+          for (unsigned int j = 0; j < 2; ++j)
+            along[i][j] = stiffness(k) * axis[i] * axis[j] +
+                          force / length * ((i == j ? 1. : 0.) - axis[i] * axis[j]);
+        diagonal_[k] += along;
+        diagonal_[next] += along;
+        to_next_[k] -= along;
+        for (const bool driver : {true, false})
+          add_contact(k, driver);
+      }
+    for (Matrix &m : diagonal_)
+      m[0][1] = m[1][0] = 0.5 * (m[0][1] + m[1][0]);
+    return energy_;
+  }
+
+  double largest_force() const
+  {
+    double largest = std::abs(hub_gradient_);
+    for (const Vector &g : gradient_)
+      largest = std::max(largest, g.norm());
+    return largest;
+  }
+
+  /// Solves (H + shift) step = -gradient: joints 1 ... n-1 are a block tridiagonal matrix, joint 0
+  /// and the hub its border. False where the matrix is not positive definite.
+  bool newton_step(const double shift)
+  {
+    std::vector<Matrix>                  inverse(n_);
+    std::vector<Border>                  border(n_);
+    std::vector<Vector>                  right(n_);
+    std::array<std::array<double, 3>, 3> corner{};
+    std::array<double, 3>                rest{};
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        for (unsigned int j = 0; j < 2; ++j)
+          corner[i][j] = diagonal_[0][i][j] + (i == j ? shift : 0.);
+        corner[2][i] = corner[i][2] = to_hub_[0][i];
+        rest[i]                     = -gradient_[0][i];
+      }
+    corner[2][2] = hub_diagonal_ + shift;
+    rest[2]      = -hub_gradient_;
+
+    for (unsigned int k = 1; k < n_; ++k)
+      {
+        Matrix pivot = diagonal_[k];
+        pivot[0][0] += shift;
+        pivot[1][1] += shift;
+        right[k] = -gradient_[k];
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            for (unsigned int j = 0; j < 2; ++j) // to_next_ is symmetric
+              border[k][j][i] =
+                  (k == 1 ? to_next_[0][i][j] : 0.) + (k == n_ - 1 ? to_next_[n_ - 1][i][j] : 0.);
+            border[k][2][i] = to_hub_[k][i];
+          }
+        if (k > 1)
+          {
+            const Matrix factor = to_next_[k - 1] * inverse[k - 1];
+            pivot -= factor * to_next_[k - 1];
+            right[k] -= factor * right[k - 1];
+            for (unsigned int b = 0; b < 3; ++b)
+              border[k][b] -= factor * border[k - 1][b];
+          }
+        if (!positive_definite(pivot))
+          return false;
+        inverse[k] = invert(pivot);
+        for (unsigned int a = 0; a < 3; ++a)
+          {
+            const Vector row = inverse[k] * border[k][a];
+            for (unsigned int b = 0; b < 3; ++b)
+              corner[a][b] -= row * border[k][b];
+            rest[a] -= row * right[k];
+          }
+      }
+    if (!cholesky(corner))
+      return false;
+    for (int i = 0; i < 3; ++i)
+      {
+        for (int j = 0; j < i; ++j)
+          rest[i] -= corner[i][j] * rest[j];
+        rest[i] /= corner[i][i];
+      }
+    for (int i = 2; i >= 0; --i)
+      {
+        for (int j = i + 1; j < 3; ++j)
+          rest[i] -= corner[j][i] * rest[j];
+        rest[i] /= corner[i][i];
+      }
+    step_.assign(n_, Vector());
+    step_[0][0] = rest[0];
+    step_[0][1] = rest[1];
+    hub_step_   = rest[2];
+    for (unsigned int k = n_ - 1; k > 0; --k)
+      {
+        Vector sum = right[k];
+        for (unsigned int b = 0; b < 3; ++b)
+          sum -= rest[b] * border[k][b];
+        if (k + 1 < n_)
+          sum -= to_next_[k] * step_[k + 1];
+        step_[k] = inverse[k] * sum;
+      }
+    return true;
+  }
+
+  Layout                          &layout_;
+  const RestingChain              &chain_;
+  std::array<const ToothForm *, 2> forms_;
+  const unsigned int               n_;
+  const double                     hub_radius_, contact_radius_, contact_stiffness_;
+
+  std::vector<Point<2>> at_;          ///< of the joints, m
+  double                turned_ = 0.; ///< the driven hub, rad
+  double                energy_ = 0.;
+
+  std::vector<Vector> gradient_, to_hub_; ///< second derivatives by a joint and the hub
+  std::vector<Matrix> diagonal_, to_next_;
+  double              hub_gradient_ = 0., hub_diagonal_ = 0.;
+  std::vector<Vector> step_;
+  double              hub_step_ = 0.;
+};
+} // namespace
+
+void bring_to_rest(Layout             &layout,
+                   const RestingChain &chain,
+                   const ToothForm    &driver,
+                   const ToothForm    &driven,
+                   const double        tension)
+{
+  const unsigned int n     = layout.joints.size();
+  const unsigned int tight = n - layout.tight_links + layout.tight_links / 2;
+  const unsigned int slack = layout.driver_seats - 1 + layout.slack_links / 2;
+
+  Equilibrium  equilibrium(layout, chain, driver, driven);
+  const double tolerance = 1e-6 * tension + 1e-3;
+  // tension over the shaft's way: first that of two straight spans, then secants
+  double slope =
+      2. / (1. / chain.inner_stiffness + 1. / chain.outer_stiffness) / layout.tight_links;
+  double before = 0., moved = 0.;
+  bool   found = false;
+  for (unsigned int iteration = 0; iteration < 60 && !found; ++iteration)
+    {
+      if (!equilibrium.solve(tolerance))
+        break;
+      const double now = 0.5 * (equilibrium.tension(tight) + equilibrium.tension(slack));
+      found            = std::abs(now - tension) < 1e-3 * tension;
+      if (found)
+        break;
+      if (moved != 0. && (now - before) / moved > 0.)
+        slope = (now - before) / moved;
+      before = now;
+      moved  = std::clamp((tension - now) / slope, -1e-3, 1e-3);
+      equilibrium.move_shaft(moved);
+    }
+  if (!found)
+    throw InputError("Drive/Layout/Pretension in N = " + to_text(tension) +
+                     ": no state of rest with this tension in both spans is found; choose another "
+                     "one that is well above the weight of a span, " +
+                     to_text(chain.weight * layout.tight_links, 3) +
+                     " N, and below the working tension, or Centre distance from = slack or sag.");
+  equilibrium.store();
+  const Point<2> &from = layout.joints[n - layout.tight_links].bush, &to = layout.joints[0].bush;
+  layout.tight_direction = (to - from) / to.distance(from);
+  layout.tight_normal[0] = layout.sense * layout.tight_direction[1];
+  layout.tight_normal[1] = -layout.sense * layout.tight_direction[0];
+  set_links(layout);
+}
+} // namespace chaindrive::drive
