@@ -154,8 +154,7 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   on_first_rank(at_work, [&] {
     warn(log, directory.take_over(resumes, parameters.output.csv));
     log.open(directory.path() + "/log.txt", resumes);
-    output::write_text(directory.path() + "/input.prm",
-                       output::read_text(command_line.parameter_file));
+    output::write_text(directory.path() + "/input.prm", input.text);
     output::write_text(directory.path() + "/parameters.prm", input.resolved);
   });
   for (output::Console *console : {&out, &err})

@@ -195,10 +195,6 @@ void check_model(const Parameters &p, Findings &findings)
                          "which both sprockets are rigid; choose auto or off, or Elastic links = "
                          "all.");
   findings.note(
-      start == "warm",
-      "Drive/Layout/Start = warm begins at full speed under full load: Loads/Speed ramp, Ramp "
-      "time in ms and Torque ramp angle in rad have no effect.");
-  findings.note(
       start != "warm" && p.loads.ramp_time > p.time.end,
       "Loads/Ramp time in ms ends after the run: the driver does not reach its full speed.");
 
@@ -207,12 +203,7 @@ void check_model(const Parameters &p, Findings &findings)
       "Loads/Torque after step in N m has no effect, since Torque step time in ms is auto.");
 
   const Contact &contact = p.contact;
-  findings.note(simple && (contact.roller_bush_stiffness || contact.roller_bush_friction ||
-                           contact.bush_pin_friction),
-                "The roller-bush and bush-pin entries of section Contact have no effect, since "
-                "Model/Fidelity = simple has no bushes and pins.");
-
-  const auto insist = [&findings](const std::string &name,
+  const auto     insist  = [&findings](const std::string &name,
                                   const std::string &choice,
                                   const double       coefficient,
                                   const std::string &coefficient_name) {

@@ -216,7 +216,11 @@ void Layout::declare(dealii::ParameterHandler &prm)
       pretension,
       unit::si,
       between(0., 1e6),
-      "Tension in both spans at rest, in place of slack. Keep it far below the working tension.");
+      "Tension in the middle of the spans at rest, the mean of the two, in place of slack: the "
+      "drive "
+      "starts in equilibrium with it, whatever the chain on the sprockets gives way. Keep it far "
+      "below the working tension and well above the weight of a span; 0 lays both spans straight "
+      "and unstressed. With Start = warm it is that of the slack span as laid.");
   add(prm,
       "Tight span",
       tight_span,

@@ -111,8 +111,9 @@ void Elasticity::declare(dealii::ParameterHandler &prm)
       "Hourglass coefficient",
       hourglass_coefficient,
       unit::si,
-      between(0., 1.),
-      "Stiffness against hourglassing of one point, after Flanagan and Belytschko.");
+      between(1e-3, 1.),
+      "Stiffness against hourglassing of one point, after Flanagan and Belytschko; with much less "
+      "than the default nothing holds elements against it.");
 }
 
 namespace

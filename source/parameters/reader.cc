@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/parameters/catalogue.h>
 #include <chaindrive/parameters/cross_checks.h>
+#include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/parameter_file.h>
 #include <chaindrive/parameters/reader.h>
+#include <chaindrive/parameters/without_effect.h>
 #include <chaindrive/parameters/writer.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -63,13 +65,17 @@ public:
 
   void read_file(const std::string &file)
   {
-    const std::vector<Line> lines = statements(read_text(file));
+    input_.text                   = read_text(file);
+    const std::vector<Line> lines = statements(input_.text);
     if (lines.empty())
       throw InputError(
           "The parameter file '" + file +
           "' contains no entries. To start from a template, use: chaindrive --write-parameters");
     for (const Line &line : lines)
-      read_statement(line, file + ", line " + std::to_string(line.number) + ": ");
+      {
+        line_ = line.number;
+        read_statement(line, file + ", line " + std::to_string(line.number) + ": ");
+      }
     if (!open_.empty())
       errors_.push_back(file + ": section " + last_part(open_.back().first) + ", opened in line " +
                         std::to_string(open_.back().second) +
@@ -119,6 +125,22 @@ public:
     std::ostringstream out;
     write_prm(out, catalogue_, values_, false);
     return out.str();
+  }
+
+  /// Paths of the entries that were given another value than their default.
+  std::vector<std::string> changed() const
+  {
+    std::vector<std::string> paths;
+    for (const Entry &entry : catalogue_.entries())
+      {
+        const auto given = values_.find(entry.path());
+        if (given == values_.end() || given->second == entry.default_value)
+          continue;
+        const auto number = from_entry_text(given->second, unit::si);
+        if (!number || number != from_entry_text(entry.default_value, unit::si))
+          paths.push_back(entry.path());
+      }
+    return paths;
   }
 
   std::string fixed() const
@@ -209,8 +231,12 @@ private:
     const std::string name = trim(rest.substr(0, equals));
     if (const Entry *entry = catalogue_.find(section, name))
       {
-        if (values_.count(entry->path()) > 0)
-          input_.notes.push_back(where + entry->path() + " was set before; the last value holds.");
+        const auto [before, is_first] = set_in_.emplace(entry->path(), line_);
+        if (!is_first)
+          input_.notes.push_back(where + entry->path() + " was set before, in line " +
+                                 std::to_string(before->second) + "; the value of line " +
+                                 std::to_string(line_) + " holds.");
+        before->second = line_;
         set_value(*entry, trim(rest.substr(equals + 1)), where);
       }
     else
@@ -253,8 +279,10 @@ private:
   dealii::ParameterHandler                         &prm_;
   Input                                            &input_;
   const Catalogue                                   catalogue_;
-  std::vector<std::pair<std::string, unsigned int>> open_;   ///< path, line of each open section
-  std::map<std::string, std::string>                values_; ///< of all entries set, by path
+  std::vector<std::pair<std::string, unsigned int>> open_;     ///< path, line of each open section
+  std::map<std::string, std::string>                values_;   ///< of all entries set, by path
+  std::map<std::string, unsigned int>               set_in_;   ///< line of the file, by path
+  unsigned int                                      line_ = 0; ///< that is read
   std::vector<std::string>                          errors_;
 };
 } // namespace
@@ -272,6 +300,8 @@ Input read_parameters(const std::string &file, const std::vector<std::string> &o
   reader.throw_errors();
 
   for (const std::string &note : cross_check(input.parameters))
+    input.notes.push_back(note);
+  for (const std::string &note : without_effect(input.parameters, reader.changed()))
     input.notes.push_back(note);
   input.resolved = reader.resolved();
   input.fixed    = reader.fixed();

@@ -78,6 +78,26 @@ int main()
             "subsection Modle\n  set Fidelity = simple\nend\n");
   read_text("set twice",
             "subsection Drive\n  set Driver teeth = 15\n  set Driver teeth = 16\nend\n");
+  read_text("set three times",
+            "subsection Time\n  set End time in ms = 20\nend\nsubsection Time\n"
+            "  set End time in ms = 25\n\n  set End time in ms = 30\nend\n");
+  read_text(
+      "without effect in the simple model",
+      "subsection Contact\n  set Penalty factor = 1\n  set Bush-pin friction = 0.2\nend\n"
+      "subsection Elements\n  set Formulation = full\n  set Hourglass coefficient = 0.05\nend\n"
+      "subsection Drive\n  subsection Layout\n    set Sag in percent = 2\n"
+      "    set Slack in mm = 0.6\n  end\nend\n");
+  read_text("without effect in the full model",
+            "subsection Model\n  set Fidelity = full\n  set Chain damping ratio = 0.02\nend\n"
+            "subsection Elements\n  set Hourglass coefficient = 0.05\nend\n");
+  read_text("without effect at a warm start",
+            "subsection Drive\n  subsection Layout\n    set Start = warm\n  end\nend\n"
+            "subsection Loads\n  set Ramp time in ms = 2\nend\n");
+  read_text("no hourglass stiffness",
+            "subsection Elements\n  set Hourglass coefficient = 0\nend\n");
+  read_text("defaults are not worth a note",
+            "subsection Contact\n  set Penalty factor = 0.50\nend\n"
+            "subsection Elements\n  set Hourglass coefficient = 1e-1\nend\n");
   read_text("Windows line ends and byte order mark",
             "\xef\xbb\xbfsubsection Drive\r\n  set Driver teeth = 15\r\nend\r\n");
 }

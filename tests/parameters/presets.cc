@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Every .prm file that the project ships can be read, and says in its first comment what it is for.
+// Every .prm file that the project ships can be read, has nothing to remark upon, and says in its
+// first comment what it is for.
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/utilities/errors.h>
 

@@ -14,6 +14,7 @@ struct Input
 {
   Parameters               parameters;
   std::vector<std::string> notes;    ///< harmless oddities, a sentence each, for the log
+  std::string              text;     ///< of the file as it was read, once: it may be a pipe
   std::string              resolved; ///< every entry with its value, as a .prm file
   /// "Section/Entry = value", a line for each entry that a resumed run must have as it was: all but
   /// the end time and those of the section Output that do not decide what is computed or recorded.

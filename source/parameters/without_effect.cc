@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/without_effect.h>
+
+namespace chaindrive::parameters
+{
+namespace
+{
+/// What holds of all entries of a section, or of one.
+struct Rule
+{
+  bool                     applies;
+  std::vector<std::string> paths; ///< of entries, or of sections with a slash at their end
+  std::string              reason;
+};
+
+std::vector<Rule> rules(const Parameters &p)
+{
+  const std::string &fidelity = p.model.fidelity;
+  const std::string  chosen   = "Model/Fidelity = " + fidelity;
+  const bool         full     = fidelity == "full";
+  const std::string &from     = p.drive.layout.centre_distance_from;
+  const std::string  layout   = "Drive/Layout/";
+
+  std::vector<Rule> rules = {
+      {fidelity == "simple",
+       {"Contact/Roller-bush stiffness in N/m",
+        "Contact/Roller-bush friction",
+        "Contact/Bush-pin friction"},
+       chosen + " has no bushes and pins"},
+      {fidelity != "simple", {"Model/Chain damping ratio"}, chosen + " has no bars"},
+      {!full, {"Contact/Penalty factor", "Elements/"}, chosen + " has no elastic bodies"},
+      {!full && p.output.field_interval == 0.,
+       {"Mesh/"},
+       chosen + " needs meshes for pictures only, and Output/Field interval in ms = 0 writes none"},
+      {p.drive.layout.start == "warm",
+       {"Loads/Speed ramp", "Loads/Ramp time in ms", "Loads/Torque ramp angle in rad"},
+       layout + "Start = warm begins at full speed under full load"},
+      {full && p.elasticity.formulation != "one point",
+       {"Elements/Hourglass coefficient"},
+       "Elements/Formulation = " + p.elasticity.formulation + " does not use it"}};
+  for (const auto &[choice, entry] :
+       {std::pair<const char *, const char *>{"given", "Centre distance in mm"},
+        {"slack", "Slack in mm"},
+        {"sag", "Sag in percent"},
+        {"pretension", "Pretension in N"}})
+    rules.push_back({from != choice, {layout + entry}, layout + "Centre distance from = " + from});
+  return rules;
+}
+} // namespace
+
+std::vector<std::string> without_effect(const Parameters               &parameters,
+                                        const std::vector<std::string> &given)
+{
+  std::vector<std::string> sentences;
+  for (const Rule &rule : rules(parameters))
+    {
+      if (!rule.applies)
+        continue;
+      std::vector<std::string> found;
+      for (const std::string &entry : given)
+        for (const std::string &path : rule.paths)
+          if (entry == path || (path.back() == '/' && entry.compare(0, path.size(), path) == 0))
+            found.push_back(entry);
+      std::string names;
+      for (std::size_t i = 0; i < found.size(); ++i)
+        names += (i == 0 ? "" : i + 1 == found.size() ? " and " : ", ") + found[i];
+      if (!found.empty())
+        sentences.push_back(names + (found.size() == 1 ? " has" : " have") + " no effect, since " +
+                            rule.reason + ".");
+    }
+  return sentences;
+}
+} // namespace chaindrive::parameters
