@@ -61,30 +61,74 @@ std::string in_mm(const Point<3> &p)
          ") mm";
 }
 
+/// Calls @p f with every face of @p mesh that belongs to the tooth flanks.
+template <typename Function>
+void for_each_flank(const dealii::Triangulation<3> &mesh, const Function &f)
+{
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary() && face->boundary_id() == tooth_flanks)
+      f(face);
+}
+
 void check_teeth(const std::string              &file,
                  const dealii::Triangulation<3> &mesh,
                  const drive::ToothForm         &form)
 {
   double   worst = 0.;
   Point<3> where;
-  for (const auto &face : mesh.active_face_iterators())
-    if (face->at_boundary() && face->boundary_id() == tooth_flanks)
-      for (const unsigned int v : face->vertex_indices())
-        {
-          const Point<3> &x         = face->vertex(v);
-          const double    deviation = std::abs(form.closest_point(Point<2>(x[0], x[1])).distance);
-          if (deviation > worst)
-            {
-              worst = deviation;
-              where = x;
-            }
-        }
+  for_each_flank(mesh, [&](const auto &face) {
+    for (const unsigned int v : face->vertex_indices())
+      {
+        const Point<3> &x         = face->vertex(v);
+        const double    deviation = std::abs(form.closest_point(Point<2>(x[0], x[1])).distance);
+        if (deviation > worst)
+          {
+            worst = deviation;
+            where = x;
+          }
+      }
+  });
   if (worst > 0.05 * form.pitch)
     throw InputError("The tooth flanks of the mesh '" + file + "' are " + to_text(1e3 * worst, 4) +
                      " mm away from the drive's tooth form at " + in_mm(where) +
                      ". Lengths must be in mm, the axis of rotation must be the z axis, the middle "
                      "of a gap must be on +x, and the number of teeth must be " +
                      std::to_string(form.teeth) + ".");
+}
+
+/// The flanks must be the whole profile over the width of the teeth: where a face lacks their name
+/// rollers would pass through.
+void check_whole(const std::string              &file,
+                 const dealii::Triangulation<3> &mesh,
+                 const drive::ToothForm         &form)
+{
+  double     length  = 0.; // of the profile, of one gap
+  const auto profile = form.half_polyline(8);
+  for (unsigned int i = 0; i + 1 < profile.size(); ++i)
+    length += 2. * profile[i].distance(profile[i + 1]);
+  double low = 1e300, high = -1e300; // of the teeth
+  for (const Point<3> &x : mesh.get_vertices())
+    if (std::hypot(x[0], x[1]) > 0.5 * form.root_diameter + 0.05 * form.pitch)
+      {
+        low  = std::min(low, x[2]);
+        high = std::max(high, x[2]);
+      }
+  std::vector<double> area(form.teeth, 0.);
+  for_each_flank(mesh, [&](const auto &face) {
+    const Point<3> centre = face->center();
+    const double   turned = std::atan2(centre[1], centre[0]) / form.pitch_angle() + form.teeth;
+    area[static_cast<unsigned int>(std::lround(turned)) % form.teeth] += face->measure();
+  });
+  const double expected = length * (high - low);
+  for (unsigned int gap = 0; gap < form.teeth; ++gap)
+    if (area[gap] < 0.8 * expected || area[gap] > 1.2 * expected)
+      throw InputError("The tooth flanks of the mesh '" + file + "' have " +
+                       to_text(area[gap] * 1e6, 4) + " mm2 in gap " + std::to_string(gap) +
+                       ", but the profile of a gap is " + to_text(length * 1e3, 4) +
+                       " mm long and the teeth are " + to_text((high - low) * 1e3, 4) +
+                       " mm wide: " + to_text(expected * 1e6, 4) +
+                       " mm2. The surface must hold every face of the profile, with the tips, "
+                       "between the two sides, and no other.");
 }
 
 /// The cells of @p mesh at z >= 0, which must be its mirror image in this plane.
@@ -129,22 +173,20 @@ std::unique_ptr<dealii::Triangulation<3>> upper_half(const std::string          
 std::string find_file(const std::string &name, const std::vector<std::string> &folders)
 {
   namespace fs = std::filesystem;
-  std::string looked;
-  if (fs::path(name).is_absolute())
+  std::vector<std::string> looked;
+  for (const std::string &folder : folders) // an absolute name takes the folder's place
     {
-      if (fs::is_regular_file(name))
-        return name;
-      looked = name;
+      const std::string path = (fs::path(folder) / name).lexically_normal().string();
+      if (fs::is_regular_file(path))
+        return path;
+      if (std::find(looked.begin(), looked.end(), path) == looked.end())
+        looked.push_back(path);
     }
-  else
-    for (const std::string &folder : folders)
-      {
-        const fs::path path = (fs::path(folder) / name).lexically_normal();
-        if (fs::is_regular_file(path))
-          return path.string();
-        looked += (looked.empty() ? "" : " and ") + path.string();
-      }
-  throw InputError("There is no file '" + name + "'; looked for " + looked + ".");
+  std::string places;
+  for (const std::string &path : looked)
+    places += (places.empty() ? "; looked for " : " and ") + path;
+  throw InputError("There is no file '" + name + "'" +
+                   (looked == std::vector<std::string>{name} ? "" : places) + ".");
 }
 
 Part import_sprocket(const std::string      &file,
@@ -173,6 +215,7 @@ Part import_sprocket(const std::string      &file,
     }
   dealii::GridTools::shift(Point<3>(0., 0., -0.5 * (low + high)), *part.mesh);
   check_teeth(file, *part.mesh, form);
+  check_whole(file, *part.mesh, form);
   if (half)
     {
       part.mesh = upper_half(file, *part.mesh);
@@ -180,5 +223,15 @@ Part import_sprocket(const std::string      &file,
     }
   part.exact = part.meshed = meshed_properties(part);
   return part;
+}
+
+double flank_width(const Part &sprocket)
+{
+  double reach = 0.;
+  for_each_flank(*sprocket.mesh, [&reach](const auto &face) {
+    for (const unsigned int v : face->vertex_indices())
+      reach = std::max(reach, std::abs(face->vertex(v)[2]));
+  });
+  return 2. * reach;
 }
 } // namespace chaindrive::mesh

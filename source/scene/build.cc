@@ -5,6 +5,7 @@
 #include <chaindrive/mesh/surface_nodes.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/placement.h>
+#include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
 #include <algorithm>
@@ -60,11 +61,19 @@ std::shared_ptr<const mesh::Part> sprocket_part(const Parameters               &
 {
   const bool elastic = is_on(scene.effects, "elastic sprockets");
   if (!file.empty())
-    return std::make_shared<const mesh::Part>(
-        mesh::import_sprocket(mesh::find_file(file, folders),
-                              driver ? drive.driver : drive.driven,
-                              parameters.material.density,
-                              parameters.model.half && elastic));
+    {
+      auto part = std::make_shared<const mesh::Part>(
+          mesh::import_sprocket(mesh::find_file(file, folders),
+                                driver ? drive.driver : drive.driven,
+                                parameters.material.density,
+                                parameters.model.half && elastic));
+      if (const double width = mesh::flank_width(*part); width >= drive.chain.inner_width)
+        throw InputError(
+            std::string("Drive/Sprockets/") + (driver ? "Driver" : "Driven") + " mesh = " + file +
+            " has teeth " + to_text(width * 1e3, 4) + " mm wide; they must be narrower than the " +
+            to_text(drive.chain.inner_width * 1e3, 4) + " mm between the inner plates.");
+      return part;
+    }
   if (is_on(scene.effects, "fields") || elastic)
     return make_sprocket_part(parameters, drive, driver);
   return nullptr;
@@ -235,7 +244,8 @@ void add_sprockets(const Parameters               &parameters,
       teeth.form         = std::make_shared<const drive::ToothForm>(form);
       teeth.teeth        = form.teeth;
       teeth.outer_radius = 0.5 * form.outside_diameter;
-      teeth.half_width   = 0.5 * drive.sprocket_width;
+      const double width = file.empty() ? drive.sprocket_width : mesh::flank_width(*part);
+      teeth.half_width   = 0.5 * width;
       teeth.rolls_freely = lumped;
       if (!file.empty())
         {
@@ -261,7 +271,7 @@ void add_sprockets(const Parameters               &parameters,
                                parameters.contact.roller_tooth_friction);
       // A lumped roller touches in its middle plane. A rigid one touches at two points that give
       // its line of contact the same moment of resistance against tilting.
-      const double contact_length = std::min(drive.chain.roller_length, drive.sprocket_width);
+      const double              contact_length = std::min(drive.chain.roller_length, width);
       const std::vector<double> stations =
           lumped ? std::vector<double>{0.} : line_stations(contact_length);
       teeth.law = law.shared_by(static_cast<unsigned int>(stations.size()));

@@ -122,6 +122,24 @@ int main()
     import(good, drive::make_tooth_form(16, chain, parameters::Sprockets(), true));
   });
 
+  // every second face of the flanks without a name, or those of one side of the middle plane
+  const auto unnamed = [&good](const std::function<bool(unsigned int)> &drop) {
+    std::istringstream lines(good);
+    std::string        text, line;
+    unsigned int       n = 0;
+    while (std::getline(lines, line))
+      {
+        int number = 0, type = 0, tags = 0, surface = 0;
+        if (std::sscanf(line.c_str(), "%d %d %d %d", &number, &type, &tags, &surface) == 4 &&
+            type == 3 && surface == 1 && drop(n++))
+          line = line.substr(0, line.find(" 2 1 ")) + " 2 0 " + line.substr(line.find(" 2 1 ") + 5);
+        text += line + '\n';
+      }
+    return text;
+  };
+  reject("half of the flanks", unnamed([](const unsigned int i) { return i % 2 == 0; }));
+  reject("one gap of fifteen without flanks", unnamed([](const unsigned int i) { return i < 36; }));
+
   // as an elastic rim, and cut in half
   const auto rim = [&](const std::string &what, const std::string &text, const bool half) {
     expect_error(what, [&] {

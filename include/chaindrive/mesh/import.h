@@ -23,7 +23,8 @@ std::string find_file(const std::string &name, const std::vector<std::string> &f
 /// Throws InputError for a file that is missing, is no Gmsh mesh, has cells other than hexahedra,
 /// inverted cells or no surface of the required names, or whose teeth are elsewhere than those of
 /// @p form: it says where the largest deviation is. A vertex of the flanks may lie up to five
-/// percent of the pitch off the profile of @p form, so that real tooth shapes can be imported.
+/// percent of the pitch off the profile of @p form, so that real tooth shapes can be imported. The
+/// area of the flanks in every gap must be that of the whole profile within a fifth.
 ///
 /// For @p half see Part::half; the mesh must then be symmetric about its middle plane and have
 /// vertices in it.
@@ -31,4 +32,8 @@ Part import_sprocket(const std::string      &file,
                      const drive::ToothForm &form,
                      double                  density,
                      bool                    half = false);
+
+/// Width of the teeth of the imported @p sprocket: how far its flanks reach to both sides of z = 0,
+/// of the whole sprocket where the part is a half. [m]
+double flank_width(const Part &sprocket);
 } // namespace chaindrive::mesh
