@@ -54,10 +54,29 @@ Projection make_projection(const CoonsPatch::Foot &foot, const unsigned int face
   return result;
 }
 
+/// Distances from @p p [m] that differ by less are the same but for round-off, m.
+double same_distance(const Point<3> &p) { return 1e-12 * p.norm(); }
+
+/// Whether a point of @p facet at @p distance is nearer to @p p than @p best. Above an edge that
+/// two facets share, where round-off would decide, it is the one in which the point was, @p hint,
+/// and else that of the smaller number.
+bool nearer(const double       distance,
+            const unsigned int facet,
+            const Point<3>    &p,
+            const Projection  &best,
+            const unsigned int hint)
+{
+  const double difference = std::abs(distance) - std::abs(best.distance);
+  if (!best.found || std::abs(difference) > same_distance(p))
+    return difference < 0.;
+  return best.facet != hint && (facet == hint || facet < best.facet);
+}
+
 /// Looks for the nearest point of one facet and keeps it in @p best if it is nearer than that.
 void search_facet(const CoonsPatch  &patch,
                   const unsigned int facet,
                   const Point<3>    &p,
+                  const unsigned int hint,
                   Projection        &best)
 {
   const CoonsPatch::Foot foot   = patch.foot(p);
@@ -71,7 +90,7 @@ void search_facet(const CoonsPatch  &patch,
           if (edge.crease)
             {
               const CoonsPatch::Foot on_edge = patch.foot_on_edge(p, e);
-              if (on_edge.inside && std::abs(on_edge.distance) < std::abs(best.distance))
+              if (on_edge.inside && nearer(on_edge.distance, facet, p, best, hint))
                 best = make_projection(on_edge, facet);
             }
           const bool here = (e == 0 && foot.v == 0.) || (e == 1 && foot.u == 1.) ||
@@ -81,7 +100,7 @@ void search_facet(const CoonsPatch  &patch,
       // a point that round-off drops between two facets, or any at the centre of an arc
       inside = !open && foot.obliquity < 1e-6 * std::abs(foot.distance);
     }
-  if (inside && std::abs(foot.distance) < std::abs(best.distance))
+  if (inside && nearer(foot.distance, facet, p, best, hint))
     best = make_projection(foot, facet);
 }
 } // namespace
@@ -109,7 +128,7 @@ Projection FacetSurface::closest_point(const Point<3>    &p,
 {
   Projection best;
   if (hint < n_facets())
-    search_facet(patches_[hint], hint, p, best);
+    search_facet(patches_[hint], hint, p, hint, best);
 
   // facets whose boxes are near, nearest first, until the next box is farther than what was found
   const double   reach = std::min(search_radius, std::abs(best.distance));
@@ -125,9 +144,9 @@ Projection FacetSurface::closest_point(const Point<3>    &p,
   std::sort(near.begin(), near.end());
   for (const auto &[bound, facet] : near)
     {
-      if (bound > std::abs(best.distance))
+      if (bound > std::abs(best.distance) + same_distance(p))
         break;
-      search_facet(patches_[facet], facet, p, best);
+      search_facet(patches_[facet], facet, p, hint, best);
     }
   return std::abs(best.distance) <= search_radius ? best : Projection();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A box without its lid: flat faces, sharp edges and corners, an open rim. And the normal's
-// continuity over a doubly curved surface of irregular quadrilaterals.
+// A box without its lid: flat faces, sharp edges and corners, an open rim. The normal's continuity
+// over a doubly curved surface of irregular quadrilaterals. Above the edge between two of them
+// round-off does not decide which one a point is in.
 
 #include <chaindrive/mesh/facet_surface.h>
 
@@ -109,4 +110,25 @@ int main()
                 << 100. * (jump - 2. * dealii::numbers::PI / 1000.) / angle << '\n';
       last = error;
     }
+
+  // facets on either side of the plane z = 0 are mirror images, and points in it as far from both
+  const auto ball  = sphere(8);
+  const auto facet = [&ball](const double t, const double z, const unsigned int hint) {
+    return ball.closest_point(Point<3>(1.2 * std::cos(t), 1.2 * std::sin(t), z), 1., hint).facet;
+  };
+  bool         stays = true, same = true;
+  unsigned int edges = 0;
+  for (double t = 0.013; t < 2. * dealii::numbers::PI; t += 0.05)
+    {
+      const unsigned int none = ball.n_facets(), above = facet(t, 0.01, none),
+                         below = facet(t, -0.01, none);
+      edges += above != below;
+      for (const double z : {-2e-17, -1e-17, 0., 1e-17, 2e-17})
+        {
+          stays = stays && facet(t, z, above) == above && facet(t, z, below) == below;
+          same  = same && facet(t, z, none) == facet(t, 0., none);
+        }
+    }
+  std::cout << edges << " points above edges, moved by round-off: stay where they were: "
+            << (stays ? "yes" : "NO") << ", get the same facet: " << (same ? "yes" : "NO") << '\n';
 }
