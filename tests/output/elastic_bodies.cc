@@ -96,7 +96,7 @@ int main()
           for (const element::Stress &cell : snapshot.stress)
             error = std::max({error,
                               std::abs(cell.piola[0][0] - stretched * stress) / stress,
-                              cell.piola[1][1] / stress,
+                              std::abs(cell.piola[1][1]) / stress,
                               std::abs(cell.piola[0][1]) / stress});
           const auto &vertices = copies.part->mesh->get_vertices();
           for (unsigned int v = 0; v < vertices.size(); ++v)
