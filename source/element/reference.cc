@@ -3,8 +3,6 @@
 #include <chaindrive/mesh/stiffness.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/tridiagonal_matrix.h>
-#include <deal.II/lac/vector.h>
 
 #include <array>
 #include <cmath>
@@ -484,58 +482,6 @@ void Reference::assemble(dealii::SparsityPattern      &pattern,
   matrix.reinit(pattern);
   for (unsigned int e = 0; e < n_elements(); ++e)
     matrix.add(unknowns(vertices[e]), element_stiffness(e));
-}
-
-double Reference::largest_frequency(const std::vector<double> &springs) const
-{
-  dealii::SparsityPattern      pattern;
-  dealii::SparseMatrix<double> matrix;
-  assemble(pattern, matrix);
-
-  const unsigned int n = 3 * n_nodes();
-  for (unsigned int i = 0; i < n && !springs.empty(); ++i)
-    matrix.diag_element(i) += springs[i / 3];
-
-  dealii::Vector<double> scale(n), before(n), here(n), product(n);
-  for (unsigned int i = 0; i < n; ++i)
-    {
-      scale[i] = 1. / std::sqrt(mass[i / 3]);
-      here[i]  = std::sin(1. + 12.9898 * i * i); // all modes take part
-    }
-  here /= here.l2_norm();
-
-  // Lanczos' method for M^-1/2 K M^-1/2 (Saad, Numerical Methods for Large Eigenvalue
-  // Problems, 6.6). Round-off makes it find eigenvalues again but none beyond the spectrum. The
-  // coefficients of conjugate gradients, the same in exact arithmetic, break down here: K has rigid
-  // modes.
-  std::vector<double> diagonal, beside;
-  while (diagonal.size() < 400)
-    {
-      dealii::Vector<double> scaled(here);
-      scaled.scale(scale);
-      matrix.vmult(product, scaled);
-      product.scale(scale);
-      if (!beside.empty())
-        product.add(-beside.back(), before);
-      diagonal.push_back(product * here);
-      product.add(-diagonal.back(), here);
-      const double norm = product.l2_norm();
-      if (norm <= 1e-14 * diagonal.front()) // all modes are found
-        break;
-      beside.push_back(norm);
-      before = here;
-      here.equ(1. / norm, product);
-    }
-
-  dealii::TridiagonalMatrix<double> ritz(diagonal.size(), /*symmetric*/ true);
-  for (unsigned int i = 0; i < diagonal.size(); ++i)
-    {
-      ritz(i, i) = diagonal[i];
-      if (i > 0)
-        ritz(i, i - 1) = beside[i - 1];
-    }
-  ritz.compute_eigenvalues();
-  return std::sqrt(ritz.eigenvalue(diagonal.size() - 1));
 }
 
 std::size_t Reference::memory_consumption() const

@@ -55,9 +55,8 @@ public:
   /// Stiffness matrix of element @p e, row 3 a + i for component i of vertex a of Vertices, N/m.
   dealii::FullMatrix<double> element_stiffness(unsigned int e) const;
 
-  /// Largest natural frequency [rad/s] of the free part at small amplitudes: the largest Ritz value
-  /// of 400 steps of Lanczos' method, less than one in a thousand too small. @p springs [N/m], if
-  /// not empty, hold each node in all directions.
+  /// Largest natural frequency [rad/s] of the free part at small amplitudes, from above, by
+  /// largest_eigenvalue(). @p springs [N/m], if not empty, hold each node in all directions.
   double largest_frequency(const std::vector<double> &springs = {}) const;
 
   std::size_t memory_consumption() const;

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/lac/vector.h>
+
+#include <cstddef>
+#include <functional>
+
+namespace chaindrive
+{
+/// Makes the product of a symmetric matrix and the second vector the first.
+using Product = std::function<void(dealii::Vector<double> &, const dealii::Vector<double> &)>;
+
+/// The largest eigenvalue of a symmetric matrix without negative ones, @p n numbers wide: Lanczos'
+/// method (Saad, Numerical Methods for Large Eigenvalue Problems, 6.6), until the residual is less
+/// than a millionth of the value, and above it by this residual.
+double largest_eigenvalue(std::size_t n, const Product &product);
+} // namespace chaindrive
