@@ -24,21 +24,21 @@ void Bores::add_forces(World &world, const double dt)
 
 void Bores::add_springs(const World &world, std::vector<Spring> &springs) const
 {
+  const Mobility mobility(world);
   for (unsigned int i = 0; i < pairs_.size(); ++i)
     {
-      const Frame &master = world.frames[pairs_[i].master];
-      const Frame &slave  = world.frames[pairs_[i].slave.body];
-      // Closed where the slave leans now; a concentric one leans, by convention, along the x axis
-      // of its own body, the direction of the chain.
-      const dealii::Tensor<1, 3> z      = axis_of(master, 2);
-      const dealii::Tensor<1, 3> centre = to_world(slave, pairs_[i].slave.point);
-      dealii::Tensor<1, 3>       normal = to_world(master, pairs_[i].axis) - centre;
-      normal -= (normal * z) * z;
-      if (normal.norm() < 1e-3 * pairs_[i].radius)
-        for (unsigned int d = 0; d < 3; ++d)
-          normal[d] = slave.rotation[d][0];
-      normal /= normal.norm();
-      add_closed(world, i, normal, centre - pairs_[i].slave.radius * normal, springs);
+      const Frame               &slave = world.frames[pairs_[i].slave.body];
+      const dealii::Tensor<1, 3> z     = axis_of(world.frames[pairs_[i].master], 2);
+      // along the chain, since most of the force is
+      dealii::Tensor<1, 3> along = axis_of(slave, 0);
+      along -= (along * z) * z;
+      add_closed(world,
+                 mobility,
+                 i,
+                 along / along.norm(),
+                 to_world(slave, pairs_[i].slave.point),
+                 pairs_[i].slave.radius,
+                 springs);
     }
 }
 } // namespace chaindrive::contact

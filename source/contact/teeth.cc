@@ -114,18 +114,22 @@ void Teeth::add_forces(World &world, const double dt)
 
 void Teeth::add_springs(const World &world, std::vector<Spring> &springs) const
 {
-  const Frame &sprocket = world.frames[scene_.sprocket];
+  const Mobility             mobility(world);
+  const Frame               &sprocket = world.frames[scene_.sprocket];
+  const dealii::Tensor<1, 3> z        = axis_of(sprocket, 2);
   for (const unsigned int i : near_)
     {
       const scene::SlavePoint &slave  = scene_.slaves[i];
-      const Frame             &frame  = world.frames[slave.body];
-      dealii::Tensor<1, 3>     centre = to_world(frame, slave.point);
-      dealii::Tensor<1, 3>     normal = centre - sprocket.position;
-      normal -= (normal * axis_of(sprocket, 2)) * axis_of(sprocket, 2);
-      normal /= normal.norm();
-      // the coupling of spin and slip is the same wherever on its circumference a roller touches
-      add_closed(
-          world, i, normal, scene_.rolls_freely ? centre : centre - slave.radius * normal, springs);
+      dealii::Tensor<1, 3>     centre = to_world(world.frames[slave.body], slave.point);
+      dealii::Tensor<1, 3>     radial = centre - sprocket.position;
+      radial -= (radial * z) * z;
+      add_closed(world,
+                 mobility,
+                 i,
+                 radial / radial.norm(),
+                 centre,
+                 scene_.rolls_freely ? 0. : slave.radius,
+                 springs);
     }
 }
 } // namespace chaindrive::contact

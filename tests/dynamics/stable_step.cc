@@ -100,4 +100,70 @@ int main(int argc, char **argv)
     verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
     verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 100.);
   }
+  for (const double angle : {0., 0.6, 1.5})
+    {
+      // A roller without friction between a bar and a tooth, which act along one line: sharp
+      // wherever on the sprocket that is.
+      const double m = 0.0107, r = 5.08e-3, k_bar = 3e8, k = 1.1e9, pull = 1e5, far = 0.05;
+      const auto   turned = [angle](const double x, const double y) {
+        return vector(x * std::cos(angle) - y * std::sin(angle),
+                      x * std::sin(angle) + y * std::cos(angle));
+      };
+      scene::Scene scene               = empty_scene();
+      scene.prestress                  = pull;
+      scene.bodies                     = {lump(m, turned(r - pull / k, far)), ground(), ground()};
+      scene.bodies[2].initial.position = turned(-0.05, far);
+      scene.bars                       = {{0, 2, 0.05 + r - pull / k - pull / k_bar, k_bar, 0.}};
+      scene.teeth.push_back(on_surface(1,
+                                       plane(1., turned(0., 1.), vector(0., 0., 1.)),
+                                       {k, 0., 0., 0., 0.},
+                                       {{0, dealii::Point<3>(), r, 0}}));
+      const double w = std::sqrt((k_bar + k) / m);
+      ratio("roller between bar and tooth",
+            dynamics::System(scene, false).stable_step_limit(),
+            2. / w);
+      verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
+      verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
+    }
+  {
+    // A light loaded hub between two rollers without friction: normal forces turn it.
+    const double m = 0.0107, r = 1e-3, k = 2e8, soft = 1e4, pull = 1e5, far = 0.1, inertia = 1e-6;
+    scene::Scene scene = empty_scene();
+    scene.prestress    = pull;
+    scene.bodies       = {lump(m, vector(r - pull / k, far)),
+                          lump(m, vector(-r + pull / k, far)),
+                          body(scene::Motion::rigid,
+                         scene::Support::loaded_hub,
+                         1.,
+                         vector(1., 1., inertia),
+                         Vector3())};
+    scene.bars         = {{0, 1, 2. * (r - pull / k) - pull / soft, soft, 0.}};
+    for (const unsigned int side : {0, 1})
+      scene.teeth.push_back(
+          on_surface(2,
+                     plane(1., vector(0., side == 0 ? 1. : -1.), vector(0., 0., 1.)),
+                     {k, 0., 0., 0., 0.},
+                     {{side, dealii::Point<3>(), r, 0}}));
+    ratio("two rollers on a light hub",
+          dynamics::System(scene, false).stable_step_limit(),
+          2. / std::sqrt(k * (1. / m + 2. * far * far / inertia)));
+    verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
+    verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
+  }
+  {
+    // A pin in a bore that begins concentric: closed along any direction, here that of the bar.
+    const double m = 0.0107, k = 2e8, k_bar = 3e8;
+    scene::Scene scene               = empty_scene();
+    scene.bodies                     = {lump(m, Vector3()), ground(), ground()};
+    scene.bodies[2].initial.position = vector(0., 0.05);
+    scene.bars                       = {{0, 2, 0.05, k_bar, 0.}};
+    scene::BoreFamily joint;
+    joint.name  = "pin";
+    joint.law   = {k, 0., 0., 0., 0.};
+    joint.pairs = {{1, dealii::Point<3>(), 5.05e-3, {0, dealii::Point<3>(), 5e-3, 0}}};
+    scene.bores.push_back(joint);
+    ratio("pin in a bore, bar across",
+          dynamics::System(scene, false).stable_step_limit(),
+          2. / std::sqrt((k + k_bar) / m));
+  }
 }

@@ -3,6 +3,7 @@
 
 #include <chaindrive/contact/geometry.h>
 #include <chaindrive/contact/law.h>
+#include <chaindrive/world/mobility.h>
 #include <chaindrive/world/spring.h>
 #include <chaindrive/world/world.h>
 
@@ -35,7 +36,8 @@ struct ClosedSide
 {
   static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
-  unsigned int        group = none;    ///< of the bodies in World::copies; none: without nodes
+  unsigned int        group   = none;  ///< of the bodies in World::copies; none: without nodes
+  unsigned int        surface = none;  ///< of their mesh: a node of it is in one contact at a time
   std::vector<double> stiffness;       ///< per node of an elastic body, N/m; empty: a rigid one
   double              eigenvalue = 0.; ///< largest of the springs and the masses alone, 1/s2
 
@@ -137,11 +139,15 @@ protected:
   /// Law and bookkeeping of pair @p i whose geometry is @p touch.
   void apply(World &world, unsigned int i, const Touch &touch, double dt);
 
-  /// Three springs (normal and two tangents) of pair @p i, closed along @p normal.
+  /// Springs that are no softer than pair @p i, closed along any normal across the master's z axis:
+  /// @p centre [m, world] is the slave's axis, @p radius [m] how far from it friction acts; @p
+  /// along is some direction across z.
   void add_closed(const World                &world,
+                  const Mobility             &mobility,
                   unsigned int                i,
-                  const dealii::Tensor<1, 3> &normal,
-                  const dealii::Tensor<1, 3> &point,
+                  const dealii::Tensor<1, 3> &along,
+                  const dealii::Tensor<1, 3> &centre,
+                  double                      radius,
                   std::vector<Spring>        &springs) const;
 
   /// What pair @p i of a family that is dealt out remembers.

@@ -13,11 +13,9 @@ namespace chaindrive::dynamics
 /// @p springs, damping included; infinite without springs.
 ///
 /// With K = sum k_i b_i b_i^T the squared frequencies are the eigenvalues of the matrix
-/// G_ij = sqrt(k_i k_j) b_i^T M^-1 b_j. For any positive x the largest one is bounded by
-/// max_i (|G| x)_i / x_i (Collatz-Wielandt); x is iterated towards the Perron vector of |G|, so the
-/// bound is safe at every iteration and sharp in the end. Damping, evaluated at the velocity of the
-/// half step before, makes the step dt stable while 4 M - 2 dt C - dt^2 K is positive: as if the
-/// springs had k_i + 2 c_i / dt.
+/// G_ij = sqrt(k_i k_j) b_i^T M^-1 b_j; largest_eigenvalue() finds the largest one. Damping,
+/// evaluated at the velocity of the half step before, makes the step dt stable while
+/// 4 M - 2 dt C - dt^2 K is positive: as if the springs had k_i + 2 c_i / dt.
 double stable_step(const World &world, const std::vector<Spring> &springs);
 
 /// The same [s] from the largest eigenvalues of M^-1 K [1/s2] and of M^-1 C [1/s] alone: the

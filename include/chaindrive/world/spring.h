@@ -14,5 +14,6 @@ struct Spring
   dealii::Tensor<1, 3> second_at;
   double               stiffness; ///< N/m
   double               damping;   ///< N s/m
+  bool turning = false; ///< it resists turning about its direction instead: N m and N m s per rad
 };
 } // namespace chaindrive
