@@ -71,7 +71,8 @@ ClosedSide FacetFlanks::closed_side(const double              stiffness,
   const mesh::SurfaceNodes nodes(*flanks.part, flanks.nodes, mesh::tooth_flanks);
   const Share              slave = largest_share(slaves, of_slaves);
   ClosedSide               side;
-  side.group = group_;
+  side.group   = group_;
+  side.surface = mesh::tooth_flanks;
   side.stiffness.resize(flanks.n_nodes());
   for (unsigned int i = 0; i < nodes.size(); ++i)
     {

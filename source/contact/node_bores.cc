@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/carried_area.h>
 #include <chaindrive/contact/node_bores.h>
 #include <chaindrive/mesh/cylinder_grid.h>
 #include <chaindrive/mesh/surface_nodes.h>
@@ -16,9 +17,13 @@ namespace
 constexpr double reach = 8e-6; // m; larger: fewer searches but wider windows
 
 /// One side of a joint with all of its nodes closed: each node carries the springs of its share of
-/// the surface. The nodes of a rigid body have all of it to move: at the distance r from its centre
-/// a spring k adds at most k (1/m + r^2/I), I the smallest moment of inertia.
+/// the surface, @p area(station) [m2]. The nodes of a rigid body have all of it to move: at the
+/// distance r from its centre a spring k adds at most k (1/m + r^2/I), I the smallest moment of
+/// inertia.
+template <typename Area>
 ClosedSide closed_side(const mesh::CylinderGrid &grid,
+                       const unsigned int        surface,
+                       const Area               &area,
                        const double              stiffness,
                        const World              &world,
                        const unsigned int        group)
@@ -31,23 +36,24 @@ ClosedSide closed_side(const mesh::CylinderGrid &grid,
         inertia = std::min(inertia, rotation.inertia[d]);
 
   ClosedSide side;
-  side.group = group;
+  side.group   = group;
+  side.surface = surface;
   if (group < world.n_elastic_groups())
     side.stiffness.resize(copies.n_nodes());
   for (unsigned int s = 0; s < grid.n_stations(); ++s)
-    for (unsigned int c = 0; c < grid.n_columns(); ++c)
-      {
-        const unsigned int node = copies.nodes.of_vertex[grid.vertex_at(s, c)];
-        const double       k    = stiffness * grid.area(s, c);
-        if (side.stiffness.empty())
-          side.eigenvalue +=
-              k * (1. / world.mass[copies.bodies.front()] +
-                   dealii::Tensor<1, 3>(copies.nodes.position[node]).norm_square() / inertia);
-        else
-          {
+    {
+      const double k = stiffness * area(s);
+      for (unsigned int c = 0; c < grid.n_columns(); ++c)
+        {
+          const unsigned int node = copies.nodes.of_vertex[grid.vertex_at(s, c)];
+          if (side.stiffness.empty())
+            side.eigenvalue +=
+                k * (1. / world.mass[copies.bodies.front()] +
+                     dealii::Tensor<1, 3>(copies.nodes.position[node]).norm_square() / inertia);
+          else
             side.hold(node, k, copies.nodes.mass[node]);
-          }
-      }
+        }
+    }
   return side;
 }
 
@@ -135,8 +141,11 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
       group.tables       = std::make_unique<JointTables>(bore, cylinder);
       group.master_nodes = node_offsets(bore, masters.nodes.vertex);
       group.slave_nodes  = node_offsets(cylinder, slaves.nodes.vertex);
-      group.closed       = {{closed_side(bore, law.stiffness, world, master_group),
-                             closed_side(cylinder, law.stiffness, world, slave_group)}};
+      const auto carried = [&](const unsigned int s) { return carried_area(bore, s, cylinder); };
+      const auto own     = [&](const unsigned int s) { return cylinder.area(s, 0); };
+      group.closed       = {
+                {closed_side(bore, master_surface, carried, law.stiffness, world, master_group),
+                 closed_side(cylinder, slave_surface, own, law.stiffness, world, slave_group)}};
 
       pairs.erase(std::remove_if(pairs.begin(),
                                  pairs.end(),

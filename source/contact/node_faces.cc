@@ -95,7 +95,13 @@ NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool se
           kinds.emplace(sides_of(pair, world), static_cast<unsigned int>(kinds_.size()));
       if (is_new)
         {
-          kinds_.push_back({master.group, slave.group, pair.master_axis, pair.slave_axis, {}});
+          kinds_.push_back({master.group,
+                            slave.group,
+                            pair.master_surface,
+                            pair.slave_surface,
+                            pair.master_axis,
+                            pair.slave_axis,
+                            {}});
           for (const double sign : {-1., 1.})
             {
               Faces      faces{facets_of(masters, pair.master_surface, pair.master_axis, sign),
@@ -278,9 +284,11 @@ std::vector<ClosedPair> NodeFaces::closed_pairs(const World &world) const
       const Copies &masters = world.copies[kind.master_group],
                    &slaves  = world.copies[kind.slave_group];
       ClosedPair pair;
-      pair[0].group = kind.master_group;
+      pair[0].group   = kind.master_group;
+      pair[0].surface = kind.master_surface;
       pair[0].stiffness.resize(masters.n_nodes());
-      pair[1].group = kind.slave_group;
+      pair[1].group   = kind.slave_group;
+      pair[1].surface = kind.slave_surface;
       pair[1].stiffness.resize(slaves.n_nodes());
       const auto carry =
           [](ClosedSide &side, const Copies &copies, const unsigned int node, const double k) {

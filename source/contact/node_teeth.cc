@@ -233,6 +233,7 @@ std::vector<ClosedPair> NodeTeeth::closed_pairs(const World &world) const
   ClosedPair    pair;
   ClosedSide   &roller = pair[1];
   roller.group         = group_;
+  roller.surface       = scene_.slave_surface;
   roller.stiffness.resize(copies.n_nodes());
   for (unsigned int s = 0; s < surface_->size(); ++s)
     {

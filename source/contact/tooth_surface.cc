@@ -119,7 +119,8 @@ ClosedSide ToothSurface::closed_side(const double              stiffness,
   const Share        slave     = largest_share(slaves, of_slaves);
   const unsigned int n_columns = column_.size(), n_layers = z_.size();
   ClosedSide         side;
-  side.group = group_;
+  side.group   = group_;
+  side.surface = mesh::tooth_flanks;
   side.stiffness.resize(flanks.n_nodes());
   for (unsigned int c = 0; c < n_columns; ++c)
     for (unsigned int layer = 0; layer < n_layers; ++layer)

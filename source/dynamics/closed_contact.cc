@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace chaindrive::dynamics
 {
@@ -46,6 +47,25 @@ double ratio(const double e0, double c0, const double e1, double c1)
   return half > 0. ? c1 / (half + root) : (root - half) / c0;
 }
 
+/// What holds the nodes of one side of one group of bodies.
+struct Springs
+{
+  std::vector<double> stiffness, damping; ///< per node, N/m and N s/m
+
+  /// Each node is in one contact at a time with what @p side meets there: the stiffest counts.
+  void take(const ClosedSide &side, const double factor, const double time)
+  {
+    stiffness.resize(side.stiffness.size());
+    damping.resize(side.stiffness.size());
+    for (std::size_t n = 0; n < side.stiffness.size(); ++n)
+      {
+        const double k = factor * side.stiffness[n];
+        stiffness[n]   = std::max(stiffness[n], k);
+        damping[n]     = std::max(damping[n], k * time);
+      }
+  }
+};
+
 /// All contacts, held closed, for a step of about @p dt [s].
 std::vector<Held> hold(const World               &world,
                        const std::vector<double> &elements,
@@ -68,7 +88,8 @@ std::vector<Held> hold(const World               &world,
         kinds.push_back({std::move(sides), damping_time(family->law())});
       }
 
-  std::vector<Held> held(world.copies.size());
+  std::vector<Held>                            held(world.copies.size());
+  std::vector<std::map<unsigned int, Springs>> sides(world.copies.size()); // by surface
   for (const Kind &kind : kinds)
     {
       std::array<double, 2> e{}, c{};
@@ -83,23 +104,31 @@ std::vector<Held> hold(const World               &world,
         if (const ClosedSide &side = kind.sides[i]; side.group != ClosedSide::none)
           {
             const double factor = 1. + ratio(e[i], c[i], e[1 - i], c[1 - i]);
-            const double k      = factor * side.eigenvalue;
-            Held        &body   = held[side.group];
-            body.stiffness.resize(side.stiffness.size());
-            body.damping.resize(side.stiffness.size());
-            // a rigid body feels all its nodes at once, an elastic one each of them, where it
-            // meets one body or another
-            const bool sum = side.stiffness.empty();
-            body.stiffest  = sum ? body.stiffest + k : std::max(body.stiffest, k);
-            body.damped = sum ? body.damped + k * kind.time : std::max(body.damped, k * kind.time);
-            for (std::size_t n = 0; n < side.stiffness.size(); ++n)
+            if (side.stiffness.empty()) // a rigid body feels all its nodes at once
               {
-                const double of_node = factor * side.stiffness[n];
-                body.stiffness[n]    = std::max(body.stiffness[n], of_node);
-                body.damping[n]      = std::max(body.damping[n], of_node * kind.time);
+                held[side.group].stiffest += factor * side.eigenvalue;
+                held[side.group].damped += factor * side.eigenvalue * kind.time;
               }
+            else
+              sides[side.group][side.surface].take(side, factor, kind.time);
           }
     }
+
+  // a node on the edge of two sides may be in contact on both of them
+  for (unsigned int g = 0; g < held.size(); ++g)
+    for (const auto &[surface, springs] : sides[g])
+      {
+        held[g].stiffness.resize(springs.stiffness.size());
+        held[g].damping.resize(springs.stiffness.size());
+        for (std::size_t n = 0; n < springs.stiffness.size(); ++n)
+          {
+            const double mass = world.copies[g].nodes.mass[n];
+            held[g].stiffness[n] += springs.stiffness[n];
+            held[g].damping[n] += springs.damping[n];
+            held[g].stiffest = std::max(held[g].stiffest, held[g].stiffness[n] / mass);
+            held[g].damped   = std::max(held[g].damped, held[g].damping[n] / mass);
+          }
+      }
   return held;
 }
 } // namespace

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/mesh/cylinder_grid.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace chaindrive::contact
 {
@@ -37,4 +40,17 @@ inline double carried_area(const Share &node, const Share &slave)
 {
   return 81. / 64. * std::max(node.along, slave.along) * std::max(node.beside, slave.beside);
 }
+/// The length [m] that a hat of half width @p l carries of equidistant points @p a apart [m], each
+/// of which stands for the length a, at most: when it stands over one of them. It is l where l is a
+/// multiple of a, and never less than either.
+inline double carried_length(const double l, const double a)
+{
+  const double q = std::floor(l / a * (1. + 1e-12));
+  return a * (1. + 2. * q - q * (q + 1.) * a / l);
+}
+
+/// The area [m2] of the slave's nodes that a node of a bore in @p station carries, at most,
+/// wherever along and about the axis the @p slave is. In half models it stays where it is.
+double
+carried_area(const mesh::CylinderGrid &bore, unsigned int station, const mesh::CylinderGrid &slave);
 } // namespace chaindrive::contact

@@ -54,9 +54,10 @@ private:
   /// Pairs of the same sides of the same parts.
   struct Kind
   {
-    unsigned int       master_group, slave_group; ///< in World::copies
-    dealii::Point<3>   master_axis, slave_axis;   ///< see scene::FacePair
-    std::vector<Faces> faces;                     ///< at z < 0 and z > 0
+    unsigned int       master_group, slave_group;     ///< in World::copies
+    unsigned int       master_surface, slave_surface; ///< see scene::FacePair
+    dealii::Point<3>   master_axis, slave_axis;       ///< likewise
+    std::vector<Faces> faces;                         ///< at z < 0 and z > 0
   };
 
   /// What is kept of a slave.
