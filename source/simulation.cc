@@ -144,7 +144,7 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   dynamics::Guard     guard(scene,
                         system,
                         parameters.time.energy_limit,
-                        1e-3 * scene.nominal_energy(),
+                        choice.limit,
                         parameters.time.guard);
   output::Checkpoints checkpoints(
       parameters, directory.path(), fixed, n_steps, choice.step, recorder, guard, log);

@@ -54,13 +54,10 @@ def not_finite(summary, name=""):
 
 
 def figures(summary):
-    energy = summary["energy"]
-    stored = sum(energy[k] for k in ("kinetic", "bar", "strain", "hourglass", "contact"))
-    turned_over = max(abs(summary["drive_work"]), abs(summary["resisting_work"]), stored)
     return {
         "steps": summary["steps"],
         "step_us": 1e6 * summary["step"],
-        "imbalance": summary["energy_imbalance_max"] * abs(summary["drive_work"]) / turned_over,
+        "imbalance": summary["energy_imbalance_max"],
         "momentum": summary.get("momentum_imbalance_max", 0.0),
         "overlap_um": 1e6 * max(summary["overlap_max"].values()),
         "drive_work": summary["drive_work"],

@@ -396,9 +396,11 @@ Json Recorder::summary(const dynamics::System             &system,
     json["contacts_missed"] = missed;
   json["drive_work"]           = ledger.drive_work;
   json["resisting_work"]       = ledger.resisting_work;
+  json["energy_turned_over"]   = guard.energy().turned_over();
   json["energy_imbalance_max"] = nullptr; // unless there is something to compare with
-  if (ledger.drive_work != 0.)
-    json["energy_imbalance_max"] = guard.energy().largest_imbalance() / std::abs(ledger.drive_work);
+  if (guard.energy().turned_over() > 0.)
+    json["energy_imbalance_max"] =
+        guard.energy().largest_imbalance() / guard.energy().turned_over();
   if (guard.looks())
     {
       json["momentum_imbalance_max"] = guard.largest_momentum_error();

@@ -29,7 +29,7 @@ void print_summary(std::ostream &out, const Json &summary)
   line("driven angle at the end", "driven_angle_end", "rad");
   line("drive work", "drive_work", "J");
   line("resisting work", "resisting_work", "J");
-  line("largest energy imbalance", "energy_imbalance_max", "of the drive work");
+  line("largest energy imbalance", "energy_imbalance_max", "of the energy turned over");
 
   unsigned int n = 0;
   for (const Json &engagement : summary["engagements"])

@@ -40,9 +40,9 @@ void Time::declare(dealii::ParameterHandler &prm)
       energy_limit,
       unit::percent,
       above(0., 100.),
-      "Imbalance of energy, over the drive work, at which a run stops. A sound run stays below "
-      "0.1 (simple) or 0.5 (layered); a larger imbalance means too large a step. Default: what "
-      "can no longer be trusted.");
+      "Imbalance of energy, over the energy turned over, at which a run stops. A sound run stays "
+      "below 0.1 (simple) or 0.5 (layered); a larger imbalance means too large a step. Default: "
+      "what can no longer be trusted.");
   add(prm,
       "Guard",
       guard,

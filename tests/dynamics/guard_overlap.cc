@@ -26,7 +26,7 @@ scene::Scene impact(const double radius, const double mass, const double speed, 
 unsigned int stopped_at(const scene::Scene &scene, const unsigned int n, std::string &message)
 {
   dynamics::System system(scene, false);
-  dynamics::Guard  guard(scene, system, 0.05, 1e-3 * system.world.ledger.initial);
+  dynamics::Guard  guard(scene, system, 0.05, system.stable_step_limit());
   const double     dt = 0.01 * system.stable_step_limit();
   for (unsigned int i = 1; i <= n; ++i)
     try

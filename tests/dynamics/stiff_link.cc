@@ -68,7 +68,7 @@ Outcome run(const bool layered, const bool stiff_link)
   outcome.limit         = system.stable_step_limit();
   const double    dt    = 0.14 * outcome.limit;
   const double    start = layered ? bend(world) : 0.;
-  dynamics::Guard guard(scene, system, 0.05, 1e-3 * scene.nominal_energy());
+  dynamics::Guard guard(scene, system, 0.05, system.stable_step_limit());
   unsigned long   step = 0;
   advance(system, static_cast<unsigned long>((layered ? 4e-3 : 1e-3) / dt), dt, [&]() {
     outcome.worst = std::max(outcome.worst, std::abs(world.ledger.imbalance()));

@@ -17,7 +17,7 @@ int main()
                   s["tight_tension_mean"].get<double>() - s["slack_tension_mean"].get<double>(),
                   1340.,
                   1460.);
-      test::range("energy imbalance / drive work",
+      test::range("energy imbalance / energy turned over",
                   s["energy_imbalance_max"],
                   0.,
                   model == "simple" ? 1e-3 : 5e-3);

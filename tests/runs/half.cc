@@ -33,6 +33,6 @@ int main()
                 ratio(half["energy"][name], whole["energy"][name]),
                 0.99999,
                 1.00001);
-  test::range("energy imbalance / drive work", half["energy_imbalance_max"], 0., 1e-3);
+  test::range("energy imbalance / energy turned over", half["energy_imbalance_max"], 0., 1e-3);
   test::range("contacts missed by the searches", half["contacts_missed"], 0., 0.);
 }

@@ -41,6 +41,6 @@ int main()
                   generated["energy"]["strain"].get<double>(),
               0.98,
               1.02);
-  test::range("energy imbalance / drive work", imported["energy_imbalance_max"], 0., 1e-3);
+  test::range("energy imbalance / energy turned over", imported["energy_imbalance_max"], 0., 1e-3);
   test::range("contacts missed by the searches", imported["contacts_missed"], 0., 0.);
 }

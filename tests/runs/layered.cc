@@ -21,5 +21,5 @@ int main()
               loss["friction_loss"].get<double>() + loss["contact_damping_loss"].get<double>(),
               1.8,
               6.9);
-  test::range("energy imbalance / drive work", s["energy_imbalance_max"], 0., 5e-3);
+  test::range("energy imbalance / energy turned over", s["energy_imbalance_max"], 0., 5e-3);
 }

@@ -82,8 +82,9 @@ public:
         const MPI_Comm      comm = MPI_COMM_SELF)
       : scene(the_scene)
       , system(scene, false, comm)
-      , guard(scene, system, 0.05, 1e-3 * scene.nominal_energy())
-      , dt(part_of_limit * system.stable_step_limit())
+      , limit(system.stable_step_limit())
+      , guard(scene, system, 0.05, limit)
+      , dt(part_of_limit * limit)
   {
     for (unsigned int i = 0; i < n_sound; ++i)
       {
@@ -173,6 +174,7 @@ public:
 
   const scene::Scene scene;
   System             system;
+  const double       limit; ///< stable step, s
   dynamics::Guard    guard;
   const double       dt; ///< s
 

@@ -51,7 +51,7 @@ inline nlohmann::json start_small_full_drive(std::vector<std::string> more = {})
   const nlohmann::json s      = run("prm/paper/layered-auto.prm", small_full_drive_with(more));
   const double         angle  = s["driven_angle_end"];
   const double         turned = 120.74 * (1.5e-3 - 0.25e-3); // rad: the ramp costs half its time
-  range("energy imbalance / drive work", s["energy_imbalance_max"], 0., 1e-3);
+  range("energy imbalance / energy turned over", s["energy_imbalance_max"], 0., 1e-3);
   range("driven angle over driver's", angle / turned, 0.75, 1.);
   range("resisting work over torque times angle",
         s["resisting_work"].get<double>() / (20. * (angle - 0.5 * 0.01)),

@@ -31,16 +31,23 @@ private:
   double sound_until_;
 };
 
-/// Keeps the largest imbalance of the ledger and tells when its energy does not close.
+/// Keeps the energy turned over and the largest imbalance of the ledger, and tells when it does not
+/// close.
+///
+/// Of every energy that a run turns over there is one line of the ledger that it comes from and one
+/// that it goes to. So the energy turned over is half of the sum of the sizes of all lines, stored
+/// energies, that at the start, losses and works, and the largest that this has been so far: it
+/// never falls, and what one line gains from another does not cancel in it.
 class EnergyGuard
 {
 public:
-  /// @p limit is the accepted |imbalance| / energy turned over; @p floor [J] an energy below which
-  /// nothing is judged, so that the first moments of a run are not divided by nearly zero.
-  EnergyGuard(double limit, double floor) : limit_(limit), turned_over_(floor) {}
+  /// @p limit is the accepted |imbalance| / energy turned over.
+  explicit EnergyGuard(double limit) : limit_(limit) {}
 
-  /// False when the balance is off by more than the limit, or is not a number.
-  bool closes(const Ledger &ledger);
+  /// False when the balance is off by more than the limit, or is not a number. @p floor [J] is an
+  /// energy below which nothing is judged, so that the first moments of a run are not divided by
+  /// nearly zero: so much at least counts as turned over.
+  bool closes(const Ledger &ledger, double floor);
 
   double limit() const { return limit_; }
   double turned_over() const { return turned_over_; }   ///< J
@@ -54,8 +61,8 @@ public:
 
 private:
   double limit_;
-  double turned_over_;
-  double largest_ = 0.;
+  double turned_over_ = 0.;
+  double largest_     = 0.;
 };
 
 /// Stops a run that has gone wrong, and says where it did.
@@ -69,14 +76,15 @@ private:
 ///   is zero to round-off with central differences, whatever the step: a reaction that is lost or
 ///   has the wrong sign stays in it. In half models only along x and y.
 /// - Energy. No loss and no stored energy is negative, the imbalance does not jump from one look to
-///   the next, and the losses do not fall.
+///   the next by more than the step explains, and the losses do not fall.
 /// - Overlap. No surfaces overlap by Family::senseless_overlap(): a contact that pulls instead of
 ///   pushing gets there in a few steps. What one rank sees goes into World::alarm, and all ranks
 ///   stop at the next step.
 ///
 /// A step above the stable one is found when something blows up: in the simple and full models
-/// within 32 steps at 1.3 times the limit, in the layered one within 100 at 1.4 times, since the
-/// bound of rigid joints takes all of them for closed at once. Moment of momentum is not balanced:
+/// within 32 steps at 1.3 times the limit, in the layered one within 100 at 1.6 times, since the
+/// bound of rigid joints takes all of them for closed at once, along the worst of directions.
+/// Moment of momentum is not balanced:
 /// a lost moment is found when its work is too much of the energy, or not at all; the tests
 /// contact/forces_cancel, joint_forces_cancel and plate_faces look at moments.
 ///
@@ -84,10 +92,13 @@ private:
 class Guard
 {
 public:
-  /// @p limit and @p floor as in EnergyGuard. When not @p on, the ledger must close, that is all.
-  /// @p scene must outlive this.
-  Guard(
-      const scene::Scene &scene, const System &system, double limit, double floor, bool on = true);
+  /// @p limit as in EnergyGuard; @p stable_step [s] is that of @p system. When not @p on, the
+  /// ledger must close, that is all. @p scene must outlive this.
+  Guard(const scene::Scene &scene,
+        const System       &system,
+        double              limit,
+        double              stable_step,
+        bool                on = true);
 
   /// To be called after each step: @p step counts from 0, @p dt [s] is the step that led here.
   /// Throws Fault. Collective.
@@ -122,6 +133,12 @@ private:
   std::optional<Finding> look_at_momentum(System &system, double dt);
   std::optional<Finding> look_at_energy(System &system, double dt);
 
+  /// What the step @p dt [s] makes wrong of the energy of the fastest vibration.
+  double error_of_step(double dt) const;
+
+  /// Energy [J] that is the least to count as turned over.
+  double smallest_turned_over(double dt) const;
+
   /// Whether this rank sees surfaces that overlap too far.
   bool overlaps(const System &system) const;
 
@@ -139,7 +156,8 @@ private:
 
   const scene::Scene &scene_;
   EnergyGuard         energy_;
-  double              floor_; ///< of the energies that a jump is compared with, J
+  double              least_energy_; ///< that is judged, J
+  double              stable_step_;  ///< of rigid models, s; infinite with elastic bodies
   bool                on_;
   unsigned int        calls_ = 0; ///< since the last look
   double              sound_until_;
