@@ -57,7 +57,7 @@ Touch touch_flanks(const scene::ToothFamily   &family,
   if (touch.gap < 0.)
     {
       touch.normal = master.rotation * normal;
-      touch.point  = family.rolls_freely ? centre : centre - radius * touch.normal;
+      touch.point  = centre - radius * touch.normal;
       set_tangents(touch, master);
     }
   return touch;
@@ -123,13 +123,7 @@ void Teeth::add_springs(const World &world, std::vector<Spring> &springs) const
       dealii::Tensor<1, 3>     centre = to_world(world.frames[slave.body], slave.point);
       dealii::Tensor<1, 3>     radial = centre - sprocket.position;
       radial -= (radial * z) * z;
-      add_closed(world,
-                 mobility,
-                 i,
-                 radial / radial.norm(),
-                 centre,
-                 scene_.rolls_freely ? 0. : slave.radius,
-                 springs);
+      add_closed(world, mobility, i, radial / radial.norm(), centre, slave.radius, springs);
     }
 }
 } // namespace chaindrive::contact

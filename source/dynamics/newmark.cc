@@ -28,6 +28,8 @@ void kick(World &world, const double half)
   for (World::Rotation &rotation : world.rotations)
     for (unsigned int d = 0; d < 3; ++d)
       rotation.momentum[d] += half * moment[3 * rotation.body + d];
+  for (World::Spin &spin : world.spins)
+    spin.speed += half / spin.inertia * moment[3 * spin.body + 2];
   for (World::Hub &hub : world.hubs)
     if (!hub.prescribed)
       hub.speed += half / hub.inertia * moment[3 * hub.body + 2];
@@ -39,6 +41,8 @@ void set_velocities(World &world)
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     for (unsigned int d = 0; d < 3; ++d)
       world.frames[b].velocity[d] = v[3 * b + d];
+  for (const World::Spin &spin : world.spins)
+    world.frames[spin.body].angular_velocity[2] = spin.speed;
   for (const World::Hub &hub : world.hubs)
     world.frames[hub.body].angular_velocity[2] = hub.speed;
 }

@@ -247,6 +247,9 @@ std::vector<Place> places_not_finite(const scene::Scene &scene, System &system)
       for (const World::Rotation &rotation : world.rotations)
         if (!finite(rotation.momentum))
           places.push_back({4., name_of(scene.bodies[rotation.body]) + " (spin)"});
+      for (const World::Spin &spin : world.spins)
+        if (!std::isfinite(spin.speed))
+          places.push_back({4., name_of(scene.bodies[spin.body]) + " (spin)"});
       for (const World::Hub &hub : world.hubs)
         if (!std::isfinite(hub.angle + hub.speed))
           places.push_back({4., name_of(scene.bodies[hub.body]) + " (rotation)"});

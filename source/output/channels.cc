@@ -115,6 +115,14 @@ void Recorder::add_roller_channels()
               row[i] = acceleration_[3 * rollers_[i] + d];
           });
     }
+  if (std::all_of(rollers_.begin(), rollers_.end(), [this](const unsigned int k) {
+        return scene_.bodies[k].motion == scene::Motion::rigid || scene_.bodies[k].inertia[2] > 0.;
+      }))
+    add({"rollers", "spin", "rad/s", "Angular velocity, counter-clockwise positive", n, labels},
+        [this](const auto &s, Row row) {
+          for (unsigned int i = 0; i < rollers_.size(); ++i)
+            row[i] = s.world.frames[rollers_[i]].angular_velocity[2];
+        });
 }
 
 void Recorder::add_link_channels()

@@ -42,22 +42,22 @@ void Contact::declare(dealii::ParameterHandler &prm)
       roller_tooth_friction,
       unit::si,
       between(0., 2.),
-      "Friction coefficient between rollers and teeth. Lumped rollers roll freely and so feel "
-      "little of it. auto: the general coefficient.");
+      "Friction coefficient between rollers and teeth. Lumped rollers, whose rings turn on their "
+      "bushes without friction, feel little of it. auto: the general coefficient.");
   add(prm,
       "Roller-bush friction",
       roller_bush_friction,
       unit::si,
       between(0., 2.),
-      "Friction coefficient between rollers and bushes; layered fidelity only. auto: the general "
-      "coefficient.");
+      "Friction coefficient between rollers and bushes; layered and full fidelity only. auto: the "
+      "general coefficient.");
   add(prm,
       "Bush-pin friction",
       bush_pin_friction,
       unit::si,
       between(0., 2.),
       "Friction coefficient in the joints, where the links turn and wear happens; layered "
-      "fidelity only. auto: the general coefficient.");
+      "and full fidelity only. auto: the general coefficient.");
   add(prm,
       "Tangential ratio",
       tangential_ratio,

@@ -246,7 +246,6 @@ void add_sprockets(const Parameters               &parameters,
       teeth.outer_radius = 0.5 * form.outside_diameter;
       const double width = file.empty() ? drive.sprocket_width : mesh::flank_width(*part);
       teeth.half_width   = 0.5 * width;
-      teeth.rolls_freely = lumped;
       if (!file.empty())
         {
           teeth.facets = std::make_shared<const mesh::FacetSurface>(

@@ -44,7 +44,24 @@ double link_mass_factor(const Parameters &parameters, const drive::Drive &drive)
   return factor;
 }
 
+/// A link turns with the difference of its joints' velocities (zero unless the start is warm).
+double link_spin(const drive::Layout &layout, const unsigned int k)
+{
+  const auto                &a       = layout.joints[k];
+  const auto                &b       = layout.joints[(k + 1) % layout.joints.size()];
+  const dealii::Tensor<1, 2> along   = b.bush - a.bush;
+  const dealii::Tensor<1, 2> differs = b.velocity - a.velocity;
+  return (along[0] * differs[1] - along[1] * differs[0]) / along.norm_square();
+}
 } // namespace
+
+double roller_spin(const drive::Layout &layout, const unsigned int k)
+{
+  const drive::Layout::Region region = layout.joints[k].region;
+  return region == drive::Layout::Region::driver ? layout.driver_speed :
+         region == drive::Layout::Region::driven ? layout.driven_speed :
+                                                   link_spin(layout, k - k % 2);
+}
 
 void add_chain_bodies(const Parameters        &parameters,
                       const drive::Drive      &drive,
@@ -62,29 +79,16 @@ void add_chain_bodies(const Parameters        &parameters,
                                          std::string("auto: from the parts")) +
       "), of which the roller " + to_text(drive.roller_solid.mass * 1e3, 4) + " g");
 
-  // a link turns with the difference of its joints' velocities (zero unless the start is warm)
-  const auto link_speed = [&](const unsigned int k) {
-    const auto                &a       = layout.joints[k];
-    const auto                &b       = layout.joints[(k + 1) % n];
-    const dealii::Tensor<1, 2> along   = b.bush - a.bush;
-    const dealii::Tensor<1, 2> differs = b.velocity - a.velocity;
-    return (along[0] * differs[1] - along[1] * differs[0]) / along.norm_square();
-  };
-
   for (unsigned int k = 0; k < n; ++k)
     {
       const auto &joint = layout.joints[k];
-      double      spin  = link_speed(k % 2 == 0 ? k : k - 1); // of the inner link that carries it
-      if (joint.region == drive::Layout::Region::driver)
-        spin = layout.driver_speed;
-      else if (joint.region == drive::Layout::Region::driven)
-        spin = layout.driven_speed;
-      scene.bodies.push_back(make_body(Kind::roller,
-                                       k,
-                                       drive.roller_solid,
-                                       1.,
-                                       elastic_joint[k] ? Motion::elastic : Motion::rigid,
-                                       placed(joint.roller, 0., joint.velocity, spin)));
+      scene.bodies.push_back(
+          make_body(Kind::roller,
+                    k,
+                    drive.roller_solid,
+                    1.,
+                    elastic_joint[k] ? Motion::elastic : Motion::rigid,
+                    placed(joint.roller, 0., joint.velocity, roller_spin(layout, k))));
     }
   for (unsigned int k = 0; k < n; ++k)
     {
@@ -92,12 +96,13 @@ void add_chain_bodies(const Parameters        &parameters,
       const dealii::Tensor<1, 2> velocity =
           0.5 * (layout.joints[k].velocity + layout.joints[(k + 1) % n].velocity);
       const bool elastic = elastic_joint[k] && elastic_joint[(k + 1) % n];
-      scene.bodies.push_back(make_body(link.inner ? Kind::inner_link : Kind::outer_link,
-                                       k,
-                                       link.inner ? drive.inner_link_solid : drive.outer_link_solid,
-                                       factor,
-                                       elastic ? Motion::elastic : Motion::rigid,
-                                       placed(link.centre, link.angle, velocity, link_speed(k))));
+      scene.bodies.push_back(
+          make_body(link.inner ? Kind::inner_link : Kind::outer_link,
+                    k,
+                    link.inner ? drive.inner_link_solid : drive.outer_link_solid,
+                    factor,
+                    elastic ? Motion::elastic : Motion::rigid,
+                    placed(link.centre, link.angle, velocity, link_spin(layout, k))));
     }
 }
 

@@ -4,6 +4,7 @@
 #include <chaindrive/utilities/text.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 namespace chaindrive::scene
@@ -20,16 +21,27 @@ Effect decide(const std::string &name,
   const bool on = coefficient != 0.;
   return {name, on, coefficient_text + (on ? "" : " is zero")};
 }
+/// The largest friction coefficient of the interfaces that the fidelity of @p p has.
+double largest_friction(const Parameters &p)
+{
+  const parameters::Contact &contact = p.contact;
+  const auto                 of      = [&contact](const std::optional<double> &own) {
+    return own.value_or(contact.friction_coefficient);
+  };
+  double largest = of(contact.roller_tooth_friction);
+  if (p.model.fidelity != "simple")
+    largest = std::max({largest, of(contact.roller_bush_friction), of(contact.bush_pin_friction)});
+  if (p.model.fidelity == "full" && contact.plate_faces == "on")
+    largest = std::max(largest, contact.friction_coefficient);
+  return largest;
+}
 } // namespace
 
 std::vector<Effect> decide_effects(const Parameters &p)
 {
   const bool   layered  = p.model.fidelity != "simple";
   const bool   full     = p.model.fidelity == "full";
-  const double friction = std::max({p.contact.friction_coefficient,
-                                    p.contact.roller_tooth_friction.value_or(0.),
-                                    p.contact.roller_bush_friction.value_or(0.),
-                                    p.contact.bush_pin_friction.value_or(0.)});
+  const double friction = largest_friction(p);
 
   std::vector<Effect> effects;
   effects.push_back(

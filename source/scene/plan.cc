@@ -54,7 +54,7 @@ std::string motion_of(const Body &body)
   switch (body.motion)
     {
     case Motion::lumped:
-      return "lumped, 3 translations";
+      return body.inertia[2] > 0. ? "lumped, 3 translations and a spin" : "lumped, 3 translations";
     case Motion::rigid:
       return "rigid, 6 degrees of freedom";
     case Motion::elastic:

@@ -3,6 +3,7 @@
 #include <chaindrive/scene/placement.h>
 #include <chaindrive/utilities/text.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace chaindrive::scene
@@ -15,6 +16,10 @@ void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, S
                         (parameters.model.mass_per_pitch ? "given" : "auto: from the parts") +
                         "), lumped at the rollers");
 
+  // what turns is the ring, whatever mass of the links is lumped with it
+  const drive::MassProperties &ring    = drive.roller_solid;
+  const bool                   spins   = is_on(scene.effects, "friction");
+  const double                 inertia = ring.inertia[2][2] * std::min(1., mass / ring.mass);
   for (unsigned int k = 0; k < scene.n_joints; ++k)
     {
       const drive::Layout::Joint &joint = drive.layout.joints[k];
@@ -24,7 +29,10 @@ void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, S
       roller.motion  = Motion::lumped;
       roller.support = Support::none;
       roller.mass    = mass;
-      roller.initial = placed(joint.roller, 0., joint.velocity, 0.);
+      roller.initial =
+          placed(joint.roller, 0., joint.velocity, spins ? roller_spin(drive.layout, k) : 0.);
+      if (spins)
+        roller.inertia[2] = inertia;
       scene.bodies.push_back(roller);
     }
   if (is_on(scene.effects, "fields"))

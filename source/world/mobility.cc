@@ -13,6 +13,8 @@ Mobility::Mobility(const World &world) : world_(world), turning_(world.n_bodies(
         diagonal[d][d] = 1. / rotation.inertia[d];
       turning_[rotation.body] = r * diagonal * dealii::transpose(r);
     }
+  for (const World::Spin &spin : world.spins)
+    turning_[spin.body][2][2] = 1. / spin.inertia;
   for (const World::Hub &hub : world.hubs)
     if (!hub.prescribed)
       turning_[hub.body][2][2] = 1. / hub.inertia;

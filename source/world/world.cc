@@ -103,6 +103,8 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
       else if (body.motion == scene::Motion::rigid)
         rotations.push_back(
             {b, orientation, angular_momentum(body.initial, body.inertia), body.inertia});
+      else if (body.motion == scene::Motion::lumped && body.inertia[2] > 0.)
+        spins.push_back({b, body.inertia[2], body.initial.angular_velocity[2]});
     }
 
   std::map<scene::Kind, std::vector<unsigned int>> elastic;
@@ -258,6 +260,8 @@ double World::kinetic_energy() const
       energy += 0.5 * mass[b] * frames[b].velocity.norm_square();
   for (const Rotation &r : rotations)
     energy += 0.5 * (r.momentum * frames[r.body].angular_velocity);
+  for (const Spin &spin : spins)
+    energy += 0.5 * spin.inertia * spin.speed * spin.speed;
   for (const Hub &hub : hubs)
     if (!hub.prescribed)
       energy += 0.5 * hub.inertia * hub.speed * hub.speed;
@@ -275,6 +279,7 @@ void World::exchange(const Archive &archive)
     archive.numbers(name, vector->begin(), vector->locally_owned_size());
   archive.numbers("frames", frames);
   archive.numbers("rotations", rotations);
+  archive.numbers("spins", spins);
   archive.numbers("hubs", hubs);
   for (unsigned int g = 0; g < n_elastic_groups(); ++g)
     copies[g].exchange(archive / ("copies " + std::to_string(g)));
@@ -283,7 +288,8 @@ void World::exchange(const Archive &archive)
 std::size_t World::memory_consumption() const
 {
   return displacement.memory_consumption() * 4 + n_bodies() * (sizeof(Frame) + 5 * sizeof(double)) +
-         rotations.size() * sizeof(Rotation) + hubs.size() * sizeof(Hub) +
+         rotations.size() * sizeof(Rotation) + spins.size() * sizeof(Spin) +
+         hubs.size() * sizeof(Hub) +
          std::accumulate(copies.begin(), copies.end(), std::size_t(0), [](auto sum, const auto &c) {
            return sum + c.memory_consumption();
          });

@@ -174,7 +174,6 @@ scene::Scene seated_rollers(std::shared_ptr<const mesh::Part> roller,
   family.outer_radius  = 0.5 * form->outside_diameter;
   family.half_width    = 3.6e-3;
   family.law           = {1e14, 1e7, friction, 5e13, 1e7};
-  family.rolls_freely  = false;
   family.elastic       = true;
   family.slave_surface = mesh::roller_outside;
   for (unsigned int b = 0; b <= teeth; ++b)

@@ -49,7 +49,6 @@ scene::Scene make_scene(const double friction, const double spin)
   teeth.teeth         = 15;
   teeth.outer_radius  = 0.5 * form->outside_diameter;
   teeth.half_width    = 3.6e-3;
-  teeth.rolls_freely  = false;
   teeth.law           = law;
   teeth.slaves        = {{0, dealii::Point<3>(), 0.5 * chain.roller_diameter, 0}};
   teeth.elastic       = true;

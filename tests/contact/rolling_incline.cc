@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A cylinder on an incline of 30 degrees rolls without slip when mu >= tan / (1 + R^2/k^2), with
-// the acceleration g sin / (1 + k^2/R^2); below that it slides with g (sin - mu cos).
+// the acceleration g sin / (1 + k^2/R^2); below that it slides with g (sin - mu cos). A lumped
+// roller does the same, most of whose mass does not turn.
 #include "../support/scenes.h"
 
 using namespace test;
@@ -14,19 +15,22 @@ int main()
   {
     const char *name;
     double      gyration, mu; // k^2/R^2
+    bool        lumped = false;
   };
   for (const Case &c : {Case{"solid", 0.5, 0.3},
                         Case{"roller annulus", 0.7739, 0.5},
-                        Case{"solid, slippery", 0.5, 0.1}})
+                        Case{"solid, slippery", 0.5, 0.1},
+                        Case{"lumped roller", 0.15, 0.1, true},
+                        Case{"lumped roller, slippery", 0.15, 0.05, true}})
     {
       const double m = 0.01, k = 1e5, inertia = c.gyration * m * radius * radius;
       scene::Scene scene  = empty_scene();
       scene.loads.gravity = g;
-      scene.bodies        = {body(scene::Motion::rigid,
-                           scene::Support::none,
-                           m,
-                           vector(inertia, inertia, inertia),
-                           (radius - 0.5e-9) * normal),
+      scene.bodies        = {body(c.lumped ? scene::Motion::lumped : scene::Motion::rigid,
+                                  scene::Support::none,
+                                  m,
+                                  vector(inertia, inertia, inertia),
+                                  (radius - 0.5e-9) * normal),
                              ground()};
       scene.teeth.push_back(on_surface(1,
                                        plane(1., vector(0., 0., 1.), down_hill),

@@ -22,9 +22,10 @@ const std::string roller(const unsigned int k) { return "roller " + std::to_stri
 
 int main()
 {
-  const scene::Scene scene    = drive_scene("prm/paper/simple.prm", {"Drive/Layout/Start=warm"});
-  const auto         sound    = [&scene]() { return Drive(scene, 2000, 0.08); };
-  const std::string  momentum = "Momentum", lost = "as if it did not get the force of the ",
+  const scene::Scene scene = drive_scene("prm/paper/simple.prm", {"Drive/Layout/Start=warm"});
+  const double part  = 0.43e-6 / System(scene, false).stable_step_limit(); // the faults need time
+  const auto   sound = [&scene, part]() { return Drive(scene, 2000, part); };
+  const std::string momentum = "Momentum", lost = "as if it did not get the force of the ",
                     sign = "as if it got the wrong sign of the force of the ";
 
   for (const unsigned int bar : {5U, 60U}) // of the tight and of the slack span
@@ -77,7 +78,11 @@ int main()
     push(s, 40, weight);
   });
 
-  sound().expect_stop("step 1.3 times the limit", {"nergy", "roller"}, {}, {}, 1.3 / 0.08);
+  // of sticking contacts with friction the limit is lower, but they slide before they blow up
+  const scene::Scene smooth = drive_scene(
+      "prm/paper/simple.prm", {"Drive/Layout/Start=warm", "Contact/Friction coefficient=0"});
+  Drive(smooth, 2000, 0.08)
+      .expect_stop("step 1.3 times the limit", {"nergy", "roller"}, {}, {}, 1.3 / 0.08);
 
   Drive broken                                       = sound();
   broken.system.world.velocity.local_element(3 * 17) = std::numeric_limits<double>::quiet_NaN();

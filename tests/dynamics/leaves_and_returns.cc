@@ -43,7 +43,6 @@ scene::Scene make_scene(const bool elastic)
   family.teeth         = 15;
   family.outer_radius  = 0.5 * form->outside_diameter;
   family.half_width    = 3.6e-3;
-  family.rolls_freely  = false;
   family.elastic       = elastic;
   family.slave_surface = mesh::roller_outside;
   family.slaves        = {{0, dealii::Point<3>(), 0.5 * chain.roller_diameter, 0}};

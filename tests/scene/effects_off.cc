@@ -28,7 +28,8 @@ void show(const std::string &what, const Parameters &parameters)
   std::cout << "\n  bars " << scene.bars.size() << ", bore pairs "
             << (scene.bores.empty() ? 0 : scene.bores[0].pairs.size() + scene.bores[1].pairs.size())
             << ", meshes " << scene.parts.size() << ", rotations " << system.world.rotations.size()
-            << (friction > 0. ? ", friction" : "") << (damping > 0. ? ", contact damping" : "")
+            << ", spins " << system.world.spins.size() << (friction > 0. ? ", friction" : "")
+            << (damping > 0. ? ", contact damping" : "")
             << (!scene.bars.empty() && scene.bars[0].damping > 0. ? ", bar damping" : "")
             << (scene.loads.gravity != 0. ? ", gravity" : "")
             << (scene.loads.drag != 0. ? ", drag" : "") << "\n  timing rows:";
@@ -49,4 +50,14 @@ int main()
   parameters.model.fidelity = "layered";
   parameters.loads.drag     = 10.;
   show("layered, drag only", parameters);
+
+  // coefficients of interfaces that are not there, or that others overrule, switch nothing on
+  parameters.model.fidelity                = "simple";
+  parameters.effects.friction              = "auto";
+  parameters.loads.drag                    = 0.;
+  parameters.contact.roller_tooth_friction = 0.;
+  show("simple, teeth without friction", parameters);
+  parameters.model.fidelity               = "layered";
+  parameters.contact.roller_bush_friction = parameters.contact.bush_pin_friction = 0.;
+  show("layered, no interface with friction", parameters);
 }

@@ -94,7 +94,6 @@ inline scene::ToothFamily on_surface(const unsigned int                        m
   family.teeth        = 1;
   family.outer_radius = family.half_width = 1e6;
   family.law                              = law;
-  family.rolls_freely                     = false;
   family.slaves                           = slaves;
   return family;
 }

@@ -110,7 +110,6 @@ inline scene::Scene make_scene(const Tooth &c)
   family.teeth         = form->teeth;
   family.outer_radius  = 0.5 * form->outside_diameter;
   family.half_width    = 3.6e-3;
-  family.rolls_freely  = false;
   family.law           = law;
   family.slaves        = {{0, dealii::Point<3>(), 0.5 * chain.roller_diameter, 0}};
   family.elastic       = true;

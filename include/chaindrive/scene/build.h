@@ -14,6 +14,7 @@ Scene build_scene(const Parameters               &parameters,
                   const std::vector<std::string> &folders);
 
 /// The simple model: one lumped roller of the mass of a pitch per joint, elastic bars between them.
+/// With friction on the teeth the ring of each roller has a spin, or it could not roll.
 void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
 
 /// The layered model: rigid rollers, inner and outer links with clearances between them. Plates and
@@ -30,6 +31,10 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
 /// when these are the whole chain.
 std::vector<char>
 elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
+
+/// Angular velocity [rad/s] of the roller of joint @p k at the start: that of its sprocket or, in a
+/// span, of the inner link that carries it; zero unless the start is warm.
+double roller_spin(const drive::Layout &layout, unsigned int k);
 
 /// Rollers, inner and outer links of a chain with clearances: elastic where @p elastic_joint says
 /// so of the roller's joint or of both joints of the link, else rigid.

@@ -100,7 +100,6 @@ struct ToothFamily
   double                                    outer_radius; ///< of the sprocket, m
   double                                    half_width;   ///< of the sprocket, m
   Law                                       law; ///< of elastic rollers, whose nodes touch: per m2
-  bool                                      rolls_freely; ///< lumped rollers: slip of their centre
   bool                                      elastic = false; ///< the slaves are elastic bodies
   unsigned int slave_surface = 0; ///< of elastic slaves: the side of their mesh that touches
   std::vector<SlavePoint> slaves;

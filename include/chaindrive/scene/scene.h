@@ -32,7 +32,7 @@ enum class Kind
 /// How a body may move.
 enum class Motion
 {
-  lumped, ///< three translations of a rigid shape
+  lumped, ///< three translations of a rigid shape, and a spin about z if it has an inertia for it
   rigid,  ///< six degrees of freedom
   elastic ///< three degrees of freedom per node of the part's mesh; of a sprocket, of its rim
 };

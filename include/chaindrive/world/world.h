@@ -15,9 +15,9 @@
 namespace chaindrive
 {
 /// The state of all bodies. Translations live in deal.II's distributed vectors, three entries per
-/// body (x, y, z of the centre of mass); rotations in two short lists beside them, because a rigid
-/// body's rotation is no vector. `frames` repeats positions and velocities in the form that forces
-/// are computed from.
+/// body (x, y, z of the centre of mass); rotations in three short lists beside them, because a
+/// rigid body's rotation is no vector. `frames` repeats positions and velocities in the form that
+/// forces are computed from.
 ///
 /// Elastic bodies are dealt out to the ranks of a communicator, all else is repeated on each of
 /// them. While forces are evaluated, a rank adds its own share of resultants, moments and energies
@@ -34,6 +34,15 @@ public:
     Quaternion           orientation;
     dealii::Tensor<1, 3> momentum; ///< angular, about the centre of mass, world axes, kg m2/s
     dealii::Tensor<1, 3> inertia;  ///< principal moments in body axes, kg m2
+  };
+
+  /// Of a lumped roller, whose ring turns about the z axis through its centre. A ring looks the
+  /// same however far it has turned: that is not followed.
+  struct Spin
+  {
+    unsigned int body;
+    double       inertia; ///< kg m2
+    double       speed;   ///< rad/s, counter-clockwise positive
   };
 
   /// A body that only turns about the z axis through its origin.
@@ -159,6 +168,7 @@ public:
   std::vector<double>               inverse_mass; ///< per body, 1/kg; 0: held by a hub, or elastic
   std::vector<dealii::Tensor<1, 3>> origin;       ///< per body, position at the start, m
   std::vector<Rotation>             rotations;
+  std::vector<Spin>                 spins;
   std::vector<Hub>                  hubs;
   std::vector<Frame>  frames; ///< per body, now; of an elastic one, its centre of mass
   std::vector<Copies> copies; ///< the elastic bodies, part by part
@@ -182,6 +192,16 @@ public:
   /// By how much the forces on elastic bodies, their contacts' and their energies are to be
   /// multiplied to be those of whole bodies: 2 for halves.
   double whole = 1.;
+
+  /// The force [N] on a whole body from that on what is computed of it: of halves, along the middle
+  /// plane, since across it their images' cancel.
+  dealii::Tensor<1, 3> of_whole(dealii::Tensor<1, 3> force_on_part) const
+  {
+    force_on_part *= whole;
+    if (whole != 1.)
+      force_on_part[2] = 0.;
+    return force_on_part;
+  }
 
 private:
   /// Makes the elastic rim of the sprocket @p body and leaves its hub the inertia of the rest.
