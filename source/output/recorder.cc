@@ -208,28 +208,7 @@ void Recorder::check(const Archive &archive, const std::string &directory)
 void Recorder::keep_peaks(const dynamics::System &system)
 {
   for (ToothForces &teeth : teeth_)
-    {
-      const auto for_each_near = [&teeth](const auto &visit) {
-        for (const contact::Teeth *family : teeth.families)
-          for (const unsigned int i : family->near())
-            visit(family->records()[i]);
-      };
-      for_each_near([&teeth](const contact::Record &record) {
-        teeth.roller[record.joint] = 0.;
-        teeth.gap[record.feature]  = 0.;
-      });
-      for_each_near([&teeth](const contact::Record &record) {
-        const double normal = record.force * record.normal;
-        teeth.roller[record.joint] += normal;
-        teeth.gap[record.feature] += normal;
-      });
-      for_each_near([&teeth](const contact::Record &record) {
-        const unsigned int joint = record.joint, gap = record.feature;
-        teeth.roller_peak[joint] = std::max(teeth.roller_peak[joint], teeth.roller[joint]);
-        teeth.gap_peak[gap]      = std::max(teeth.gap_peak[gap], teeth.gap[gap]);
-        teeth.overlap            = std::max(teeth.overlap, -record.gap);
-      });
-    }
+    teeth.look();
   for (BoreForces &bores : bores_)
     {
       std::fill(bores.joint.begin(), bores.joint.end(), 0.);

@@ -10,6 +10,7 @@
 #include <chaindrive/output/schedule.h>
 #include <chaindrive/output/spans.h>
 #include <chaindrive/output/summary.h>
+#include <chaindrive/output/tooth_forces.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/utilities/statistics.h>
 
@@ -65,16 +66,6 @@ private:
     std::function<void(const dynamics::System &, dealii::ArrayView<double>)> fill;
   };
   using Fill = decltype(Source::fill);
-
-  /// Normal forces on the teeth of one sprocket, now and their peaks since the last sample, N.
-  struct ToothForces
-  {
-    std::vector<const contact::Teeth *> families; ///< of rigid and of elastic rollers
-    std::string                         name;
-    std::vector<double>                 roller, roller_peak; ///< per joint
-    std::vector<double>                 gap, gap_peak;       ///< per gap of the sprocket
-    double                              overlap = 0.;        ///< largest so far, m
-  };
 
   /// The same of one kind of joint contact.
   struct BoreForces
