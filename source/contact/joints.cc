@@ -128,8 +128,9 @@ void JointBatch::search(const double reach, const double unforeseen)
         search_lane(lane, reach);
         fastest = std::max(fastest, closing_[lane]);
       }
-  searched_ = fresh_ = true;
-  holds_for_         = reach / (2. * fastest + unforeseen);
+  fresh_      = true;
+  left_alone_ = false;
+  holds_for_  = reach / (2. * fastest + unforeseen);
 }
 
 void JointBatch::search_lane(const int lane, const double reach)
@@ -147,7 +148,7 @@ void JointBatch::search_lane(const int lane, const double reach)
         const bool         overlap = gap < 0. && covered_[node * n_lanes + lane] > 0.;
         // the outermost columns of a window have neighbours that are not there
         const unsigned int place = (c + n - first) % n;
-        if (overlap && searched_ && count < n && !(place > 0 && place + 1 < count))
+        if (overlap && left_alone_ && count < n && !(place > 0 && place + 1 < count))
           ++missed_[lane];
         // what touched last time has a spring to let go
         if (overlap || gap < reach ||
@@ -178,7 +179,10 @@ void JointBatch::add_forces(const double dt)
   arguments_.dt = dt;
   kernels_.add_forces(arguments_);
   if (!fresh_)
-    holds_for_ -= dt;
+    {
+      holds_for_ -= dt;
+      left_alone_ = true;
+    }
   fresh_ = false;
 }
 
@@ -192,7 +196,10 @@ void JointBatch::exchange(const int lane, const Archive &archive)
   archive("cell", window_.cell[lane]);
   double holds_for = holds_for_;
   archive("holds for", holds_for);
-  holds_for_ = lane == 0 ? holds_for : std::min(holds_for, holds_for_);
+  holds_for_      = lane == 0 ? holds_for : std::min(holds_for, holds_for_);
+  bool left_alone = left_alone_;
+  archive("left alone", left_alone);
+  left_alone_ = left_alone;
 }
 
 unsigned int JointBatch::n_visited() const

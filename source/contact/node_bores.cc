@@ -204,11 +204,12 @@ void NodeBores::add_forces(World &world, const double dt)
             for (unsigned int d = 0; d < 3; ++d)
               {
                 const double force = sums.force[d][lane];
-                record.force[d]    = world.whole * force;
+                record.force[d]    = force;
                 // for the motion of the centres of mass
                 world.force.local_element(3 * record.slave + d) += force;
                 world.force.local_element(3 * record.master + d) -= force;
               }
+            record.force                   = world.of_whole(record.force);
             const double size              = record.force.norm();
             record.peak                    = std::max(record.peak, size);
             states_[group.pairs[i]].normal = size;

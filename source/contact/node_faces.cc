@@ -148,22 +148,26 @@ void NodeFaces::search_nodes(World &world, Place &place)
     {
       const MovingFacets::Foot foot = facets.foot(x_master, x(s), place.nodes[s].facet);
       place.nodes[s].facet          = foot.facet;
+      const bool holds              = place.nodes[s].touch.overlap > 0.; // its spring has to let go
       if (foot.facet == MovingFacets::none)
-        continue;
+        {
+          if (holds)
+            found.push_back(s);
+          continue;
+        }
       dealii::Tensor<1, 3> relative = v(s);
       for (unsigned int a = 0; a < 4; ++a)
         relative -= foot.weight[a] * v_master(foot.node[a]);
       fastest = std::max(fastest, -(relative * foot.normal));
-      if (foot.gap < 0. && place.searched &&
+      if (foot.gap < 0. && place.left_alone &&
           !std::binary_search(place.active.begin(), place.active.end(), s))
         ++n_missed_;
-      if (foot.gap < reach)
+      if (foot.gap < reach || holds)
         found.push_back(s);
       else
         nearest = std::min(nearest, foot.gap);
     }
   place.active.swap(found);
-  place.searched  = true;
   place.holds_for = std::min(nearest, 1.) / (2. * fastest + unforeseen_speed(world));
 }
 
@@ -179,10 +183,17 @@ void NodeFaces::add_forces(World &world, const double dt)
   for (Place &place : places_)
     {
       place.holds_for -= dt;
-      if (every_step_ || place.holds_for <= 0.)
+      const bool is_due = every_step_ || place.holds_for <= 0.;
+      if (is_due)
         search_nodes(world, place);
+      place.left_alone = !is_due;
       if (!place.active.empty())
         add_face_forces(world, place, dt);
+    }
+  for (const Place &place : places_)
+    {
+      Record &record = records_[place.pair];
+      record.peak    = std::max(record.peak, world.whole * states_[place.pair].normal);
     }
 }
 
@@ -209,9 +220,14 @@ void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
       Node                    &node = place.nodes[s];
       const MovingFacets::Foot foot = faces.masters->foot(x_master, x(s), node.facet);
       node.facet                    = foot.facet;
-      const double     gap          = foot.facet == MovingFacets::none ? reach : foot.gap;
       const scene::Law law          = law_.times(faces.slaves->areas()[faces.taking_part[s]]);
-      record.gap                    = std::min(record.gap, gap);
+      if (foot.facet == MovingFacets::none)
+        {
+          lose_touch(law, node.touch, world.ledger);
+          continue;
+        }
+      const double gap = foot.gap;
+      record.gap       = std::min(record.gap, gap);
       if (gap >= 0.)
         {
           if (node.touch.overlap > 0.) // let the law book what the spring gave back
@@ -250,14 +266,13 @@ void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
       normal_force += node.touch.normal;
     }
 
-  record.force += world.whole * resultant;
+  record.force += world.of_whole(resultant);
   for (unsigned int d = 0; d < 3; ++d) // for the motion of the centres of mass
     {
       world.force.local_element(3 * record.slave + d) += resultant[d];
       world.force.local_element(3 * record.master + d) -= resultant[d];
     }
   states_[place.pair].normal += normal_force;
-  record.peak = std::max(record.peak, world.whole * normal_force);
   if (normal_force > 0.)
     record.normal = normals / normals.norm();
 }
@@ -272,7 +287,7 @@ void NodeFaces::exchange_pair(const unsigned int i, const Archive &archive)
         part.numbers("nodes", place.nodes);
         part("active", place.active);
         part("holds for", place.holds_for);
-        part("searched", place.searched);
+        part("left alone", place.left_alone);
       }
 }
 

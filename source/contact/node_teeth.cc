@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace chaindrive::contact
 {
 namespace
 {
-constexpr double within = 200e-6; // m, how far facets of an imported mesh are looked for
+constexpr double within = 200e-6; // m, how far facets of an imported mesh are looked for at first
 
 /// How far the share of each node of a side reaches below and above it along z: half way to the
 /// next station of nodes, m.
@@ -123,10 +124,12 @@ Touch NodeTeeth::touch(const World                &world,
                        const dealii::Tensor<1, 3> &x,
                        Flanks::Foot               &foot)
 {
-  unsigned int &hint = node(i, s).hint;
+  Node &node = this->node(i, s);
+  // what overlaps is looked for as deep as it may be, and deeper
+  const double far = node.touch.overlap > 0. ? std::max(within, 2. * senseless_overlap()) : within;
   if (flanks_)
-    return flanks_->touch(world, x, within, hint, foot);
-  return touch_flanks(scene_, x, 0., within, world.frames[scene_.sprocket], hint);
+    return flanks_->touch(world, x, far, node.hint, foot);
+  return touch_flanks(scene_, x, 0., far, world.frames[scene_.sprocket], node.hint);
 }
 
 dealii::Tensor<1, 3> NodeTeeth::flank_velocity(const World                &world,
@@ -179,8 +182,9 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
       record.gap              = std::min(record.gap, node.gap);
       if (touch.gap >= 0. || share == 0.)
         {
-          if (memory.overlap >
-              0.) // it has just come apart: let the law book what the spring gave back
+          if (memory.overlap > 0. && touch.gap == std::numeric_limits<double>::max())
+            lose_touch(law, memory, world.ledger);
+          else if (memory.overlap > 0.) // come apart: let the law book what the spring gave back
             update_touch(
                 law, std::max(0., touch.gap), 0., dealii::Tensor<1, 2>(), dt, memory, world.ledger);
           const double speed =
@@ -217,13 +221,13 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
 
   for (unsigned int d = 0; d < 3; ++d) // for the motion of the centre of mass
     world.force.local_element(3 * record.slave + d) += record.force[d];
-  record.force *= world.whole;
+  record.force      = world.of_whole(record.force);
   states_[i].normal = normal_force;
   if (normal_force > 0.)
     {
       record.normal       = resultant / resultant.norm();
       record.normal_speed = power / normal_force;
-      record.peak         = std::max(record.peak, world.whole * resultant.norm());
+      record.peak         = std::max(record.peak, world.of_whole(resultant).norm());
     }
 }
 

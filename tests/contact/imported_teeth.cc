@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // An elastic roller on the elastic teeth of an imported sprocket: what elastic_tooth shows of a
 // generated one; and, at rest, pressed into the bottom of the seat and against one of its ends, the
-// two give way alike at equal fineness.
+// two give way alike at equal fineness. As deep as an overlap may be, the force grows and is that
+// of the exact arcs.
 #include "../support/statics.h"
 #include "../support/tooth.h"
 
@@ -133,10 +134,54 @@ void compare(const double degrees)
   ratio("  force at the same approach, imported over generated", a.force, b.force);
   ratio("  deflection of the teeth, imported over generated", a.deflection, b.deflection);
 }
+/// Forces [N] of an undeformed roller at growing depths in the seat, up to a quarter of its radius.
+std::vector<double> force_with_depth(const Sprocket sprocket, const bool elastic)
+{
+  Tooth c;
+  c.sprocket                = sprocket;
+  c.elastic                 = elastic;
+  c.velocity                = Vector3();
+  c.moved                   = vector(0., 3e-6);
+  const scene::Scene  scene = make_scene(c);
+  World               world(scene);
+  contact::NodeTeeth  teeth(scene.teeth[0], world, true);
+  Copies             &rollers = world.copies[world.places[0].group];
+  constexpr double    step    = 50e-6;
+  std::vector<double> forces;
+  for (double depth = -5e-6; depth + step <= teeth.senseless_overlap(); depth += step)
+    {
+      for (unsigned int n = 0; n < rollers.n_nodes(); ++n)
+        rollers.position.local_element(rollers.index(0, n, 0)) -= step;
+      world.frames[0].position[0] -= step;
+      world.clear_forces();
+      teeth.search(world, 1e-3);
+      teeth.add_forces(world, 1e-6);
+      forces.push_back(teeth.records()[0].force.norm());
+    }
+  return forces;
+}
+
+void compare_depths(const bool elastic)
+{
+  const std::vector<double> a = force_with_depth(Sprocket::imported, elastic),
+                            b = force_with_depth(Sprocket::generated, elastic);
+  bool   grows                = true;
+  double difference           = 0.;
+  for (unsigned int i = 0; i < a.size(); ++i)
+    {
+      grows      = grows && a[i] > (i == 0 ? 0. : a[i - 1]);
+      difference = std::max(difference, std::abs(a[i] / b[i] - 1.));
+    }
+  std::cout << (elastic ? "elastic" : "rigid") << " teeth, " << a.size() << " depths: ";
+  verdict("the force grows up to a quarter of the radius", grows);
+  verdict("  and is that of the arcs to 1e-5", difference < 1e-5);
+}
 } // namespace
 
 int main()
 {
+  compare_depths(false);
+  compare_depths(true);
   check_geometry(Sprocket::imported);
   check_balance(Sprocket::imported);
 

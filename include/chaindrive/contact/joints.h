@@ -77,7 +77,8 @@ public:
   /// Gaps of all slave nodes [slave node][lane], m, measured now; see GapArguments.
   const dealii::AlignedVector<double> &measure_gaps();
 
-  /// Slave nodes that a search found to overlap outside the window before it: there must be none.
+  /// Slave nodes that a search found to overlap where the window before it has let them alone, if
+  /// forces were added with it later than at once: there must be none.
   unsigned int n_missed(const int lane) const { return missed_[lane]; }
 
   /// Slave nodes that add_forces() visits in all joints.
@@ -110,8 +111,8 @@ private:
   std::vector<unsigned int>     station_, cell_;
   std::array<double, n_lanes>   closing_{};
   std::array<unsigned, n_lanes> missed_{};
-  bool                          searched_  = false; ///< ever
-  bool                          fresh_     = false; ///< since the last add_forces()
-  double                        holds_for_ = -1.;   ///< s
+  bool                          left_alone_ = false; ///< since the search forces were added anew
+  bool                          fresh_      = false; ///< since the last add_forces()
+  double                        holds_for_  = -1.;   ///< s
 };
 } // namespace chaindrive::contact

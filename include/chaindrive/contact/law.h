@@ -80,4 +80,12 @@ inline bool update_touch(const scene::Law           &law,
     }
   return touch.normal > 0.;
 }
+
+/// Two surfaces that overlap lose each other, past an edge: what their springs held is lost.
+inline void lose_touch(const scene::Law &law, TouchState &touch, Ledger &ledger)
+{
+  ledger.contact_damping += 0.5 * law.stiffness * touch.overlap * touch.overlap;
+  ledger.friction += 0.5 * law.tangential_stiffness * touch.slip.norm_square();
+  touch = TouchState();
+}
 } // namespace chaindrive::contact

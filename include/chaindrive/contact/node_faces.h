@@ -71,11 +71,11 @@ private:
   struct Place
   {
     unsigned int              pair, kind, face;
-    std::vector<std::size_t>  masters, slaves; ///< places of nodes in the vectors
-    std::vector<Node>         nodes;           ///< per slave that takes part
-    std::vector<unsigned int> active;          ///< of these: closer than a reach
-    double                    holds_for = -1.; ///< s, that active holds
-    bool                      searched  = false;
+    std::vector<std::size_t>  masters, slaves;    ///< places of nodes in the vectors
+    std::vector<Node>         nodes;              ///< per slave that takes part
+    std::vector<unsigned int> active;             ///< of these: closer than a reach
+    double                    holds_for  = -1.;   ///< s, that active holds
+    bool                      left_alone = false; ///< forces were added without a new search
   };
 
   /// Lists the slaves of @p place that are closer than a reach.
