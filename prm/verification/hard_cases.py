@@ -105,8 +105,11 @@ CASES = [
     Case("slack", "slf", {}, slack(20, 3)),
     Case("much slack", "slf", {"Time/End time in ms": 20}, slack(70, 9)),
     Case("too much slack", "sl", {}, slack(100), refusal="no route around these sprockets"),
-    Case("jumps a tooth", "sl", {"Loads/Resisting torque in N m": 1200, "Time/End time in ms": 40, **LOW_TEETH},
-         slack(70), overlap=1.25),
+    # rings of lumped rollers roll over the teeth and jam at 1200 N m, as without friction
+    Case("jumps a tooth", "sl", {"Time/End time in ms": 40, **LOW_TEETH}, {
+        "s": {"Drive/Layout/Slack in mm": 70, "Loads/Resisting torque in N m": 600},
+        "l": {"Drive/Layout/Slack in mm": 70, "Loads/Resisting torque in N m": 1200},
+    }, overlap=1.25),
     Case("whipping", "slf", {"Loads/Resisting torque in N m": 0.5, "Time/End time in ms": 30}, slack(10, 2)),
     Case("worn by 2.5 %", "slf", {"Drive/Chain/Elongation in percent": 2.5}),
     Case("9 and 114 teeth", "slf", {"Drive/Driver teeth": 9, "Drive/Driven teeth": 114, "Drive/Number of links": 160},
