@@ -141,11 +141,8 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
 
   output::Recorder recorder(
       scene, parameters, system, n_steps, directory.path(), input.resolved, system.timer, log);
-  dynamics::Guard     guard(scene,
-                        system,
-                        parameters.time.energy_limit,
-                        choice.limit,
-                        parameters.time.guard);
+  dynamics::Guard guard(
+      scene, system, parameters.time.energy_limit, choice.limit, parameters.time.guard);
   output::Checkpoints checkpoints(
       parameters, directory.path(), fixed, n_steps, choice.step, recorder, guard, log);
   unsigned long done = resumes ? checkpoints.resume(system, *checkpoint) : 0;

@@ -41,8 +41,8 @@ void Time::declare(dealii::ParameterHandler &prm)
       unit::percent,
       above(0., 100.),
       "Imbalance of energy, over the energy turned over, at which a run stops. A sound run stays "
-      "below 0.1 (simple) or 0.5 (layered); a larger imbalance means too large a step. Default: "
-      "what can no longer be trusted.");
+      "below 0.1 (simple) or 0.5 (layered), in its first impacts below 3; a larger imbalance means "
+      "too large a step. Default: what can no longer be trusted.");
   add(prm,
       "Guard",
       guard,

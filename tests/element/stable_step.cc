@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The largest natural frequency of free parts by Lanczos' method against all eigenvalues by LAPACK:
-// never too small, and too large by its residual at most. Small parts at 0.98 of the step 2 / omega stay
-// bounded for 100,000 steps and blow up at 1.02.
+// never too small, and too large by its residual at most. Small parts at 0.98 of the step 2 / omega
+// stay bounded for 100,000 steps and blow up at 1.02.
 #include "../support/elastic.h"
 
 #include <chaindrive/drive/chain.h>
