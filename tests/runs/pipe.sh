@@ -5,8 +5,8 @@ set -eu
 program=$1 file=$2
 rm -rf pipe results
 mkfifo pipe
-timeout 30 cat "$file" >pipe &
-timeout 60 "$program" pipe --quiet --output results --set "Time/End time in ms=0.1" \
+timeout -k 5 30 cat "$file" >pipe &
+timeout -k 5 60 "$program" pipe --quiet --output results --set "Time/End time in ms=0.1" \
   --set "Output/Window start in ms=0"
 wait
 cmp "$file" results/input.prm
