@@ -126,7 +126,9 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   const unsigned long n_steps = dynamics::n_steps(start, end, choice.step);
 
   for (const std::string &note : input.notes)
-    log.warn(note);
+    log << note << '\n';
+  for (const std::string &warning : input.warnings)
+    log.warn(warning);
   if (parameters.output.history_interval < choice.step)
     log.warn(
         "Output/History interval in us = " + to_text(parameters.output.history_interval * 1e6) +

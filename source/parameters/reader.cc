@@ -233,9 +233,9 @@ private:
       {
         const auto [before, is_first] = set_in_.emplace(entry->path(), line_);
         if (!is_first)
-          input_.notes.push_back(where + entry->path() + " was set before, in line " +
-                                 std::to_string(before->second) + "; the value of line " +
-                                 std::to_string(line_) + " holds.");
+          input_.warnings.push_back(where + entry->path() + " was set before, in line " +
+                                    std::to_string(before->second) + "; the value of line " +
+                                    std::to_string(line_) + " holds.");
         before->second = line_;
         set_value(*entry, trim(rest.substr(equals + 1)), where);
       }

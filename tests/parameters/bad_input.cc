@@ -17,6 +17,8 @@ void read(const std::string &file)
       std::cout << "  accepted" << std::endl;
       for (const std::string &note : input.notes)
         std::cout << "  note: " << note << std::endl;
+      for (const std::string &warning : input.warnings)
+        std::cout << "  warning: " << warning << std::endl;
     }
   catch (const InputError &error)
     {

@@ -14,6 +14,7 @@ struct Input
 {
   Parameters               parameters;
   std::vector<std::string> notes;    ///< harmless oddities, a sentence each, for the log
+  std::vector<std::string> warnings; ///< what is most likely a mistake, a sentence each
   std::string              text;     ///< of the file as it was read, once: it may be a pipe
   std::string              resolved; ///< every entry with its value, as a .prm file
   /// "Section/Entry = value", a line for each entry that a resumed run must have as it was: all but
