@@ -97,6 +97,8 @@ bool Scene::has_elastic_bodies() const
 
 double Scene::nominal_energy() const
 {
+  if (n_joints == 0) // no chain, and no sprocket that it would run on
+    return 0.;
   const double pitch_radius = 0.5 * pitch / std::sin(dealii::numbers::PI / driver_teeth);
   const double speed        = pitch_radius * loads.driver_speed;
   return 0.5 * n_joints * mass_per_pitch * speed * speed;
