@@ -200,7 +200,8 @@ void Directory::check_components() const
       part /= component;
       const fs::file_status status = fs::status(part, error);
       if (fs::exists(status) && !fs::is_directory(status))
-        throw InputError(refusal() + "'" + part.string() + "' is a file, not a directory.");
+        throw InputError(refusal() + (part == path_ ? "it" : "'" + part.string() + "'") +
+                         " is a file, not a directory.");
     }
 }
 
