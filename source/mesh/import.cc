@@ -176,7 +176,7 @@ std::string find_file(const std::string &name, const std::vector<std::string> &f
   std::vector<std::string> looked;
   for (const std::string &folder : folders) // an absolute name takes the folder's place
     {
-      const std::string path = (fs::path(folder) / name).lexically_normal().string();
+      std::string path = (fs::path(folder) / name).lexically_normal().string();
       if (fs::is_regular_file(path))
         return path;
       if (std::find(looked.begin(), looked.end(), path) == looked.end())
