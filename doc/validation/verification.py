@@ -150,7 +150,8 @@ LIMITS = [
     *[(name, "dynamics/stable_step", name + r": (?s:.*?)bounded at 0.98: (\w+)",
        name + r": (?s:.*?)blows up at (1.02): yes")
       for name in ("two lumps and a bar", "with a dashpot", "chain of 60 lumps",
-                   "a stiff bar and a damped one", "a bar and a dashpot", "roller that sticks")],
+                   "a stiff bar and a damped one", "a bar and a dashpot", "roller that sticks",
+                   "roller between bar and tooth", "two rollers on a light hub")],
     *[(f"{part}, {kind}", "element/stable_step",
        f"(?m:^){part}, {kind}: bounded at 0.98 of the limit: (\\w+)",
        f"(?m:^){part}, {kind}: bounded.*blown up at (1.02): yes")
@@ -160,7 +161,8 @@ LIMITS = [
        name + r": bounded at 0.98 of the limit: (\w+)", name + ": blows up at " + NUMBER)
       for name in ("one element through the wall", "three elements through the wall",
                    "three, damped", "three, damped, friction", "three, ten times as stiff",
-                   "one, ten times as stiff, damped")],
+                   "one, ten times as stiff, damped", "three, finer along than the bush",
+                   "three, finer than the bush", "one, coarser than the bush")],
 ]
 
 LEFT_OUT = """Left out: V7 and V8 (spheres) because a chain drive has none; V10 (half width of contact in an ISO seat)
