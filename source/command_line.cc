@@ -92,6 +92,7 @@ std::string processor_simd()
   return "not known for this processor";
 #endif
 }
+
 /// Those that this program chooses here: elastic bodies and joints have them for each width.
 std::string kernels_text()
 {

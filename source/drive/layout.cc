@@ -264,6 +264,7 @@ void check_slack(const Fit &fit, const Fitter &fitter, const double height, cons
                          "links, a greater centre distance, or Tight span = upper.");
     }
 }
+
 /// Why the chain closes on no route: the entry that decides the centre distance, its value, and up
 /// to where there is one.
 std::string no_route(const parameters::Layout &layout,

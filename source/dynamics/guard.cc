@@ -80,15 +80,6 @@ bool EnergyGuard::closes(const Ledger &ledger, const double floor)
 
 namespace
 {
-/// Work of the weight of all that moves freely over a pitch, J.
-double weight_over_pitch(const scene::Scene &scene, const System &system)
-{
-  double mass = 0.;
-  for (unsigned int b = 0; b < system.world.n_bodies(); ++b)
-    mass += free_mass(system.world, b);
-  return mass * system.loads.gravity() * scene.pitch;
-}
-
 /// Energy that is nearly round-off: of a pitch's spring for each link, J.
 double energy_of_nothing(const scene::Scene &scene)
 {
@@ -103,9 +94,6 @@ Guard::Guard(const scene::Scene &scene,
              const bool          on)
     : scene_(scene)
     , energy_(limit)
-    , least_energy_(1e-3 * (std::max(scene.nominal_energy(), system.world.ledger.initial) +
-                            weight_over_pitch(scene, system)) +
-                    energy_of_nothing(scene))
     , stable_step_(system.elastic.empty() ? stable_step : std::numeric_limits<double>::infinity())
     , on_(on)
     , sound_until_(system.world.time)
@@ -115,7 +103,11 @@ Guard::Guard(const scene::Scene &scene,
   const World &world = system.world;
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     mass_.push_back(free_mass(world, b));
-  total_mass_ = std::accumulate(mass_.begin(), mass_.end(), 0.);
+  total_mass_                    = std::accumulate(mass_.begin(), mass_.end(), 0.);
+  const double weight_over_pitch = total_mass_ * system.loads.gravity() * scene.pitch;
+  least_energy_ =
+      1e-3 * (std::max(scene.nominal_energy(), world.ledger.initial) + weight_over_pitch) +
+      energy_of_nothing(scene);
   looked_.fill(system.world.time);
   start_momentum_ = momentum(world, largest_momentum_);
   start_moved_    = moved(world);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/output/console.h>
+#include <chaindrive/output/sink.h>
 #include <chaindrive/utilities/signals.h>
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include <csignal>
 #include <mutex>
 #include <poll.h>
-#include <streambuf>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -72,7 +72,7 @@ void hand_over(const int descriptor, const std::shared_ptr<Shared> &shared)
 }
 } // namespace
 
-class Console::Queue : public std::streambuf
+class Console::Queue : public Sink
 {
 public:
   explicit Queue(const int descriptor) : descriptor_(descriptor) {}
@@ -122,14 +122,6 @@ protected:
       start();
     shared_->changed.notify_all();
     return n;
-  }
-
-  int_type overflow(const int_type c) override
-  {
-    const char character = traits_type::to_char_type(c);
-    if (!traits_type::eq_int_type(c, traits_type::eof()))
-      xsputn(&character, 1);
-    return traits_type::not_eof(c);
   }
 
 private:

@@ -2,15 +2,15 @@
 #include <chaindrive/output/console.h>
 #include <chaindrive/output/file.h>
 #include <chaindrive/output/log.h>
+#include <chaindrive/output/sink.h>
 #include <chaindrive/utilities/errors.h>
 
-#include <streambuf>
 #include <string_view>
 #include <utility>
 
 namespace chaindrive::output
 {
-class Log::Tee : public std::streambuf
+class Log::Tee : public Sink
 {
 public:
   Tee(std::ostream *console, std::ostream *warnings)
@@ -80,14 +80,6 @@ protected:
       }
     to_file({text, static_cast<std::size_t>(n)});
     return n;
-  }
-
-  int_type overflow(const int_type c) override
-  {
-    const char character = traits_type::to_char_type(c);
-    if (!traits_type::eq_int_type(c, traits_type::eof()))
-      xsputn(&character, 1);
-    return traits_type::not_eof(c);
   }
 
   int sync() override

@@ -21,6 +21,7 @@ Effect decide(const std::string &name,
   const bool on = coefficient != 0.;
   return {name, on, coefficient_text + (on ? "" : " is zero")};
 }
+
 /// The largest friction coefficient of the interfaces that the fidelity of @p p has.
 double largest_friction(const Parameters &p)
 {

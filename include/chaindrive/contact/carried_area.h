@@ -40,6 +40,7 @@ inline double carried_area(const Share &node, const Share &slave)
 {
   return 81. / 64. * std::max(node.along, slave.along) * std::max(node.beside, slave.beside);
 }
+
 /// The length [m] that a hat of half width @p l carries of equidistant points @p a apart [m], each
 /// of which stands for the length a, at most: when it stands over one of them. It is l where l is a
 /// multiple of a, and never less than either.
