@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""same_histories.py OLD NEW [CASE]...: whether two builds of chaindrive give the same histories, bit by bit.
+
+For changes of the code that must not change a result. OLD and NEW are programs; each runs a simple, a layered and some small
+full drives on one and on two ranks, and every dataset of histories.h5 is compared byte by byte. Takes a minute for each program
+on two cores. Needs h5py (Debian: python3-h5py).
+"""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import h5py
+
+os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1")
+REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
+SMALL = {
+    "Drive/Number of links": 22,
+    "Drive/Driver teeth": 9,
+    "Drive/Driven teeth": 9,
+    "Model/Driven inertia in kg m2": 1e-4,
+    "Loads/Resisting torque in N m": 20,
+    "Loads/Torque ramp angle in rad": 0.01,
+    "Loads/Ramp time in ms": 0.01,
+    "Model/Fidelity": "full",
+    "Time/End time in ms": 0.12,
+    "Output/History interval in us": 2,
+}
+IMPORTED = {
+    "Drive/Number of links": 28,
+    "Drive/Driver teeth": 15,
+    "Drive/Sprockets/Driver outside diameter in mm": 81.8,
+    "Drive/Sprockets/Driver hub diameter in mm": 33,
+    "Drive/Sprockets/Driver bore in mm": 25,
+    "Drive/Sprockets/Driver mesh": REPOSITORY / "meshes/sprocket-15.msh",
+}
+END = "Time/End time in ms"
+ALWAYS = {"Output/Window start in ms": 0, "Output/Field interval in ms": 0, "Output/Checkpoint interval in ms": 0}
+CASES = {
+    "simple": ("paper/simple", {END: 8}),
+    "simple-warm": ("paper/simple", {END: 4, "Drive/Layout/Start": "warm", "Drive/Layout/Tight span": "lower"}),
+    "layered": ("paper/layered", {END: 4}),
+    "layered-pretension": ("tutorial/06b-25-25", {END: 2, "Model/Fidelity": "layered"}),
+    "full": (
+        "verification/hard",
+        {**SMALL, "Contact/Plate faces": "on", "Drive/Chain/Pin length in mm": 13.9402, "Drive/Layout/Start phase": 0.3},
+    ),
+    "full-half-imported": ("verification/hard", {**SMALL, **IMPORTED, "Model/Half model": "true"}),
+    "full-imported-rigid": ("verification/hard", {**SMALL, **IMPORTED, "Model/Elastic sprockets": "off"}),
+    "full-arriving": ("verification/hard", {**SMALL, "Model/Elastic links": "arriving"}),
+}
+
+
+def run(program, case, ranks, directory):
+    """The file of the histories of one run."""
+    name, entries = CASES[case]
+    output = directory / f"{case}-{ranks}"
+    words = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
+    words += [program, str(REPOSITORY / f"prm/{name}.prm"), "--quiet", "--output", str(output)]
+    words += [word for entry, value in {**ALWAYS, **entries}.items() for word in ("--set", f"{entry}={value}")]
+    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{program} fails in the case {case} on {ranks} ranks:\n{done.stdout}")
+    return output / "histories.h5"
+
+
+def rows_of(path):
+    """Every dataset as its type, shape and bytes."""
+    rows = {}
+    with h5py.File(path) as file:
+        file.visititems(
+            lambda name, item: rows.update({name: (item.dtype, item.shape, item[()].tobytes())})
+            if isinstance(item, h5py.Dataset)
+            else None
+        )
+    return rows
+
+
+def main(arguments):
+    if len(arguments) < 2:
+        sys.exit(__doc__)
+    programs, chosen = [str(pathlib.Path(p).resolve()) for p in arguments[:2]], arguments[2:] or list(CASES)
+    if unknown := [case for case in chosen if case not in CASES]:
+        sys.exit(f"There is no case {unknown[0]}; there are {', '.join(CASES)}.")
+    different = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for case in chosen:
+            for ranks in (1, 2):
+                old, new = (
+                    rows_of(run(program, case, ranks, pathlib.Path(folder) / name))
+                    for program, name in zip(programs, ("old", "new"))
+                )
+                unlike = sorted(name for name in old.keys() | new.keys() if old.get(name) != new.get(name))
+                verdict = f"DIFFERENT: {', '.join(unlike)}" if unlike else f"the same {len(old)} histories"
+                print(f"{case:22} {ranks} rank{'s' if ranks > 1 else ' '}  {verdict}", flush=True)
+                different += bool(unlike)
+    return 1 if different else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
