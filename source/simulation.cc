@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/dynamics/time_loop.h>
-#include <chaindrive/mesh/import.h>
+#include <chaindrive/mesh/import/import.h>
 #include <chaindrive/mesh/report.h>
 #include <chaindrive/output/checkpoints.h>
 #include <chaindrive/output/console.h>
@@ -47,8 +47,8 @@ std::string output_directory(const CommandLine &command_line, const Parameters &
 void print_step(std::ostream &log, const dynamics::StepChoice &choice, const unsigned long n)
 {
   log << "Stable step (us): ";
-  for (const dynamics::StepVote &vote : choice.votes)
-    log << vote.voter << " " << to_text(vote.limit * 1e6, 4) << ", ";
+  for (const dynamics::StepLimit &vote : choice.step_limits)
+    log << vote.source << " " << to_text(vote.limit * 1e6, 4) << ", ";
   log << "all coupled " << to_text(choice.limit * 1e6, 4) << '\n'
       << "Step: " << to_text(choice.step * 1e6, 4) << " us (" << choice.reason << "), " << n
       << " steps\n";

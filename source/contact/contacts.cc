@@ -23,7 +23,7 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
       NodeBores::want_ghosts(bores, world);
   for (const scene::FaceFamily &faces : scene.faces)
     NodeFaces::want_ghosts(faces, world);
-  for (Copies &copies : world.copies)
+  for (BodyBatches &copies : world.copies)
     copies.make_ghosts();
 
   double smallest_radius = std::numeric_limits<double>::max();
@@ -72,13 +72,13 @@ void Contacts::search_if_due(const World &world, const double dt)
 void Contacts::add_forces(World &world, const double dt)
 {
   world.place_followers(0.5 * dt);
-  Copies::fetch_ghosts(world.copies);
+  BodyBatches::fetch_ghosts(world.copies);
   if (needs_search_)
     search_if_due(world, dt);
   for (const auto &family : families_)
     if (family->is_dealt_out() || world.is_first_rank())
       family->add_forces(world, dt);
-  Copies::send_forces(world.copies);
+  BodyBatches::send_forces(world.copies);
   world.take_moments_of_followers();
 }
 
@@ -113,7 +113,7 @@ void Contacts::gather_records(const World &world)
     }
 }
 
-void Contacts::exchange(const Archive &archive, const World &world)
+void Contacts::serialize(const Archive &archive, const World &world)
 {
   archive("approach", approach_);
   archive("searched", searched_);
@@ -123,8 +123,8 @@ void Contacts::exchange(const Archive &archive, const World &world)
   if (archive.reads() && world.is_first_rank())
     missed_before_ = missed;
   for (unsigned int f = 0; f < families_.size(); ++f)
-    families_[f]->exchange(archive / ("family " + std::to_string(f)),
-                           rank_in(world.communicator()));
+    families_[f]->serialize(archive / ("family " + std::to_string(f)),
+                            rank_in(world.communicator()));
 }
 
 void Contacts::add_springs(const World &world, std::vector<Spring> &springs) const
@@ -160,12 +160,6 @@ void Contacts::refuse_overlap(World &world, const double prestress)
     message = dealii::Utilities::MPI::broadcast(world.communicator(), message);
   if (!message.empty())
     throw InputError(message);
-}
-
-void Contacts::clear_peaks()
-{
-  for (const auto &family : families_)
-    family->clear_peaks();
 }
 
 std::vector<const Family *> Contacts::find(const std::string &name) const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/facet_flanks.h>
 #include <chaindrive/contact/family.h>
-#include <chaindrive/mesh/facet_surface.h>
+#include <chaindrive/mesh/surface/facet_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace chaindrive::contact
 FacetFlanks::FacetFlanks(const scene::ToothFamily &family, const World &world, const Rim &rim)
     : Flanks(family, rim)
 {
-  const Copies &copies = world.copies[group_];
+  const BodyBatches &copies = world.copies[group_];
   place_.resize(copies.nodes.of_vertex.size());
   position_.resize(place_.size());
   for (unsigned int f = 0; f < family.facets->n_facets(); ++f)
@@ -26,7 +26,7 @@ FacetFlanks::FacetFlanks(const scene::ToothFamily &family, const World &world, c
 Flanks::Facet FacetFlanks::nearest(const dealii::Tensor<1, 3> &x,
                                    const double                within,
                                    unsigned int               &hint,
-                                   Foot                       &foot) const
+                                   Projection                 &projection) const
 {
   const double           z = std::clamp(x[2], -family_.half_width, family_.half_width);
   const mesh::Projection nearest =
@@ -35,27 +35,27 @@ Flanks::Facet FacetFlanks::nearest(const dealii::Tensor<1, 3> &x,
   facet.found = nearest.found;
   if (!nearest.found)
     return facet;
-  hint            = nearest.facet;
-  facet.distance  = nearest.distance;
-  facet.normal    = nearest.normal;
-  facet.gradients = family_.facets->gradients(nearest);
-  foot.weights    = nearest.weights;
+  hint               = nearest.facet;
+  facet.distance     = nearest.distance;
+  facet.normal       = nearest.normal;
+  facet.gradients    = family_.facets->gradients(nearest);
+  projection.weights = nearest.weights;
   for (unsigned int i = 0; i < 4; ++i)
     {
       const unsigned int v = family_.facets->vertices(nearest.facet)[i];
-      foot.nodes[i]        = place_[v];
+      projection.nodes[i]  = place_[v];
       facet.nodes[i]       = position_[v];
       if (z != x[2])
         facet.gradients[i][2] = 0.;
     }
-  foot.twins = foot.nodes; // one copy is the whole sprocket
+  projection.twins = projection.nodes; // one copy is the whole sprocket
   return facet;
 }
 
 ClosedSide FacetFlanks::closed_side(const double              stiffness,
-                                    const Copies             &flanks,
+                                    const BodyBatches        &flanks,
                                     const mesh::SurfaceNodes &slaves,
-                                    const Copies             &of_slaves) const
+                                    const BodyBatches        &of_slaves) const
 {
   // the part of the axis that a node's facets cover
   std::vector<std::array<double, 2>> reach(flanks.n_nodes(), {{1e300, -1e300}});
@@ -69,7 +69,7 @@ ClosedSide FacetFlanks::closed_side(const double              stiffness,
         }
 
   const mesh::SurfaceNodes nodes(*flanks.part, flanks.nodes, mesh::tooth_flanks);
-  const Share              slave = largest_share(slaves, of_slaves);
+  const TributaryArea      slave = largest_share(slaves, of_slaves);
   ClosedSide               side;
   side.group   = group_;
   side.surface = mesh::tooth_flanks;
@@ -78,8 +78,8 @@ ClosedSide FacetFlanks::closed_side(const double              stiffness,
     {
       const unsigned int node = nodes.node[i];
       const auto &[low, high] = reach[node];
-      const Share  share(nodes.area[i], flanks.nodes.position[node][2], low, high);
-      const double k = stiffness * carried_area(share, slave);
+      const TributaryArea share(nodes.area[i], flanks.nodes.position[node][2], low, high);
+      const double        k = stiffness * carried_area(share, slave);
       side.hold(node, k, flanks.nodes.mass[node]);
     }
   return side;

@@ -12,27 +12,21 @@ unsigned int Family::n_touching() const
       states_.begin(), states_.end(), [](const TouchState &s) { return s.normal > 0.; }));
 }
 
-void Family::clear_peaks()
-{
-  for (Record &record : records_)
-    record.peak = 0.;
-}
-
 namespace
 {
-/// Hands every number of @p record that other ranks need to @p exchange.
-template <typename Exchange>
-void visit(Record &record, const Exchange &exchange)
+/// Hands every number of @p record that other ranks need to @p item.
+template <typename Item>
+void visit(Record &record, const Item &item)
 {
-  exchange(record.gap);
-  exchange(record.normal_speed);
+  item(record.gap);
+  item(record.normal_speed);
   for (unsigned int d = 0; d < 3; ++d)
     {
-      exchange(record.force[d]);
-      exchange(record.normal[d]);
+      item(record.force[d]);
+      item(record.normal[d]);
     }
   double feature = record.feature;
-  exchange(feature);
+  item(feature);
   record.feature = static_cast<unsigned int>(feature);
 }
 } // namespace
@@ -56,14 +50,14 @@ void Family::unpack_records(const unsigned int         rank,
       visit(records_[i], [&](double &value) { value = numbers[position++]; });
 }
 
-void Family::exchange(const Archive &archive, const unsigned int rank)
+void Family::serialize(const Archive &archive, const unsigned int rank)
 {
   archive.numbers("records", records_);
   if (!is_dealt_out())
     archive.numbers("states", states_);
   for (unsigned int i = 0; i < owner_.size(); ++i)
     if (owner_[i] == rank)
-      exchange_pair(i, archive.of_this_rank() / ("pair " + std::to_string(i)));
+      serialize_pair(i, archive.of_this_rank() / ("pair " + std::to_string(i)));
 }
 
 void Family::apply(World &world, const unsigned int i, const Touch &touch, const double dt)
@@ -93,7 +87,6 @@ void Family::apply(World &world, const unsigned int i, const Touch &touch, const
   record.feature      = touch.feature;
   record.normal       = touch.normal;
   record.normal_speed = -gap_rate;
-  record.peak         = std::max(record.peak, state.normal);
 
   // equal and opposite at one point: neither momentum nor moment of momentum is made
   world.add_force(record.slave, record.force, touch.point);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/contact/joint_bodies.h>
+#include <chaindrive/contact/packed_joint.h>
 #include <chaindrive/utilities/simd.h>
 
 namespace chaindrive::contact
@@ -10,10 +10,10 @@ namespace
 // takes over their target.
 // NOLINTBEGIN(bugprone-macro-parentheses): attributes stand in none
 #define CHAINDRIVE_KERNELS(name, width, attributes)                                                \
-  attributes void add_forces_##name(const JointArguments &arg) { bodies::add_forces<width>(arg); } \
+  attributes void add_forces_##name(const JointArguments &arg) { packed::add_forces<width>(arg); } \
   attributes void measure_##name(const JointArguments &arg, GapArguments &gaps)                    \
   {                                                                                                \
-    bodies::measure_gaps<width>(arg, gaps);                                                        \
+    packed::measure_gaps<width>(arg, gaps);                                                        \
   }                                                                                                \
   constexpr JointKernels name{width, add_forces_##name, measure_##name};
 // NOLINTEND(bugprone-macro-parentheses)

@@ -186,7 +186,7 @@ void JointBatch::add_forces(const double dt)
   fresh_ = false;
 }
 
-void JointBatch::exchange(const int lane, const Archive &archive)
+void JointBatch::serialize(const int lane, const Archive &archive)
 {
   archive.numbers("nodes", state_.data() + lane, state_.size() / n_lanes, n_lanes);
   archive.numbers("stations", station_.data() + lane, station_.size() / n_lanes, n_lanes);
@@ -215,8 +215,6 @@ void JointBatch::clear_losses()
   std::fill_n(sums_.damping_loss, n_lanes, 0.);
   std::fill_n(sums_.friction_loss, n_lanes, 0.);
 }
-
-void JointBatch::clear_peaks() { std::fill_n(sums_.peak, n_lanes, 0.); }
 
 std::size_t JointBatch::memory_consumption() const
 {

@@ -60,13 +60,13 @@ unsigned int MovingFacets::foot_on(const NodeValues   &position,
                                    const Tensor<1, 3> &x,
                                    const unsigned int  facet,
                                    const double        margin,
-                                   Foot               &foot) const
+                                   Projection         &projection) const
 {
-  foot.facet = facet;
-  foot.node  = quads_[facet];
+  projection.facet = facet;
+  projection.node  = quads_[facet];
   std::array<Tensor<1, 3>, 4> p;
   for (unsigned int a = 0; a < 4; ++a)
-    p[a] = position(foot.node[a]);
+    p[a] = position(projection.node[a]);
   const Tensor<1, 3> twist = p[0] - p[1] + p[2] - p[3];
 
   // (x - P) . P_u = (x - P) . P_v = 0 by Newton's method
@@ -90,55 +90,55 @@ unsigned int MovingFacets::foot_on(const NodeValues   &position,
         break;
     }
 
-  foot.weight = {{(1. - u) * (1. - v), u * (1. - v), u * v, (1. - u) * v}};
-  foot.normal = cross_product_3d(a, b);
-  foot.normal /= foot.normal.norm();
-  foot.gap              = r * foot.normal;
+  projection.weight = {{(1. - u) * (1. - v), u * (1. - v), u * v, (1. - u) * v}};
+  projection.normal = cross_product_3d(a, b);
+  projection.normal /= projection.normal.norm();
+  projection.gap        = r * projection.normal;
   const double       aa = a * a, bb = b * b, ab = a * b, det = aa * bb - ab * ab;
   const Tensor<1, 3> grad_u = (bb * a - ab * b) / det, grad_v = (aa * b - ab * a) / det;
-  foot.gradient = {{-(1. - v) * grad_u - (1. - u) * grad_v,
-                    (1. - v) * grad_u - u * grad_v,
-                    v * grad_u + u * grad_v,
-                    -v * grad_u + (1. - u) * grad_v}};
+  projection.gradient = {{-(1. - v) * grad_u - (1. - u) * grad_v,
+                          (1. - v) * grad_u - u * grad_v,
+                          v * grad_u + u * grad_v,
+                          -v * grad_u + (1. - u) * grad_v}};
 
   const std::array<double, 4> past = {{-v, u - 1., v - 1., -u}};
   const auto                  most = std::max_element(past.begin(), past.end());
   return *most > margin ? static_cast<unsigned int>(most - past.begin()) : 4;
 }
 
-MovingFacets::Foot MovingFacets::foot(const NodeValues   &position,
-                                      const Tensor<1, 3> &x,
-                                      const unsigned int  start) const
+MovingFacets::Projection MovingFacets::project(const NodeValues   &position,
+                                               const Tensor<1, 3> &x,
+                                               const unsigned int  start) const
 {
   constexpr double round_off = 1e-12, rim = 0.1;
-  Foot             foot;
+  Projection       projection;
   if (start != none)
     {
       unsigned int facet = start;
       for (unsigned int i = 0; i < n_facets(); ++i)
         {
-          const unsigned int edge = foot_on(position, x, facet, round_off, foot);
+          const unsigned int edge = foot_on(position, x, facet, round_off, projection);
           if (edge == 4)
-            return foot;
+            return projection;
           if (beyond_[facet][edge] == none)
             {
-              if (foot_on(position, x, facet, rim, foot) == 4)
-                return foot;
+              if (foot_on(position, x, facet, rim, projection) == 4)
+                return projection;
               break;
             }
           facet = beyond_[facet][edge];
         }
     }
-  Foot   best;
-  double nearest = 0.;
+  Projection best;
+  double     nearest = 0.;
   for (const double margin : {round_off, rim})
     {
       for (unsigned int facet = 0; facet < n_facets(); ++facet)
-        if (foot_on(position, x, facet, margin, foot) == 4 &&
-            (best.facet == none || std::abs(foot.gap) < nearest))
+        if (foot_on(position, x, facet, margin, projection) == 4 &&
+            (best.facet == none || std::abs(projection.gap) < nearest))
           {
-            best    = foot;
-            nearest = std::abs(foot.gap);
+            best    = projection;
+            nearest = std::abs(projection.gap);
           }
       if (best.facet != none)
         break;

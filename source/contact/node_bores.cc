@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/contact/carried_area.h>
 #include <chaindrive/contact/node_bores.h>
-#include <chaindrive/mesh/cylinder_grid.h>
-#include <chaindrive/mesh/surface_nodes.h>
+#include <chaindrive/contact/tributary_area.h>
+#include <chaindrive/mesh/surface/cylinder_grid.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/utilities/simd.h>
 
 #include <algorithm>
@@ -28,10 +28,10 @@ ClosedSide closed_side(const mesh::CylinderGrid &grid,
                        const World              &world,
                        const unsigned int        group)
 {
-  const Copies &copies  = world.copies[group];
-  double        inertia = std::numeric_limits<double>::max();
+  const BodyBatches &copies  = world.copies[group];
+  double             inertia = std::numeric_limits<double>::max();
   for (const World::Rotation &rotation : world.rotations)
-    if (world.meshes[rotation.body].group == group)
+    if (world.node_address[rotation.body].group == group)
       for (unsigned int d = 0; d < 3; ++d)
         inertia = std::min(inertia, rotation.inertia[d]);
 
@@ -57,7 +57,8 @@ ClosedSide closed_side(const mesh::CylinderGrid &grid,
   return side;
 }
 
-JointBody body_at(Copies &copies, const std::size_t first, const std::vector<unsigned int> &nodes)
+JointBody
+body_at(BodyBatches &copies, const std::size_t first, const std::vector<unsigned int> &nodes)
 {
   return {nodes.data(),
           copies.position.begin() + first,
@@ -66,13 +67,14 @@ JointBody body_at(Copies &copies, const std::size_t first, const std::vector<uns
 }
 
 /// A body that this rank owns.
-JointBody own_body(Copies &copies, const unsigned int copy, const std::vector<unsigned int> &nodes)
+JointBody
+own_body(BodyBatches &copies, const unsigned int copy, const std::vector<unsigned int> &nodes)
 {
   return body_at(copies, copies.index(copy, 0, 0), nodes);
 }
 
 /// A body of another rank, of which the nodes @p offsets are ghosts: @p nodes become their places.
-JointBody ghost_body(Copies                          &copies,
+JointBody ghost_body(BodyBatches                     &copies,
                      const unsigned int               copy,
                      const std::vector<unsigned int> &offsets,
                      std::vector<unsigned int>       &nodes)
@@ -90,9 +92,9 @@ void NodeBores::want_ghosts(const scene::BoreFamily &scene, World &world)
 {
   for (const scene::BorePair &pair : scene.pairs)
     {
-      const World::Place &master = world.meshes[pair.master],
-                         &slave  = world.meshes[pair.slave.body];
-      Copies &slaves             = world.copies[slave.group];
+      const World::Address &master = world.node_address[pair.master],
+                           &slave  = world.node_address[pair.slave.body];
+      BodyBatches &slaves          = world.copies[slave.group];
       if (world.copies[master.group].owns(master.copy) && !slaves.owns(slave.copy))
         slaves.want(slave.copy,
                     mesh::SurfaceNodes(
@@ -111,13 +113,13 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
   for (unsigned int i = 0; i < scene.pairs.size(); ++i)
     {
       const scene::BorePair &pair = scene.pairs[i];
-      kinds[{world.meshes[pair.master].group,
+      kinds[{world.node_address[pair.master].group,
              pair.master_surface,
-             world.meshes[pair.slave.body].group,
+             world.node_address[pair.slave.body].group,
              pair.slave_surface}]
           .push_back(i);
-      owner_.push_back(
-          world.copies[world.meshes[pair.master].group].owner_of(world.meshes[pair.master].copy));
+      owner_.push_back(world.copies[world.node_address[pair.master].group].owner_of(
+          world.node_address[pair.master].copy));
       add_radius(pair.slave.radius);
       add_record(pair.master, pair.slave.body, pair.slave.joint);
     }
@@ -132,8 +134,8 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
   for (auto &[sides, pairs] : kinds)
     {
       const auto &[master_group, master_surface, slave_group, slave_surface] = sides;
-      Copies                  &masters = world.copies[master_group];
-      Copies                  &slaves  = world.copies[slave_group];
+      BodyBatches             &masters = world.copies[master_group];
+      BodyBatches             &slaves  = world.copies[slave_group];
       const mesh::CylinderGrid bore(*masters.part, static_cast<mesh::Surface>(master_surface));
       const mesh::CylinderGrid cylinder(*slaves.part, static_cast<mesh::Surface>(slave_surface));
 
@@ -150,13 +152,14 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
       pairs.erase(std::remove_if(pairs.begin(),
                                  pairs.end(),
                                  [&](const unsigned int i) {
-                                   return !masters.owns(world.meshes[scene.pairs[i].master].copy);
+                                   return !masters.owns(
+                                       world.node_address[scene.pairs[i].master].copy);
                                  }),
                   pairs.end());
       // joints whose bores lie in one batch, lane by lane: their numbers are then side by side
       std::sort(pairs.begin(), pairs.end(), [&](const unsigned int a, const unsigned int b) {
-        const unsigned int i = world.meshes[scene.pairs[a].master].copy,
-                           j = world.meshes[scene.pairs[b].master].copy;
+        const unsigned int i = world.node_address[scene.pairs[a].master].copy,
+                           j = world.node_address[scene.pairs[b].master].copy;
         return std::make_pair(masters.batch_of(i), i) < std::make_pair(masters.batch_of(j), j);
       });
       group.pairs = pairs;
@@ -167,8 +170,8 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
           if (i % n_lanes == 0)
             placed.batches.push_back(std::make_unique<JointBatch>(*placed.tables, law, kernels));
           const scene::BorePair &pair   = scene.pairs[pairs[i]];
-          const unsigned int     master = world.meshes[pair.master].copy,
-                             slave      = world.meshes[pair.slave.body].copy;
+          const unsigned int     master = world.node_address[pair.master].copy,
+                             slave      = world.node_address[pair.slave.body].copy;
           placed.batches.back()->set_joint(
               i % n_lanes,
               own_body(masters, master, placed.master_nodes),
@@ -211,7 +214,6 @@ void NodeBores::add_forces(World &world, const double dt)
               }
             record.force                   = world.of_whole(record.force);
             const double size              = record.force.norm();
-            record.peak                    = std::max(record.peak, size);
             states_[group.pairs[i]].normal = size;
             if (size > 0.)
               record.normal = record.force / size;
@@ -223,12 +225,12 @@ void NodeBores::add_forces(World &world, const double dt)
       }
 }
 
-void NodeBores::exchange(const Archive &archive, const unsigned int rank)
+void NodeBores::serialize(const Archive &archive, const unsigned int rank)
 {
-  Family::exchange(archive, rank);
+  Family::serialize(archive, rank);
   for (Group &group : groups_)
     for (unsigned int i = 0; i < group.pairs.size(); ++i)
-      group.batches[i / n_lanes]->exchange(
+      group.batches[i / n_lanes]->serialize(
           i % n_lanes, archive.of_this_rank() / ("joint " + std::to_string(group.pairs[i])));
 }
 

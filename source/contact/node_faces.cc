@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/contact/carried_area.h>
 #include <chaindrive/contact/node_faces.h>
+#include <chaindrive/contact/tributary_area.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace
 constexpr double reach = 50e-6; // m; larger: fewer searches but more nodes to look at
 
 /// The facets of one face: on the side of z and of x that @p axis is on.
-std::unique_ptr<const MovingFacets> facets_of(const Copies           &copies,
+std::unique_ptr<const MovingFacets> facets_of(const BodyBatches      &copies,
                                               const unsigned int      surface,
                                               const dealii::Point<3> &axis,
                                               const double            sign)
@@ -29,7 +29,7 @@ std::unique_ptr<const MovingFacets> facets_of(const Copies           &copies,
 }
 
 std::vector<double>
-distances(const MovingFacets &facets, const Copies &copies, const dealii::Point<3> &axis)
+distances(const MovingFacets &facets, const BodyBatches &copies, const dealii::Point<3> &axis)
 {
   std::vector<double> r;
   for (const unsigned int n : facets.nodes())
@@ -40,12 +40,12 @@ distances(const MovingFacets &facets, const Copies &copies, const dealii::Point<
   return r;
 }
 
-std::vector<Share>
-shares(const MovingFacets &facets, const Copies &copies, const dealii::Point<3> &axis)
+std::vector<TributaryArea>
+tributary_areas(const MovingFacets &facets, const BodyBatches &copies, const dealii::Point<3> &axis)
 {
-  const std::vector<double> r     = distances(facets, copies, axis);
-  const auto                range = facets.ranges(r);
-  std::vector<Share>        result;
+  const std::vector<double>  r     = distances(facets, copies, axis);
+  const auto                 range = facets.ranges(r);
+  std::vector<TributaryArea> result;
   for (unsigned int i = 0; i < r.size(); ++i)
     result.emplace_back(facets.areas()[i], r[i], range[i][0], range[i][1]);
   return result;
@@ -56,9 +56,9 @@ using Sides = std::tuple<unsigned int, unsigned int, unsigned int, unsigned int,
 
 Sides sides_of(const scene::FacePair &pair, const World &world)
 {
-  return {world.places[pair.master].group,
+  return {world.elastic_address[pair.master].group,
           pair.master_surface,
-          world.places[pair.slave].group,
+          world.elastic_address[pair.slave].group,
           pair.slave_surface,
           pair.master_axis[0] > 0.,
           pair.slave_axis[0] > 0.};
@@ -69,8 +69,9 @@ void NodeFaces::want_ghosts(const scene::FaceFamily &scene, World &world)
 {
   for (const scene::FacePair &pair : scene.pairs)
     {
-      const World::Place &master = world.places[pair.master], &slave = world.places[pair.slave];
-      Copies             &masters = world.copies[master.group];
+      const World::Address &master = world.elastic_address[pair.master],
+                           &slave  = world.elastic_address[pair.slave];
+      BodyBatches &masters         = world.copies[master.group];
       if (!world.copies[slave.group].owns(slave.copy) || masters.owns(master.copy))
         continue;
       for (const double sign : {-1., 1.})
@@ -86,8 +87,9 @@ NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool se
   for (unsigned int i = 0; i < scene.pairs.size(); ++i)
     {
       const scene::FacePair &pair   = scene.pairs[i];
-      const World::Place    &master = world.places[pair.master], &slave = world.places[pair.slave];
-      const Copies &masters = world.copies[master.group], &slaves = world.copies[slave.group];
+      const World::Address  &master = world.elastic_address[pair.master],
+                           &slave   = world.elastic_address[pair.slave];
+      const BodyBatches &masters = world.copies[master.group], &slaves = world.copies[slave.group];
       owner_.push_back(slaves.owner_of(slave.copy));
       add_record(pair.master, pair.slave, pair.joint);
 
@@ -137,7 +139,7 @@ void NodeFaces::search_nodes(World &world, Place &place)
 {
   const Kind         &kind   = kinds_[place.kind];
   const MovingFacets &facets = *kind.faces[place.face].masters;
-  Copies &masters = world.copies[kind.master_group], &slaves = world.copies[kind.slave_group];
+  BodyBatches &masters = world.copies[kind.master_group], &slaves = world.copies[kind.slave_group];
   const NodeValues x{slaves.position.begin(), place.slaves},
       v{slaves.velocity.begin(), place.slaves}, x_master{masters.position.begin(), place.masters},
       v_master{masters.velocity.begin(), place.masters};
@@ -146,10 +148,11 @@ void NodeFaces::search_nodes(World &world, Place &place)
   double                    nearest = std::numeric_limits<double>::max(), fastest = 0.;
   for (unsigned int s = 0; s < place.nodes.size(); ++s)
     {
-      const MovingFacets::Foot foot = facets.foot(x_master, x(s), place.nodes[s].facet);
-      place.nodes[s].facet          = foot.facet;
-      const bool holds              = place.nodes[s].touch.overlap > 0.; // its spring has to let go
-      if (foot.facet == MovingFacets::none)
+      const MovingFacets::Projection projection =
+          facets.project(x_master, x(s), place.nodes[s].facet);
+      place.nodes[s].facet = projection.facet;
+      const bool holds     = place.nodes[s].touch.overlap > 0.; // its spring has to let go
+      if (projection.facet == MovingFacets::none)
         {
           if (holds)
             found.push_back(s);
@@ -157,15 +160,15 @@ void NodeFaces::search_nodes(World &world, Place &place)
         }
       dealii::Tensor<1, 3> relative = v(s);
       for (unsigned int a = 0; a < 4; ++a)
-        relative -= foot.weight[a] * v_master(foot.node[a]);
-      fastest = std::max(fastest, -(relative * foot.normal));
-      if (foot.gap < 0. && place.left_alone &&
+        relative -= projection.weight[a] * v_master(projection.node[a]);
+      fastest = std::max(fastest, -(relative * projection.normal));
+      if (projection.gap < 0. && place.left_alone &&
           !std::binary_search(place.active.begin(), place.active.end(), s))
         ++n_missed_;
-      if (foot.gap < reach || holds)
+      if (projection.gap < reach || holds)
         found.push_back(s);
       else
-        nearest = std::min(nearest, foot.gap);
+        nearest = std::min(nearest, projection.gap);
     }
   place.active.swap(found);
   place.holds_for = std::min(nearest, 1.) / (2. * fastest + unforeseen_speed(world));
@@ -190,18 +193,13 @@ void NodeFaces::add_forces(World &world, const double dt)
       if (!place.active.empty())
         add_face_forces(world, place, dt);
     }
-  for (const Place &place : places_)
-    {
-      Record &record = records_[place.pair];
-      record.peak    = std::max(record.peak, world.whole * states_[place.pair].normal);
-    }
 }
 
 void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
 {
   const Kind  &kind    = kinds_[place.kind];
   const Faces &faces   = kind.faces[place.face];
-  Copies      &masters = world.copies[kind.master_group], &slaves = world.copies[kind.slave_group];
+  BodyBatches &masters = world.copies[kind.master_group], &slaves = world.copies[kind.slave_group];
   const NodeValues x{slaves.position.begin(), place.slaves},
       v{slaves.velocity.begin(), place.slaves}, f{slaves.force.begin(), place.slaves},
       x_master{masters.position.begin(), place.masters},
@@ -217,16 +215,17 @@ void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
   double               normal_force = 0.;
   for (const unsigned int s : place.active)
     {
-      Node                    &node = place.nodes[s];
-      const MovingFacets::Foot foot = faces.masters->foot(x_master, x(s), node.facet);
-      node.facet                    = foot.facet;
-      const scene::Law law          = law_.times(faces.slaves->areas()[faces.taking_part[s]]);
-      if (foot.facet == MovingFacets::none)
+      Node                          &node = place.nodes[s];
+      const MovingFacets::Projection projection =
+          faces.masters->project(x_master, x(s), node.facet);
+      node.facet                  = projection.facet;
+      const scene::ContactLaw law = law_.times(faces.slaves->areas()[faces.taking_part[s]]);
+      if (projection.facet == MovingFacets::none)
         {
           lose_touch(law, node.touch, world.ledger);
           continue;
         }
-      const double gap = foot.gap;
+      const double gap = projection.gap;
       record.gap       = std::min(record.gap, gap);
       if (gap >= 0.)
         {
@@ -235,7 +234,7 @@ void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
           continue;
         }
 
-      const dealii::Tensor<1, 3> &n     = foot.normal;
+      const dealii::Tensor<1, 3> &n     = projection.normal;
       dealii::Tensor<1, 3>        along = fixed - (fixed * n) * n;
       along /= along.norm();
       const dealii::Tensor<1, 3> across = cross_product_3d(n, along);
@@ -243,9 +242,9 @@ void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
       dealii::Tensor<1, 3> relative = v(s), turning;
       for (unsigned int a = 0; a < 4; ++a)
         {
-          const dealii::Tensor<1, 3> v_a = v_master(foot.node[a]);
-          relative -= foot.weight[a] * v_a;
-          turning += (n * v_a) * foot.gradient[a];
+          const dealii::Tensor<1, 3> v_a = v_master(projection.node[a]);
+          relative -= projection.weight[a] * v_a;
+          turning += (n * v_a) * projection.gradient[a];
         }
       const dealii::Tensor<1, 3> slip = relative + gap * turning;
       dealii::Tensor<1, 2>       slip_rate;
@@ -259,8 +258,9 @@ void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
       const dealii::Tensor<1, 3> force = node.touch.normal * n + tangential;
       f.add(s, force);
       for (unsigned int a = 0; a < 4; ++a)
-        f_master.add(foot.node[a],
-                     -foot.weight[a] * force + gap * (tangential * foot.gradient[a]) * n);
+        f_master.add(projection.node[a],
+                     -projection.weight[a] * force +
+                         gap * (tangential * projection.gradient[a]) * n);
       resultant += force;
       normals += node.touch.normal * n;
       normal_force += node.touch.normal;
@@ -277,9 +277,9 @@ void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
     record.normal = normals / normals.norm();
 }
 
-void NodeFaces::exchange_pair(const unsigned int i, const Archive &archive)
+void NodeFaces::serialize_pair(const unsigned int i, const Archive &archive)
 {
-  Family::exchange_pair(i, archive);
+  Family::serialize_pair(i, archive);
   for (Place &place : places_)
     if (place.pair == i)
       {
@@ -296,8 +296,8 @@ std::vector<ClosedPair> NodeFaces::closed_pairs(const World &world) const
   std::vector<ClosedPair> pairs;
   for (const Kind &kind : kinds_)
     {
-      const Copies &masters = world.copies[kind.master_group],
-                   &slaves  = world.copies[kind.slave_group];
+      const BodyBatches &masters = world.copies[kind.master_group],
+                        &slaves  = world.copies[kind.slave_group];
       ClosedPair pair;
       pair[0].group   = kind.master_group;
       pair[0].surface = kind.master_surface;
@@ -306,14 +306,14 @@ std::vector<ClosedPair> NodeFaces::closed_pairs(const World &world) const
       pair[1].surface = kind.slave_surface;
       pair[1].stiffness.resize(slaves.n_nodes());
       const auto carry =
-          [](ClosedSide &side, const Copies &copies, const unsigned int node, const double k) {
+          [](ClosedSide &side, const BodyBatches &copies, const unsigned int node, const double k) {
             side.hold(node, k, copies.nodes.mass[node]);
           };
       for (const Faces &faces : kind.faces)
         {
-          const auto of_slaves  = shares(*faces.slaves, slaves, kind.slave_axis),
-                     of_masters = shares(*faces.masters, masters, kind.master_axis);
-          Share largest;
+          const auto of_slaves  = tributary_areas(*faces.slaves, slaves, kind.slave_axis),
+                     of_masters = tributary_areas(*faces.masters, masters, kind.master_axis);
+          TributaryArea largest;
           for (const unsigned int s : faces.taking_part)
             {
               largest.grow_to(of_slaves[s]);

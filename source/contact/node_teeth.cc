@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/node_teeth.h>
-#include <chaindrive/mesh/facet_surface.h>
+#include <chaindrive/mesh/surface/facet_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,16 +46,16 @@ NodeTeeth::NodeTeeth(const scene::ToothFamily &scene,
                      const bool                search_every_step)
     : Teeth(scene), every_step_(search_every_step)
 {
-  group_               = world.places[scene.slaves.front().body].group;
-  const Copies &copies = world.copies[group_];
-  surface_             = std::make_unique<mesh::SurfaceNodes>(
+  group_                    = world.elastic_address[scene.slaves.front().body].group;
+  const BodyBatches &copies = world.copies[group_];
+  surface_                  = std::make_unique<mesh::SurfaceNodes>(
       *copies.part, copies.nodes, static_cast<mesh::Surface>(scene.slave_surface));
   extent_ = extents(copies.nodes, surface_->node);
   if (const Rim *rim = world.rim_of(scene.sprocket))
     flanks_ = make_flanks(scene_, world, *rim);
   for (const scene::SlavePoint &slave : scene.slaves)
     {
-      copy_.push_back(world.places[slave.body].copy);
+      copy_.push_back(world.elastic_address[slave.body].copy);
       owner_.push_back(copies.owner_of(copy_.back()));
       first_.push_back(copies.owns(copy_.back()) ? copies.index(copy_.back(), 0, 0) : 0);
     }
@@ -63,7 +63,7 @@ NodeTeeth::NodeTeeth(const scene::ToothFamily &scene,
 }
 
 dealii::Tensor<1, 3>
-NodeTeeth::value(const Copies::Vector &from, const unsigned int i, const unsigned int s) const
+NodeTeeth::value(const BodyBatches::Vector &from, const unsigned int i, const unsigned int s) const
 {
   dealii::Tensor<1, 3> v;
   const std::size_t    place = first_[i] + std::size_t(3) * surface_->node[s] * n_lanes;
@@ -98,9 +98,9 @@ bool NodeTeeth::within_reach(const unsigned int i) const
   return std::binary_search(near_.begin(), near_.end(), i);
 }
 
-void NodeTeeth::exchange(const Archive &archive, const unsigned int rank)
+void NodeTeeth::serialize(const Archive &archive, const unsigned int rank)
 {
-  Teeth::exchange(archive, rank);
+  Teeth::serialize(archive, rank);
   archive("now", now_);
   archive("before", before_);
   if (archive.reads())
@@ -112,9 +112,9 @@ void NodeTeeth::exchange(const Archive &archive, const unsigned int rank)
     }
 }
 
-void NodeTeeth::exchange_pair(const unsigned int i, const Archive &archive)
+void NodeTeeth::serialize_pair(const unsigned int i, const Archive &archive)
 {
-  Teeth::exchange_pair(i, archive);
+  Teeth::serialize_pair(i, archive);
   archive.numbers("nodes", &node(i, 0), surface_->size());
 }
 
@@ -122,23 +122,24 @@ Touch NodeTeeth::touch(const World                &world,
                        const unsigned int          i,
                        const unsigned int          s,
                        const dealii::Tensor<1, 3> &x,
-                       Flanks::Foot               &foot)
+                       Flanks::Projection         &projection)
 {
   Node &node = this->node(i, s);
   // what overlaps is looked for as deep as it may be, and deeper
   const double far = node.touch.overlap > 0. ? std::max(within, 2. * senseless_overlap()) : within;
   if (flanks_)
-    return flanks_->touch(world, x, far, node.hint, foot);
+    return flanks_->touch(world, x, far, node.hint, projection);
   return touch_flanks(scene_, x, 0., far, world.frames[scene_.sprocket], node.hint);
 }
 
 dealii::Tensor<1, 3> NodeTeeth::flank_velocity(const World                &world,
                                                const dealii::Tensor<1, 3> &x,
-                                               const Flanks::Foot         &foot,
+                                               const Flanks::Projection   &projection,
                                                const double                dt) const
 {
   // nodal velocities are the secants of the step: the sprocket's point goes along its own
-  return flanks_ ? flanks_->velocity(world, foot) : world.velocity_at(scene_.sprocket, x, 0.5 * dt);
+  return flanks_ ? flanks_->velocity(world, projection) :
+                   world.velocity_at(scene_.sprocket, x, 0.5 * dt);
 }
 
 void NodeTeeth::add_forces(World &world, const double dt)
@@ -152,8 +153,8 @@ void NodeTeeth::add_forces(World &world, const double dt)
 
 void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const double dt)
 {
-  Copies      &copies = world.copies[group_];
-  Flanks::Foot foot;
+  BodyBatches       &copies = world.copies[group_];
+  Flanks::Projection projection;
 
   const Frame &hub    = world.frames[scene_.sprocket];
   Record      &record = records_[i];
@@ -172,14 +173,14 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
       const bool                 left_alone = node.due >= 0. && node.visited < before_;
       const dealii::Tensor<1, 3> x          = value(copies.position, i, s);
       const double               share      = cover(hub, x, s) * surface_->area[s];
-      const Touch                touch      = this->touch(world, i, s, x, foot);
+      const Touch                touch      = this->touch(world, i, s, x, projection);
 
-      TouchState      &memory = node.touch;
-      const scene::Law law    = law_.times(share);
-      node.gap                = share > 0. ? touch.gap : std::numeric_limits<double>::max();
-      node.due                = now_;
-      node.visited            = now_;
-      record.gap              = std::min(record.gap, node.gap);
+      TouchState             &memory = node.touch;
+      const scene::ContactLaw law    = law_.times(share);
+      node.gap                       = share > 0. ? touch.gap : std::numeric_limits<double>::max();
+      node.due                       = now_;
+      node.visited                   = now_;
+      record.gap                     = std::min(record.gap, node.gap);
       if (touch.gap >= 0. || share == 0.)
         {
           if (memory.overlap > 0. && touch.gap == std::numeric_limits<double>::max())
@@ -188,7 +189,7 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
             update_touch(
                 law, std::max(0., touch.gap), 0., dealii::Tensor<1, 2>(), dt, memory, world.ledger);
           const double speed =
-              (value(copies.velocity, i, s) - flank_velocity(world, x, foot, dt)).norm();
+              (value(copies.velocity, i, s) - flank_velocity(world, x, projection, dt)).norm();
           node.due += std::clamp(touch.gap, 0., within) / (2. * speed + unforeseen_);
           continue;
         }
@@ -196,7 +197,7 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
         ++n_missed_;
 
       const dealii::Tensor<1, 3> relative =
-          value(copies.velocity, i, s) - flank_velocity(world, x, foot, dt);
+          value(copies.velocity, i, s) - flank_velocity(world, x, projection, dt);
       const double         gap_rate = relative * touch.normal;
       dealii::Tensor<1, 2> slip_rate;
       slip_rate[0] = relative * touch.along;
@@ -212,7 +213,7 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
       for (unsigned int d = 0; d < 3; ++d)
         copies.force.local_element(first_[i] + (3 * surface_->node[s] + d) * n_lanes) += force[d];
       if (flanks_)
-        flanks_->add_force(world, foot, -force);
+        flanks_->add_force(world, projection, -force);
       else
         world.add_force(scene_.sprocket, -force, x);
       record.force += force;
@@ -227,17 +228,16 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
     {
       record.normal       = resultant / resultant.norm();
       record.normal_speed = power / normal_force;
-      record.peak         = std::max(record.peak, world.of_whole(resultant).norm());
     }
 }
 
 std::vector<ClosedPair> NodeTeeth::closed_pairs(const World &world) const
 {
-  const Copies &copies = world.copies[group_];
-  ClosedPair    pair;
-  ClosedSide   &roller = pair[1];
-  roller.group         = group_;
-  roller.surface       = scene_.slave_surface;
+  const BodyBatches &copies = world.copies[group_];
+  ClosedPair         pair;
+  ClosedSide        &roller = pair[1];
+  roller.group              = group_;
+  roller.surface            = scene_.slave_surface;
   roller.stiffness.resize(copies.n_nodes());
   for (unsigned int s = 0; s < surface_->size(); ++s)
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/family.h>
 #include <chaindrive/drive/tooth_form.h>
-#include <chaindrive/mesh/facet_surface.h>
+#include <chaindrive/mesh/surface/facet_surface.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -52,7 +52,7 @@ Touch touch_flanks(const scene::ToothFamily   &family,
       touch.gap          = nearest.distance - radius;
       normal[0]          = nearest.normal[0];
       normal[1]          = nearest.normal[1];
-      touch.feature      = nearest.gap;
+      touch.feature      = nearest.tooth_gap;
     }
   if (touch.gap < 0.)
     {
@@ -91,9 +91,9 @@ void Teeth::search(const World &world, const double reach)
     }
 }
 
-void Teeth::exchange(const Archive &archive, const unsigned int rank)
+void Teeth::serialize(const Archive &archive, const unsigned int rank)
 {
-  Family::exchange(archive, rank);
+  Family::serialize(archive, rank);
   archive("near", near_);
   archive.numbers("hints", hints_);
 }

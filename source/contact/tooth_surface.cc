@@ -35,7 +35,7 @@ double half_width(const unsigned int i, const unsigned int n, const Distance &di
 ToothSurface::ToothSurface(const scene::ToothFamily &family, const World &world, const Rim &rim)
     : Flanks(family, rim)
 {
-  const Copies            &copies = world.copies[group_];
+  const BodyBatches       &copies = world.copies[group_];
   const mesh::SurfaceNodes flanks(*copies.part, copies.nodes, mesh::tooth_flanks);
 
   for (const unsigned int n : flanks.node)
@@ -67,11 +67,13 @@ ToothSurface::ToothSurface(const scene::ToothFamily &family, const World &world,
   Assert(column_.size() * z_.size() == nodes_.size(), dealii::ExcInternalError());
 }
 
-Flanks::Facet
-ToothSurface::nearest(const dealii::Tensor<1, 3> &x, const double, unsigned int &, Foot &foot) const
+Flanks::Facet ToothSurface::nearest(const dealii::Tensor<1, 3> &x,
+                                    const double,
+                                    unsigned int &,
+                                    Projection &projection) const
 {
   const auto                  profile  = family_.form->closest_point(dealii::Point<2>(x[0], x[1]));
-  const dealii::Tensor<1, 2> &turn     = family_.form->rotations[profile.gap];
+  const dealii::Tensor<1, 2> &turn     = family_.form->rotations[profile.tooth_gap];
   const auto                  unturned = [&turn](const dealii::Tensor<1, 2> &p) {
     return dealii::Point<2>(turn[0] * p[0] + turn[1] * p[1], turn[0] * p[1] - turn[1] * p[0]);
   };
@@ -87,17 +89,18 @@ ToothSurface::nearest(const dealii::Tensor<1, 3> &x, const double, unsigned int 
   const double xi  = std::clamp((local - column_[c]) * chord / (length * length), 0., 1.);
   const double eta = std::clamp((x[2] - z_[k]) / height, 0., 1.);
 
-  const unsigned int s = profile.gap;
-  foot.nodes   = {{place(s, c, k), place(s, c + 1, k), place(s, c, k + 1), place(s, c + 1, k + 1)}};
-  foot.twins   = {{twin(s, c, k), twin(s, c + 1, k), twin(s, c, k + 1), twin(s, c + 1, k + 1)}};
-  foot.weights = {{(1. - xi) * (1. - eta), xi * (1. - eta), (1. - xi) * eta, xi * eta}};
+  const unsigned int s = profile.tooth_gap;
+  projection.nodes     = {
+          {place(s, c, k), place(s, c + 1, k), place(s, c, k + 1), place(s, c + 1, k + 1)}};
+  projection.twins = {{twin(s, c, k), twin(s, c + 1, k), twin(s, c, k + 1), twin(s, c + 1, k + 1)}};
+  projection.weights = {{(1. - xi) * (1. - eta), xi * (1. - eta), (1. - xi) * eta, xi * eta}};
 
   Facet facet;
   facet.found     = true;
   facet.distance  = profile.distance;
   facet.normal[0] = profile.normal[0];
   facet.normal[1] = profile.normal[1];
-  facet.feature   = profile.gap;
+  facet.feature   = profile.tooth_gap;
 
   const dealii::Tensor<1, 3> along  = turned(chord / (length * length), 0.);
   const double               across = x[2] > z_.front() && x[2] < z_.back() ? 1. / height : 0.;
@@ -112,21 +115,21 @@ ToothSurface::nearest(const dealii::Tensor<1, 3> &x, const double, unsigned int 
 }
 
 ClosedSide ToothSurface::closed_side(const double              stiffness,
-                                     const Copies             &flanks,
+                                     const BodyBatches        &flanks,
                                      const mesh::SurfaceNodes &slaves,
-                                     const Copies             &of_slaves) const
+                                     const BodyBatches        &of_slaves) const
 {
-  const Share        slave     = largest_share(slaves, of_slaves);
-  const unsigned int n_columns = column_.size(), n_layers = z_.size();
-  ClosedSide         side;
+  const TributaryArea slave     = largest_share(slaves, of_slaves);
+  const unsigned int  n_columns = column_.size(), n_layers = z_.size();
+  ClosedSide          side;
   side.group   = group_;
   side.surface = mesh::tooth_flanks;
   side.stiffness.resize(flanks.n_nodes());
   for (unsigned int c = 0; c < n_columns; ++c)
     for (unsigned int layer = 0; layer < n_layers; ++layer)
       {
-        Share share;
-        share.beside = half_width(c, n_columns, [&](const unsigned int i) {
+        TributaryArea share;
+        share.across = half_width(c, n_columns, [&](const unsigned int i) {
           return (column_[i + 1] - column_[i]).norm();
         });
         share.along =

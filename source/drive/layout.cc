@@ -161,7 +161,7 @@ void set_in_motion(Layout &layout, const double driver_speed)
       driver_speed * cross(to, to - from) / cross(from - driven_centre, to - from);
 
   for (Layout::Joint &joint : layout.joints)
-    if (joint.gap >= 0)
+    if (joint.tooth_gap >= 0)
       {
         const bool         driver = joint.region == Layout::Region::driver;
         const double       speed  = driver ? layout.driver_speed : layout.driven_speed;
@@ -195,9 +195,9 @@ void mirror(Layout &layout, const Wheel &driver, const Wheel &driven)
       joint.roller[1]   = -joint.roller[1];
       joint.bush[1]     = -joint.bush[1];
       joint.velocity[1] = -joint.velocity[1];
-      if (joint.gap >= 0)
-        joint.gap = modulo(-joint.gap,
-                           joint.region == Layout::Region::driver ? driver.teeth : driven.teeth);
+      if (joint.tooth_gap >= 0)
+        joint.tooth_gap = modulo(
+            -joint.tooth_gap, joint.region == Layout::Region::driver ? driver.teeth : driven.teeth);
     }
 }
 
@@ -223,8 +223,9 @@ std::string find_overlap(const Layout          &layout,
           const auto   nearest =
               form.closest_point(Point<2>(c * arm[0] + s * arm[1], c * arm[1] - s * arm[0]));
           if (const double gap = nearest.distance - radius; gap < -overlap_tolerance)
-            return "roller " + std::to_string(k) + " overlaps gap " + std::to_string(nearest.gap) +
-                   " of the " + (first ? "driver" : "driven sprocket") + " by " + in_mm(-gap) +
+            return "roller " + std::to_string(k) + " overlaps gap " +
+                   std::to_string(nearest.tooth_gap) + " of the " +
+                   (first ? "driver" : "driven sprocket") + " by " + in_mm(-gap) +
                    " at the start: chain and sprocket do not fit (loaded pitch " +
                    in_mm(chain.loaded_pitch()) + ", bottom diameter " + in_mm(form.root_diameter) +
                    ").";

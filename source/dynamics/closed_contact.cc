@@ -14,7 +14,7 @@ namespace
 using contact::ClosedSide;
 
 /// Damping time c/k [s] of a contact that sticks or slides.
-double damping_time(const scene::Law &law)
+double damping_time(const scene::ContactLaw &law)
 {
   const double normal = law.damping / law.stiffness;
   if (law.friction > 0. && law.tangential_stiffness > 0.)

@@ -116,9 +116,9 @@ Guard::Guard(const scene::Scene &scene,
   largest_momentum_ = std::max(largest_momentum_, std::sqrt(2. * total_mass_ * least_energy_));
 }
 
-void Guard::exchange(const Archive &archive)
+void Guard::serialize(const Archive &archive)
 {
-  energy_.exchange(archive / "energy");
+  energy_.serialize(archive / "energy");
   archive("calls", calls_);
   archive("sound until", sound_until_);
   archive("looked", looked_);
@@ -170,17 +170,17 @@ Guard::Vector3 Guard::force_on_hubs(const World &world)
   return sum;
 }
 
-std::vector<Place> Guard::suspects(System &system, const LastStep *last, const double dt) const
+std::vector<FaultSite> Guard::suspects(System &system, const LastStep *last, const double dt) const
 {
-  std::vector<Place> places = places_out_of_balance(scene_, system, last, dt);
-  return places.empty() ? places_of_extremes(scene_, system) : places;
+  std::vector<FaultSite> places = faults_of_balance(scene_, system, last, dt);
+  return places.empty() ? extremes(scene_, system) : places;
 }
 
 Guard::Finding Guard::ledger_does_not_close(System &system) const
 {
   const double imbalance = system.world.ledger.imbalance();
   if (!std::isfinite(imbalance))
-    return {"The energy balance is not a number", smaller_step, places_not_finite(scene_, system)};
+    return {"The energy balance is not a number", smaller_step, faults_not_finite(scene_, system)};
   return {"The energy balance does not close: imbalance " + to_text(imbalance) + " J of " +
               to_text(energy_.turned_over()) + " J turned over, more than the accepted " +
               to_text(energy_.limit() * 100.) + " % (Time/Energy limit in percent)",
@@ -298,7 +298,7 @@ void Guard::check(System &system, const unsigned long step, const double dt)
         "Bodies run through each other",
         "Try a smaller Time/Step in us, or a stiffer contact: Contact/Roller-tooth stiffness in "
         "N/m, Roller-bush stiffness in N/m, of elastic bodies Penalty factor.",
-        places_that_overlap(scene_, system)};
+        faults_of_overlap(scene_, system)};
   else if (!energy_.closes(world.ledger, smallest_turned_over(dt)))
     finding = ledger_does_not_close(system);
   else if (on_)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/mobility.h>
 #include <chaindrive/dynamics/stable_step.h>
 #include <chaindrive/utilities/eigenvalue.h>
-#include <chaindrive/world/mobility.h>
 
 #include <algorithm>
 #include <array>

@@ -55,7 +55,7 @@ void System::evaluate_forces(const double dt)
       contacts.add_forces(world, dt);
     }
   else
-    Copies::send_forces(world.copies);
+    BodyBatches::send_forces(world.copies);
   if (!elastic.empty())
     elastic.advance(world, {dt, loads.gravity(), loads.drag()}, timer);
   world.sum_over_ranks();
@@ -77,27 +77,27 @@ void System::advance(const double dt, const double new_time)
 
 void System::close_ledger() { world.ledger.kinetic += world.kinetic_energy(); }
 
-void System::exchange(const Archive &archive)
+void System::serialize(const Archive &archive)
 {
   archive("elastic started", elastic_started_);
-  world.exchange(archive / "world");
-  bars.exchange(archive / "bars");
-  elastic.exchange(archive / "elastic");
-  contacts.exchange(archive / "contacts", world);
-  loads.exchange(archive / "loads");
+  world.serialize(archive / "world");
+  bars.serialize(archive / "bars");
+  elastic.serialize(archive / "elastic");
+  contacts.serialize(archive / "contacts", world);
+  loads.serialize(archive / "loads");
 }
 
-std::vector<StepVote> System::votes() const
+std::vector<StepLimit> System::step_limits() const
 {
-  std::vector<StepVote> votes;
-  std::vector<Spring>   springs;
+  std::vector<StepLimit> step_limits;
+  std::vector<Spring>    springs;
   if (bars.size() > 0)
     {
       bars.add_springs(world, springs);
-      votes.push_back({"bars", stable_step(world, springs)});
+      step_limits.push_back({"bars", stable_step(world, springs)});
     }
   for (const auto &limit : elastic.limits())
-    votes.push_back({"elements of the " + limit.part, limit.step});
+    step_limits.push_back({"elements of the " + limit.part, limit.step});
   for (const auto &family : contacts.families())
     {
       springs.clear();
@@ -105,15 +105,16 @@ std::vector<StepVote> System::votes() const
       const double limit =
           std::min(stable_step(world, springs), closed_contact_step(world, *family));
       // families of rigid and of elastic bodies share a name
-      const auto same = std::find_if(votes.begin(), votes.end(), [&](const StepVote &vote) {
-        return vote.voter == family->name();
-      });
-      if (same == votes.end())
-        votes.push_back({family->name(), limit});
+      const auto same =
+          std::find_if(step_limits.begin(), step_limits.end(), [&](const StepLimit &vote) {
+            return vote.source == family->name();
+          });
+      if (same == step_limits.end())
+        step_limits.push_back({family->name(), limit});
       else
         same->limit = std::min(same->limit, limit);
     }
-  return votes;
+  return step_limits;
 }
 
 double System::stable_step_limit() const
@@ -138,7 +139,7 @@ StepChoice choose_step(const System &system, const Parameters &parameters)
 {
   const parameters::Time &time = parameters.time;
   StepChoice              choice;
-  choice.votes         = system.votes();
+  choice.step_limits   = system.step_limits();
   choice.limit         = system.stable_step_limit();
   const double largest = time.safety_factor * choice.limit;
   if (time.step)

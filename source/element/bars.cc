@@ -7,7 +7,7 @@
 namespace chaindrive::element
 {
 Bars::Bars(const std::vector<scene::Bar> &bars)
-    : bars_(bars), tension_(bars.size(), 0.), peak_(bars.size(), 0.), viscous_(bars.size(), 0.)
+    : bars_(bars), tension_(bars.size(), 0.), viscous_(bars.size(), 0.)
 {
   for (const scene::Bar &bar : bars_)
     length_.push_back(bar.length);
@@ -30,7 +30,6 @@ void Bars::add_forces(World &world, const double dt)
       const double               viscous = bar.damping * rate;
 
       tension_[i] = elastic + viscous;
-      peak_[i]    = std::max(peak_[i], std::abs(tension_[i]));
       for (unsigned int d = 0; d < 3; ++d)
         {
           force[3 * bar.first + d] += tension_[i] * axis[d];
@@ -47,10 +46,9 @@ void Bars::add_forces(World &world, const double dt)
   world.ledger.chain_damping += loss;
 }
 
-void Bars::exchange(const Archive &archive)
+void Bars::serialize(const Archive &archive)
 {
   archive.numbers("tension", tension_);
-  archive.numbers("peak", peak_);
   archive.numbers("length", length_);
   archive.numbers("viscous", viscous_);
 }

@@ -20,7 +20,7 @@ Elastic::Elastic(const scene::Scene &scene, const World &world) : kernels_(best_
 {
   for (unsigned int g = 0; g < world.n_elastic_groups(); ++g)
     {
-      const Copies &copies = world.copies[g];
+      const BodyBatches &copies = world.copies[g];
       references_.push_back(
           std::make_unique<Reference>(*copies.part,
                                       copies.nodes,
@@ -38,9 +38,9 @@ void Elastic::start(World &world, const Step &step, PhaseTimer &timer)
 
 void Elastic::advance(World &world, const Step &step, PhaseTimer &timer)
 {
-  std::vector<Copies::Vector> contact; // which start() will need
+  std::vector<BodyBatches::Vector> contact; // which start() will need
   if (step.dt == 0.)
-    for (const Copies &copies : world.copies)
+    for (const BodyBatches &copies : world.copies)
       contact.push_back(copies.force);
   move(world, step, step.dt, true, timer);
   for (unsigned int g = 0; g < contact.size(); ++g)
@@ -60,7 +60,7 @@ void Elastic::move(
           move(world, *rim, step, kick, booked);
           continue;
         }
-      Copies &copies = world.copies[g];
+      BodyBatches &copies = world.copies[g];
       for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
            ++batch)
         {
@@ -73,7 +73,7 @@ void Elastic::move(
     }
 }
 
-void Elastic::add_forces(Copies            &copies,
+void Elastic::add_forces(BodyBatches       &copies,
                          const Reference   &reference,
                          const unsigned int batch,
                          Sums              &sums,
@@ -94,15 +94,18 @@ void Elastic::add_forces(Copies            &copies,
   }
 }
 
-void Elastic::hold_middle_plane(Copies &copies, const unsigned int batch)
+void Elastic::hold_middle_plane(BodyBatches &copies, const unsigned int batch)
 {
   double *force = copies.force.begin() + copies.start_of(batch);
   for (const unsigned int node : copies.on_middle_plane)
     std::fill_n(force + (3 * node + 2) * n_lanes, n_lanes, 0.);
 }
 
-void Elastic::update(
-    Copies &copies, const unsigned int batch, Sums &sums, const Step &step, const double kick) const
+void Elastic::update(BodyBatches       &copies,
+                     const unsigned int batch,
+                     Sums              &sums,
+                     const Step        &step,
+                     const double       kick) const
 {
   hold_middle_plane(copies, batch);
   const std::size_t first = copies.start_of(batch);
@@ -121,7 +124,7 @@ void Elastic::update(
 }
 
 void Elastic::book(World             &world,
-                   const Copies      &copies,
+                   const BodyBatches &copies,
                    const unsigned int batch,
                    const Sums        &sums,
                    const Step        &step)
@@ -158,9 +161,9 @@ void Elastic::book(World             &world,
 }
 
 dealii::Tensor<1, 3>
-Elastic::position(const World &world, const World::Place &place, const unsigned int node) const
+Elastic::position(const World &world, const World::Address &place, const unsigned int node) const
 {
-  const Copies        &copies = world.copies[place.group];
+  const BodyBatches   &copies = world.copies[place.group];
   dealii::Tensor<1, 3> x;
   for (unsigned int d = 0; d < 3; ++d)
     {
@@ -170,11 +173,12 @@ Elastic::position(const World &world, const World::Place &place, const unsigned 
   return x;
 }
 
-dealii::Tensor<1, 3>
-Elastic::displacement(const World &world, const World::Place &place, const unsigned int node) const
+dealii::Tensor<1, 3> Elastic::displacement(const World          &world,
+                                           const World::Address &place,
+                                           const unsigned int    node) const
 {
-  const Copies &copies = world.copies[place.group];
-  const Frame  &start  = copies.start[place.copy];
+  const BodyBatches &copies = world.copies[place.group];
+  const Frame       &start  = copies.start[place.copy];
   return position(world, place, node) - start.position -
          start.rotation * dealii::Tensor<1, 3>(copies.nodes.position[node]);
 }

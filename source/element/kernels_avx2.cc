@@ -6,5 +6,5 @@
 namespace chaindrive::element
 {
 extern const Kernels avx2_kernels;
-const Kernels        avx2_kernels = bodies::make_kernels<4>("AVX2 (x86-64-v3)");
+const Kernels        avx2_kernels = packed::make_kernels<4>("AVX2 (x86-64-v3)");
 } // namespace chaindrive::element

@@ -6,5 +6,5 @@
 namespace chaindrive::element
 {
 extern const Kernels avx512_kernels;
-const Kernels        avx512_kernels = bodies::make_kernels<8>("AVX-512 (x86-64-v4)");
+const Kernels        avx512_kernels = packed::make_kernels<8>("AVX-512 (x86-64-v4)");
 } // namespace chaindrive::element

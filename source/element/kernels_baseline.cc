@@ -4,6 +4,6 @@
 namespace chaindrive::element
 {
 extern const Kernels scalar_kernels, baseline_kernels;
-const Kernels        scalar_kernels   = bodies::make_kernels<1>("scalar");
-const Kernels        baseline_kernels = bodies::make_kernels<2>("baseline (SSE2 on x86-64)");
+const Kernels        scalar_kernels   = packed::make_kernels<1>("scalar");
+const Kernels        baseline_kernels = packed::make_kernels<2>("baseline (SSE2 on x86-64)");
 } // namespace chaindrive::element

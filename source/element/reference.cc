@@ -150,7 +150,7 @@ void for_each_number(const Shape       shape,
                      Element          &element,
                      const Visit      &visit)
 {
-  const auto visit_places = [&](const Places &places, auto &matrix) {
+  const auto visit_places = [&](const NonZeros &places, auto &matrix) {
     for (int n = 0; n < places.size; ++n)
       visit(matrix[places.row[n]][places.column[n]]);
   };
@@ -159,17 +159,17 @@ void for_each_number(const Shape       shape,
       for (unsigned int q = 0; q < (shape == Shape::general ? 8 : 4); ++q)
         {
           visit(element.point_volume[q]);
-          visit_places(jacobian_places(shape), element.point_inverse[q]);
+          visit_places(jacobian_entries(shape), element.point_inverse[q]);
         }
       return;
     }
   visit(element.volume);
-  visit_places(gradient_places(shape), element.gradient);
-  visit_places(shift_places(shape), element.shift);
+  visit_places(gradient_entries(shape), element.gradient);
+  visit_places(shift_entries(shape), element.shift);
   if (formulation == Formulation::one_point)
     visit(element.hourglass_stiffness);
   else
-    visit_places(hourglass_places(shape), element.hourglass);
+    visit_places(hourglass_entries(shape), element.hourglass);
 }
 
 /// The element that these numbers describe.

@@ -14,7 +14,7 @@ void Elastic::follow_hubs(World &world)
 namespace
 {
 template <typename Visit>
-void for_each_batch(const Copies &copies, const Visit &visit)
+void for_each_batch(const BodyBatches &copies, const Visit &visit)
 {
   for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
        ++batch)
@@ -22,7 +22,7 @@ void for_each_batch(const Copies &copies, const Visit &visit)
 }
 
 /// Adds @p sums over the nodes of each sector of @p batch to @p to.
-void add_sectors(const Copies      &copies,
+void add_sectors(const BodyBatches &copies,
                  const unsigned int batch,
                  const double (&sums)[n_lanes],
                  double &to)
@@ -36,7 +36,7 @@ void Elastic::add_rim_forces(World &world, PhaseTimer &timer) const
 {
   for (const Rim &rim : world.rims)
     {
-      Copies &copies = world.copies[rim.group];
+      BodyBatches &copies = world.copies[rim.group];
       for_each_batch(copies, [&](const unsigned int batch) {
         alignas(64) Sums sums{};
         add_forces(copies, *references_[rim.group], batch, sums, timer);
@@ -67,7 +67,7 @@ void Elastic::add_rim_forces(World &world, PhaseTimer &timer) const
 void Elastic::move(
     World &world, Rim &rim, const Step &step, const double kick, const bool booked) const
 {
-  Copies &copies = world.copies[rim.group];
+  BodyBatches &copies = world.copies[rim.group];
   for_each_batch(copies, [&](const unsigned int batch) {
     alignas(64) Sums sums{};
     update(copies, batch, sums, {step.dt, 0., 0.}, kick);

@@ -34,7 +34,7 @@ void Loads::add_forces(World &world, const double dt)
         }
 }
 
-void Loads::exchange(const Archive &archive)
+void Loads::serialize(const Archive &archive)
 {
   archive("drive torque", drive_torque_);
   archive("load torque", load_torque_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/mesh/cut_out.h>
+#include <chaindrive/mesh/generate/cut_out.h>
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/mesh/sector.h>
 #include <chaindrive/utilities/errors.h>

@@ -182,21 +182,21 @@ void Recorder::add_tooth_channels()
            n,
            numbers(n)},
           [this, t](const auto &, Row row) { copy_gaps(teeth_[t].families, row); });
-      const unsigned int gaps = static_cast<unsigned int>(teeth_[t].gap.size());
+      const unsigned int gaps = static_cast<unsigned int>(teeth_[t].in_gap.size());
       add({"teeth",
            name + "_force",
            "N",
            "Normal force in each gap between two teeth",
            gaps,
            numbers(gaps)},
-          [this, t](const auto &, Row row) { copy(teeth_[t].gap, row); });
+          [this, t](const auto &, Row row) { copy(teeth_[t].in_gap, row); });
       add({"teeth",
            name + "_force_peak",
            "N",
            "Its largest value since the last sample",
            gaps,
            numbers(gaps)},
-          [this, t](const auto &, Row row) { copy(teeth_[t].gap_peak, row); });
+          [this, t](const auto &, Row row) { copy(teeth_[t].in_gap_peak, row); });
     }
   for (unsigned int b = 0; b < bores_.size(); ++b)
     {

@@ -96,12 +96,12 @@ void Checkpoints::say_why(const double time)
        << " To go on, start it again as before with --resume auto." << std::endl;
 }
 
-void Checkpoints::exchange(const Archive &archive, dynamics::System &system)
+void Checkpoints::serialize(const Archive &archive, dynamics::System &system)
 {
-  system.exchange(archive / "system");
-  guard_.exchange(archive / "guard");
-  recorder_.exchange(archive / "recorder", system);
-  schedule_.exchange(archive / "checkpoints", system.world.time);
+  system.serialize(archive / "system");
+  guard_.serialize(archive / "guard");
+  recorder_.serialize(archive / "recorder", system);
+  schedule_.serialize(archive / "checkpoints", system.world.time);
 
   std::vector<double> cpu_seconds;
   for (const auto &row : rows_of_all_ranks(system.timer, system.world.communicator()))
@@ -117,7 +117,7 @@ void Checkpoints::write(dynamics::System &system, const unsigned long step)
 {
   const PhaseTimer::Scope scope(system.timer, system.timer.add("Output"));
   CheckpointItems         items(system.world.communicator());
-  exchange(items.archive(), system);
+  serialize(items.archive(), system);
   last_ = checkpoint_path(directory_, step);
   items.write(last_, {step, system.world.time, dt_}, fixed_);
   written_ = Clock::now();
@@ -142,7 +142,7 @@ unsigned long Checkpoints::resume(dynamics::System &system, const CheckpointFile
         " ms, after Time/End time in ms = " + to_text(parameters_.time.end * 1e3) + ".");
   try
     {
-      exchange(file.archive(), system);
+      serialize(file.archive(), system);
     }
   catch (const InputError &error)
     {

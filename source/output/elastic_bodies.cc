@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/mesh/surface_nodes.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/output/elastic_bodies.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@ namespace chaindrive::output
 namespace
 {
 dealii::Tensor<1, 3>
-velocity_of(const Copies &copies, const unsigned int copy, const unsigned int node)
+velocity_of(const BodyBatches &copies, const unsigned int copy, const unsigned int node)
 {
   dealii::Tensor<1, 3> v;
   for (unsigned int d = 0; d < 3; ++d)
@@ -19,7 +19,7 @@ velocity_of(const Copies &copies, const unsigned int copy, const unsigned int no
 
 /// The node of a roller's outside, of those next to its middle plane, that lies farthest along
 /// @p direction in body axes.
-unsigned int farthest_node(const Copies &copies, const dealii::Tensor<1, 3> &direction)
+unsigned int farthest_node(const BodyBatches &copies, const dealii::Tensor<1, 3> &direction)
 {
   const mesh::SurfaceNodes outside(*copies.part, copies.nodes, mesh::roller_outside);
   // a millionth of the radius decides between planes
@@ -41,8 +41,8 @@ ElasticBodies::ElasticBodies(const scene::Scene     &scene,
 {
   for (unsigned int g = 0; g < system.world.n_elastic_groups(); ++g)
     {
-      const Copies     &copies = system.world.copies[g];
-      const scene::Kind kind   = scene.bodies[copies.bodies.front()].kind;
+      const BodyBatches &copies = system.world.copies[g];
+      const scene::Kind  kind   = scene.bodies[copies.bodies.front()].kind;
       if (cells)
         cells_.try_emplace(g, *copies.part, copies.nodes, scene.material);
       if (kind == scene::Kind::inner_link || kind == scene::Kind::outer_link)
@@ -55,11 +55,11 @@ ElasticBodies::ElasticBodies(const scene::Scene     &scene,
 }
 
 ElasticSnapshot ElasticBodies::snapshot(const dynamics::System &system,
-                                        const World::Place     &place) const
+                                        const World::Address   &place) const
 {
-  const Copies     &copies = system.world.copies[place.group];
-  const std::size_t n      = copies.nodes.of_vertex.size();
-  ElasticSnapshot   snapshot{
+  const BodyBatches &copies = system.world.copies[place.group];
+  const std::size_t  n      = copies.nodes.of_vertex.size();
+  ElasticSnapshot    snapshot{
       std::vector<dealii::Tensor<1, 3>>(n), std::vector<dealii::Tensor<1, 3>>(n), {}};
   std::vector<dealii::Tensor<1, 3>> position(copies.n_nodes());
   for (unsigned int node = 0; node < copies.n_nodes(); ++node)
@@ -80,7 +80,7 @@ ElasticSnapshot ElasticBodies::snapshot(const dynamics::System &system,
 
 WaistStress ElasticBodies::waist(const dynamics::System &system, const unsigned int body) const
 {
-  const World::Place               &place  = system.world.places[body];
+  const World::Address             &place  = system.world.elastic_address[body];
   const PlateStress                &plates = plates_.at(place.group);
   std::vector<dealii::Tensor<1, 3>> position;
   position.reserve(plates.nodes().size());
@@ -92,7 +92,7 @@ WaistStress ElasticBodies::waist(const dynamics::System &system, const unsigned 
 dealii::Tensor<1, 3> ElasticBodies::surface_velocity(const dynamics::System &system,
                                                      const unsigned int      body) const
 {
-  const World::Place &place = system.world.places[body];
+  const World::Address &place = system.world.elastic_address[body];
   return velocity_of(system.world.copies[place.group], place.copy, surface_nodes_.at(body));
 }
 } // namespace chaindrive::output

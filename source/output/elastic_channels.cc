@@ -81,7 +81,7 @@ void Recorder::look_at_elastic_bodies(const dynamics::System &system)
   const World   &world      = system.world;
   constexpr auto nan        = std::numeric_limits<double>::quiet_NaN();
   const auto     is_elastic = [&](const unsigned int body) {
-    return world.places[body].group != World::Place::none;
+    return world.elastic_address[body].group != World::Address::none;
   };
   // every rank looks at its own bodies and leaves zeros where others do
   surface_velocity_.assign(rollers_.size(), dealii::Tensor<1, 3>());
@@ -108,18 +108,18 @@ void Recorder::look_at_elastic_bodies(const dynamics::System &system)
   visit_elastic_values([&next](double &value) { value = *next++; });
 }
 
-template <typename Exchange>
-void Recorder::visit_elastic_values(const Exchange &exchange)
+template <typename Item>
+void Recorder::visit_elastic_values(const Item &item)
 {
   for (dealii::Tensor<1, 3> &v : surface_velocity_)
     for (unsigned int d = 0; d < 3; ++d)
-      exchange(v[d]);
+      item(v[d]);
   for (WaistStress &waist : waists_)
     for (double WaistStress::*value : {&WaistStress::axial,
                                        &WaistStress::in_plane,
                                        &WaistStress::out_of_plane,
                                        &WaistStress::principal_1,
                                        &WaistStress::principal_2})
-      exchange(waist.*value);
+      item(waist.*value);
 }
 } // namespace chaindrive::output

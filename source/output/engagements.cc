@@ -109,7 +109,7 @@ void Engagements::observe(Sprocket &sprocket, const World &world, const double d
     }
 }
 
-void Engagements::exchange(const Archive &archive)
+void Engagements::serialize(const Archive &archive)
 {
   archive("found", found_);
   for (unsigned int s = 0; s < sprockets_.size(); ++s)

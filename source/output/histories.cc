@@ -246,7 +246,7 @@ void Histories::flush()
     data_->write_rows();
 }
 
-void Histories::exchange(const Archive &archive)
+void Histories::serialize(const Archive &archive)
 {
   Data     &d = *data_;
   SavedMark mark;
@@ -256,7 +256,7 @@ void Histories::exchange(const Archive &archive)
       d.saved->add(*d.file, d.written);
       mark = d.saved->mark();
     }
-  mark.exchange(archive);
+  mark.serialize(archive);
   if (archive.reads())
     d.restore(mark);
 }
@@ -264,7 +264,7 @@ void Histories::exchange(const Archive &archive)
 void Histories::check(const std::string &prefix, const Archive &archive)
 {
   SavedMark mark;
-  mark.exchange(archive);
+  mark.serialize(archive);
   check_saved_rows(prefix, mark);
 }
 

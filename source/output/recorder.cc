@@ -150,17 +150,17 @@ bool Recorder::observe(dynamics::System &system, const unsigned long, const doub
   return true;
 }
 
-void Recorder::exchange(const Archive &archive, const dynamics::System &system)
+void Recorder::serialize(const Archive &archive, const dynamics::System &system)
 {
   const double time = system.world.time;
-  engagements_.exchange(archive / "engagements");
+  engagements_.serialize(archive / "engagements");
   for (ToothForces &teeth : teeth_)
     {
       const Archive part = archive / teeth.name;
       part.numbers("roller", teeth.roller);
       part.numbers("roller peak", teeth.roller_peak);
-      part.numbers("gap", teeth.gap);
-      part.numbers("gap peak", teeth.gap_peak);
+      part.numbers("gap", teeth.in_gap);
+      part.numbers("gap peak", teeth.in_gap_peak);
       part("overlap", teeth.overlap);
     }
   for (BoreForces &bores : bores_)
@@ -188,14 +188,14 @@ void Recorder::exchange(const Archive &archive, const dynamics::System &system)
                          "Window end in ms as they were");
     }
 
-  samples_.exchange(archive / "samples", time);
-  pictures_.exchange(archive / "pictures", time);
+  samples_.serialize(archive / "samples", time);
+  pictures_.serialize(archive / "pictures", time);
   bool has_fields = fields_ != nullptr;
   archive("has fields", has_fields);
   if (has_fields && fields_ != nullptr)
-    fields_->exchange(archive / "fields");
+    fields_->serialize(archive / "fields");
   if (histories_ != nullptr)
-    histories_->exchange(archive / "histories");
+    histories_->serialize(archive / "histories");
   if (progress_ != nullptr && archive.reads())
     progress_->begin_at(time);
 }
@@ -254,13 +254,11 @@ void Recorder::sample(dynamics::System &system)
     source.fill(system, histories_->values(source.handle));
   histories_->end_sample();
 
-  system.contacts.clear_peaks();
-  system.bars.clear_peaks();
   std::fill(link_peak_.begin(), link_peak_.end(), -std::numeric_limits<double>::max());
   for (ToothForces &teeth : teeth_)
     {
       std::fill(teeth.roller_peak.begin(), teeth.roller_peak.end(), 0.);
-      std::fill(teeth.gap_peak.begin(), teeth.gap_peak.end(), 0.);
+      std::fill(teeth.in_gap_peak.begin(), teeth.in_gap_peak.end(), 0.);
     }
   for (BoreForces &bores : bores_)
     std::fill(bores.peak.begin(), bores.peak.end(), 0.);
@@ -282,8 +280,8 @@ void Recorder::write_fields(const dynamics::System &system)
 
   std::vector<ElasticSnapshot> elastic(world.n_bodies());
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
-    if (world.places[b].group != World::Place::none && world.owns(b))
-      elastic[b] = elastic_->snapshot(system, world.places[b]);
+    if (world.elastic_address[b].group != World::Address::none && world.owns(b))
+      elastic[b] = elastic_->snapshot(system, world.elastic_address[b]);
 
   std::vector<BodySnapshot> bodies;
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
@@ -301,7 +299,7 @@ void Recorder::write_fields(const dynamics::System &system)
   std::vector<std::vector<ElasticSnapshot>> sectors;
   for (const Rim &rim : world.rims)
     {
-      const Copies &copies = world.copies[rim.group];
+      const BodyBatches &copies = world.copies[rim.group];
       sectors.emplace_back(copies.n_copies());
       for (unsigned int s = 0; s < copies.n_copies(); ++s)
         if (copies.owns(s))

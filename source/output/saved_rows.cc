@@ -101,7 +101,7 @@ bool is_in_whole(const std::string &prefix, const SavedMark &mark)
 }
 } // namespace
 
-void SavedMark::exchange(const Archive &archive)
+void SavedMark::serialize(const Archive &archive)
 {
   archive("rows", rows);
   archive("checksum", checksum);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/mesh/facet_surface.h>
-#include <chaindrive/mesh/import.h>
+#include <chaindrive/mesh/import/import.h>
 #include <chaindrive/mesh/sector.h>
-#include <chaindrive/mesh/surface_nodes.h>
+#include <chaindrive/mesh/surface/facet_surface.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/placement.h>
 #include <chaindrive/utilities/errors.h>
@@ -104,14 +104,14 @@ double Scene::nominal_energy() const
   return 0.5 * n_joints * mass_per_pitch * speed * speed;
 }
 
-Law make_law(const Parameters           &parameters,
-             const std::vector<Effect>  &effects,
-             const double                k,
-             const double                mass,
-             const std::optional<double> friction)
+ContactLaw make_law(const Parameters           &parameters,
+                    const std::vector<Effect>  &effects,
+                    const double                k,
+                    const double                mass,
+                    const std::optional<double> friction)
 {
   const parameters::Contact &contact = parameters.contact;
-  Law                        law;
+  ContactLaw                 law;
   law.stiffness = k;
   if (is_on(effects, "contact damping"))
     law.damping = 2. * contact.damping_ratio * std::sqrt(k * mass);
@@ -125,10 +125,10 @@ Law make_law(const Parameters           &parameters,
   return law;
 }
 
-Law make_area_law(const Parameters           &parameters,
-                  const std::vector<Effect>  &effects,
-                  const double                thickness,
-                  const std::optional<double> friction)
+ContactLaw make_area_law(const Parameters           &parameters,
+                         const std::vector<Effect>  &effects,
+                         const double                thickness,
+                         const std::optional<double> friction)
 {
   const parameters::Material &steel = parameters.material;
   const double bulk_modulus = steel.youngs_modulus / (3. * (1. - 2. * steel.poissons_ratio));
@@ -159,7 +159,7 @@ Scene build_scene(const Parameters               &parameters,
   scene.centre_distance = layout.centre_distance;
   scene.pitch           = drive.chain.loaded_pitch();
   for (const drive::Layout::Joint &joint : layout.joints)
-    scene.seated.push_back(joint.gap >= 0);
+    scene.seated.push_back(joint.tooth_gap >= 0);
   scene.span_direction      = embed(layout.tight_direction);
   scene.span_normal         = embed(layout.tight_normal);
   scene.stiffness_per_pitch = drive.stiffness_per_pitch;
@@ -265,11 +265,11 @@ void add_sprockets(const Parameters               &parameters,
         }
       if (n_elastic == scene.n_joints)
         continue;
-      const Law law = make_law(parameters,
-                               scene.effects,
-                               tooth_stiffness,
-                               roller_mass,
-                               parameters.contact.roller_tooth_friction);
+      const ContactLaw law = make_law(parameters,
+                                      scene.effects,
+                                      tooth_stiffness,
+                                      roller_mass,
+                                      parameters.contact.roller_tooth_friction);
       // A lumped roller touches in its middle plane. A rigid one touches at two points that give
       // its line of contact the same moment of resistance against tilting.
       const double              contact_length = std::min(drive.chain.roller_length, width);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/mesh/surface_nodes.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/utilities/text.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/mesh/links.h>
-#include <chaindrive/mesh/sprocket.h>
+#include <chaindrive/mesh/generate/links.h>
+#include <chaindrive/mesh/generate/sprocket.h>
 #include <chaindrive/scene/build.h>
 
 namespace chaindrive::scene

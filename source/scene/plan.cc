@@ -85,7 +85,7 @@ double lanes_per_copy(const Scene &scene, const Kind kind)
   return double(n_batches * n_lanes) / n;
 }
 
-std::string law_text(const Law &law, const bool elastic)
+std::string law_text(const ContactLaw &law, const bool elastic)
 {
   const std::string per  = elastic ? "3" : ""; // per area
   std::string       text = "k " + to_text(law.stiffness, 4) + " N/m" + per;

@@ -7,8 +7,8 @@
 #include <chaindrive/contact/joints.h>
 #include <chaindrive/contact/node_teeth.h>
 #include <chaindrive/element/reference.h>
-#include <chaindrive/mesh/facet_surface.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
+#include <chaindrive/mesh/surface/facet_surface.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -208,7 +208,7 @@ void measure_teeth(const std::shared_ptr<const mesh::Part> &roller,
   World              world(scene);
   const double       within = 100e-6; // the reach of the search, see node_teeth.cc
 
-  const Copies            &copies = world.copies[0];
+  const BodyBatches       &copies = world.copies[0];
   const mesh::SurfaceNodes nodes(*roller, copies.nodes, mesh::roller_outside);
   unsigned int             visited = 0, touching = 0, hint = mesh::Projection::no_facet;
   for (unsigned int copy = 0; copy < teeth; ++copy)

@@ -4,7 +4,7 @@
 //
 // kernel_benchmark --help lists the options.
 #include <chaindrive/element/reference.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 
 #include <deal.II/base/aligned_vector.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -73,9 +73,9 @@ double time_of(const std::function<void()> &work)
 }
 
 /// Batches of copies of one part.
-struct Copies
+struct BodyBatches
 {
-  Copies(const element::Reference &reference, const unsigned int n_batches)
+  BodyBatches(const element::Reference &reference, const unsigned int n_batches)
       : reference(reference), n_batches(n_batches), stride(3 * reference.n_nodes() * n_lanes)
   {
     position.resize(n_batches * stride, 0.);
@@ -228,12 +228,12 @@ double n_operations(const Formulation formulation, const Shape shape)
   const double strain = 2 * 18 + 3, stress = 30, product = 2 * 27 - 9;
   if (formulation == Formulation::full)
     return modes + 3 * 25 + 3 * (3 * 9 + 4) +
-           8 * (2 * 6 * element::jacobian_places(shape).size + strain + stress + product);
+           8 * (2 * 6 * element::jacobian_entries(shape).size + strain + stress + product);
   const double gradient_and_shift =
-      2 * 6 * (element::gradient_places(shape).size + element::shift_places(shape).size);
+      2 * 6 * (element::gradient_entries(shape).size + element::shift_entries(shape).size);
   const double hourglass = formulation == Formulation::one_point ?
                                3 * 12 :
-                               2 * (3 * 36 + 12) + 4 * element::hourglass_places(shape).size - 24;
+                               2 * (3 * 36 + 12) + 4 * element::hourglass_entries(shape).size - 24;
   return modes + gradient_and_shift + hourglass + strain + stress + product;
 }
 
@@ -264,7 +264,7 @@ double step_on_threads(const element::Reference &reference,
       std::vector<double>       seconds(options.threads);
       for (unsigned int t = 0; t < options.threads; ++t)
         threads.emplace_back([&, t] {
-          Copies mine(reference, per_thread);
+          BodyBatches mine(reference, per_thread);
           ++ready;
           while (ready < options.threads)
             std::this_thread::yield();
@@ -353,7 +353,7 @@ void measure(const mesh::RollerGrid &grid, const Options &options, const Machine
             const element::Kernels *kernels = element::kernels(width);
             if (kernels == nullptr || reference.shape != shape)
               continue;
-            Copies       copies(reference, (options.copies + n_lanes - 1) / n_lanes);
+            BodyBatches  copies(reference, (options.copies + n_lanes - 1) / n_lanes);
             const double per   = 1e9 / (copies.n_batches * n_lanes * reference.n_elements());
             const double force = per * time_of([&] {
                                    for (unsigned int b = 0; b < copies.n_batches; ++b)

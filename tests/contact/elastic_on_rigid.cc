@@ -6,7 +6,7 @@
 #include "../support/scenes.h"
 
 #include <chaindrive/drive/chain.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 
 using namespace test;
 
@@ -65,9 +65,9 @@ Result run(const bool bush_is_elastic, const double friction, const double share
 
   // half a step ahead: nodes with their velocities, the rigid body from its forces
   const auto momenta = [&]() {
-    const World  &world = system.world;
-    Vector3       p, l;
-    const Copies &nodes = world.copies[0];
+    const World       &world = system.world;
+    Vector3            p, l;
+    const BodyBatches &nodes = world.copies[0];
     for (unsigned int node = 0; node < nodes.n_nodes(); ++node)
       {
         Vector3 x, v;

@@ -7,7 +7,7 @@
 #include "../support/scenes.h"
 
 #include <chaindrive/contact/node_teeth.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/part.h>
 
 using namespace test;
@@ -34,8 +34,8 @@ scene::Scene make_scene(const double friction, const double spin)
                        vector(-1.3, 0.)),
                         ground()};
   scene.bodies[0].initial.angular_velocity = vector(0., 0., spin);
-  const double wall                        = 0.5 * (chain.roller_diameter - chain.roller_bore);
-  scene::Law   law;
+  const double      wall                   = 0.5 * (chain.roller_diameter - chain.roller_bore);
+  scene::ContactLaw law;
   law.stiffness = 0.5 * scene.material.youngs_modulus / wall;
   if (friction > 0.)
     {

@@ -40,7 +40,7 @@ int main()
                            vector(-0.5 * length, -0.5 * width, -0.5 * width),
                            vector(v0, 0.)),
                                           ground()};
-      scene::Law law;
+      scene::ContactLaw law;
       law.stiffness                = E / (length / n); // per area: one element's own
       scene.teeth                  = {on_surface(
           1, plane(1., vector(0., 0., 1.), vector(0., 1.)), law, {{0, dealii::Point<3>(), 1., 0}})};

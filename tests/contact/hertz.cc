@@ -65,7 +65,7 @@ double load_of(const double approach, const double h, const double stiffness_fac
                           body(scene::Motion::elastic, scene::Support::none, 1., vector(1., 1., 1.), vector(0., 0.)),
                           ground()};
   scene.bodies[1].initial.position = vector(0., -R);
-  scene::Law law;
+  scene::ContactLaw law;
   law.stiffness             = stiffness_factor * E / h; // per area
   scene::ToothFamily family = on_surface(
       1, plane(2. * R, vector(0., 0., 1.), vector(1., 0.)), law, {{0, dealii::Point<3>(), R, 0}});
@@ -73,7 +73,7 @@ double load_of(const double approach, const double h, const double stiffness_fac
   family.slave_surface = 2; // colour of the outside
 
   World              world(scene);
-  Copies            &copies = world.copies[0];
+  BodyBatches       &copies = world.copies[0];
   contact::NodeTeeth teeth(family, world, true);
   teeth.search(world, R);
   const Reference reference(

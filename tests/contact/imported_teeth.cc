@@ -38,36 +38,36 @@ Pressed press(Tooth c, const double angle, const double approach)
   const mesh::Nodes nodes(whole);
   const Reference   roller_elements(roller, scene.material, Formulation::enhanced),
       teeth_elements(whole, nodes, scene.material, Formulation::enhanced);
-  Statics       statics({&roller_elements, &teeth_elements});
-  const auto   &sector  = *scene.sectors.at(scene::Kind::driver);
-  Copies       &rim     = world.copies[world.rims[0].group];
-  const Copies &rollers = world.copies[world.places[0].group];
+  Statics            statics({&roller_elements, &teeth_elements});
+  const auto        &sector  = *scene.sectors.at(scene::Kind::driver);
+  BodyBatches       &rim     = world.copies[world.rims[0].group];
+  const BodyBatches &rollers = world.copies[world.elastic_address[0].group];
 
   // positions and forces of both, whose numbers are those of the statics
   std::vector<double> start(statics.size, 0.);
   const auto          visit = [&](const auto &exchange) {
     for (unsigned int n = 0; n < rollers.n_nodes(); ++n)
       for (unsigned int d = 0; d < 3; ++d)
-        exchange(3 * n + d, world.copies[world.places[0].group], rollers.index(0, n, d));
+        serialize(3 * n + d, world.copies[world.elastic_address[0].group], rollers.index(0, n, d));
     for (unsigned int s = 0; s < rim.n_copies(); ++s)
       for (unsigned int n = 0; n < rim.n_nodes(); ++n)
         for (unsigned int d = 0; d < 3; ++d)
-          exchange(statics.first[1] +
-                       3 * nodes.of_vertex[sector.whole_vertex[s][rim.nodes.vertex[n]]] + d,
-                   rim,
-                   rim.index(s, n, d));
+          serialize(statics.first[1] +
+                        3 * nodes.of_vertex[sector.whole_vertex[s][rim.nodes.vertex[n]]] + d,
+                    rim,
+                    rim.index(s, n, d));
   };
-  visit([&](const unsigned int i, Copies &copies, const std::size_t at) {
+  visit([&](const unsigned int i, BodyBatches &copies, const std::size_t at) {
     start[i] = copies.position.local_element(at);
   });
   const auto contact = [&](const Vector<double> &u, Vector<double> &f) {
-    visit([&](const unsigned int i, Copies &copies, const std::size_t at) {
+    visit([&](const unsigned int i, BodyBatches &copies, const std::size_t at) {
       copies.position.local_element(at) = start[i] + u[i];
       copies.force.local_element(at)    = 0.;
     });
     teeth.add_forces(world, 0.);
     f = 0.;
-    visit([&](const unsigned int i, Copies &copies, const std::size_t at) {
+    visit([&](const unsigned int i, BodyBatches &copies, const std::size_t at) {
       f[i] += copies.force.local_element(at);
     });
   };
@@ -145,7 +145,7 @@ std::vector<double> force_with_depth(const Sprocket sprocket, const bool elastic
   const scene::Scene  scene = make_scene(c);
   World               world(scene);
   contact::NodeTeeth  teeth(scene.teeth[0], world, true);
-  Copies             &rollers = world.copies[world.places[0].group];
+  BodyBatches        &rollers = world.copies[world.elastic_address[0].group];
   constexpr double    step    = 50e-6;
   std::vector<double> forces;
   for (double depth = -5e-6; depth + step <= teeth.senseless_overlap(); depth += step)

@@ -9,7 +9,7 @@
 #include "../support/statics.h"
 
 #include <chaindrive/contact/node_faces.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 
 using namespace test;
 
@@ -19,8 +19,8 @@ namespace
 template <typename Visit>
 void for_each_value(World &world, const unsigned int body, const Visit &visit)
 {
-  const World::Place &place  = world.places[body];
-  Copies             &copies = world.copies[place.group];
+  const World::Address &place  = world.elastic_address[body];
+  BodyBatches          &copies = world.copies[place.group];
   for (unsigned int i = 0; i < 3 * copies.n_nodes(); ++i)
     visit(i, copies, copies.index(place.copy, i / 3, i % 3));
 }
@@ -67,20 +67,23 @@ double bars(const double approach, const std::array<unsigned int, 2> &cells)
   Statics             statics({&slave, &master});
   std::vector<double> start(statics.size);
   for (unsigned int b = 0; b < 2; ++b)
-    for_each_value(world, b, [&](const unsigned int i, Copies &copies, const std::size_t at) {
+    for_each_value(world, b, [&](const unsigned int i, BodyBatches &copies, const std::size_t at) {
       start[statics.first[b] + i] = copies.position.local_element(at);
     });
   const auto contact = [&](const Vector<double> &u, Vector<double> &f) {
     for (unsigned int b = 0; b < 2; ++b)
-      for_each_value(world, b, [&](const unsigned int i, Copies &copies, const std::size_t at) {
-        copies.position.local_element(at) = start[statics.first[b] + i] + u[statics.first[b] + i];
-        copies.force.local_element(at)    = 0.;
-      });
+      for_each_value(
+          world, b, [&](const unsigned int i, BodyBatches &copies, const std::size_t at) {
+            copies.position.local_element(at) =
+                start[statics.first[b] + i] + u[statics.first[b] + i];
+            copies.force.local_element(at) = 0.;
+          });
     faces.add_forces(world, 0.);
     for (unsigned int b = 0; b < 2; ++b)
-      for_each_value(world, b, [&](const unsigned int i, Copies &copies, const std::size_t at) {
-        f[statics.first[b] + i] = copies.force.local_element(at);
-      });
+      for_each_value(
+          world, b, [&](const unsigned int i, BodyBatches &copies, const std::size_t at) {
+            f[statics.first[b] + i] = copies.force.local_element(at);
+          });
   };
 
   std::vector<unsigned int> touched;
@@ -161,7 +164,7 @@ scene::Scene links(const double friction)
 Vector3 momentum(World &world, const unsigned int b)
 {
   Vector3 sum;
-  for_each_value(world, b, [&](const unsigned int i, Copies &copies, const std::size_t at) {
+  for_each_value(world, b, [&](const unsigned int i, BodyBatches &copies, const std::size_t at) {
     sum[i % 3] += copies.nodes.mass[i / 3] * copies.velocity.local_element(at);
   });
   return sum;
@@ -196,7 +199,7 @@ Outcome fly(const double friction, const bool every_step)
 /// Moves body @p b by @p u [m] from one instant to the next.
 void displace(World &world, const unsigned int b, const Vector3 &u)
 {
-  for_each_value(world, b, [&](const unsigned int i, Copies &copies, const std::size_t at) {
+  for_each_value(world, b, [&](const unsigned int i, BodyBatches &copies, const std::size_t at) {
     copies.position.local_element(at) += u[i % 3];
   });
 }
@@ -208,7 +211,7 @@ void check_lost(const bool every_step)
   const scene::Scene scene = links(0.3);
   World              world(scene);
   contact::NodeFaces faces(scene.faces[0], world, every_step);
-  for (Copies &copies : world.copies)
+  for (BodyBatches &copies : world.copies)
     copies.velocity = 0.;
   const auto stored = [&](const double dt) {
     world.clear_forces();
@@ -250,7 +253,7 @@ void check_balance()
       {
         std::array<double, 3> x{}, at{};
         for_each_value(
-            world, b, [&](const unsigned int i, Copies &copies, const std::size_t place) {
+            world, b, [&](const unsigned int i, BodyBatches &copies, const std::size_t place) {
               x[i % 3]  = copies.position.local_element(place);
               at[i % 3] = copies.force.local_element(place);
               if (i % 3 < 2)

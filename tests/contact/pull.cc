@@ -8,7 +8,7 @@
 #include "../support/joint_statics.h"
 
 #include <chaindrive/drive/plate.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 
 using namespace test;
 

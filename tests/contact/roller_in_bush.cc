@@ -20,7 +20,8 @@ int main()
                        vector(inertia, inertia, inertia),
                        vector(0., -(bore - bush) - 0.9e-9)),
                               ground()};
-  const scene::Law law{k / 2, 0.5 * std::sqrt(k * m), 0.3, 0.8 * k / 2, 0.5 * std::sqrt(k * m)};
+  const scene::ContactLaw law{
+      k / 2, 0.5 * std::sqrt(k * m), 0.3, 0.8 * k / 2, 0.5 * std::sqrt(k * m)};
   scene.bores = {{"bore",
                   law,
                   {{1, dealii::Point<3>(), bore, {0, dealii::Point<3>(0., 0., 2e-3), bush, 0}},

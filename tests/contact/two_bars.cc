@@ -56,7 +56,7 @@ int main()
                                   vector(inertia, inertia, inertia),
                                   vector(0., 0.)));
 
-      scene::Law law;
+      scene::ContactLaw law;
       law.stiffness = E / (length / n); // per area: one element's own
       for (const unsigned int i : {0, 1})
         {

@@ -85,7 +85,7 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
               const double r    = 0.5 * chain.loaded_pitch() / std::sin(0.5 * form.pitch_angle());
               worst.seat        = std::max(
                   worst.seat, local.distance(r * dealii::Point<2>(std::cos(seat), std::sin(seat))));
-              if (static_cast<int>(nearest.gap) != a.gap)
+              if (static_cast<int>(nearest.tooth_gap) != a.gap)
                 ++worst.disordered;
             }
         }

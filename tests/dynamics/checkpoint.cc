@@ -65,11 +65,11 @@ void compare(const std::string &name, const scene::Scene &scene, const double st
     {
       through.advance(dt, i * dt);
       if (i == half)
-        through.exchange(writer(items));
+        through.serialize(writer(items));
     }
 
   dynamics::System resumed(scene, false);
-  resumed.exchange(reader(items));
+  resumed.serialize(reader(items));
   const std::vector<double> middle = numbers_of(resumed);
   for (unsigned int i = half + 1; i <= 2 * half; ++i)
     resumed.advance(dt, i * dt);
@@ -82,7 +82,7 @@ void compare(const std::string &name, const scene::Scene &scene, const double st
   const auto refused = [&] {
     try
       {
-        dynamics::System(scene, false).exchange(reader(items));
+        dynamics::System(scene, false).serialize(reader(items));
       }
     catch (const InputError &error)
       {

@@ -5,7 +5,7 @@
 #include "../support/scenes.h"
 
 #include <chaindrive/drive/chain.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 
 #include <random>
 
@@ -14,7 +14,7 @@ using namespace test;
 namespace
 {
 scene::Scene
-make_scene(const mesh::RollerGrid &grid, const double stiffness, const scene::Law &shape)
+make_scene(const mesh::RollerGrid &grid, const double stiffness, const scene::ContactLaw &shape)
 {
   scene::Scene               scene = empty_scene();
   const parameters::Material steel;
@@ -69,7 +69,7 @@ double blow_up(const scene::Scene &scene, const unsigned long steps)
   double       first   = 0.; // energy of the disturbance
   for (double share = 0.98; share < 2.; share += 0.02)
     {
-      for (Copies &copies : system.world.copies)
+      for (BodyBatches &copies : system.world.copies)
         for (unsigned int i = 0; i < copies.velocity.locally_owned_size(); i += n_lanes)
           copies.velocity.local_element(i) += uniform(random); // of the first lane, the body
       double largest = 0.;
@@ -91,10 +91,10 @@ int main(int argc, char **argv)
   const unsigned long steps = argc > 1 ? std::stoul(argv[1]) : 5000;
   struct Case
   {
-    std::string      name;
-    mesh::RollerGrid grid;
-    double           stiffness;
-    scene::Law       shape;
+    std::string       name;
+    mesh::RollerGrid  grid;
+    double            stiffness;
+    scene::ContactLaw shape;
   };
   const double tau = 4e-8;
   for (const Case &c :

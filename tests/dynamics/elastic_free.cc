@@ -4,7 +4,7 @@
 // in the step, and drag takes what the ledger says.
 #include "../support/scenes.h"
 
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 
 using namespace test;
 
@@ -41,9 +41,9 @@ scene::Scene make_scene(const double drag)
 /// Angular momentum of copy @p copy about its centre of mass, from nodes at the same instant.
 Vector3 angular_momentum(const dynamics::System &system, const unsigned int copy, const double dt)
 {
-  const Copies &copies = system.world.copies[0];
-  const Frame  &frame  = system.world.frames[copies.bodies[copy]];
-  Vector3       sum;
+  const BodyBatches &copies = system.world.copies[0];
+  const Frame       &frame  = system.world.frames[copies.bodies[copy]];
+  Vector3            sum;
   for (unsigned int node = 0; node < copies.n_nodes(); ++node)
     {
       // x_n+1/2 and v_n+1/2: with forces between nodes only, their moment of momentum is constant
@@ -120,7 +120,7 @@ int main()
 
   const scene::Scene scene = make_scene(0.);
   dynamics::System   system(scene, false);
-  for (const auto &vote : system.votes())
-    std::cout << vote.voter << ": stable step " << std::setprecision(4) << vote.limit * 1e6
+  for (const auto &vote : system.step_limits())
+    std::cout << vote.source << ": stable step " << std::setprecision(4) << vote.limit * 1e6
               << " us\n";
 }

@@ -29,11 +29,11 @@ struct Watch
 
 Watch drag(const double friction, const double ratio)
 {
-  const double        k = 2e8, m = 0.01, c = 0.2 * std::sqrt(k * m), dt = 2.5e-7;
-  const scene::Law    law{k, c, friction, ratio * k, ratio * c};
-  contact::TouchState state;
-  Ledger              ledger;
-  Watch               watch;
+  const double            k = 2e8, m = 0.01, c = 0.2 * std::sqrt(k * m), dt = 2.5e-7;
+  const scene::ContactLaw law{k, c, friction, ratio * k, ratio * c};
+  contact::TouchState     state;
+  Ledger                  ledger;
+  Watch                   watch;
   for (unsigned int n = 0; n < 40000; ++n)
     {
       const double t     = n * dt;

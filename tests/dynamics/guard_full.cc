@@ -16,8 +16,8 @@ void push_node(System            &system,
                const unsigned int node,
                const Vector3     &force)
 {
-  const World::Place &place  = system.world.places[body];
-  Copies             &copies = system.world.copies[place.group];
+  const World::Address &place  = system.world.elastic_address[body];
+  BodyBatches          &copies = system.world.copies[place.group];
   if (!copies.owns(place.copy))
     return;
   const std::size_t first = copies.index(place.copy, node, 0);
@@ -65,9 +65,9 @@ int main(int argc, char **argv)
 
   for (const unsigned int body : {0U, 5U, 13U, first_link + 3, first_link + 16})
     {
-      Drive               drive  = sound();
-      const World::Place &place  = drive.system.world.places[body];
-      Copies             &copies = drive.system.world.copies[place.group];
+      Drive                 drive  = sound();
+      const World::Address &place  = drive.system.world.elastic_address[body];
+      BodyBatches          &copies = drive.system.world.copies[place.group];
       if (copies.owns(place.copy))
         copies.velocity.local_element(copies.index(place.copy, 12, 1)) =
             std::numeric_limits<double>::quiet_NaN();

@@ -14,7 +14,7 @@ scene::Scene impact(const double radius, const double mass, const double speed, 
 {
   scene::Scene scene = empty_scene();
   scene.bodies       = {lump(mass, vector(-2. * radius, 0., 0.), vector(speed, 0.)), ground()};
-  scene::Law law;
+  scene::ContactLaw law;
   law.stiffness = mass * speed * speed / (depth * depth);
   scene.teeth   = {on_surface(
       1, plane(1., vector(0., 0., 1.), vector(0., 1.)), law, {{0, dealii::Point<3>(), radius, 0}})};

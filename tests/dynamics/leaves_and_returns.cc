@@ -5,7 +5,7 @@
 #include "../support/scenes.h"
 
 #include <chaindrive/drive/chain.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 
 using namespace test;
 

@@ -5,8 +5,8 @@
 #include "../support/modes.h"
 
 #include <chaindrive/drive/solids.h>
-#include <chaindrive/mesh/import.h>
-#include <chaindrive/mesh/sprocket.h>
+#include <chaindrive/mesh/generate/sprocket.h>
+#include <chaindrive/mesh/import/import.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>

@@ -9,7 +9,7 @@
 #include "../support/modes.h"
 
 #include <chaindrive/drive/chain.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>

@@ -5,7 +5,7 @@
 #include "../support/modes.h"
 
 #include <chaindrive/drive/chain.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 
 #include <algorithm>
 

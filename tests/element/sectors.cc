@@ -5,8 +5,8 @@
 // momentum and keep the sum; energy is kept to second order in the step.
 #include "../support/scenes.h"
 
+#include <chaindrive/mesh/generate/sprocket.h>
 #include <chaindrive/mesh/sector.h>
-#include <chaindrive/mesh/sprocket.h>
 
 #include <map>
 #include <random>
@@ -92,7 +92,7 @@ void compare_forces(const std::string &name, const element::Formulation formulat
   element::Elastic  &elastic = system.elastic;
   PhaseTimer        &timer   = system.timer;
   const Rim         &rim     = world.rims[0];
-  Copies            &copies  = world.copies[rim.group];
+  BodyBatches       &copies  = world.copies[rim.group];
   const Frame       &hub     = world.frames[0];
 
   // 20 um at random: strains of some per cent, in which the round-off of positions is lost
@@ -180,12 +180,12 @@ void compare_forces(const std::string &name, const element::Formulation formulat
 }
 
 /// A hub at 100 rad/s, a rim at rest. Returns the largest imbalance over the energy at the start.
-double exchange(const double dt)
+double serialize(const double dt)
 {
   const scene::Scene scene = make_scene(scene::Support::loaded_hub, "enhanced");
   dynamics::System   system(scene, false);
   World             &world  = system.world;
-  const Copies      &copies = world.copies[0];
+  const BodyBatches &copies = world.copies[0];
   World::Hub        &hub    = world.hubs[0];
   hub.speed                 = 100.;
   world.ledger.initial      = 0.5 * hub.inertia * hub.speed * hub.speed;
@@ -220,7 +220,7 @@ int main()
   compare_forces("one point", element::Formulation::one_point);
   compare_forces("enhanced", element::Formulation::enhanced);
   compare_forces("full", element::Formulation::full);
-  const double coarse = exchange(6e-8), fine = exchange(3e-8);
+  const double coarse = serialize(6e-8), fine = serialize(3e-8);
   verdict("energy is kept to 1e-3", coarse < 1e-3);
   std::cout << "order of the imbalance in the step: " << std::fixed << std::setprecision(1)
             << std::log2(coarse / fine) << '\n';

@@ -5,7 +5,7 @@
 #include "../support/elastic.h"
 
 #include <chaindrive/drive/chain.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>

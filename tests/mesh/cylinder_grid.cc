@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The cylindrical sides of rollers and links are uniform grids on the exact cylinder, and the
 // shares of their vertices add up to its area. Other sides are refused.
-#include <chaindrive/mesh/cylinder_grid.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
+#include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // The smooth surface over a polygonal tube against the circle: the error of the distance over the
 // sagitta of the facets, its order, and the error of the normal. Facets of unequal width too.
 
-#include <chaindrive/mesh/facet_surface.h>
+#include <chaindrive/mesh/surface/facet_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,23 +53,23 @@ int main()
                              r = radius * (1. + 0.3 * any(generator));
                 const Point<3> p(
                     r * std::cos(a), r * std::sin(a), 0.25e-3 + 1.24e-3 * any(generator));
-                const auto foot = surface.closest_point(p, radius);
-                if (!foot.found)
+                const auto projection = surface.closest_point(p, radius);
+                if (!projection.found)
                   {
                     std::cout << "missed " << p << '\n';
                     continue;
                   }
                 const double side = bore ? -1. : 1.;
-                error             = std::max(error, std::abs(foot.distance - side * (r - radius)));
-                normal_error      = std::max(normal_error,
-                                        std::hypot(foot.normal[0] - side * std::cos(a),
-                                                   foot.normal[1] - side * std::sin(a)));
-                // the weights give the point on the facet's chord, at the foot's height
+                error        = std::max(error, std::abs(projection.distance - side * (r - radius)));
+                normal_error = std::max(normal_error,
+                                        std::hypot(projection.normal[0] - side * std::cos(a),
+                                                   projection.normal[1] - side * std::sin(a)));
+                // the weights give the point on the facet's chord, at the projection's height
                 double z = 0., sum = 0.;
                 for (unsigned int v = 0; v < 4; ++v)
                   {
-                    z += foot.weights[v] * vertices[surface.vertices(foot.facet)[v]][2];
-                    sum += foot.weights[v];
+                    z += projection.weights[v] * vertices[surface.vertices(projection.facet)[v]][2];
+                    sum += projection.weights[v];
                   }
                 weight_error =
                     std::max({weight_error, std::abs(sum - 1.), std::abs(z - p[2]) / radius});

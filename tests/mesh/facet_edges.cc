@@ -3,7 +3,7 @@
 // over a doubly curved surface of irregular quadrilaterals. Above the edge between two of them
 // round-off does not decide which one a point is in.
 
-#include <chaindrive/mesh/facet_surface.h>
+#include <chaindrive/mesh/surface/facet_surface.h>
 
 #include <cmath>
 #include <iomanip>
@@ -16,10 +16,11 @@ namespace
 {
 void show(const mesh::FacetSurface &surface, const Point<3> &p, const std::string &expected)
 {
-  const auto foot = surface.closest_point(p, 1.2);
+  const auto projection = surface.closest_point(p, 1.2);
   std::cout << expected << ": ";
-  if (foot.found)
-    std::cout << foot.distance << " at " << foot.point << " normal " << foot.normal << '\n';
+  if (projection.found)
+    std::cout << projection.distance << " at " << projection.point << " normal "
+              << projection.normal << '\n';
   else
     std::cout << "none\n";
 }
@@ -91,13 +92,13 @@ int main()
               const Point<3> e(std::cos(t) * std::cos(tilt) - std::sin(t) * std::sin(tilt) * 0.7071,
                                std::cos(t) * std::sin(tilt) + std::sin(t) * std::cos(tilt) * 0.7071,
                                std::sin(t) * 0.7071);
-              const auto     foot = ball.closest_point(Point<3>(1.2 * e), 1.);
-              if (!foot.found)
+              const auto     projection = ball.closest_point(Point<3>(1.2 * e), 1.);
+              if (!projection.found)
                 std::cout << "missed " << e << '\n';
-              error = std::max(error, std::abs(foot.distance - 0.2));
+              error = std::max(error, std::abs(projection.distance - 0.2));
               if (i > 0)
-                jump = std::max(jump, (foot.normal - before).norm());
-              before = foot.normal;
+                jump = std::max(jump, (projection.normal - before).norm());
+              before = projection.normal;
             }
         }
       // two successive points are 2 pi / m apart, and so are their normals

@@ -2,8 +2,8 @@
 // Two cubes in both versions of Gmsh's format: the same nodes, elements, groups and names, though
 // one counts in blocks, has sections in between and lines that end in the manner of Windows.
 
-#include <chaindrive/mesh/gmsh_cells.h>
-#include <chaindrive/mesh/gmsh_file.h>
+#include <chaindrive/mesh/import/gmsh_cells.h>
+#include <chaindrive/mesh/import/gmsh_file.h>
 
 #include <deal.II/grid/grid_tools.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What a user is told about a mesh file that cannot be used.
 
-#include <chaindrive/mesh/import.h>
+#include <chaindrive/mesh/import/import.h>
 #include <chaindrive/mesh/sector.h>
 #include <chaindrive/utilities/errors.h>
 

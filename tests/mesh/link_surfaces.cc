@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Every boundary face of the parts belongs to its named surface: areas against the solids'.
 
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
+#include <chaindrive/mesh/generate/sprocket.h>
 #include <chaindrive/mesh/report.h>
-#include <chaindrive/mesh/sprocket.h>
 
 #include <iomanip>
 #include <iostream>

@@ -2,7 +2,7 @@
 // Volumes of the components of links tend to those of the solids with order 2; the density factors
 // make up for the rest, and for the bush that its mesh leads through the plate.
 
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/mesh/report.h>
 

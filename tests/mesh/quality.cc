@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // No cell of any part of any chain is inverted or nearly so; the worst corners are printed.
 
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
+#include <chaindrive/mesh/generate/sprocket.h>
 #include <chaindrive/mesh/quality.h>
-#include <chaindrive/mesh/sprocket.h>
 
 #include <algorithm>
 #include <iomanip>

@@ -2,7 +2,7 @@
 // The mesh of a roller is a prism over a ring of two regular polygons: its volume, area and polar
 // moment have closed forms, which tend to those of the solid as 1/n^2.
 
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/mesh/report.h>
 

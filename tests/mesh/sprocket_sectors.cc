@@ -2,8 +2,8 @@
 // A sprocket's mesh is cyclic cell by cell, its profile's vertices are on the exact arcs, and its
 // volume tends to the solid's.
 
+#include <chaindrive/mesh/generate/sprocket.h>
 #include <chaindrive/mesh/mass.h>
-#include <chaindrive/mesh/sprocket.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 // brick the limit tends to that of a bar of constrained cross-section, dt = h / c_d. A report on a
 // roller.
 
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/report.h>
 #include <chaindrive/mesh/stiffness.h>
 

@@ -2,10 +2,10 @@
 // Rollers in every gap of the imported sprocket and of a generated one: the smooth surface over the
 // facets against the exact arcs, near the seats and all around the teeth.
 
-#include <chaindrive/mesh/facet_surface.h>
-#include <chaindrive/mesh/import.h>
+#include <chaindrive/mesh/generate/sprocket.h>
+#include <chaindrive/mesh/import/import.h>
 #include <chaindrive/mesh/mass.h>
-#include <chaindrive/mesh/sprocket.h>
+#include <chaindrive/mesh/surface/facet_surface.h>
 
 #include <algorithm>
 #include <cmath>

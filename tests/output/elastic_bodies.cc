@@ -4,7 +4,7 @@
 // surface node of a roller lies in its middle plane, on its outside, next to the span's normal.
 #include "../support/scenes.h"
 
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/output/elastic_bodies.h>
 
 using namespace test;
@@ -78,9 +78,9 @@ int main()
       double error = 0., moved = 0., velocity = 0., waist = 0., pull = 0.;
       for (unsigned int b = 0; b < n_bodies; ++b)
         {
-          const Frame        &frame  = scene.bodies[b].initial;
-          const World::Place &place  = system.world.places[b];
-          Copies             &copies = system.world.copies[place.group];
+          const Frame          &frame  = scene.bodies[b].initial;
+          const World::Address &place  = system.world.elastic_address[b];
+          BodyBatches          &copies = system.world.copies[place.group];
           for (unsigned int node = 0; stretched && node < copies.n_nodes(); ++node)
             {
               // no stress across

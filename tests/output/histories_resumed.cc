@@ -102,10 +102,10 @@ struct Run
 {
   Run run;
   run.sample(0, 300);
-  run.histories.exchange(writer("resumed_at_300"));
-  run.histories.exchange(writer("resumed_at_300")); // twice at one instant
+  run.histories.serialize(writer("resumed_at_300"));
+  run.histories.serialize(writer("resumed_at_300")); // twice at one instant
   run.sample(300, 700);
-  run.histories.exchange(writer("resumed_at_700"));
+  run.histories.serialize(writer("resumed_at_700"));
   run.sample(700, 1100);
   std::raise(SIGKILL);
   std::exit(1);
@@ -141,9 +141,9 @@ void check(const std::string &what)
 void resume(const unsigned int rows, const unsigned int end, const bool finished)
 {
   Run run;
-  run.histories.exchange(reader("resumed_at_" + std::to_string(rows)));
+  run.histories.serialize(reader("resumed_at_" + std::to_string(rows)));
   run.sample(rows, end);
-  run.histories.exchange(writer("resumed_at_" + std::to_string(end)));
+  run.histories.serialize(writer("resumed_at_" + std::to_string(end)));
   run.histories.close();
   if (finished)
     run.histories.remove_saved();
@@ -155,7 +155,7 @@ void attempt(const unsigned int rows, unsigned int &refused, unsigned int &wrong
   try
     {
       Run run;
-      run.histories.exchange(reader("resumed_at_" + std::to_string(rows)));
+      run.histories.serialize(reader("resumed_at_" + std::to_string(rows)));
       run.histories.close();
       wrong += n_rows() != rows || n_right() != rows;
     }
@@ -230,12 +230,12 @@ int main()
   {
     Run run;
     run.sample(0, 10);
-    run.histories.exchange(writer("resumed_at_10"));
+    run.histories.serialize(writer("resumed_at_10"));
     run.sample(10, 20);
-    run.histories.exchange(writer("resumed_at_20"));
+    run.histories.serialize(writer("resumed_at_20"));
     fs::remove(saved);
     run.sample(20, 30);
-    run.histories.exchange(writer("resumed_at_30")); // somebody has removed it
+    run.histories.serialize(writer("resumed_at_30")); // somebody has removed it
     run.histories.close();
     run.histories.remove_saved();
   }

@@ -6,7 +6,7 @@
 #include "../support/modes.h"
 
 #include <chaindrive/drive/plate.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/output/plate_stress.h>
 
 using namespace test;

@@ -42,7 +42,7 @@ class Layering(unittest.TestCase):
         self.assertEqual(self.violations(contact__a=header("deal.II/base/mpi.h")), [])
 
     def test_report_never_sees_the_world(self):
-        self.assertEqual(len(self.violations(report__a=header("chaindrive/world/b.h"))), 1)
+        self.assertEqual(len(self.violations(report__a=header("chaindrive/bodies/b.h"))), 1)
 
 
 class Files(unittest.TestCase):

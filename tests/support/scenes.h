@@ -4,7 +4,7 @@
 // Small scenes for closed-form cases: a few bodies, one interface, one load.
 
 #include <chaindrive/dynamics/system.h>
-#include <chaindrive/mesh/facet_surface.h>
+#include <chaindrive/mesh/surface/facet_surface.h>
 #include <chaindrive/scene/scene.h>
 
 #include <deal.II/base/numbers.h>
@@ -84,7 +84,7 @@ plane(const double half, const Vector3 &along, const Vector3 &across)
 /// An interface of slave points with a facet surface of @p master.
 inline scene::ToothFamily on_surface(const unsigned int                        master,
                                      std::shared_ptr<const mesh::FacetSurface> surface,
-                                     const scene::Law                         &law,
+                                     const scene::ContactLaw                  &law,
                                      const std::vector<scene::SlavePoint>     &slaves)
 {
   scene::ToothFamily family;

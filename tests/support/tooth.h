@@ -7,10 +7,10 @@
 #include "scenes.h"
 
 #include <chaindrive/contact/node_teeth.h>
-#include <chaindrive/mesh/import.h>
-#include <chaindrive/mesh/links.h>
+#include <chaindrive/mesh/generate/links.h>
+#include <chaindrive/mesh/generate/sprocket.h>
+#include <chaindrive/mesh/import/import.h>
 #include <chaindrive/mesh/sector.h>
-#include <chaindrive/mesh/sprocket.h>
 
 #include <map>
 
@@ -94,8 +94,8 @@ inline scene::Scene make_scene(const Tooth &c)
       scene.bodies[1].kind               = scene::Kind::driver;
       scene.bodies[1].motion             = scene::Motion::elastic;
     }
-  const double wall = 0.5 * (chain.roller_diameter - chain.roller_bore);
-  scene::Law   law;
+  const double      wall = 0.5 * (chain.roller_diameter - chain.roller_bore);
+  scene::ContactLaw law;
   law.stiffness = 0.5 * c.softness * scene.material.youngs_modulus / wall;
   if (c.friction > 0.)
     {
@@ -148,7 +148,7 @@ inline Vector3 force(const Tooth &c)
 template <typename Field>
 inline void displace(World &world, const Field &u)
 {
-  Copies &copies = world.copies[world.rims[0].group];
+  BodyBatches &copies = world.copies[world.rims[0].group];
   for (unsigned int s = 0; s < copies.n_copies(); ++s)
     for (unsigned int n = 0; n < copies.n_nodes(); ++n)
       {
@@ -241,7 +241,7 @@ inline void check_balance(const Sprocket sprocket)
     m[0] += world.moment.local_element(3 * 1);
     for (unsigned int g = 0; g < 2; ++g)
       {
-        Copies &copies = world.copies[g];
+        BodyBatches &copies = world.copies[g];
         for (unsigned int k = 0; k < copies.n_copies(); ++k)
           for (unsigned int n = 0; n < copies.n_nodes(); ++n)
             {

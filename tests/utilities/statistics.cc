@@ -25,11 +25,4 @@ int main()
   std::cout << "whole run: " << all.mean() << " over " << all.duration() << std::endl;
   std::cout << "nothing in the window: " << nothing.mean() << " over " << nothing.duration()
             << std::endl;
-
-  PeakHold peak;
-  for (const double value : {-5., -2., -3.})
-    peak.add(value);
-  std::cout << "largest of negative values: " << peak.take() << std::endl;
-  peak.add(-7.);
-  std::cout << "since then: " << peak.take() << ", now " << peak.peak() << std::endl;
 }

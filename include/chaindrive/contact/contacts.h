@@ -34,7 +34,7 @@ public:
   void gather_records(const World &world);
 
   /// What searches and pairs remember between two steps. Collective.
-  void exchange(const Archive &archive, const World &world);
+  void serialize(const Archive &archive, const World &world);
 
   /// The springs of all pairs within reach, held closed.
   void add_springs(const World &world, std::vector<Spring> &springs) const;
@@ -43,8 +43,6 @@ public:
   /// contact force there is no more than the @p prestress [N] of the chain: names the interface,
   /// the joint and the overlap.
   void refuse_overlap(World &world, double prestress);
-
-  void clear_peaks();
 
   const std::vector<std::unique_ptr<Family>> &families() const { return families_; }
 

@@ -15,15 +15,15 @@ public:
   FacetFlanks(const scene::ToothFamily &family, const World &world, const Rim &rim);
 
   ClosedSide closed_side(double                    stiffness,
-                         const Copies             &flanks,
+                         const BodyBatches        &flanks,
                          const mesh::SurfaceNodes &slaves,
-                         const Copies             &of_slaves) const override;
+                         const BodyBatches        &of_slaves) const override;
 
 private:
   Facet nearest(const dealii::Tensor<1, 3> &x,
                 double                      within,
                 unsigned int               &hint,
-                Foot                       &foot) const override;
+                Projection                 &projection) const override;
 
   /// By vertices of the mesh; those that are not on the flanks have none.
   std::vector<std::size_t>      place_;    ///< of the x component in the vectors

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/bodies/mobility.h>
+#include <chaindrive/bodies/spring.h>
+#include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/geometry.h>
 #include <chaindrive/contact/law.h>
-#include <chaindrive/world/mobility.h>
-#include <chaindrive/world/spring.h>
-#include <chaindrive/world/world.h>
 
 #include <algorithm>
 #include <array>
@@ -27,7 +27,6 @@ struct Record
   unsigned int         feature = 0;       ///< gap of the sprocket that the last touch was in
   dealii::Tensor<1, 3> normal;            ///< of the last touch
   double               normal_speed = 0.; ///< approach along the normal, m/s, while touching
-  double               peak         = 0.; ///< largest normal force since clear_peaks(), N
 };
 
 /// What the contact of elastic nodes, all of it held closed, is to one of its two sides: springs
@@ -98,7 +97,7 @@ public:
 
   /// What the pairs remember between two steps: records, and pair by pair, from the rank that
   /// evaluates it, all else. This is rank @p rank.
-  virtual void exchange(const Archive &archive, unsigned int rank);
+  virtual void serialize(const Archive &archive, unsigned int rank);
 
   /// Whether this family needs search() at all.
   virtual bool needs_search() const = 0;
@@ -111,12 +110,9 @@ public:
   virtual std::optional<unsigned int> deepest_node(const unsigned int) const { return {}; }
 
   const std::string         &name() const { return name_; }
-  const scene::Law          &law() const { return law_; }
+  const scene::ContactLaw   &law() const { return law_; }
   const std::vector<Record> &records() const { return records_; }
   unsigned int               n_touching() const;
-
-  /// Forgets the force peaks; called after every sample.
-  void clear_peaks();
 
   std::size_t memory_consumption() const
   {
@@ -124,7 +120,7 @@ public:
   }
 
 protected:
-  Family(std::string name, const scene::Law &law) : name_(std::move(name)), law_(law) {}
+  Family(std::string name, const scene::ContactLaw &law) : name_(std::move(name)), law_(law) {}
 
   /// Appends the record of a pair of bodies, for the slave's @p joint.
   void add_record(const unsigned int master, const unsigned int slave, const unsigned int joint)
@@ -151,7 +147,7 @@ protected:
                   std::vector<Spring>        &springs) const;
 
   /// What pair @p i of a family that is dealt out remembers.
-  virtual void exchange_pair(const unsigned int i, const Archive &archive)
+  virtual void serialize_pair(const unsigned int i, const Archive &archive)
   {
     archive("state", states_[i]);
   }
@@ -167,7 +163,7 @@ protected:
   }
 
   std::string               name_;
-  scene::Law                law_; ///< of one pair
+  scene::ContactLaw         law_; ///< of one pair
   std::vector<Record>       records_;
   std::vector<TouchState>   states_;
   std::vector<unsigned int> owner_; ///< rank that evaluates the pair; empty: the first one
@@ -211,7 +207,7 @@ public:
   void search(const World &world, double reach) override;
   void add_forces(World &world, double dt) override;
   void add_springs(const World &world, std::vector<Spring> &springs) const override;
-  void exchange(const Archive &archive, unsigned int rank) override;
+  void serialize(const Archive &archive, unsigned int rank) override;
   bool needs_search() const override { return true; }
 
   unsigned int                     sprocket() const { return scene_.sprocket; }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/contact/carried_area.h>
+#include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/family.h>
-#include <chaindrive/mesh/surface_nodes.h>
-#include <chaindrive/world/world.h>
+#include <chaindrive/contact/tributary_area.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
 
 #include <array>
 #include <memory>
@@ -25,7 +25,7 @@ public:
   virtual ~Flanks() = default;
 
   /// Where a point is on the flanks.
-  struct Foot
+  struct Projection
   {
     std::array<std::size_t, 4> nodes{}; ///< places of their x components in the vectors
     std::array<std::size_t, 4> twins{}; ///< the same in the next sector, for nodes between two, see
@@ -35,26 +35,26 @@ public:
     dealii::Tensor<1, 3>  arm;          ///< from the mean of the nodes to the point, m
   };
 
-  /// The contact of a slave node at @p x [m, world] and its @p foot. The other arguments are those
-  /// of touch_flanks().
+  /// The contact of a slave node at @p x [m, world] and its @p projection. The other arguments are
+  /// those of touch_flanks().
   Touch touch(const World                &world,
               const dealii::Tensor<1, 3> &x,
               double                      within,
               unsigned int               &hint,
-              Foot                       &foot) const;
+              Projection                 &projection) const;
 
   /// Velocity [m/s] of the flank's material there.
-  dealii::Tensor<1, 3> velocity(const World &world, const Foot &foot) const;
+  dealii::Tensor<1, 3> velocity(const World &world, const Projection &projection) const;
 
   /// Adds a force @p f [N] on the flank there.
-  void add_force(World &world, const Foot &foot, const dealii::Tensor<1, 3> &f) const;
+  void add_force(World &world, const Projection &projection, const dealii::Tensor<1, 3> &f) const;
 
   /// The flank's nodes on springs of @p stiffness [N/m3] of the @p slaves, nodes of copies @p
   /// of_slaves, wherever these touch: see carried_area().
   virtual ClosedSide closed_side(double                    stiffness,
-                                 const Copies             &flanks,
+                                 const BodyBatches        &flanks,
                                  const mesh::SurfaceNodes &slaves,
-                                 const Copies             &of_slaves) const = 0;
+                                 const BodyBatches        &of_slaves) const = 0;
 
   unsigned int group() const { return group_; } ///< of the sectors in World::copies
 
@@ -74,22 +74,27 @@ protected:
   };
 
   /// The facet nearest to @p x [m, in the hub's frame] and no farther than @p within; sets nodes,
-  /// twins and weights of @p foot.
-  virtual Facet
-  nearest(const dealii::Tensor<1, 3> &x, double within, unsigned int &hint, Foot &foot) const = 0;
+  /// twins and weights of @p projection.
+  virtual Facet nearest(const dealii::Tensor<1, 3> &x,
+                        double                      within,
+                        unsigned int               &hint,
+                        Projection                 &projection) const = 0;
 
   const scene::ToothFamily &family_;
   unsigned int              group_;
 
 private:
-  /// Completes @p foot for a slave at @p x [m, world]. Returns the displacements of the nodes of
+  /// Completes @p projection for a slave at @p x [m, world]. Returns the displacements of the nodes
+  /// of
   /// @p facet relative to the hub, world axes, m.
-  std::array<dealii::Tensor<1, 3>, 4>
-  complete(const World &world, const dealii::Tensor<1, 3> &x, const Facet &facet, Foot &foot) const;
+  std::array<dealii::Tensor<1, 3>, 4> complete(const World                &world,
+                                               const dealii::Tensor<1, 3> &x,
+                                               const Facet                &facet,
+                                               Projection                 &projection) const;
 };
 
 /// The largest share of a node of @p side of @p copies, along the axis z.
-Share largest_share(const mesh::SurfaceNodes &side, const Copies &copies);
+TributaryArea largest_share(const mesh::SurfaceNodes &side, const BodyBatches &copies);
 
 /// The flanks of the sprocket of @p family, whose rim is @p rim: those of its mesh if it is an
 /// imported one, else its exact arcs. The family must outlive them.

@@ -64,10 +64,9 @@ struct JointSums
   double       force[3][n_lanes];    ///< resultant on the slave, world axes, N
   double       penetration[n_lanes]; ///< largest overlap, m
   unsigned int touching[n_lanes];    ///< nodes with a force
-  // added up, or the largest, until the caller clears them
+  // added up until the caller clears them
   double damping_loss[n_lanes];  ///< J
   double friction_loss[n_lanes]; ///< J
-  double peak[n_lanes];          ///< of the resultant, N
 };
 
 /// Up to n_lanes joints of one kind. Each lane has its own two bodies: base pointers lead to the

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <chaindrive/contact/joint_kernels.h>
-#include <chaindrive/mesh/cylinder_grid.h>
+#include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/utilities/archive.h>
 
 #include <deal.II/base/aligned_vector.h>
@@ -72,7 +72,7 @@ public:
 
   /// What the joint in @p lane remembers. Joints that come from several batches hold as long as the
   /// first of these would have held; lanes are to be read in ascending order.
-  void exchange(int lane, const Archive &archive);
+  void serialize(int lane, const Archive &archive);
 
   /// Gaps of all slave nodes [slave node][lane], m, measured now; see GapArguments.
   const dealii::AlignedVector<double> &measure_gaps();
@@ -91,7 +91,6 @@ public:
   const dealii::AlignedVector<double> &state() const { return state_; }
 
   void clear_losses(); ///< sets damping and friction losses to zero
-  void clear_peaks();
 
   std::size_t memory_consumption() const;
 

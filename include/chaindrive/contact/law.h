@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/bodies/ledger.h>
 #include <chaindrive/scene/interface.h>
-#include <chaindrive/world/ledger.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -38,7 +38,7 @@ struct TouchState
 /// @p gap g [m], negative when the surfaces overlap; @p gap_rate g' [m/s]; @p slip_rate velocity of
 /// the slave's material relative to the master's along the two tangents [m/s]; @p dt the time since
 /// the last evaluation [s]. Returns whether there is a force.
-inline bool update_touch(const scene::Law           &law,
+inline bool update_touch(const scene::ContactLaw    &law,
                          const double                gap,
                          const double                gap_rate,
                          const dealii::Tensor<1, 2> &slip_rate,
@@ -82,7 +82,7 @@ inline bool update_touch(const scene::Law           &law,
 }
 
 /// Two surfaces that overlap lose each other, past an edge: what their springs held is lost.
-inline void lose_touch(const scene::Law &law, TouchState &touch, Ledger &ledger)
+inline void lose_touch(const scene::ContactLaw &law, TouchState &touch, Ledger &ledger)
 {
   ledger.contact_damping += 0.5 * law.stiffness * touch.overlap * touch.overlap;
   ledger.friction += 0.5 * law.tangential_stiffness * touch.slip.norm_square();

@@ -54,7 +54,7 @@ public:
   unsigned int                     n_facets() const { return unsigned(quads_.size()); }
 
   /// The point of the facets below a given one.
-  struct Foot
+  struct Projection
   {
     unsigned int                        facet = none; ///< none: the point is not above any
     std::array<unsigned int, 4>         node{};
@@ -64,10 +64,12 @@ public:
     double                              gap = 0.; ///< along the normal, m
   };
 
-  /// The foot of @p x on the facets whose nodes are at @p position. It is looked for from facet
+  /// The projection of @p x on the facets whose nodes are at @p position. It is looked for from
+  /// facet
   /// @p start on, across the facets' edges; from each of them with none. Beyond the rim a facet
   /// goes on for a tenth of its size.
-  Foot foot(const NodeValues &position, const dealii::Tensor<1, 3> &x, unsigned int start) const;
+  Projection
+  project(const NodeValues &position, const dealii::Tensor<1, 3> &x, unsigned int start) const;
 
   const std::vector<double> &areas() const { return area_; } ///< a quarter of each facet, m2
 
@@ -75,12 +77,13 @@ public:
   std::vector<std::array<double, 2>> ranges(const std::vector<double> &values) const;
 
 private:
-  /// The foot of @p x on @p facet or its continuation, and the edge that it lies beyond most, or 4.
+  /// The projection of @p x on @p facet or its continuation, and the edge that it lies beyond most,
+  /// or 4.
   unsigned int foot_on(const NodeValues           &position,
                        const dealii::Tensor<1, 3> &x,
                        unsigned int                facet,
                        double                      margin,
-                       Foot                       &foot) const;
+                       Projection                 &projection) const;
 
   std::vector<unsigned int>                nodes_;
   std::vector<double>                      area_;

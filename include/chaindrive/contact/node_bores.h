@@ -29,7 +29,7 @@ public:
 
   std::vector<ClosedPair> closed_pairs(const World &world) const override;
 
-  void                        exchange(const Archive &archive, unsigned int rank) override;
+  void                        serialize(const Archive &archive, unsigned int rank) override;
   std::optional<unsigned int> deepest_node(unsigned int i) const override;
 
   unsigned long n_missed() const override;

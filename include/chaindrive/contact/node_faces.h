@@ -41,7 +41,7 @@ public:
   unsigned long n_missed() const override { return n_missed_; }
 
 protected:
-  void exchange_pair(unsigned int i, const Archive &archive) override;
+  void serialize_pair(unsigned int i, const Archive &archive) override;
 
 private:
   /// Two faces, one opposite the other, of all pairs of a kind.

@@ -3,8 +3,8 @@
 
 #include <chaindrive/contact/family.h>
 #include <chaindrive/contact/flanks.h>
-#include <chaindrive/mesh/facet_surface.h>
-#include <chaindrive/mesh/surface_nodes.h>
+#include <chaindrive/mesh/surface/facet_surface.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
 
 #include <array>
 #include <memory>
@@ -36,19 +36,20 @@ public:
 
   unsigned long n_missed() const override { return n_missed_; }
 
-  void exchange(const Archive &archive, unsigned int rank) override;
+  void serialize(const Archive &archive, unsigned int rank) override;
 
 protected:
-  void exchange_pair(unsigned int i, const Archive &archive) override;
+  void serialize_pair(unsigned int i, const Archive &archive) override;
   bool within_reach(unsigned int i) const override;
 
 private:
-  /// The contact of node @p s of slave @p i at @p x [m, world]; @p foot of an elastic rim only.
+  /// The contact of node @p s of slave @p i at @p x [m, world]; @p projection of an elastic rim
+  /// only.
   Touch touch(const World                &world,
               unsigned int                i,
               unsigned int                s,
               const dealii::Tensor<1, 3> &x,
-              Flanks::Foot               &foot);
+              Flanks::Projection         &projection);
 
   /// Contact of slave @p i with its record.
   void add_roller_forces(World &world, unsigned int i, double dt);
@@ -58,12 +59,12 @@ private:
   double cover(const Frame &hub, const dealii::Tensor<1, 3> &x, unsigned int s) const;
 
   /// Current position or velocity of the surface's node number @p s of slave @p i.
-  dealii::Tensor<1, 3> value(const Copies::Vector &from, unsigned int i, unsigned int s) const;
+  dealii::Tensor<1, 3> value(const BodyBatches::Vector &from, unsigned int i, unsigned int s) const;
 
-  /// Velocity [m/s] of the flank at @p x and @p foot.
+  /// Velocity [m/s] of the flank at @p x and @p projection.
   dealii::Tensor<1, 3> flank_velocity(const World                &world,
                                       const dealii::Tensor<1, 3> &x,
-                                      const Flanks::Foot         &foot,
+                                      const Flanks::Projection   &projection,
                                       double                      dt) const;
 
   /// What is kept of one node of one slave.

@@ -16,15 +16,15 @@ public:
   ToothSurface(const scene::ToothFamily &family, const World &world, const Rim &rim);
 
   ClosedSide closed_side(double                    stiffness,
-                         const Copies             &flanks,
+                         const BodyBatches        &flanks,
                          const mesh::SurfaceNodes &slaves,
-                         const Copies             &of_slaves) const override;
+                         const BodyBatches        &of_slaves) const override;
 
 private:
   Facet nearest(const dealii::Tensor<1, 3> &x,
                 double                      within,
                 unsigned int               &hint,
-                Foot                       &foot) const override;
+                Projection                 &projection) const override;
 
   /// Where the x component of a node stands in the vectors of the copies.
   std::size_t place(const unsigned int sector, const unsigned int c, const unsigned int k) const

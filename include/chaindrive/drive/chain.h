@@ -42,9 +42,6 @@ struct ChainDimensions
 
   /// Mean distance of consecutive rollers of the tight chain.
   double loaded_pitch() const { return 0.5 * (loaded_inner_pitch() + loaded_outer_pitch()); }
-
-  /// Mean distance of consecutive rollers whose pins stand in the middle of their bushes.
-  double concentric_pitch() const { return 0.5 * (inner_hole_pitch + outer_hole_pitch); }
 };
 
 /// The chain that @p chain asks for: its own values first, then those of the standard's table, then

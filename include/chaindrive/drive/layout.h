@@ -32,7 +32,7 @@ struct Layout
     dealii::Point<2>     bush;     ///< centre
     dealii::Tensor<1, 2> velocity; ///< zero unless the start is warm
     Region               region;
-    int                  gap; ///< number of the sprocket's gap, -1 in a span
+    int                  tooth_gap; ///< of the sprocket it sits in, -1 in a span
   };
 
   /// The link from joint k to joint k + 1. Inner links have even numbers.

@@ -18,7 +18,7 @@ struct Projection
   double               distance; ///< m, positive outside of the metal, negative inside
   dealii::Point<2>     point;    ///< on the profile
   dealii::Tensor<1, 2> normal;   ///< unit, out of the metal
-  unsigned int         gap; ///< the tooth gap, 0 ... teeth - 1, whose sector holds the given point
+  unsigned int tooth_gap; ///< the tooth gap, 0 ... teeth - 1, whose sector holds the given point
 };
 
 /// The exact profile of a sprocket: tooth gap 0 is centred on +x, gap k follows at the angle

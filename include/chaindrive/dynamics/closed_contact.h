@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/contacts.h>
 #include <chaindrive/element/elastic.h>
-#include <chaindrive/world/world.h>
 
 namespace chaindrive::dynamics
 {

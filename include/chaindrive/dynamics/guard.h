@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/dynamics/places.h>
+#include <chaindrive/dynamics/fault_diagnosis.h>
 #include <chaindrive/dynamics/system.h>
 #include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/errors.h>
@@ -53,7 +53,7 @@ public:
   double turned_over() const { return turned_over_; }   ///< J
   double largest_imbalance() const { return largest_; } ///< |imbalance|, J
 
-  void exchange(const Archive &archive)
+  void serialize(const Archive &archive)
   {
     archive("turned over", turned_over_);
     archive("largest", largest_);
@@ -115,15 +115,15 @@ public:
   /// below zero, over the energy of springs.
   double largest_energy_jump() const { return largest_jump_; }
 
-  void exchange(const Archive &archive);
+  void serialize(const Archive &archive);
 
 private:
   using Vector3 = dealii::Tensor<1, 3>;
 
   struct Finding
   {
-    std::string        what, hint;
-    std::vector<Place> places;
+    std::string            what, hint;
+    std::vector<FaultSite> places;
   };
 
   Finding ledger_does_not_close(System &system) const;
@@ -143,8 +143,8 @@ private:
   bool overlaps(const System &system) const;
 
   /// Where forces do not balance; or else, what moves and pulls most. @p last as in
-  /// places_out_of_balance().
-  std::vector<Place> suspects(System &system, const LastStep *last, double dt) const;
+  /// faults_of_balance().
+  std::vector<FaultSite> suspects(System &system, const LastStep *last, double dt) const;
 
   /// Momentum of all that moves freely [kg m/s]; @p size becomes the sum of its parts' sizes.
   Vector3 momentum(const World &world, double &size) const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/bodies/world.h>
 #include <chaindrive/load/programs.h>
-#include <chaindrive/world/world.h>
 
 namespace chaindrive::dynamics
 {

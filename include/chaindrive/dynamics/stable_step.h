@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/world/spring.h>
-#include <chaindrive/world/world.h>
+#include <chaindrive/bodies/spring.h>
+#include <chaindrive/bodies/world.h>
 
 #include <string>
 #include <vector>
@@ -23,19 +23,19 @@ double stable_step(const World &world, const std::vector<Spring> &springs);
 /// - xi) (Belytschko, Liu, Moran, Nonlinear Finite Elements, 6.2).
 double stable_step_of(double stiffness, double damping);
 
-/// One voter's limit.
-struct StepVote
+/// One source's limit.
+struct StepLimit
 {
-  std::string voter;
+  std::string source;
   double      limit; ///< s
 };
 
 /// The chosen step and why.
 struct StepChoice
 {
-  std::vector<StepVote> votes; ///< of each kind of spring alone
-  double                limit; ///< of all coupled, s
-  double                step;  ///< s
-  std::string           reason;
+  std::vector<StepLimit> step_limits; ///< of each kind of spring alone
+  double                 limit;       ///< of all coupled, s
+  double                 step;        ///< s
+  std::string            reason;
 };
 } // namespace chaindrive::dynamics

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/contacts.h>
 #include <chaindrive/dynamics/stable_step.h>
 #include <chaindrive/element/bars.h>
 #include <chaindrive/element/elastic.h>
 #include <chaindrive/load/loads.h>
 #include <chaindrive/utilities/timing.h>
-#include <chaindrive/world/world.h>
 
 namespace chaindrive
 {
@@ -31,11 +31,11 @@ public:
   void advance(double dt, double new_time);
 
   /// The stable step of each kind of spring alone and of all together.
-  std::vector<StepVote> votes() const;
-  double                stable_step_limit() const;
+  std::vector<StepLimit> step_limits() const;
+  double                 stable_step_limit() const;
 
   /// The state between two steps, at least one after the start. Collective.
-  void exchange(const Archive &archive);
+  void serialize(const Archive &archive);
 
   std::size_t memory_consumption() const;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/bodies/spring.h>
+#include <chaindrive/bodies/world.h>
 #include <chaindrive/scene/interface.h>
-#include <chaindrive/world/spring.h>
-#include <chaindrive/world/world.h>
 
 #include <vector>
 
@@ -27,20 +27,16 @@ public:
   const std::vector<double>     &tension() const { return tension_; } ///< N, positive: pulled
   const std::vector<scene::Bar> &bars() const { return bars_; }
 
-  /// Largest absolute tension of each bar since clear_peaks(), N.
-  const std::vector<double> &peak() const { return peak_; }
-  void                       clear_peaks() { peak_.assign(size(), 0.); }
-
-  void exchange(const Archive &archive);
+  void serialize(const Archive &archive);
 
   std::size_t memory_consumption() const
   {
-    return size() * (sizeof(scene::Bar) + 4 * sizeof(double));
+    return size() * (sizeof(scene::Bar) + 3 * sizeof(double));
   }
 
 private:
   std::vector<scene::Bar> bars_;
-  std::vector<double>     tension_, peak_;
+  std::vector<double>     tension_;
   std::vector<double>     length_;  ///< at the last evaluation, m
   std::vector<double>     viscous_; ///< part of the tension, at the last evaluation, N
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/bodies/world.h>
 #include <chaindrive/element/reference.h>
 #include <chaindrive/utilities/timing.h>
-#include <chaindrive/world/world.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -41,7 +41,7 @@ public:
   void start(World &world, const Step &step, PhaseTimer &timer);
 
   /// Adds the internal forces of rims to the forces in @p world, and books their energies and what
-  /// they do to the hubs. To be followed by Copies::send_forces(): those on nodes between two
+  /// they do to the hubs. To be followed by BodyBatches::send_forces(): those on nodes between two
   /// sectors travel together with those of contacts.
   void add_rim_forces(World &world, PhaseTimer &timer) const;
 
@@ -58,9 +58,9 @@ public:
 
   /// Position, and displacement since the start [m], at the present instant.
   dealii::Tensor<1, 3>
-  position(const World &world, const World::Place &place, unsigned int node) const;
+  position(const World &world, const World::Address &place, unsigned int node) const;
   dealii::Tensor<1, 3>
-  displacement(const World &world, const World::Place &place, unsigned int node) const;
+  displacement(const World &world, const World::Address &place, unsigned int node) const;
 
   /// Name and stable step [s] of each part alone, without contacts.
   struct Limit
@@ -72,7 +72,7 @@ public:
 
   const Reference &reference(const unsigned int group) const { return *references_[group]; }
 
-  void exchange(const Archive &archive) { archive("drift", drift_); }
+  void serialize(const Archive &archive) { archive("drift", drift_); }
 
   std::size_t memory_consumption() const;
 
@@ -91,20 +91,24 @@ private:
   void move(World &world, Rim &rim, const Step &step, double kick, bool booked) const;
 
   /// Adds the internal forces of one batch to those of contacts.
-  void add_forces(Copies          &copies,
+  void add_forces(BodyBatches     &copies,
                   const Reference &reference,
                   unsigned int     batch,
                   Sums            &sums,
                   PhaseTimer      &timer) const;
 
   /// Takes the forces along z from the nodes of a half part that stay in its middle plane.
-  static void hold_middle_plane(Copies &copies, unsigned int batch);
+  static void hold_middle_plane(BodyBatches &copies, unsigned int batch);
 
   /// Moves one batch by its forces, which become zero.
-  void update(Copies &copies, unsigned int batch, Sums &sums, const Step &step, double kick) const;
-
   void
-  book(World &world, const Copies &copies, unsigned int batch, const Sums &sums, const Step &step);
+  update(BodyBatches &copies, unsigned int batch, Sums &sums, const Step &step, double kick) const;
+
+  void book(World             &world,
+            const BodyBatches &copies,
+            unsigned int       batch,
+            const Sums        &sums,
+            const Step        &step);
 
   std::vector<std::unique_ptr<Reference>> references_; ///< per elastic group of copies
   std::vector<Limit>                      limits_;

@@ -5,7 +5,7 @@
 
 #include <chaindrive/element/kernels.h>
 
-namespace chaindrive::element::bodies
+namespace chaindrive::element::packed
 {
 /// A symmetric tensor: xx, yy, zz, xy, yz, zx.
 template <typename P>
@@ -120,13 +120,13 @@ scatter_modes(const P (&r)[n_modes], const Vertices &vertices, const int i, doub
 template <int width, Formulation formulation, Shape shape>
 CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const int lane)
 {
-  using P                    = Pack<double, width>;
-  constexpr Places gradient  = gradient_places(shape);
-  constexpr Places shift     = shift_places(shape);
-  constexpr Places stiffness = hourglass_places(shape);
-  P                strain_energy_4(0.), hourglass_energy_2(0.); // times four, times two
-  const double    *position = arg.position + lane;
-  double          *force    = arg.force + lane;
+  using P                      = Pack<double, width>;
+  constexpr NonZeros gradient  = gradient_entries(shape);
+  constexpr NonZeros shift     = shift_entries(shape);
+  constexpr NonZeros stiffness = hourglass_entries(shape);
+  P                  strain_energy_4(0.), hourglass_energy_2(0.); // times four, times two
+  const double      *position = arg.position + lane;
+  double            *force    = arg.force + lane;
 
   P mode[3][n_modes]; // component, mode
   for (int i = 0; i < 3; ++i)
@@ -236,13 +236,13 @@ constexpr int line_through(const int point, const int d)
 template <int width, Shape shape>
 CHAINDRIVE_ALWAYS_INLINE void add_full_forces(const ForceArguments &arg, const int lane)
 {
-  using P                   = Pack<double, width>;
-  constexpr Places jacobian = jacobian_places(shape);
-  constexpr int    n_points = shape == Shape::general ? 8 : 4; // with numbers of their own
-  const P          g(0.57735026918962576451), g_squared(1. / 3.);
-  P                strain_energy_4(0.); // times four
-  const double    *position = arg.position + lane;
-  double          *force    = arg.force + lane;
+  using P                     = Pack<double, width>;
+  constexpr NonZeros jacobian = jacobian_entries(shape);
+  constexpr int      n_points = shape == Shape::general ? 8 : 4; // with numbers of their own
+  const P            g(0.57735026918962576451), g_squared(1. / 3.);
+  P                  strain_energy_4(0.); // times four
+  const double      *position = arg.position + lane;
+  double            *force    = arg.force + lane;
 
   for (unsigned int e = 0; e < arg.n_elements; ++e)
     {
@@ -395,4 +395,4 @@ constexpr Kernels make_kernels(const char *name)
            add_internal_forces<width, Formulation::full>},
           update<width>};
 }
-} // namespace chaindrive::element::bodies
+} // namespace chaindrive::element::packed

@@ -35,9 +35,9 @@ struct Vertices
 constexpr int n_numbers(const Shape shape, const Formulation formulation)
 {
   if (formulation == Formulation::full)
-    return (shape == Shape::general ? 8 : 4) * (1 + jacobian_places(shape).size);
-  return 1 + gradient_places(shape).size + shift_places(shape).size +
-         (formulation == Formulation::one_point ? 1 : hourglass_places(shape).size);
+    return (shape == Shape::general ? 8 : 4) * (1 + jacobian_entries(shape).size);
+  return 1 + gradient_entries(shape).size + shift_entries(shape).size +
+         (formulation == Formulation::one_point ? 1 : hourglass_entries(shape).size);
 }
 
 /// One batch: n_lanes copies of a part, side by side in memory as [node][component][lane].

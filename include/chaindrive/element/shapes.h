@@ -34,8 +34,8 @@ enum Mode
   n_modes
 };
 
-/// Places in a matrix, those that do not vanish; the kernels read one number for each.
-struct Places
+/// The entries of a matrix that do not vanish; the kernels read one number for each.
+struct NonZeros
 {
   int size    = 0;
   int row[78] = {}, column[78] = {};
@@ -51,7 +51,7 @@ struct Places
 /// Where the mean gradient has numbers: row j for the derivative along axis j, column for a mode.
 /// The first two rows of a prism are those of its section's Jacobian; the modes beside z belong to
 /// a section that grows across.
-constexpr Places gradient_places(const Shape shape)
+constexpr NonZeros gradient_entries(const Shape shape)
 {
   constexpr bool present[n_shapes][3][n_modes] = {
       {{true, true, true, true, true, true, true},
@@ -63,23 +63,23 @@ constexpr Places gradient_places(const Shape shape)
       {{true, false, false, false, false, false, false},
        {false, true, false, false, false, false, false},
        {false, false, true, false, true, false, false}}};
-  Places places;
+  NonZeros entries;
   for (int j = 0; j < 3; ++j)
     for (int m = 0; m < n_modes; ++m)
       if (present[static_cast<int>(shape)][j][m])
-        places.add(j, m);
-  return places;
+        entries.add(j, m);
+  return entries;
 }
 
 /// Which hourglass vectors, rows, have a linear part along which axis.
-constexpr Places shift_places(const Shape shape)
+constexpr NonZeros shift_entries(const Shape shape)
 {
-  Places places;
+  NonZeros entries;
   for (int alpha = 0; alpha < 4; ++alpha)
     for (int j = 0; j < 3; ++j)
       if (shape == Shape::general || (alpha == 0 && (j == 0 || (j == 1 && shape == Shape::prism))))
-        places.add(alpha, j);
-  return places;
+        entries.add(alpha, j);
+  return entries;
 }
 
 /// An hourglass amplitude: component @p k of mode @p alpha, counted from mode_xy.
@@ -105,27 +105,27 @@ constexpr Amplitude amplitudes[12] = {{0, 0},
 
 /// The lower triangle of the hourglass matrix, whose rows and columns are these amplitudes: the
 /// matrix of a regular element does not couple even ones with odd ones.
-constexpr Places hourglass_places(const Shape shape)
+constexpr NonZeros hourglass_entries(const Shape shape)
 {
   constexpr int block[n_shapes][12] = {{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
                                        {0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1},
                                        {0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3}};
-  Places        places;
+  NonZeros      entries;
   for (int m = 0; m < 12; ++m)
     for (int n = 0; n <= m; ++n)
       if (block[static_cast<int>(shape)][m] == block[static_cast<int>(shape)][n])
-        places.add(m, n);
-  return places;
+        entries.add(m, n);
+  return entries;
 }
 
 /// Which coordinates of the unit cell, rows, change along which axis.
-constexpr Places jacobian_places(const Shape shape)
+constexpr NonZeros jacobian_entries(const Shape shape)
 {
-  Places places;
+  NonZeros entries;
   for (int d = 0; d < 3; ++d)
     for (int j = 0; j < 3; ++j)
       if (shape == Shape::general || (d == 2) == (j == 2))
-        places.add(d, j);
-  return places;
+        entries.add(d, j);
+  return entries;
 }
 } // namespace chaindrive::element

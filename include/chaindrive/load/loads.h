@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/bodies/world.h>
 #include <chaindrive/load/programs.h>
-#include <chaindrive/world/world.h>
 
 namespace chaindrive::load
 {
@@ -21,7 +21,7 @@ public:
   /// add_forces() of a step.
   void add_work(World &world);
 
-  void exchange(const Archive &archive);
+  void serialize(const Archive &archive);
 
   const SpeedProgram &speed_program() const { return speed_; }
 

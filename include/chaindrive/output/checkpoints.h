@@ -46,7 +46,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  void exchange(const Archive &archive, dynamics::System &system);
+  void serialize(const Archive &archive, dynamics::System &system);
   void write(dynamics::System &system, unsigned long step);
   void ask(World &world) const;
   bool past_wall_clock_limit() const;

@@ -30,7 +30,7 @@ public:
 
   /// Displacement, velocity and stress everywhere in an elastic body, or in a sector of a rim, that
   /// this rank owns.
-  ElasticSnapshot snapshot(const dynamics::System &system, const World::Place &place) const;
+  ElasticSnapshot snapshot(const dynamics::System &system, const World::Address &place) const;
 
   /// Stresses at the waist of the side plate of an elastic link @p body.
   WaistStress waist(const dynamics::System &system, unsigned int body) const;

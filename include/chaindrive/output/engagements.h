@@ -43,7 +43,7 @@ public:
   /// Looks at the contacts after a step of @p dt [s].
   void observe(const dynamics::System &system, double dt);
 
-  void exchange(const Archive &archive);
+  void serialize(const Archive &archive);
 
   /// All engagements so far, in the order of their first touch.
   const std::vector<Engagement> &found() const { return found_; }

@@ -81,7 +81,7 @@ public:
              const std::vector<BarSnapshot>  &bars = {});
 
   /// The lists of instants.
-  void exchange(const Archive &archive)
+  void serialize(const Archive &archive)
   {
     archive("bodies", bodies_);
     archive("bars", bars_);

@@ -36,10 +36,10 @@ struct Channel
 /// it. It can therefore be read at any instant, also after the program was killed: rows not yet
 /// written hold NaN, their time too. close() cuts the datasets to the rows written.
 ///
-/// With exchange() the rows are also kept in a file of their own, `<prefix>.saved`, which is on the
-/// disk before the checkpoint is and whose checksum the checkpoint holds; a resumed run makes the
-/// histories anew from it. What a checkpoint counts on is so neither spoilt by a program that is
-/// killed while it writes, nor damaged without anyone noticing.
+/// With serialize() the rows are also kept in a file of their own, `<prefix>.saved`, which is on
+/// the disk before the checkpoint is and whose checksum the checkpoint holds; a resumed run makes
+/// the histories anew from it. What a checkpoint counts on is so neither spoilt by a program that
+/// is killed while it writes, nor damaged without anyone noticing.
 ///
 /// Every failure to write is a RunError that names the file and the reason; rows written before
 /// it stay readable.
@@ -80,7 +80,7 @@ public:
   /// Into a checkpoint: saves the rows since the last one. Out of it: the histories hold again what
   /// they held then; to be called when all channels have been added, instead of the first sample.
   /// InputError when the rows are missing or damaged.
-  void exchange(const Archive &archive);
+  void serialize(const Archive &archive);
 
   /// Whether the checkpoint @p archive can have the rows that it counts on: otherwise InputError.
   /// Changes nothing.
@@ -89,7 +89,7 @@ public:
   /// Writes what is left and closes the files.
   void close();
 
-  /// Removes the file of exchange(), which the closed histories make superfluous.
+  /// Removes the file of serialize(), which the closed histories make superfluous.
   void remove_saved();
 
 private:

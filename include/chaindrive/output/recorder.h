@@ -42,7 +42,7 @@ public:
 
   /// What was seen up to the present time of @p system. A resumed run may have other intervals, but
   /// its window must be the same as far as it has gone (InputError).
-  void exchange(const Archive &archive, const dynamics::System &system);
+  void serialize(const Archive &archive, const dynamics::System &system);
 
   /// InputError when the histories in @p directory are not those of @p archive, or are damaged.
   static void check(const Archive &archive, const std::string &directory);
@@ -95,8 +95,8 @@ private:
 
   void keep_peaks(const dynamics::System &system);
   void look_at_elastic_bodies(const dynamics::System &system); ///< collective
-  template <typename Exchange>
-  void visit_elastic_values(const Exchange &exchange);
+  template <typename Item>
+  void visit_elastic_values(const Item &item);
   void keep_means(const dynamics::System &system, double dt);
   void sample(dynamics::System &system);
   void write_fields(const dynamics::System &system);

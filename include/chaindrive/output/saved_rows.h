@@ -20,7 +20,7 @@ struct SavedMark
   std::vector<std::string>  tables   = {}; ///< paths in the HDF5 file, in the order of a row
   std::vector<unsigned int> columns  = {}; ///< of each table
 
-  void        exchange(const Archive &archive);
+  void        serialize(const Archive &archive);
   std::size_t row_bytes() const;
 };
 

@@ -23,7 +23,7 @@ public:
   }
 
   /// The run that comes out of a checkpoint at @p time may have another interval.
-  void exchange(const Archive &archive, const double time)
+  void serialize(const Archive &archive, const double time)
   {
     double interval = interval_;
     archive("interval", interval);

@@ -15,27 +15,27 @@ struct ToothForces
   std::vector<const contact::Teeth *> families; ///< of rigid and of elastic rollers
   std::string                         name;
   std::vector<double>                 roller, roller_peak; ///< per joint
-  std::vector<double>                 gap, gap_peak;       ///< per gap of the sprocket
+  std::vector<double>                 in_gap, in_gap_peak; ///< per gap of the sprocket
   double                              overlap = 0.;        ///< largest so far, m
 
   /// Looks at the present records of the rollers that are near.
   void look()
   {
     std::fill(roller.begin(), roller.end(), 0.);
-    std::fill(gap.begin(), gap.end(), 0.);
+    std::fill(in_gap.begin(), in_gap.end(), 0.);
     for (const contact::Teeth *family : families)
       for (const unsigned int i : family->near())
         {
           const contact::Record &record = family->records()[i];
           const double           normal = record.force * record.normal;
           roller[record.joint] += normal;
-          gap[record.feature] += normal;
+          in_gap[record.feature] += normal;
           overlap = std::max(overlap, -record.gap);
         }
     for (unsigned int k = 0; k < roller.size(); ++k)
       roller_peak[k] = std::max(roller_peak[k], roller[k]);
-    for (unsigned int g = 0; g < gap.size(); ++g)
-      gap_peak[g] = std::max(gap_peak[g], gap[g]);
+    for (unsigned int g = 0; g < in_gap.size(); ++g)
+      in_gap_peak[g] = std::max(in_gap_peak[g], in_gap[g]);
   }
 };
 } // namespace chaindrive::output

@@ -64,10 +64,10 @@ void add_sprockets(const Parameters               &parameters,
 
 /// The law per area of a contact of elastic bodies whose elements below the surface are
 /// @p thickness [m] thick: stiffness from Contact/Penalty factor, the rest as make_law() does.
-Law make_area_law(const Parameters          &parameters,
-                  const std::vector<Effect> &effects,
-                  double                     thickness,
-                  std::optional<double>      friction);
+ContactLaw make_area_law(const Parameters          &parameters,
+                         const std::vector<Effect> &effects,
+                         double                     thickness,
+                         std::optional<double>      friction);
 
 /// Meshes of parts at the refinement of section Mesh.
 std::shared_ptr<const mesh::Part> make_roller_part(const Parameters &, const drive::Drive &);
@@ -78,9 +78,9 @@ make_sprocket_part(const Parameters &, const drive::Drive &, bool driver);
 
 /// A penalty law for an interface of stiffness @p k [N/m] between bodies whose reduced mass is
 /// @p mass [kg]: damping and tangential terms from section Contact, zero where effects are off.
-Law make_law(const Parameters          &parameters,
-             const std::vector<Effect> &effects,
-             double                     k,
-             double                     mass,
-             std::optional<double>      friction);
+ContactLaw make_law(const Parameters          &parameters,
+                    const std::vector<Effect> &effects,
+                    double                     k,
+                    double                     mass,
+                    std::optional<double>      friction);
 } // namespace chaindrive::scene

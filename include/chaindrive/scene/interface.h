@@ -20,7 +20,7 @@ class FacetSurface;
 namespace chaindrive::scene
 {
 /// Penalty and friction law of one slave point on one master surface.
-struct Law
+struct ContactLaw
 {
   double stiffness            = 0.; ///< N/m, normal penalty
   double damping              = 0.; ///< N s/m, acts while the surfaces overlap
@@ -29,10 +29,10 @@ struct Law
   double tangential_damping   = 0.; ///< N s/m, of the sticking contact
 
   /// The law of one of @p n equal points that share this interface's stiffness.
-  Law shared_by(const unsigned int n) const { return times(1. / n); }
+  ContactLaw shared_by(const unsigned int n) const { return times(1. / n); }
 
   /// The law of a node with the area @p factor, from a law per area.
-  Law times(const double factor) const
+  ContactLaw times(const double factor) const
   {
     return {factor * stiffness,
             factor * damping,
@@ -66,7 +66,7 @@ struct BorePair
 struct BoreFamily
 {
   std::string           name;
-  Law                   law; ///< of elastic bodies, whose nodes touch: per m2
+  ContactLaw            law; ///< of elastic bodies, whose nodes touch: per m2
   std::vector<BorePair> pairs;
   bool elastic = false; ///< nodes touch: one of each two bodies is elastic at least
 };
@@ -84,7 +84,7 @@ struct FacePair
 struct FaceFamily
 {
   std::string           name;
-  Law                   law;    ///< per m2
+  ContactLaw            law;    ///< per m2
   double                radius; ///< about the axis, in which the master's face is a full ring, m
   std::vector<FacePair> pairs;
 };
@@ -99,7 +99,7 @@ struct ToothFamily
   unsigned int                              teeth;    ///< of the sprocket
   double                                    outer_radius; ///< of the sprocket, m
   double                                    half_width;   ///< of the sprocket, m
-  Law                                       law; ///< of elastic rollers, whose nodes touch: per m2
+  ContactLaw                                law; ///< of elastic rollers, whose nodes touch: per m2
   bool                                      elastic = false; ///< the slaves are elastic bodies
   unsigned int slave_surface = 0; ///< of elastic slaves: the side of their mesh that touches
   std::vector<SlavePoint> slaves;

@@ -15,13 +15,13 @@
 namespace chaindrive
 {
 /// State on its way into a checkpoint or back, as named items. A class lists what its state is
-/// once, in a function exchange() that serves both directions:
+/// once, in a function serialize() that serves both directions:
 ///
-///     void Clock::exchange(const Archive &archive)
+///     void Clock::serialize(const Archive &archive)
 ///     {
 ///       archive("time", time_);
 ///       archive.numbers("bells", bells_);
-///       hand_.exchange(archive / "hand");
+///       hand_.serialize(archive / "hand");
 ///     }
 ///
 /// What is repeated on every rank is written by the first one and read by all. What is dealt out

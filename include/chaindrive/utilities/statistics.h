@@ -46,19 +46,4 @@ private:
   double start_, end_;
   double weight_ = 0., sum_ = 0.;
 };
-
-/// The largest value since it was last taken: what a sample would miss between two instants.
-class PeakHold
-{
-public:
-  void add(const double value) { peak_ = std::max(peak_, value); }
-
-  /// The largest value since the last call, or since the start; minus infinity when there was none.
-  double take() { return std::exchange(peak_, -std::numeric_limits<double>::infinity()); }
-
-  double peak() const { return peak_; }
-
-private:
-  double peak_ = -std::numeric_limits<double>::infinity();
-};
 } // namespace chaindrive

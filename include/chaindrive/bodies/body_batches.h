@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/mesh/nodes.h>
+#include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/archive.h>
+#include <chaindrive/utilities/pack.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <memory>
+#include <vector>
+
+namespace chaindrive
+{
+/// The state of all elastic bodies of one part. n_lanes copies lie side by side in a batch, in
+/// deal.II's distributed vectors numbered [batch][node][component][lane]; lanes without a body hold
+/// a copy of the first body at rest, which nothing touches.
+///
+/// Copy k sits in batch k modulo n_batches: neighbours along the chain lie in the same lane of
+/// neighbouring batches, so that the joints of one batch meet one other batch.
+///
+/// Whole batches are dealt out to the ranks. A rank sees of the batches of others the nodes that it
+/// asked for, as ghosts: their positions and velocities come with fetch_ghosts(), and forces that
+/// it adds to them go home with send_forces().
+class BodyBatches
+{
+public:
+  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+  /// @p bodies are numbers into @p all, the scene's bodies, all made of @p part. Rank r of @p comm
+  /// owns the batches from @p first_batch[r] up to first_batch[r + 1].
+  BodyBatches(std::shared_ptr<const mesh::Part> part,
+              const std::vector<unsigned int>  &bodies,
+              const std::vector<scene::Body>   &all,
+              std::vector<unsigned int>         first_batch,
+              MPI_Comm                          comm);
+
+  /// The same with copy k placed and moving as @p start[k] says; several may be of one body.
+  BodyBatches(std::shared_ptr<const mesh::Part> part,
+              std::vector<unsigned int>         bodies,
+              std::vector<Frame>                start,
+              std::vector<unsigned int>         first_batch,
+              MPI_Comm                          comm);
+
+  unsigned int n_nodes() const { return nodes.size(); }
+  unsigned int n_copies() const { return static_cast<unsigned int>(bodies.size()); }
+  unsigned int n_batches() const { return n_batches_of(n_copies()); }
+
+  static unsigned int n_batches_of(const std::size_t n_copies)
+  {
+    return static_cast<unsigned int>((n_copies + n_lanes - 1) / n_lanes);
+  }
+
+  unsigned int batch_of(const unsigned int copy) const { return copy % n_batches(); }
+  unsigned int lane_of(const unsigned int copy) const { return copy / n_batches(); }
+
+  unsigned int owner_of_batch(unsigned int batch) const; ///< rank
+  unsigned int owner_of(const unsigned int copy) const { return owner_of_batch(batch_of(copy)); }
+  bool         owns(const unsigned int copy) const { return owner_of(copy) == rank_; }
+
+  unsigned int first_owned_batch() const { return first_batch_[rank_]; }
+  unsigned int end_of_owned_batches() const { return first_batch_[rank_ + 1]; }
+
+  /// Numbers in one batch of a vector.
+  std::size_t stride() const { return std::size_t(3) * n_nodes() * n_lanes; }
+
+  /// Where the numbers of an owned batch begin in this rank's share of the vectors.
+  std::size_t start_of(const unsigned int batch) const
+  {
+    return (batch - first_owned_batch()) * stride();
+  }
+
+  /// Where the value of @p component at @p node of @p copy stands in this rank's share of the
+  /// vectors; the copy must be owned, or the node be a ghost.
+  std::size_t
+  index(const unsigned int copy, const unsigned int node, const unsigned int component) const
+  {
+    const unsigned int batch  = batch_of(copy);
+    const std::size_t  within = (3 * node + component) * n_lanes + lane_of(copy);
+    if (batch >= first_owned_batch() && batch < end_of_owned_batches())
+      return start_of(batch) + within;
+    return position.get_partitioner()->global_to_local(batch * stride() + within);
+  }
+
+  /// Makes ghosts of these nodes of the batch that holds @p copy, unless this rank owns it. To be
+  /// followed by make_ghosts().
+  void want(unsigned int copy, const std::vector<unsigned int> &wanted);
+
+  /// Gives the vectors room for all ghosts that any rank wants. Collective.
+  void make_ghosts();
+
+  /// For all @p copies, whose messages travel side by side. Collective.
+  static void fetch_ghosts(std::vector<BodyBatches> &copies);
+  static void send_forces(std::vector<BodyBatches> &copies);
+
+  /// The state between two steps, batch by batch: forces are then used up.
+  void serialize(const Archive &archive);
+
+  std::size_t memory_consumption() const;
+
+  std::shared_ptr<const mesh::Part> part;
+  mesh::Nodes                       nodes;
+  std::vector<unsigned int>         bodies; ///< per copy
+  double                            mass;   ///< of one copy: sum of its nodes', kg
+
+  std::vector<unsigned int> on_middle_plane; ///< nodes of a half part that stay at z = 0
+
+  std::vector<Frame> start; ///< per copy, its placement at the start
+
+  Vector position; ///< world axes, m
+  Vector velocity; ///< m/s; see element::Elastic for the instant
+  Vector force;    ///< of contacts, N
+
+private:
+  MPI_Comm                  comm_;
+  unsigned int              rank_;
+  std::vector<unsigned int> first_batch_; ///< per rank, and their number
+  dealii::IndexSet          ghosts_;
+};
+} // namespace chaindrive

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/bodies/world.h>
+
+#include <vector>
+
+namespace chaindrive
+{
+/// How easily the bodies of a world are moved by forces and moments.
+class Mobility
+{
+public:
+  explicit Mobility(const World &world);
+
+  /// Inverse inertia tensor of @p body about its centre of mass (a hub's: about its axis) in world
+  /// axes, 1/(kg m2); zero where it cannot turn.
+  const dealii::Tensor<2, 3> &turning(const unsigned int body) const { return turning_[body]; }
+
+  /// Acceleration per force of the material point of @p body that is at @p at [world, m], 1/kg.
+  dealii::Tensor<2, 3> of_point(unsigned int body, const dealii::Tensor<1, 3> &at) const;
+
+private:
+  const World                      &world_;
+  std::vector<dealii::Tensor<2, 3>> turning_;
+};
+} // namespace chaindrive

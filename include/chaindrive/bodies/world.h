@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/bodies/body_batches.h>
+#include <chaindrive/bodies/ledger.h>
+#include <chaindrive/bodies/rim.h>
+#include <chaindrive/utilities/archive.h>
+#include <chaindrive/utilities/rotation.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <array>
+#include <vector>
+
+namespace chaindrive
+{
+/// The state of all bodies. Translations live in deal.II's distributed vectors, three entries per
+/// body (x, y, z of the centre of mass); rotations in three short lists beside them, because a
+/// rigid body's rotation is no vector. `frames` repeats positions and velocities in the form that
+/// forces are computed from.
+///
+/// Elastic bodies are dealt out to the ranks of a communicator, all else is repeated on each of
+/// them. While forces are evaluated, a rank adds its own share of resultants, moments and energies
+/// to what it holds; sum_over_ranks() makes the totals of it.
+class World
+{
+public:
+  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+  /// A free rigid body's rotation.
+  struct Rotation
+  {
+    unsigned int         body;
+    Quaternion           orientation;
+    dealii::Tensor<1, 3> momentum; ///< angular, about the centre of mass, world axes, kg m2/s
+    dealii::Tensor<1, 3> inertia;  ///< principal moments in body axes, kg m2
+  };
+
+  /// Of a lumped roller, whose ring turns about the z axis through its centre. A ring looks the
+  /// same however far it has turned: that is not followed.
+  struct Spin
+  {
+    unsigned int body;
+    double       inertia; ///< kg m2
+    double       speed;   ///< rad/s, counter-clockwise positive
+  };
+
+  /// A body that only turns about the z axis through its origin.
+  struct Hub
+  {
+    unsigned int body;
+    bool         prescribed;
+    double       inertia;     ///< of all that moves as the hub does, kg m2
+    double       angle = 0.;  ///< since the start, rad, counter-clockwise positive
+    double       speed = 0.;  ///< rad/s
+    double       start_angle; ///< orientation at the start, rad
+  };
+
+  /// Where an elastic body of one copy is found.
+  struct Address
+  {
+    static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+    unsigned int group = none, copy = none;
+  };
+
+  /// Nodes on one side of a rigid body that nodes of an elastic one touch. They move with the body.
+  struct Follower
+  {
+    unsigned int              body;
+    Address                   place;
+    std::vector<unsigned int> nodes;
+  };
+
+  explicit World(const scene::Scene &scene, MPI_Comm comm = MPI_COMM_SELF);
+
+  /// Whether this is the rank that adds the share of everything that is not dealt out.
+  bool is_first_rank() const { return rank_ == 0; }
+
+  /// Whether this rank writes what there is to say of @p body: all but elastic ones are the first
+  /// rank's.
+  bool owns(const unsigned int body) const
+  {
+    const Address &place = elastic_address[body];
+    return place.group == Address::none ? is_first_rank() : copies[place.group].owns(place.copy);
+  }
+
+  MPI_Comm communicator() const { return comm_; }
+
+  unsigned int n_bodies() const { return static_cast<unsigned int>(frames.size()); }
+
+  /// Sets forces, moments and stored energies to zero, to be added anew.
+  void clear_forces();
+
+  /// The same but for the forces on nodes, which element::Elastic uses up.
+  void clear_resultants();
+
+  /// Sums what the ranks have added since clear_forces(): forces and moments on bodies, and the
+  /// ledger but for the work of the hubs, and requests; with halves, of whole bodies. Shares out
+  /// frames of elastic bodies. Collective.
+  void sum_over_ranks();
+
+  /// A force @p f [N] that acts on @p body at the world point @p at [m].
+  void
+  add_force(const unsigned int body, const dealii::Tensor<1, 3> &f, const dealii::Tensor<1, 3> &at)
+  {
+    double                    *force_on  = force.begin() + 3 * body;
+    double                    *moment_on = moment.begin() + 3 * body;
+    const dealii::Tensor<1, 3> arm       = at - frames[body].position;
+    for (unsigned int d = 0; d < 3; ++d)
+      force_on[d] += f[d];
+    moment_on[0] += arm[1] * f[2] - arm[2] * f[1];
+    moment_on[1] += arm[2] * f[0] - arm[0] * f[2];
+    moment_on[2] += arm[0] * f[1] - arm[1] * f[0];
+  }
+
+  /// Velocity [m/s] of the material point of @p body that is at the world point @p at now, at the
+  /// instant @p earlier [s] before now to which the velocities in `frames` belong: half a step
+  /// while forces are evaluated, nothing at full steps. A point that turns with its body has then
+  /// moved along the chord of its circle, and two points that stick together drift apart by
+  /// nothing.
+  dealii::Tensor<1, 3>
+  velocity_at(const unsigned int body, const dealii::Tensor<1, 3> &at, const double earlier) const
+  {
+    const Frame                &frame = frames[body];
+    const dealii::Tensor<1, 3> &w     = frame.angular_velocity;
+    dealii::Tensor<1, 3>        arm   = at - frame.position;
+    arm -= earlier * dealii::cross_product_3d(w, arm);
+    return frame.velocity + dealii::cross_product_3d(w, arm);
+  }
+
+  /// The first groups of copies are elastic bodies; what comes after them are the meshes of rigid
+  /// ones.
+  unsigned int n_elastic_groups() const
+  {
+    return static_cast<unsigned int>(copies.size()) - n_follower_groups_;
+  }
+
+  /// Places the nodes of rigid bodies that elastic ones touch; their velocities are those of
+  /// velocity_at() at the instant @p earlier [s] before now.
+  void place_followers(double earlier);
+
+  /// Adds the moments of the forces on these nodes, which become zero, to those on their bodies.
+  /// The resultant forces are the contact's to add.
+  void take_moments_of_followers();
+
+  /// The rim of @p body; null when it has none.
+  const Rim *rim_of(unsigned int body) const;
+
+  /// Kinetic energy [J] of every rigid or lumped body but a prescribed hub, from the present
+  /// velocities.
+  double kinetic_energy() const;
+
+  /// The state between two steps, whose forces are those of the present time. Nodes that follow
+  /// rigid bodies are placed anew at every step and are none.
+  void serialize(const Archive &archive);
+
+  /// Bytes held by the state.
+  std::size_t memory_consumption() const;
+
+  // one entry per direction and body
+  Vector displacement; ///< of the centre of mass since the start, m
+  Vector velocity;     ///< m/s
+  Vector force;        ///< resultant, N
+  Vector moment;       ///< resultant about the centre of mass, N m
+
+  std::vector<double>               mass;         ///< per body, kg
+  std::vector<double>               inverse_mass; ///< per body, 1/kg; 0: held by a hub, or elastic
+  std::vector<dealii::Tensor<1, 3>> origin;       ///< per body, position at the start, m
+  std::vector<Rotation>             rotations;
+  std::vector<Spin>                 spins;
+  std::vector<Hub>                  hubs;
+  std::vector<Frame>       frames; ///< per body, now; of an elastic one, its centre of mass
+  std::vector<BodyBatches> copies; ///< the elastic bodies, part by part
+  std::vector<Address>     elastic_address; ///< per body, in copies
+  std::vector<Rim>         rims;            ///< of elastic sprockets
+
+  std::vector<Address>
+      node_address;                ///< per body, in copies: elastic_address, and those of followers
+  std::vector<Follower> followers; ///< of rigid bodies
+
+  double time = 0.; ///< s
+  Ledger ledger;
+
+  /// What ranks ask of all: each adds its own before a step, and after it all see the same sums.
+  /// Nothing in the motion depends on them.
+  std::array<double, 2> requests{};
+
+  /// Positive: a rank has found something wrong that only it can see. Any rank may set it to 1; the
+  /// next sum_over_ranks() tells all others.
+  double alarm = 0.;
+
+  /// By how much the forces on elastic bodies, their contacts' and their energies are to be
+  /// multiplied to be those of whole bodies: 2 for halves.
+  double whole = 1.;
+
+  /// The force [N] on a whole body from that on what is computed of it: of halves, along the middle
+  /// plane, since across it their images' cancel.
+  dealii::Tensor<1, 3> of_whole(dealii::Tensor<1, 3> force_on_part) const
+  {
+    force_on_part *= whole;
+    if (whole != 1.)
+      force_on_part[2] = 0.;
+    return force_on_part;
+  }
+
+private:
+  /// Makes the elastic rim of the sprocket @p body and leaves its hub the inertia of the rest.
+  void add_rim(const scene::Scene              &scene,
+               unsigned int                     body,
+               const std::vector<unsigned int> &first_batch);
+
+  /// Makes copies of the meshes of rigid bodies whose nodes touch. The first rank owns them.
+  void add_followers(const scene::Scene &scene);
+
+  unsigned int        n_follower_groups_ = 0;
+  MPI_Comm            comm_;
+  unsigned int        rank_, n_ranks_;
+  Ledger              before_; ///< the ledger at clear_forces()
+  std::vector<double> shared_; ///< what sum_over_ranks() sums
+};
+} // namespace chaindrive

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+// Bodies of the kernels of joint_kernels.h, for `width` joints at a time.
+
+#include <chaindrive/contact/packed_geometry.h>
+#include <chaindrive/contact/packed_law.h>
+
+namespace chaindrive::contact::packed
+{
+/// A vector in the bore's frame in world axes.
+template <typename P>
+CHAINDRIVE_ALWAYS_INLINE void out_of_frame(const P (&axes)[3][3], const P (&y)[3], P (&x)[3])
+{
+  for (int i = 0; i < 3; ++i)
+    x[i] = axes[0][i] * y[0] + axes[1][i] * y[1] + axes[2][i] * y[2];
+}
+
+/// Adds the forces of the pairs that touch, lane after lane: two lanes may share a body. @p
+/// friction is that on the slave node round the bore and along it.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void scatter(const JointArguments              &arg,
+                                      const int                          lane,
+                                      const Joints<width>               &joints,
+                                      const Meeting<width>              &m,
+                                      const Motion<Pack<double, width>> &motion,
+                                      const Pack<double, width> (&force)[3],
+                                      const Pack<double, width> (&friction)[2],
+                                      const bool (&touches)[width])
+{
+  using P = Pack<double, width>;
+  // Friction acts on the bore nearer to the axis than on the slave node. Pairs of opposite forces
+  // on the two columns and on the two rings make up for its moment.
+  const P square_side         = motion.side[0] * motion.side[0] + motion.side[1] * motion.side[1],
+          square_rise         = motion.rise[0] * motion.rise[0] + motion.rise[1] * motion.rise[1];
+  const P round               = friction[0] * motion.arm / square_side,
+          along               = friction[1] * motion.arm / square_rise;
+  const P columns_in_frame[3] = {round * motion.side[1], P(0.) - round * motion.side[0], P(0.)};
+  const P rings_in_frame[3]   = {along * motion.rise[1] * motion.ray[0],
+                                 along * motion.rise[1] * motion.ray[1],
+                                 P(0.) - along * motion.rise[0]};
+  P       columns[3], rings[3];
+  out_of_frame(joints.axes, columns_in_frame, columns);
+  out_of_frame(joints.axes, rings_in_frame, rings);
+
+  alignas(64) double part[5][3][width];
+  for (int i = 0; i < 3; ++i)
+    {
+      const P second = P(0.) - m.around * force[i], first = P(0.) - force[i] - second;
+      const P corner[2] = {first - columns[i], second + columns[i]};
+      const P ring[2]   = {rings[i] - m.around * rings[i], m.around * rings[i]};
+      for (int c = 0; c < 2; ++c)
+        {
+          const P upper = m.along[c] * corner[c];
+          (upper + ring[c]).store(part[c + 2][i]);
+          (corner[c] - upper - ring[c]).store(part[c][i]);
+        }
+      force[i].store(part[4][i]);
+    }
+  for (int l = 0; l < width; ++l)
+    if (touches[l])
+      {
+        for (int q = 0; q < 4; ++q)
+          {
+            double *f = arg.master_force[lane + l] + m.node[q][l];
+            for (int i = 0; i < 3; ++i)
+              f[i * n_lanes] += part[q][i][l];
+          }
+        double *f = arg.slave_force[lane + l] + (m.slave[l] - joints.slave_position[l]);
+        for (int i = 0; i < 3; ++i)
+          f[i * n_lanes] += part[4][i][l];
+      }
+}
+
+/// One slave node per lane and how it meets the bore. A gap that counts nowhere is a metre.
+template <int width>
+struct Visit
+{
+  using P = Pack<double, width>;
+
+  Meeting<width> meeting;
+  unsigned int   column[width];
+  P              active; ///< 1, or 0 where the node is not in the lane's window
+  P              cover;  ///< see covered()
+  P              overlap_before;
+  P              gap; ///< m
+};
+
+/// Visits the slave nodes of station @p s that are @p place columns after the first of the windows.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void visit(const JointArguments &arg,
+                                    const int             lane,
+                                    const Joints<width>  &joints,
+                                    const unsigned int    s,
+                                    const unsigned int    place,
+                                    Visit<width>         &v)
+{
+  using P                   = Pack<double, width>;
+  const JointShape  &shape  = *arg.shape;
+  const JointWindow &window = *arg.window;
+  unsigned int       index[width], cell[width];
+  const double      *overlap[width];
+  alignas(64) double exists[width], active[width];
+  for (int l = 0; l < width; ++l)
+    {
+      const unsigned int count  = joints.present[l] ? window.count[lane + l] : 0;
+      const unsigned int column = window.first[lane + l] + place;
+      v.column[l] = column < shape.slave_columns ? column : column - shape.slave_columns;
+      index[l]    = s * shape.slave_columns + v.column[l];
+      overlap[l]  = arg.state + (index[l] * n_touch_entries + touch_overlap) * n_lanes + lane + l;
+      cell[l]     = arg.cell[v.column[l] * n_lanes + lane + l];
+      active[l]   = place < count ? 1. : 0.;
+      exists[l]   = place < count || count == shape.slave_columns ? 1. : 0.;
+    }
+  take_slave(joints, index, v.meeting);
+  const P depth    = depth_inside(shape, joints, v.meeting, shape.cover[s]);
+  v.active         = P::load(active);
+  v.cover          = v.active * covered(depth);
+  v.overlap_before = v.active * gather(overlap, 0);
+  v.gap            = P(1.);
+  // A neighbour of a node that is just inside may be just outside, but not far: the bore is tilted
+  // by less than 0.02. Its gap counts nevertheless, and whether it does must not depend on other
+  // lanes.
+  const P counts = if_less(P(-0.1), depth, P::load(exists), P(0.)) + v.overlap_before;
+  if (!any_less(P(0.), counts))
+    return;
+  meet(shape, joints, cell, arg.station + s * n_lanes + lane, v.meeting);
+  for (int l = 0; l < width; ++l)
+    arg.cell[v.column[l] * n_lanes + lane + l] = cell[l];
+  v.gap = if_less(P(0.), counts, v.meeting.gap, P(1.));
+}
+
+/// Between two neighbouring columns the gap is linear. Adds the part of the overlap there that
+/// falls to the first of them, as the mean over its area, and the part of its area that overlaps.
+template <typename P>
+CHAINDRIVE_ALWAYS_INLINE void
+add_share(const P gap, const P neighbours_gap, P &overlap, P &overlapping)
+{
+  const P zero(0.), half(0.5), sixth(1. / 6.);
+  const P a = zero - gap, b = zero - neighbours_gap;
+  const P high = greatest(a, b), low = least(a, b), positive = greatest(zero, high);
+  // the part of the way from the higher one to the lower one on which there is overlap
+  const P t      = positive / greatest(high - low, P(1e-300));
+  const P nearer = half * t * (P(2.) - t), farther = half * t * t;
+  const P both = sixth * (a + a + b);
+  const P one  = sixth * positive * if_less(a, b, t * t, t * (P(3.) - t));
+  overlap += if_less(low, zero, one, both);
+  overlapping += if_less(low, zero, if_less(a, b, farther, nearer), half);
+}
+
+/// Contact forces of the nodes of one visit. @p overlap and @p overlapping as add_share() gives
+/// them.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void touch_nodes(const JointArguments          &arg,
+                                          const int                      lane,
+                                          const Joints<width>           &joints,
+                                          const unsigned int             s,
+                                          const Visit<width>            &v,
+                                          const Pack<double, width>      overlap,
+                                          const Pack<double, width>      overlapping,
+                                          Energies<Pack<double, width>> &energies,
+                                          Pack<double, width> (&total)[3])
+{
+  using P                 = Pack<double, width>;
+  const JointShape &shape = *arg.shape;
+  const P           zero(0.);
+  unsigned int      state_at[width];
+  const double     *state[width];
+  for (int l = 0; l < width; ++l)
+    {
+      state_at[l] = (s * shape.slave_columns + v.column[l]) * n_touch_entries * n_lanes + lane + l;
+      state[l]    = arg.state + state_at[l];
+    }
+  Touches<P> touch;
+  touch.overlap       = v.overlap_before;
+  touch.normal        = v.active * gather(state, touch_normal * n_lanes);
+  touch.slip[0]       = v.active * gather(state, touch_slip_around * n_lanes);
+  touch.slip[1]       = v.active * gather(state, touch_slip_along * n_lanes);
+  touch.tangential[0] = v.active * gather(state, touch_tangential_around * n_lanes);
+  touch.tangential[1] = v.active * gather(state, touch_tangential_along * n_lanes);
+
+  Motion<P> motion;
+  find_motion(joints, v.meeting, motion);
+  // turning together with the bore is no slip
+  const P slip_rate[2] = {motion.relative[1] - motion.arm * motion.spin,
+                          motion.relative[2] - motion.arm * motion.tilt};
+
+  const P           share = v.cover * P(shape.area[s]), dt(arg.dt);
+  const PointLaw<P> law{share * P(arg.law.stiffness),
+                        share * overlapping * P(arg.law.damping),
+                        P(arg.law.friction),
+                        share * P(arg.law.tangential_stiffness),
+                        share * P(arg.law.tangential_damping)};
+  const Approach<P> approach{overlap, v.gap, zero - motion.relative[0], dt * motion.relative[0]};
+  update_touches(law, approach, slip_rate, dt, arg.law.friction > 0., touch, energies);
+
+  alignas(64) double now[n_touch_entries][width], changes[width];
+  (touch.overlap + v.overlap_before).store(changes);
+  touch.overlap.store(now[touch_overlap]);
+  touch.normal.store(now[touch_normal]);
+  touch.slip[0].store(now[touch_slip_around]);
+  touch.slip[1].store(now[touch_slip_along]);
+  touch.tangential[0].store(now[touch_tangential_around]);
+  touch.tangential[1].store(now[touch_tangential_along]);
+  bool touches[width];
+  for (int l = 0; l < width; ++l)
+    {
+      if (changes[l] > 0.)
+        for (unsigned int entry = 0; entry < n_touch_entries; ++entry)
+          arg.state[state_at[l] + entry * n_lanes] = now[entry][l];
+      touches[l] = now[touch_normal][l] > 0.;
+      arg.sums->touching[lane + l] += touches[l];
+    }
+
+  const P(&e)[2]   = motion.ray;
+  const P local[3] = {zero - touch.normal * e[0] - touch.tangential[0] * e[1],
+                      touch.tangential[0] * e[0] - touch.normal * e[1],
+                      touch.tangential[1]};
+  P       force[3];
+  out_of_frame(joints.axes, local, force);
+  for (int i = 0; i < 3; ++i)
+    total[i] += force[i];
+  scatter(arg, lane, joints, v.meeting, motion, force, touch.tangential, touches);
+}
+
+/// Contact forces of the joints in lanes @p lane to lane + width - 1.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void add_forces_of(const JointArguments &arg, const int lane)
+{
+  using P                 = Pack<double, width>;
+  const JointShape &shape = *arg.shape;
+  JointSums        &sums  = *arg.sums;
+  for (int l = lane; l < lane + width; ++l)
+    {
+      sums.stored[l] = sums.penetration[l] = 0.;
+      sums.touching[l]                     = 0;
+      for (auto &component : sums.force)
+        component[l] = 0.;
+    }
+
+  Joints<width> joints;
+  if (!take_lanes(arg, lane, joints))
+    return;
+  unsigned int visits = 0;
+  for (int l = 0; l < width; ++l)
+    if (joints.present[l] && arg.window->count[lane + l] > visits)
+      visits = arg.window->count[lane + l];
+  if (visits == 0)
+    return;
+  const bool closed = visits == shape.slave_columns;
+  find_frame(shape, joints);
+
+  const P     zero(0.);
+  Energies<P> energies{zero, zero, zero};
+  P           total[3] = {zero, zero, zero}, penetration(0.);
+
+#pragma GCC unroll 1
+  for (unsigned int s = 0; s < shape.slave_stations; ++s)
+    {
+      // Visit i is that of the node i - 1 places after the window's first; the forces of a node
+      // follow the visit of the next one. A window all round begins and ends with a neighbour.
+      Visit<width> visited[2];
+      P            gap_before(1.);
+      visited[0].gap = P(1.);
+#pragma GCC unroll 1
+      for (unsigned int i = closed ? 0 : 1; i < visits + 2; ++i)
+        {
+          Visit<width> &next = visited[i % 2], &v = visited[(i + 1) % 2];
+          const bool    beyond = i == visits + 1;
+          if (beyond && !closed)
+            next.gap = P(1.);
+          else
+            visit(arg, lane, joints, s, i == 0 ? visits - 1 : beyond ? 0 : i - 1, next);
+
+          if (i >= 2)
+            {
+              P overlap(0.), overlapping(0.);
+              add_share(v.gap, gap_before, overlap, overlapping);
+              add_share(v.gap, next.gap, overlap, overlapping);
+              overlap = if_less(zero, v.cover, overlap, zero);
+              if (any_less(zero, overlap + v.overlap_before))
+                {
+                  touch_nodes(arg, lane, joints, s, v, overlap, overlapping, energies, total);
+                  penetration = greatest(penetration, if_less(zero, overlap, zero - v.gap, zero));
+                }
+            }
+          gap_before = v.gap;
+        }
+    }
+
+  for (int l = 0; l < width; ++l)
+    {
+      sums.stored[lane + l]      = energies.stored[l];
+      sums.penetration[lane + l] = penetration[l];
+      for (int i = 0; i < 3; ++i)
+        sums.force[i][lane + l] = total[i][l];
+      sums.damping_loss[lane + l] += energies.damping_loss[l];
+      sums.friction_loss[lane + l] += energies.friction_loss[l];
+    }
+}
+
+/// Gaps of all slave nodes of the joints in lanes @p lane to lane + width - 1.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void
+measure_gaps_of(const JointArguments &arg, GapArguments &gaps, const int lane)
+{
+  using P                 = Pack<double, width>;
+  const JointShape &shape = *arg.shape;
+  Joints<width>     joints;
+  for (int l = 0; l < width; ++l)
+    gaps.closing[lane + l] = 0.;
+  if (!take_lanes(arg, lane, joints))
+    return;
+  find_frame(shape, joints);
+
+  P closing(0.);
+#pragma GCC unroll 1
+  for (unsigned int s = 0; s < shape.slave_stations; ++s)
+#pragma GCC unroll 1
+    for (unsigned int c = 0; c < shape.slave_columns; ++c)
+      {
+        Meeting<width> m;
+        unsigned int   index[width], cell[width];
+        for (int l = 0; l < width; ++l)
+          {
+            index[l] = s * shape.slave_columns + c;
+            cell[l]  = arg.cell[c * n_lanes + lane + l];
+          }
+        take_slave(joints, index, m);
+        meet(shape, joints, cell, arg.station + s * n_lanes + lane, m);
+        for (int l = 0; l < width; ++l)
+          arg.cell[c * n_lanes + lane + l] = cell[l];
+        m.gap.store(gaps.gap + index[0] * n_lanes + lane);
+        covered(depth_inside(shape, joints, m, shape.cover[s]))
+            .store(gaps.covered + index[0] * n_lanes + lane);
+        Motion<P> motion;
+        find_motion(joints, m, motion);
+        closing = greatest(closing, motion.relative[0]);
+      }
+  for (int l = 0; l < width; ++l)
+    gaps.closing[lane + l] = joints.present[l] ? closing[l] : 0.;
+}
+
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void add_forces(const JointArguments &arg)
+{
+  for (int lane = 0; lane < n_lanes; lane += width)
+    add_forces_of<width>(arg, lane);
+}
+
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void measure_gaps(const JointArguments &arg, GapArguments &gaps)
+{
+  for (int lane = 0; lane < n_lanes; lane += width)
+    measure_gaps_of<width>(arg, gaps, lane);
+}
+} // namespace chaindrive::contact::packed

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/body_batches.h>
+#include <chaindrive/utilities/ranks.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace chaindrive
+{
+namespace
+{
+std::vector<Frame> initial_frames(const std::vector<unsigned int> &bodies,
+                                  const std::vector<scene::Body>  &all)
+{
+  std::vector<Frame> frames;
+  frames.reserve(bodies.size());
+  for (const unsigned int body : bodies)
+    frames.push_back(all[body].initial);
+  return frames;
+}
+} // namespace
+
+BodyBatches::BodyBatches(std::shared_ptr<const mesh::Part> the_part,
+                         const std::vector<unsigned int>  &the_bodies,
+                         const std::vector<scene::Body>   &all,
+                         std::vector<unsigned int>         first_batch,
+                         const MPI_Comm                    comm)
+    : BodyBatches(std::move(the_part),
+                  the_bodies,
+                  initial_frames(the_bodies, all),
+                  std::move(first_batch),
+                  comm)
+{
+}
+
+BodyBatches::BodyBatches(std::shared_ptr<const mesh::Part> the_part,
+                         std::vector<unsigned int>         the_bodies,
+                         std::vector<Frame>                the_start,
+                         std::vector<unsigned int>         first_batch,
+                         const MPI_Comm                    comm)
+    : part(std::move(the_part))
+    , nodes(*part)
+    , bodies(std::move(the_bodies))
+    , mass(std::accumulate(nodes.mass.begin(), nodes.mass.end(), 0.))
+    , start(std::move(the_start))
+    , comm_(comm)
+    , rank_(rank_in(comm))
+    , first_batch_(std::move(first_batch))
+    , ghosts_(n_batches() * stride())
+{
+  dealii::IndexSet owned(n_batches() * stride());
+  owned.add_range(first_owned_batch() * stride(), end_of_owned_batches() * stride());
+  for (Vector *vector : {&position, &velocity, &force})
+    vector->reinit(owned, comm_);
+
+  if (part->half)
+    for (unsigned int node = 0; node < n_nodes(); ++node)
+      if (nodes.position[node][2] == 0.)
+        on_middle_plane.push_back(node);
+
+  for (unsigned int slot = 0; slot < n_batches() * n_lanes; ++slot)
+    if (owns(slot))
+      {
+        const bool   empty = slot >= n_copies();
+        const Frame &frame = start[empty ? 0 : slot];
+        for (unsigned int node = 0; node < n_nodes(); ++node)
+          {
+            const dealii::Tensor<1, 3> arm =
+                frame.rotation * dealii::Tensor<1, 3>(nodes.position[node]);
+            const dealii::Tensor<1, 3> v =
+                frame.velocity + dealii::cross_product_3d(frame.angular_velocity, arm);
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                const std::size_t i       = index(slot, node, d);
+                position.local_element(i) = frame.position[d] + arm[d];
+                velocity.local_element(i) = empty ? 0. : v[d];
+              }
+          }
+      }
+}
+
+unsigned int BodyBatches::owner_of_batch(const unsigned int batch) const
+{
+  return static_cast<unsigned int>(
+      std::upper_bound(first_batch_.begin(), first_batch_.end(), batch) - first_batch_.begin() - 1);
+}
+
+void BodyBatches::want(const unsigned int copy, const std::vector<unsigned int> &wanted)
+{
+  if (owns(copy))
+    return;
+  for (const unsigned int node : wanted)
+    {
+      const std::size_t first = batch_of(copy) * stride() + std::size_t(3) * node * n_lanes;
+      ghosts_.add_range(first, first + 3 * n_lanes);
+    }
+}
+
+void BodyBatches::make_ghosts()
+{
+  if (first_batch_.size() == 2) // one rank
+    return;
+  for (Vector *vector : {&position, &velocity, &force})
+    {
+      Vector with_ghosts(vector->locally_owned_elements(), ghosts_, comm_);
+      with_ghosts.copy_locally_owned_data_from(*vector);
+      vector->swap(with_ghosts);
+    }
+}
+
+void BodyBatches::fetch_ghosts(std::vector<BodyBatches> &copies)
+{
+  unsigned int channel = 0;
+  for (BodyBatches &c : copies)
+    if (c.first_batch_.size() > 2)
+      for (const Vector *vector : {&c.position, &c.velocity})
+        vector->update_ghost_values_start(channel++);
+  for (BodyBatches &c : copies)
+    if (c.first_batch_.size() > 2)
+      for (const Vector *vector : {&c.position, &c.velocity})
+        vector->update_ghost_values_finish();
+}
+
+void BodyBatches::send_forces(std::vector<BodyBatches> &copies)
+{
+  unsigned int channel = 0;
+  for (BodyBatches &c : copies)
+    if (c.first_batch_.size() > 2)
+      c.force.compress_start(channel++, dealii::VectorOperation::add);
+  for (BodyBatches &c : copies)
+    if (c.first_batch_.size() > 2)
+      c.force.compress_finish(dealii::VectorOperation::add);
+}
+
+void BodyBatches::serialize(const Archive &archive)
+{
+  for (unsigned int batch = first_owned_batch(); batch < end_of_owned_batches(); ++batch)
+    {
+      const Archive own = archive.of_this_rank() / ("batch " + std::to_string(batch));
+      own.numbers("position", position.begin() + start_of(batch), stride());
+      own.numbers("velocity", velocity.begin() + start_of(batch), stride());
+    }
+  if (archive.reads())
+    force = 0.;
+}
+
+std::size_t BodyBatches::memory_consumption() const
+{
+  return position.memory_consumption() + velocity.memory_consumption() +
+         force.memory_consumption() +
+         nodes.size() * (2 * sizeof(unsigned int) + sizeof(dealii::Point<3>) + sizeof(double)) +
+         nodes.cells.size() * sizeof(nodes.cells[0]);
+}
+} // namespace chaindrive

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/mobility.h>
+
+namespace chaindrive
+{
+Mobility::Mobility(const World &world) : world_(world), turning_(world.n_bodies())
+{
+  for (const World::Rotation &rotation : world.rotations)
+    {
+      const dealii::Tensor<2, 3> &r = world.frames[rotation.body].rotation;
+      dealii::Tensor<2, 3>        diagonal;
+      for (unsigned int d = 0; d < 3; ++d)
+        diagonal[d][d] = 1. / rotation.inertia[d];
+      turning_[rotation.body] = r * diagonal * dealii::transpose(r);
+    }
+  for (const World::Spin &spin : world.spins)
+    turning_[spin.body][2][2] = 1. / spin.inertia;
+  for (const World::Hub &hub : world.hubs)
+    if (!hub.prescribed)
+      turning_[hub.body][2][2] = 1. / hub.inertia;
+}
+
+dealii::Tensor<2, 3> Mobility::of_point(const unsigned int          body,
+                                        const dealii::Tensor<1, 3> &at) const
+{
+  const dealii::Tensor<1, 3> arm = at - world_.frames[body].position;
+  dealii::Tensor<2, 3>       cross; // cross * w = w x arm
+  cross[0][1]                 = arm[2];
+  cross[1][0]                 = -arm[2];
+  cross[1][2]                 = arm[0];
+  cross[2][1]                 = -arm[0];
+  cross[2][0]                 = arm[1];
+  cross[0][2]                 = -arm[1];
+  dealii::Tensor<2, 3> result = cross * turning_[body] * dealii::transpose(cross);
+  for (unsigned int d = 0; d < 3; ++d)
+    result[d][d] += world_.inverse_mass[body];
+  return result;
+}
+} // namespace chaindrive

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/rim.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace chaindrive
+{
+Rim::Rim(const unsigned int                  the_body,
+         const unsigned int                  the_group,
+         std::shared_ptr<const mesh::Sector> the_sector,
+         BodyBatches                        &copies)
+    : body(the_body)
+    , group(the_group)
+    , sector(std::move(the_sector))
+    , border(mesh::SurfaceNodes(*copies.part, copies.nodes, mesh::hub).node)
+    , inertia(0.)
+    , border_inertia(0.)
+{
+  mesh::Nodes       &nodes = copies.nodes;
+  const unsigned int n     = sector->n_sectors;
+  for (const auto &[v, w] : sector->seam)
+    {
+      const unsigned int a = nodes.of_vertex[v], b = nodes.of_vertex[w];
+      nodes.mass[a] = nodes.mass[b] = 0.5 * (nodes.mass[a] + nodes.mass[b]);
+    }
+  for_each_pair(copies, [&copies](unsigned int s, unsigned int a, unsigned int t, unsigned int b) {
+    if (copies.owns(s) && copies.owns(t))
+      for (BodyBatches::Vector *vector : {&copies.position, &copies.velocity})
+        for (unsigned int d = 0; d < 3; ++d)
+          vector->local_element(copies.index(t, b, d)) =
+              vector->local_element(copies.index(s, a, d));
+    else if (copies.owns(s))
+      copies.want(t, {b});
+    else if (copies.owns(t))
+      copies.want(s, {a});
+  });
+  // rollers of any rank may meet any tooth
+  const mesh::SurfaceNodes flanks(*copies.part, nodes, mesh::tooth_flanks);
+  for (unsigned int s = 0; s < n; ++s)
+    copies.want(s, flanks.node);
+
+  for (unsigned int node = 0; node < nodes.size(); ++node)
+    {
+      const dealii::Point<3> &x = nodes.position[node];
+      (std::binary_search(border.begin(), border.end(), node) ? border_inertia : inertia) +=
+          n * nodes.mass[node] * (x[0] * x[0] + x[1] * x[1]);
+    }
+  for (unsigned int s = 0; s < n; ++s)
+    for (const unsigned int node : copies.owns(s) ? border : std::vector<unsigned int>())
+      for (unsigned int d = 0; d < 3; ++d)
+        copies.velocity.local_element(copies.index(s, node, d)) = 0.;
+}
+
+template <typename Visit>
+void Rim::for_each_pair(const BodyBatches &copies, const Visit &visit) const
+{
+  for (const auto &[v, w] : sector->seam)
+    for (unsigned int s = 0; s < sector->n_sectors; ++s)
+      visit(s, copies.nodes.of_vertex[v], (s + 1) % sector->n_sectors, copies.nodes.of_vertex[w]);
+}
+
+void Rim::find_seam(const BodyBatches &copies)
+{
+  for_each_pair(copies, [&](unsigned int s, unsigned int a, unsigned int t, unsigned int b) {
+    if (copies.owns(s) && copies.owns(t))
+      seam_.emplace_back(copies.index(s, a, 0), copies.index(t, b, 0));
+    else if (copies.owns(s))
+      seam_with_others_.emplace_back(copies.index(s, a, 0), copies.index(t, b, 0));
+    else if (copies.owns(t))
+      seam_with_others_.emplace_back(copies.index(t, b, 0), copies.index(s, a, 0));
+  });
+}
+
+void Rim::even_out_forces(BodyBatches &copies) const
+{
+  double *force = copies.force.begin();
+  for (const auto &[own, ghost] : seam_with_others_)
+    for (unsigned int d = 0; d < 3; ++d)
+      force[ghost + d * n_lanes] = force[own + d * n_lanes] *= 0.5;
+  for (const auto &[i, j] : seam_)
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        const double mean      = 0.5 * (force[i + d * n_lanes] + force[j + d * n_lanes]);
+        force[i + d * n_lanes] = force[j + d * n_lanes] = mean;
+      }
+}
+
+void Rim::hold(BodyBatches &copies, const Frame &frame) const
+{
+  for (unsigned int s = 0; s < sector->n_sectors; ++s)
+    {
+      if (!copies.owns(s))
+        continue;
+      const Frame here = sector->frame(frame, s);
+      for (const unsigned int node : border)
+        {
+          const dealii::Tensor<1, 3> x =
+              here.position + here.rotation * dealii::Tensor<1, 3>(copies.nodes.position[node]);
+          const std::size_t first = copies.index(s, node, 0);
+          for (unsigned int d = 0; d < 3; ++d)
+            copies.position.local_element(first + d * n_lanes) = x[d];
+        }
+    }
+}
+} // namespace chaindrive
