@@ -11,6 +11,7 @@
 #include <boost/program_options.hpp>
 
 #include <cstdlib>
+#include <iomanip>
 #include <sstream>
 
 namespace chaindrive
@@ -19,7 +20,41 @@ namespace
 {
 namespace options = boost::program_options;
 
-options::options_description visible_options(CommandLine &c)
+/// The commands, as the user names them.
+struct CommandName
+{
+  Command     command;
+  const char *name;
+  bool        takes_file; ///< and needs one
+  const char *meaning;
+};
+
+constexpr CommandName commands[] = {
+    {Command::run, "run", true, "simulate the drive of FILE.prm; the word may be left out"},
+    {Command::plan,
+     "plan",
+     true,
+     "say what would be computed and what it costs, and write nothing"},
+    {Command::template_file, "template", false, "print a commented file to begin with"},
+    {Command::document, "document", false, "print the reference of all entries (Markdown)"},
+};
+
+const CommandName *find_command(const std::string &name)
+{
+  for (const CommandName &command : commands)
+    if (name == command.name)
+      return &command;
+  return nullptr;
+}
+
+/// Options that stand for a command.
+struct Switches
+{
+  bool plan = false, write_parameters = false, write_documentation = false, version = false,
+       help = false;
+};
+
+options::options_description visible_options(CommandLine &c, Switches &switches)
 {
   options::options_description visible(/*line_length=*/100);
   const auto                   add = [&](const char *name, bool &flag, const char *meaning) {
@@ -34,14 +69,10 @@ options::options_description visible_options(CommandLine &c)
   visible.add_options()("resume",
                         options::value(&c.resume)->value_name("auto|CHECKPOINT"),
                         "go on from the newest checkpoint in the directory, or from this one");
-  add("plan", c.plan, "print what would be computed and what it costs, and stop");
+  add("plan", switches.plan, "the same as the command plan");
   add("quiet", c.quiet, "print warnings and errors only");
-  add("write-parameters", c.write_parameters, "print a commented template of FILE.prm");
-  add("write-documentation",
-      c.write_documentation,
-      "print the reference of all entries (Markdown)");
-  add("version", c.version, "print versions, SIMD and MPI facts");
-  add("help", c.help, "print this text");
+  add("version", switches.version, "print versions, SIMD and MPI facts");
+  add("help", switches.help, "print this text");
   return visible;
 }
 
@@ -104,17 +135,76 @@ std::string kernels_text()
 }
 } // namespace
 
+namespace
+{
+/// Takes the command from the front of @p words, if there is one, else from the options.
+Command take_command(std::vector<std::string> &words, const Switches &switches)
+{
+  if (switches.help)
+    return Command::help;
+  if (switches.version)
+    return Command::version;
+  if (switches.write_parameters)
+    return Command::template_file;
+  if (switches.write_documentation)
+    return Command::document;
+  Command command = Command::run;
+  if (const CommandName *named = words.empty() ? nullptr : find_command(words.front()))
+    {
+      command = named->command;
+      words.erase(words.begin());
+    }
+  return switches.plan && command == Command::run ? Command::plan : command;
+}
+
+/// Refuses more files than @p command takes, or fewer than it needs; returns the file.
+std::string file_of(const Command command, const std::vector<std::string> &words)
+{
+  for (const CommandName &named : commands)
+    {
+      if (named.command != command)
+        continue;
+      if (!named.takes_file && !words.empty())
+        throw InputError(std::string("The command ") + named.name +
+                         " takes no file, but there is '" + words.front() + "'.");
+      if (named.takes_file && words.empty())
+        throw InputError("Which drive? Name a parameter file: chaindrive " +
+                         (command == Command::run ? std::string() : named.name + std::string(" ")) +
+                         "FILE.prm. chaindrive --help says more.");
+    }
+  if (words.size() > 1)
+    {
+      std::vector<std::string> names;
+      for (const CommandName &named : commands)
+        names.emplace_back(named.name);
+      const std::string nearest = nearest_name(words.front(), names);
+      throw InputError("One run takes one parameter file, but there are '" + words[0] + "' and '" +
+                       words[1] + "'. " +
+                       (nearest.empty() ? "An override needs --set before it, and quotes if it "
+                                          "contains blanks." :
+                                          "Did you mean the command " + nearest + "?"));
+    }
+  return words.empty() ? "" : words.front();
+}
+} // namespace
+
 CommandLine parse_command_line(const int argc, const char *const *const argv)
 {
   CommandLine                  c;
-  std::vector<std::string>     files;
-  options::options_description visible = visible_options(c), all;
+  Switches                     switches;
+  std::vector<std::string>     words;
+  options::options_description visible = visible_options(c, switches), all;
   all.add(visible);
-  bool short_help = false;
-  all.add_options()("file", options::value(&files));
-  all.add_options()(",h", options::bool_switch(&short_help));
+  bool       short_help = false;
+  const auto add_hidden = [&all](const char *name, bool &flag) {
+    all.add_options()(name, options::bool_switch(&flag));
+  };
+  add_hidden(",h", short_help);
+  add_hidden("write-parameters", switches.write_parameters); // as the commands were called once
+  add_hidden("write-documentation", switches.write_documentation);
+  all.add_options()("word", options::value(&words));
   options::positional_options_description positional;
-  positional.add("file", -1);
+  positional.add("word", -1);
 
   namespace style = options::command_line_style;
   try
@@ -154,28 +244,25 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
       throw InputError("The options are not understood. chaindrive --help lists them.");
     }
 
-  c.help = c.help || short_help;
-  if (files.size() > 1)
-    throw InputError("One run takes one parameter file, but there are '" + files[0] + "' and '" +
-                     files[1] +
-                     "'. An override needs --set before it, and quotes if it contains "
-                     "blanks.");
-  if (!files.empty())
-    c.parameter_file = files.front();
-  else if (!(c.help || c.version || c.write_parameters || c.write_documentation))
-    throw InputError(
-        "Which drive? Name a parameter file: chaindrive FILE.prm. chaindrive --help says "
-        "more.");
+  switches.help    = switches.help || short_help;
+  c.command        = take_command(words, switches);
+  c.parameter_file = file_of(c.command, words);
   return c;
 }
 
 std::string help_text()
 {
   CommandLine        defaults;
+  Switches           switches;
   std::ostringstream out;
-  out << "usage: chaindrive FILE.prm [OPTION]...\n\n"
-         "Simulates the roller chain drive that FILE.prm describes.\n\n"
-      << visible_options(defaults)
+  out << "usage: chaindrive [COMMAND] FILE.prm [OPTION]...\n\n"
+         "Simulates the roller chain drive that FILE.prm describes.\n\nCommands:\n";
+  for (const CommandName &command : commands)
+    out << "  " << std::left << std::setw(13)
+        << command.name + std::string(command.takes_file ? " FILE.prm" : "") << "  "
+        << command.meaning << '\n';
+  out << "\nOptions:\n"
+      << visible_options(defaults, switches)
       << "\nExample: chaindrive prm/paper/simple.prm --set \"Contact/Friction coefficient=0.2\"\n";
   return out.str();
 }

@@ -27,19 +27,27 @@ using namespace chaindrive;
 int run(const int argc, char **argv, const bool is_first_rank)
 {
   const CommandLine command_line = parse_command_line(argc, argv);
-  if (!(command_line.help || command_line.version || command_line.write_parameters ||
-        command_line.write_documentation))
-    return simulate(command_line, MPI_COMM_WORLD) ? 0 : 4;
-  if (!is_first_rank)
-    return 0;
-  if (command_line.help)
-    std::cout << help_text();
-  else if (command_line.version)
-    std::cout << version_text();
-  else if (command_line.write_parameters)
-    parameters::write_template(std::cout);
-  else
-    std::cout << parameters::parameter_documentation();
+  switch (command_line.command)
+    {
+    case Command::run:
+    case Command::plan:
+      return simulate(command_line, MPI_COMM_WORLD) ? 0 : 4;
+    case Command::template_file:
+      if (is_first_rank)
+        parameters::write_template(std::cout);
+      break;
+    case Command::document:
+      if (is_first_rank)
+        std::cout << parameters::parameter_documentation();
+      break;
+    case Command::version:
+      if (is_first_rank)
+        std::cout << version_text();
+      break;
+    case Command::help:
+      if (is_first_rank)
+        std::cout << help_text();
+    }
   return 0;
 }
 

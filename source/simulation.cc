@@ -115,7 +115,7 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   const std::string resume =
       command_line.resume.empty() ? parameters.output.resume : command_line.resume;
   on_first_rank(at_work, [&] {
-    if (!command_line.plan)
+    if (command_line.command != Command::plan)
       warn(log, directory.claim());
   });
   const auto checkpoint = output::find_checkpoint(resume, directory.path(), fixed, log);
@@ -138,7 +138,7 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   for (const auto &[kind, part] : scene.parts)
     mesh::print(log, mesh::make_report(*part, parameters.material));
   print_step(log, choice, n_steps);
-  if (command_line.plan)
+  if (command_line.command == Command::plan)
     return true;
 
   output::Recorder recorder(

@@ -6,23 +6,33 @@
 
 namespace chaindrive
 {
+/// What the program is to do. A new one is a row of the table in command_line.cc and a case in
+/// main.cc.
+enum class Command
+{
+  run,           ///< compute the drive of a .prm file
+  plan,          ///< say what would be computed and what it costs
+  template_file, ///< print a .prm file to begin with
+  document,      ///< print doc/parameters.md
+  version,
+  help
+};
+
 /// What the user asked for on the command line.
 struct CommandLine
 {
+  Command                  command = Command::run;
   std::string              parameter_file;
   std::vector<std::string> overrides;        ///< "Section/Entry=value", in the order given
   std::string              output_directory; ///< empty: what the .prm file says
   std::string              resume;           ///< empty: what the .prm file says
-  bool                     plan                = false; ///< print what would be computed, and stop
-  bool                     quiet               = false; ///< warnings and errors only
-  bool                     write_parameters    = false; ///< print a template of a .prm file
-  bool                     write_documentation = false; ///< print doc/parameters.md
-  bool                     version             = false;
-  bool                     help                = false;
+  bool                     quiet = false;    ///< warnings and errors only
 };
 
-/// Reads the arguments of main(). Throws InputError for an unknown option, naming the nearest one,
-/// and when there is no .prm file although the options need one.
+/// Reads the arguments of main(): `chaindrive [COMMAND] [FILE.prm] [OPTION]...`, where the command
+/// may be left out for run. Throws InputError for an unknown command or option, naming the nearest
+/// one, and when there is no .prm file although the command needs one, or one that it does not
+/// take.
 CommandLine parse_command_line(int argc, const char *const *argv);
 
 /// What `--help` prints.

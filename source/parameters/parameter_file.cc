@@ -29,9 +29,8 @@ std::string read_text(const std::string &file)
   std::error_code error;
   const auto      status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status))
-    throw InputError(
-        "There is no parameter file '" + file +
-        "'. Name an existing .prm file, or write one with: chaindrive --write-parameters");
+    throw InputError("There is no parameter file '" + file +
+                     "'. Name an existing .prm file, or write one with: chaindrive template");
   if (std::filesystem::is_directory(status))
     throw InputError("'" + file + "' is a directory, not a parameter file.");
   std::ifstream in(file, std::ios::binary);

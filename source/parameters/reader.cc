@@ -68,9 +68,8 @@ public:
     input_.text                   = read_text(file);
     const std::vector<Line> lines = statements(input_.text);
     if (lines.empty())
-      throw InputError(
-          "The parameter file '" + file +
-          "' contains no entries. To start from a template, use: chaindrive --write-parameters");
+      throw InputError("The parameter file '" + file +
+                       "' contains no entries. To start from a template, use: chaindrive template");
     for (const Line &line : lines)
       {
         line_ = line.number;
@@ -105,7 +104,7 @@ public:
       }
     const std::string nearest = closest(path, paths);
     errors_.push_back(where + "there is no entry '" + path + "'." +
-                      (nearest.empty() ? " chaindrive --write-parameters lists all entries." :
+                      (nearest.empty() ? " chaindrive template lists all entries." :
                                          " Did you mean '" + nearest + "'?"));
   }
 

@@ -102,8 +102,8 @@ std::string parameter_documentation()
 {
   const Catalogue    catalogue = default_catalogue();
   std::ostringstream out;
-  out << "# Parameters\n\nEvery entry of a `.prm` file, written by `chaindrive "
-         "--write-documentation`. Sections are\nnested (`Drive/Chain` is `subsection Chain` "
+  out << "# Parameters\n\nEvery entry of a `.prm` file, written by `chaindrive document`. Sections "
+         "are\nnested (`Drive/Chain` is `subsection Chain` "
          "inside `subsection Drive`), an entry is set with\n`set Name = value`, and `#` begins a "
          "comment. The unit belongs to the entry's name. What is\nleft out keeps its default; "
          "`auto` lets the program find the value, which the log then states.\nOn the command "

@@ -67,7 +67,7 @@ class Inputs:
         random = Random(f"{self.seed} {i}")
         runs = random.random() < 0.2
         file = folder / "input.prm"
-        options = [str(file)] + ([] if runs else ["--plan"])
+        options = ([] if runs else ["plan"]) + [str(file)]
         if runs:
             options += [x for k, v in SHORT.items() for x in ("--set", f"{k}={v}")]
         if random.random() < 0.25:

@@ -13,16 +13,17 @@
 
 using namespace chaindrive;
 
+const char *const names[] = {"run", "plan", "template", "document", "version", "help"};
+
 void parse(std::vector<const char *> arguments)
 {
   arguments.insert(arguments.begin(), "chaindrive");
   try
     {
       const CommandLine c = parse_command_line(arguments.size(), arguments.data());
-      std::cout << "file '" << c.parameter_file << "' output '" << c.output_directory << "' plan "
-                << c.plan << " quiet " << c.quiet << " parameters " << c.write_parameters
-                << " documentation " << c.write_documentation << " version " << c.version
-                << " help " << c.help << std::endl;
+      std::cout << "file '" << c.parameter_file << "' output '" << c.output_directory
+                << "' command " << names[static_cast<int>(c.command)] << " quiet " << c.quiet
+                << std::endl;
       for (const std::string &text : c.overrides)
         std::cout << "  override '" << text << "'" << std::endl;
     }
@@ -42,6 +43,11 @@ int main()
          "--output",
          "there"});
   parse({"a.prm", "--plan", "--quiet"});
+  parse({"run", "a.prm"});
+  parse({"plan", "a.prm", "--set", "Time/End time in ms=5"});
+  parse({"template"});
+  parse({"document"});
+  parse({"./run"}); // a file
   parse({"--write-parameters"});
   parse({"--write-documentation"});
   parse({"--version"});
@@ -49,6 +55,9 @@ int main()
 
   parse({});
   parse({"--plan"});
+  parse({"plan"});
+  parse({"template", "a.prm"});
+  parse({"pln", "a.prm"});
   parse({"a.prm", "b.prm"});
   parse({"a.prm", "--pland"});
   parse({"a.prm", "--outptu", "there"});

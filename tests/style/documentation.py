@@ -15,12 +15,12 @@ def difference(stored, written):
 
 
 def main():
-    result = subprocess.run([sys.argv[1], "--write-documentation"], capture_output=True, text=True, check=True)
+    result = subprocess.run([sys.argv[1], "document"], capture_output=True, text=True, check=True)
     stored = STORED.read_text(encoding="utf-8") if STORED.exists() else ""
     lines = difference(stored, result.stdout)
     print(*lines[:40], sep="\n")
     if lines or not result.stdout:
-        sys.exit("doc/parameters.md is out of date: build/source/chaindrive --write-documentation > doc/parameters.md")
+        sys.exit("doc/parameters.md is out of date: build/source/chaindrive document > doc/parameters.md")
     print("doc/parameters.md is current")
 
 

@@ -11,7 +11,7 @@ def refused(program, paths):
     """Those that it does not plan, with what it says."""
     said = {}
     for path in paths:
-        result = subprocess.run([program, path, "--plan"], cwd=style.ROOT, capture_output=True, text=True)
+        result = subprocess.run([program, "plan", path], cwd=style.ROOT, capture_output=True, text=True)
         if result.returncode:
             said[path] = result.stderr.strip()
     return said
