@@ -6,16 +6,15 @@ For changes of the code that must not change a result. OLD and NEW are programs;
 full drives on one and on two ranks, and every dataset of histories.h5 is compared byte by byte. Takes a minute for each program
 on two cores. Needs h5py (Debian: python3-h5py).
 """
-import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 
 import h5py
 
-os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1")
-REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
+import program
+from program import REPOSITORY
+
 SMALL = {
     "Drive/Number of links": 22,
     "Drive/Driver teeth": 9,
@@ -53,16 +52,11 @@ CASES = {
 }
 
 
-def run(program, case, ranks, directory):
-    """The file of the histories of one run."""
+def run(which, case, ranks, directory):
+    """The file of the histories of one run of the program `which`."""
     name, entries = CASES[case]
     output = directory / f"{case}-{ranks}"
-    words = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
-    words += [program, str(REPOSITORY / f"prm/{name}.prm"), "--quiet", "--output", str(output)]
-    words += [word for entry, value in {**ALWAYS, **entries}.items() for word in ("--set", f"{entry}={value}")]
-    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{program} fails in the case {case} on {ranks} ranks:\n{done.stdout}")
+    program.run(f"prm/{name}.prm", {**ALWAYS, **entries}, "--quiet", "--output", output, program=which, ranks=ranks)
     return output / "histories.h5"
 
 
@@ -89,8 +83,8 @@ def main(arguments):
         for case in chosen:
             for ranks in (1, 2):
                 old, new = (
-                    rows_of(run(program, case, ranks, pathlib.Path(folder) / name))
-                    for program, name in zip(programs, ("old", "new"))
+                    rows_of(run(which, case, ranks, pathlib.Path(folder) / name))
+                    for which, name in zip(programs, ("old", "new"))
                 )
                 unlike = sorted(name for name in old.keys() | new.keys() if old.get(name) != new.get(name))
                 verdict = f"DIFFERENT: {', '.join(unlike)}" if unlike else f"the same {len(old)} histories"

@@ -14,7 +14,7 @@ namespace chaindrive::scene
 {
 namespace
 {
-// CPU time per object and step, s: fitted to tests/benchmarks/speed.py, see doc/performance.md
+// CPU time per object and step, s: fitted to scripts/speed.py, see doc/performance.md
 constexpr double cost_of_lumped  = 15e-9;
 constexpr double cost_of_rigid   = 90e-9;
 constexpr double cost_of_bar     = 15e-9;

@@ -1,26 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """bounds.py PROGRAM REPOSITORY: results at the bounds of what may be asked for: the longest chain, and samples closer than
 steps."""
-import json
 import pathlib
-import subprocess
 import sys
 
-PROGRAM, REPOSITORY = sys.argv[1], pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import program  # noqa: E402
+from program import check  # noqa: E402
+
+PROGRAM = sys.argv[1]
 
 
 def run(directory, **entries):
     entries = {"Time/End time in ms": 0.02, "Output/Window start in ms": 0, "Output/Field interval in ms": 0, **entries}
-    sets = [word for name, value in entries.items() for word in ("--set", f"{name}={value}")]
-    words = [PROGRAM, REPOSITORY / "prm/paper/simple.prm", "--output", directory, *sets]
-    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    check(done.returncode == 0, f"{directory}: status {done.returncode}\n{done.stdout}")
-    return done.stdout
-
-
-def check(condition, message):
-    if not condition:
-        sys.exit(message)
+    return program.run("prm/paper/simple.prm", entries, "--output", directory, program=PROGRAM)
 
 
 def lines(directory, group):
@@ -33,7 +26,7 @@ columns = lines("longest", "links")[0].split(",")
 check(columns[10000] == "tension 9999 [N]", f"the last of {len(columns)} columns is {columns[10000]}")
 
 said = run("close", **{"Output/History interval in us": 1e-9, "Output/CSV": "true"})
-steps = json.loads(pathlib.Path("close/summary.json").read_text())["steps"]
+steps = program.summary("close")["steps"]
 check(f"every step is a sample, {steps + 1} in all" in said, f"it does not say how many samples there are\n{said}")
 check(len(lines("close", "hubs")) == steps + 2, f"{len(lines('close', 'hubs')) - 1} samples in {steps} steps")
 file, text = (sum(f.stat().st_size for f in pathlib.Path("close").glob(name)) for name in ("histories.h5", "*.csv"))

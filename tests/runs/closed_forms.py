@@ -10,15 +10,14 @@ They run as simple models that start warm, at full speed and under load, and wit
 five pitches. A small driven inertia, where one is given below, swings fast enough on the tight span to average out. Speeds must be
 right to 0.3 %, tensions to the percentage below. With its own model and start each file runs its first 2 ms.
 """
-import json
 import math
-import os
 import pathlib
 import re
-import subprocess
 import sys
 
-os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import program  # noqa: E402
+
 PROGRAM, TUTORIALS = sys.argv[1], pathlib.Path(sys.argv[2]) / "prm/tutorial"
 PITCH = {"06B": 9.525e-3, "08B": 12.7e-3, "12A": 19.05e-3, "525": 15.875e-3}  # ISO 606; motorcycle
 
@@ -34,16 +33,9 @@ FORMS = ("iso mid", "iso max", "ansi")  # the tutorials have iso min
 
 
 def run(name, entries):
-    sets = [word for entry, value in entries.items() for word in ("--set", f"{entry}={value}")]
-    done = subprocess.run(
-        [PROGRAM, str(TUTORIALS / f"{name}.prm"), "--quiet", "--output", "results", "--set", "Output/Field interval in ms=0", *sets],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-    )
-    if done.returncode != 0:
-        sys.exit(f"{name}: status {done.returncode}\n{done.stdout}")
-    return json.loads(pathlib.Path("results/summary.json").read_text())
+    entries = {"Output/Field interval in ms": 0, **entries}
+    program.run(TUTORIALS / f"{name}.prm", entries, "--quiet", "--output", "results", program=PROGRAM)
+    return program.summary("results")
 
 
 def compare(name, form):

@@ -12,16 +12,17 @@ from a checkpoint gives the same CSV files, bit by bit.
   refuse     bad input on two ranks: one sentence and its status
 """
 import csv
-import json
 import math
 import os
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 
-os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1")
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import program  # noqa: E402
+from program import check  # noqa: E402
+
 CASE, PROGRAM, REPOSITORY = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
 
 RIGID = {
@@ -64,18 +65,9 @@ CASES = {
 }
 
 
-def check(condition, message):
-    if not condition:
-        sys.exit(message)
-
-
 def run(directory, entries, ranks, options=(), status=0):
-    launcher = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
-    sets = [word for name, value in entries.items() for word in ("--set", f"{name}={value}")]
-    words = [*launcher, PROGRAM, str(REPOSITORY / "prm/verification/hard.prm"), "--quiet", "--output", directory]
-    done = subprocess.run([*words, *sets, *options], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    check(done.returncode == status, f"{directory}: status {done.returncode} instead of {status}\n{done.stdout}")
-    return done.stdout
+    words = ("--quiet", "--output", directory, *options)
+    return program.run("prm/verification/hard.prm", entries, *words, program=PROGRAM, ranks=ranks, status=status)
 
 
 def files(directory):
@@ -124,7 +116,7 @@ def elastic(entries):
         largest = max(max(values) for (g, _), (u, values) in one.items() if (g, u) == (group, unit))
         check(largest > least, f"nothing has happened: {largest} {unit} is the most in {group}")
     if "Contact/Plate faces" in entries:
-        deepest = json.loads(pathlib.Path("ranks1/summary.json").read_text())["overlap_max"]["plate faces"]
+        deepest = program.summary("ranks1")["overlap_max"]["plate faces"]
         check(deepest > 1e-7, f"plates do not touch: {deepest} m")
     for ranks in (2, 4):
         same_to_round_off(one, columns(f"ranks{ranks}"), f"{ranks} ranks")

@@ -12,7 +12,6 @@ results with those of a run that nobody disturbed: histories, pictures, lists an
   kill [N] [RANKS]  kill -9 at N random moments, 4 by default
 """
 import contextlib
-import json
 import os
 import pathlib
 import random
@@ -23,7 +22,10 @@ import subprocess
 import sys
 import time
 
-os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1")
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import program  # noqa: E402
+from program import check  # noqa: E402
+
 PROGRAM, REPOSITORY = sys.argv[2], pathlib.Path(sys.argv[3])
 
 DRIVE = {
@@ -64,29 +66,19 @@ def drive(fidelity, **more):
 
 
 def command(directory, entries, options=(), ranks=1):
-    launcher = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
-    sets = [word for name, value in entries.items() for word in ("--set", f"{name}={value}")]
-    file = REPOSITORY / "prm/paper/layered-auto.prm"
-    return [*launcher, PROGRAM, str(file), *sets, "--output", directory, *options]
+    words = ("--output", directory, *options)
+    return program.command("prm/paper/layered-auto.prm", entries, *words, program=PROGRAM, ranks=ranks)
 
 
 def run(directory, entries, options=(), ranks=1, status=0):
     """Runs to the end, checks the exit status and returns what was said."""
-    done = subprocess.run(
-        command(directory, entries, options, ranks), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
-    )
-    check(done.returncode == status, f"{directory}: status {done.returncode} instead of {status}\n{done.stdout}")
-    return done.stdout
-
-
-def check(condition, message):
-    if not condition:
-        sys.exit(message)
+    words = ("--output", directory, *options)
+    return program.run("prm/paper/layered-auto.prm", entries, *words, program=PROGRAM, ranks=ranks, status=status)
 
 
 def numbers(directory):
     """The summary without what belongs to the machine."""
-    summary = json.loads((pathlib.Path(directory) / "summary.json").read_text())
+    summary = program.summary(directory)
     return {name: value for name, value in summary.items() if name not in ("wall_seconds", "cpu_seconds", "ranks")}
 
 

@@ -3,12 +3,12 @@
 """sound.py PROGRAM REPOSITORY: drives that are sound must run to their end, however slow they are, and
 with any step that is accepted: as large a share of the stable step as stated, or auto."""
 
-import json
-import os
 import re
-import subprocess
 import sys
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+from program import command, start, summary  # noqa: E402
 
 HARD, SLOW, LOW = "prm/verification/hard.prm", "prm/verification/slow.prm", "prm/tutorial/12a-11-23-low-speed.prm"
 LAYERED = {"Model/Fidelity": "layered"}
@@ -36,7 +36,7 @@ CASES = [
 ]  # fmt: skip
 
 
-def run(program, repository, directory, case):
+def run(program, directory, case):
     name, file, changes, end, share = case
     changes = {
         "Output/Directory": directory,
@@ -48,26 +48,24 @@ def run(program, repository, directory, case):
         "Time/Step in us": "auto",
         **changes,
     }
-    command = [program, str(repository / file)] + [x for k, v in changes.items() for x in ("--set", f"{k}={v}")]
-    environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     if share:
-        plan = subprocess.run([*command, "--plan"], capture_output=True, text=True, env=environment)
+        plan = start(command(file, changes, "--plan", program=program))
         limit = float(re.search(r"all coupled ([\d.e+-]+)", plan.stdout)[1])
-        command += ["--set", f"Time/Step in us={0.9995 * share * limit:.6g}"]  # the plan rounds
-    result = subprocess.run([*command, "--quiet"], capture_output=True, text=True, env=environment)
+        changes["Time/Step in us"] = f"{0.9995 * share * limit:.6g}"  # the plan rounds
+    result = start(command(file, changes, "--quiet", program=program))
     if result.returncode:
         return f"status {result.returncode}: {' '.join(result.stderr.split())[:300]}"
-    summary = json.loads(Path(directory, "summary.json").read_text())
-    if not 0 <= summary["energy_imbalance_max"] < 0.02 or not summary.get("energy_turned_over", 0) > 0:
-        return f"imbalance {summary['energy_imbalance_max']} of {summary.get('energy_turned_over')} J"
+    found = summary(directory)
+    if not 0 <= found["energy_imbalance_max"] < 0.02 or not found.get("energy_turned_over", 0) > 0:
+        return f"imbalance {found['energy_imbalance_max']} of {found.get('energy_turned_over')} J"
     return ""
 
 
 def main():
-    program, repository = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2])
+    program = Path(sys.argv[1]).resolve()
     failed = 0
     for number, case in enumerate(CASES):
-        wrong = run(program, repository, f"sound-{number}", case)
+        wrong = run(program, f"sound-{number}", case)
         print(f"{case[0]}: {wrong or 'runs'}", flush=True)
         failed += bool(wrong)
     sys.exit(bool(failed))

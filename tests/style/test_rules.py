@@ -11,7 +11,7 @@ import rules
 import style
 import tidy
 
-ROOMS = {"source/rooms.txt": "# a list\nutilities\ndrive\nelement contact\nworld\nreport\n"}
+ROOMS = {"source/rooms.txt": "# a list\nutilities\ndrive\nelement contact\nbodies\nreport\n"}
 
 
 def header(*names):
@@ -41,7 +41,7 @@ class Layering(unittest.TestCase):
         )
         self.assertEqual(self.violations(contact__a=header("deal.II/base/mpi.h")), [])
 
-    def test_report_never_sees_the_world(self):
+    def test_report_never_sees_the_bodies(self):
         self.assertEqual(len(self.violations(report__a=header("chaindrive/bodies/b.h"))), 1)
 
 

@@ -5,7 +5,7 @@
     render.py [options] FILE... -o PICTURE.png
 
 Debian packages: python3-vtk9, for --colors python3-pil, and xvfb where no display is at hand:
-    xvfb-run -a /usr/bin/python3 doc/pictures/render.py ...
+    xvfb-run -a /usr/bin/python3 scripts/render.py ...
 
 Stress in the full model at the driver, seen through the chain's middle plane:
     render.py results/full/bodies.pvd --color von_mises --divide 1e6 --title "von Mises (MPa)" \\

@@ -10,16 +10,15 @@ refused before it runs.
 
 import argparse
 import csv
-import json
 import math
-import os
 import re
-import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import program
 from hard_cases import CASES, SMALL, SOON
+from program import start
 
 HERE = Path(__file__).resolve().parent
 MODELS = {"s": "simple", "l": "layered", "f": "full"}
@@ -31,18 +30,13 @@ TURNS = 5e-4  # rad, least angle of the driven sprocket: a drive in which nothin
 ALLOWED = {"steps": 1.05, "overlap_um": 2.0, "drive_work": 1.2, "driven_angle": 1.1}
 
 
-def arguments(case, model, directory, quick):
-    """What the program is started with: FILE.prm and options."""
+def entries(case, model, directory, quick):
+    """What is changed in hard.prm."""
     changes = {"Model/Fidelity": MODELS[model], "Output/Directory": directory}
     changes |= (SMALL if model == "f" else {}) | case.changes | case.of_model.get(model, {})
     if quick and changes.get("Time/End time in ms", 10) > SOON["Time/End time in ms"]:
         changes |= SOON
-    return [str(HERE / "hard.prm")] + [x for k, v in changes.items() for x in ("--set", f"{k}={v}")]
-
-
-def start(command):
-    environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-    return subprocess.run(command, capture_output=True, text=True, errors="replace", env=environment)
+    return changes
 
 
 def not_finite(summary, name=""):
@@ -86,10 +80,10 @@ def complaints(case, summary, found, expected):
     return said
 
 
-def run(program, case, model, folder, expected, quick):
+def run(which, case, model, folder, expected, quick):
     """(figures or None, what is wrong, remark) of one case and model."""
     directory = str(folder / f"{case.name} {MODELS[model]}".replace(" ", "_").replace("%", "percent"))
-    command = [program, *arguments(case, model, directory, quick)]
+    command = program.command("prm/verification/hard.prm", entries(case, model, directory, quick), program=which)
     plan = start([*command, "--plan"])
     if case.refusal or plan.returncode:
         said = " ".join(plan.stderr.removeprefix("chaindrive: ").split())
@@ -100,7 +94,7 @@ def run(program, case, model, folder, expected, quick):
     result = start([*command, "--quiet", "--set", f"Time/Step in us={step:.6g}"])
     if result.returncode:
         return None, [f"status {result.returncode}: {' '.join(result.stderr.split())}"], ""
-    summary = json.loads(Path(directory, "summary.json").read_text())
+    summary = program.summary(directory)
     found = figures(summary)
     wrong = complaints(case, summary, found, expected)
     if not quick and found["driven_angle"] < TURNS:  # the first milliseconds may be too short for it
@@ -144,7 +138,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME", help="only cases whose names contain one of these")
     parser.add_argument("--models", default="slf", help="s: simple, l: layered, f: full; default: slf")
-    parser.add_argument("--program", type=Path, default=HERE.parents[1] / "build/source/chaindrive")
+    parser.add_argument("--program", type=Path, default=program.PROGRAM)
     parser.add_argument("--results", type=Path, default=Path("results/hard"))
     parser.add_argument("--jobs", type=int, default=1, help="cases at a time")
     parser.add_argument(

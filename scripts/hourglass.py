@@ -6,14 +6,10 @@ of element; prints the table in doc/validation.md. With enhanced elements these 
     hourglass.py      about two minutes
 """
 
-import json
-import sys
 import tempfile
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "prm/verification"))
-import hard  # noqa: E402
+import program
+from hard_cases import SMALL
 
 EVERYWHERE_4 = {
     "Mesh/Roller/Cells through wall": 4,
@@ -40,10 +36,8 @@ SHORT = {"Model/Fidelity": "full", "Time/End time in ms": 0.3, "Output/Window st
 def share(changes):
     """Energy of hourglass modes over that of all strain at the end of a run."""
     with tempfile.TemporaryDirectory() as folder:
-        options = [x for k, v in {**hard.SMALL, **SHORT, **changes}.items() for x in ("--set", f"{k}={v}")]
-        file = ROOT / "prm/verification/hard.prm"
-        hard.start([ROOT / "build/source/chaindrive", file, "--quiet", "--output", folder, *options]).check_returncode()
-        energy = json.loads((Path(folder) / "summary.json").read_text())["energy"]
+        program.run("prm/verification/hard.prm", {**SMALL, **SHORT, **changes}, "--quiet", "--output", folder)
+        energy = program.summary(folder)["energy"]
     return energy["hourglass"] / (energy["hourglass"] + energy["strain"])
 
 

@@ -4,18 +4,16 @@
 default steps without fields, and how the time grows with the number of links. Prints a table with
 the median of several runs.
 
-usage: tests/benchmarks/speed.py [RUNS] [PROGRAM]
+usage: scripts/speed.py [RUNS] [PROGRAM]
 """
-import json
-import os
 import statistics
-import subprocess
 import sys
 import tempfile
 
-root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+import program
+
 runs = int(sys.argv[1]) if len(sys.argv) > 1 else 3
-program = sys.argv[2] if len(sys.argv) > 2 else os.path.join(root, "build/source/chaindrive")
+which = sys.argv[2] if len(sys.argv) > 2 else program.PROGRAM
 
 
 def measure(model, overrides):
@@ -23,13 +21,9 @@ def measure(model, overrides):
     loops, totals = [], []
     for _ in range(runs):
         with tempfile.TemporaryDirectory() as folder:
-            command = [program, f"{root}/prm/paper/{model}.prm", "--quiet", "--output", folder,
-                       "--set", "Output/Field interval in ms=0"]
-            for entry in overrides:
-                command += ["--set", entry]
-            subprocess.run(command, check=True)
-            with open(folder + "/summary.json", encoding="utf-8") as file:
-                summary = json.load(file)
+            entries = {"Output/Field interval in ms": 0, **overrides}
+            program.run(f"prm/paper/{model}.prm", entries, "--quiet", "--output", folder, program=which)
+            summary = program.summary(folder)
         seconds = summary["cpu_seconds"]
         totals.append(seconds["total"])
         loops.append(sum(seconds.get(phase, 0.) for phase in
@@ -41,8 +35,8 @@ print(f"{'model':<10}{'links':>6}{'steps':>9}{'forces and motion (s)':>23}{'per 
       f"{'whole run (s)':>15}")
 for model in ("simple", "layered"):
     for links in (55 if model == "simple" else 56, 110, 220):  # layered: even
-        overrides = [] if links == 110 else [f"Drive/Number of links={links}",
-                                             "Drive/Layout/Centre distance from=slack"]
+        overrides = {} if links == 110 else {"Drive/Number of links": links,
+                                             "Drive/Layout/Centre distance from": "slack"}
         loop, total, steps = measure(model, overrides)
         print(f"{model:<10}{links:>6}{steps:>9}{loop:>23.2f}{loop / links / steps * 1e9:>24.1f}"
               f"{total:>15.2f}")

@@ -3,7 +3,7 @@
 """Draws the figures of the paper, simple model beside full model, and prints what it says about
 them as numbers:
 
-    doc/validation/figures.py [--simple DIR...] [--full DIR...] [--output DIR]
+    scripts/figures.py [--simple DIR...] [--full DIR...] [--output DIR]
 
 The first runs are drawn; the numbers are means over all of them, for start phases for instance.
 velocities.png: its Fig. 5 and 7, link_forces.png: 8 and 9, contact_forces.png: 13 and 12. Debian
@@ -19,6 +19,7 @@ import numpy as np
 from PIL import Image
 
 import criteria
+import program
 from history import History
 
 COLORS = ["#1b4f8f", "#c7522a", "#3c8d5a", "#8a5aa8", "#b8962e"]
@@ -103,7 +104,7 @@ def contact_forces(simple, full, folder):
 
 
 def main():
-    root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    root = program.REPOSITORY
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--simple", nargs="+", default=[os.path.join(root, "results/simple")])
     parser.add_argument("--full", nargs="+", default=[os.path.join(root, "results/full")])

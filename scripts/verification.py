@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs the verification cases and prints them as a table in Markdown:
 
-    doc/validation/verification.py [--build build] > doc/validation/verification.md
+    scripts/verification.py [--build build] > doc/validation/verification.md
 
 A case is a test of tests/, whose program prints what it obtained over what theory expects. Here
 its figures are read again, compared with the tolerance stated for the case, and priced. ./check
@@ -254,7 +254,7 @@ def main():
                          f"`{test}`" if i == 0 else "", figure.what, *row(figure, text),
                          f"{cost:.1f}" if first and i == 0 else ""])
 
-    print("# Verification\n\nWritten by `doc/validation/verification.py`: closed forms beside what "
+    print("# Verification\n\nWritten by `scripts/verification.py`: closed forms beside what "
           "the program gives, from the programs of\n`tests/`. CPU time is that of the whole test "
           "on one core.\n")
     print("| id | case | test | figure | expected | obtained | error | tolerance | met | CPU (s) |\n"

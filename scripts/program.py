@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How scripts start chaindrive and what they read of its results."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
+PROGRAM = REPOSITORY / "build/source/chaindrive"
+
+# in a container all are root, and tests have more ranks than there are cores
+ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+os.environ.update(ENVIRONMENT)
+
+
+def command(file, entries=(), *options, program=PROGRAM, ranks=1):
+    """The words that start a run of `file`, a path in the repository or any other: `entries` are {"Section/Entry": value}."""
+    launcher = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
+    sets = [word for name, value in dict(entries).items() for word in ("--set", f"{name}={value}")]
+    return [*launcher, str(program), str(REPOSITORY / file), *sets, *map(str, options)]
+
+
+def start(words):
+    """Runs `words` to their end; returns status, stdout and stderr."""
+    return subprocess.run(words, capture_output=True, text=True, errors="replace")
+
+
+def run(file, entries=(), *options, program=PROGRAM, ranks=1, status=0):
+    """Runs to the end and returns what was said; any other exit status than `status` ends the script."""
+    words = command(file, entries, *options, program=program, ranks=ranks)
+    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+    check(done.returncode == status, f"status {done.returncode} instead of {status}: {' '.join(words)}\n{done.stdout}")
+    return done.stdout
+
+
+def summary(directory):
+    """summary.json of the run in `directory`."""
+    return json.loads((pathlib.Path(directory) / "summary.json").read_text())
+
+
+def check(condition, message):
+    """Ends the script with `message` unless `condition` holds."""
+    if not condition:
+        sys.exit(message)
