@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/command_line.h>
-#include <chaindrive/output/console.h>
+#include <chaindrive/files/console.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/simulation.h>
 #include <chaindrive/utilities/errors.h>
@@ -87,7 +87,7 @@ int end_together(const End &end, const bool is_first_rank, const MPI_Comm comm)
 {
   using namespace std::chrono_literals;
   const auto say = [&end] {
-    output::Console err(STDERR_FILENO);
+    files::Console err(STDERR_FILENO);
     err.give_up_after(2s); // a reader who reads no more must not keep the program
     err << "chaindrive: " << end.message << std::endl;
   };

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/dynamics/time_loop.h>
+#include <chaindrive/files/console.h>
+#include <chaindrive/files/directory.h>
+#include <chaindrive/files/file.h>
 #include <chaindrive/mesh/import/import.h>
 #include <chaindrive/mesh/report.h>
-#include <chaindrive/output/checkpoints.h>
-#include <chaindrive/output/console.h>
-#include <chaindrive/output/directory.h>
-#include <chaindrive/output/file.h>
-#include <chaindrive/output/recorder.h>
+#include <chaindrive/observe/checkpoints.h>
+#include <chaindrive/observe/recorder.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/plan.h>
@@ -63,12 +63,12 @@ std::string with_contents(const std::string              &fixed,
   for (const std::string &name : {sprockets.driver_mesh, sprockets.driven_mesh})
     if (!name.empty())
       text += "the checksum of the mesh '" + name +
-              "' = " + checksum(output::read_text(mesh::find_file(name, folders))) + "\n";
+              "' = " + checksum(files::read_text(mesh::find_file(name, folders))) + "\n";
   return text;
 }
 
 /// Whether a signal came to any rank of @p comm while the run was prepared; says so. Collective.
-bool stopped_before_first_step(output::Log &log, const MPI_Comm comm)
+bool stopped_before_first_step(files::Log &log, const MPI_Comm comm)
 {
   const int number = dealii::Utilities::MPI::max(stop_signal(), comm);
   if (number != 0)
@@ -77,7 +77,7 @@ bool stopped_before_first_step(output::Log &log, const MPI_Comm comm)
   return number != 0;
 }
 
-void warn(output::Log &log, const std::string &sentence)
+void warn(files::Log &log, const std::string &sentence)
 {
   if (!sentence.empty())
     log.warn(sentence);
@@ -86,10 +86,10 @@ void warn(output::Log &log, const std::string &sentence)
 
 bool simulate(const CommandLine &command_line, const MPI_Comm comm)
 {
-  const bool      is_first_rank = rank_in(comm) == 0;
-  output::Console out(STDOUT_FILENO), err(STDERR_FILENO);
-  output::Log     log(command_line.quiet || !is_first_rank ? nullptr : &out,
-                  is_first_rank ? &err : nullptr);
+  const bool     is_first_rank = rank_in(comm) == 0;
+  files::Console out(STDOUT_FILENO), err(STDERR_FILENO);
+  files::Log     log(command_line.quiet || !is_first_rank ? nullptr : &out,
+                 is_first_rank ? &err : nullptr);
 
   const parameters::Input input =
       parameters::read_parameters(command_line.parameter_file, command_line.overrides);
@@ -111,14 +111,14 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   if (stopped_before_first_step(log, at_work))
     return false;
 
-  output::Directory directory(output_directory(command_line, parameters));
+  files::Directory  directory(output_directory(command_line, parameters));
   const std::string resume =
       command_line.resume.empty() ? parameters.output.resume : command_line.resume;
   on_first_rank(at_work, [&] {
     if (command_line.command != Command::plan)
       warn(log, directory.claim());
   });
-  const auto checkpoint = output::find_checkpoint(resume, directory.path(), fixed, log);
+  const auto checkpoint = observe::find_checkpoint(resume, directory.path(), fixed, log);
   const bool resumes    = checkpoint != nullptr;
   if (resumes)
     choice.step = checkpoint->header().dt; // the same to the last bit on any machine
@@ -141,11 +141,11 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   if (command_line.command == Command::plan)
     return true;
 
-  output::Recorder recorder(
+  observe::Recorder recorder(
       scene, parameters, system, n_steps, directory.path(), input.resolved, system.timer, log);
   dynamics::Guard guard(
       scene, system, parameters.time.energy_limit, choice.limit, parameters.time.guard);
-  output::Checkpoints checkpoints(
+  observe::Checkpoints checkpoints(
       parameters, directory.path(), fixed, n_steps, choice.step, recorder, guard, log);
   unsigned long done = resumes ? checkpoints.resume(system, *checkpoint) : 0;
 
@@ -153,10 +153,10 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   on_first_rank(at_work, [&] {
     warn(log, directory.take_over(resumes, parameters.output.csv));
     log.open(directory.path() + "/log.txt", resumes);
-    output::write_text(directory.path() + "/input.prm", input.text);
-    output::write_text(directory.path() + "/parameters.prm", input.resolved);
+    files::write_text(directory.path() + "/input.prm", input.text);
+    files::write_text(directory.path() + "/parameters.prm", input.resolved);
   });
-  for (output::Console *console : {&out, &err})
+  for (files::Console *console : {&out, &err})
     console->give_up_after(std::chrono::seconds(2)); // it is all in the file
 
   try
@@ -180,12 +180,12 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
       return false;
     }
 
-  const auto         table   = output::rows_of_all_ranks(system.timer, system.world.communicator());
-  const output::Json summary = recorder.summary(system, guard, choice, n_steps, table);
+  const auto        table   = observe::rows_of_all_ranks(system.timer, system.world.communicator());
+  const files::Json summary = recorder.summary(system, guard, choice, n_steps, table);
   if (!is_first_rank)
     return true;
-  output::write_json(directory.path() + "/summary.json", summary);
-  output::print_summary(log, summary);
+  files::write_json(directory.path() + "/summary.json", summary);
+  observe::print_summary(log, summary);
   PhaseTimer::print(log, table);
   log << "Results: " << directory.path() << '\n';
   log.close();

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/files/checkpoint_file.h>
+#include <chaindrive/files/log.h>
+#include <chaindrive/observe/recorder.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+namespace chaindrive::observe
+{
+/// Watches a run through its recorder, writes checkpoints, and stops the run when it is asked to:
+/// by a signal (utilities/signals.h) or by the wall-clock limit. Two checkpoints are kept.
+///
+/// Ranks agree on a checkpoint at no cost: their requests ride on the sum that they form at every
+/// step (World::requests), so that it comes one step later.
+class Checkpoints : public dynamics::Observer
+{
+public:
+  /// Checkpoints go to @p directory and belong to the parameters @p fixed (parameters::Input). The
+  /// run has @p n_steps steps of @p dt [s].
+  Checkpoints(const Parameters &parameters,
+              std::string       directory,
+              std::string       fixed,
+              unsigned long     n_steps,
+              double            dt,
+              Recorder         &recorder,
+              dynamics::Guard  &guard,
+              files::Log       &log);
+
+  bool observe(dynamics::System &system, unsigned long step, double dt) override;
+
+  /// Takes over the state of @p file, and removes what was written after it. Returns the number of
+  /// steps done. InputError when it does not fit. Collective.
+  unsigned long resume(dynamics::System &system, const files::CheckpointFile &file);
+
+  /// A sentence that names the last checkpoint, or nothing.
+  std::string last() const;
+
+  /// A sentence that names the last checkpoint not later than @p time [s], or says that there is
+  /// none.
+  std::string last_sound(double time) const;
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void serialize(const Archive &archive, dynamics::System &system);
+  void write(dynamics::System &system, unsigned long step);
+  void ask(World &world) const;
+  bool past_wall_clock_limit() const;
+  void say_why(double time);
+
+  const Parameters &parameters_;
+  std::string       directory_, fixed_;
+  unsigned long     n_steps_;
+  double            dt_;
+  Recorder         &recorder_;
+  dynamics::Guard  &guard_;
+  files::Log       &log_;
+  Schedule          schedule_;
+  Clock::time_point began_, written_;
+  std::string       last_;
+};
+
+/// The checkpoint that @p resume asks for: `auto` or a file, which must lie in @p directory; null
+/// when nothing is asked for, or nothing is there. @p fixed as above. `auto` takes the older one
+/// when the newest is damaged, and says so. InputError when it cannot be used.
+std::unique_ptr<files::CheckpointFile> find_checkpoint(const std::string &resume,
+                                                       const std::string &directory,
+                                                       const std::string &fixed,
+                                                       files::Log        &log);
+} // namespace chaindrive::observe

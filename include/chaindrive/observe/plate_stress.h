@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/element/stress.h>
+#include <chaindrive/mesh/part.h>
+
+#include <vector>
+
+namespace chaindrive::observe
+{
+/// Stresses [Pa] at the waist of a link's side plate: of the two plates the one at positive z, in
+/// the middle between its holes. The link's axes are those of its part: x from its first joint to
+/// the second, y square to it in the plate.
+struct WaistStress
+{
+  double axial;        ///< along the link, mean over the section: the plate's pull over its area
+  double in_plane;     ///< half of the stress along the link at the edge y < 0 less that at y > 0
+  double out_of_plane; ///< half of the stress along the link in the outer face less the inner one
+  double principal_1;  ///< larger in-plane principal stress in the middle of the plate
+  double principal_2;  ///< the smaller one
+};
+
+/// Takes these stresses from nodal positions, as the mean of what lies to the left and to the right
+/// of the middle: the mesh has vertices there. The pull is that of nodal forces and therefore
+/// in balance with the load, to one percent, on any mesh if the edges are free; stresses of edges
+/// and faces get better with the mesh.
+class PlateStress
+{
+public:
+  /// @p part is an inner or outer link, @p nodes are its nodes.
+  PlateStress(const mesh::Part           &part,
+              const mesh::Nodes          &nodes,
+              const parameters::Material &material);
+
+  /// The nodes of the part whose positions are needed.
+  const std::vector<unsigned int> &nodes() const { return nodes_; }
+
+  /// @p position of each of nodes() [m], in world axes or any others.
+  WaistStress operator()(const std::vector<dealii::Tensor<1, 3>> &position) const;
+
+private:
+  struct Cell
+  {
+    dealii::Tensor<1, 3>        weight; ///< its stress times this is its share in the mean
+    std::array<unsigned int, 8> node;   ///< places in nodes_
+    element::Gradients          gradients;
+  };
+  struct Face
+  {
+    std::array<unsigned int, 4> node;
+    element::FaceGradients      gradients;
+  };
+
+  /// Where @p node stands in nodes_, to which it is added.
+  unsigned int place_of(unsigned int node);
+
+  /// Mean in-plane stress of @p faces; the first axis lies along the link.
+  dealii::SymmetricTensor<2, 2> mean(const std::vector<Face>                 &faces,
+                                     const std::vector<dealii::Tensor<1, 3>> &position) const;
+
+  parameters::Material      material_;
+  std::vector<unsigned int> nodes_;
+  std::vector<Cell>         section_;
+  std::vector<Face>         lower_edge_, upper_edge_; ///< y < 0, y > 0
+  std::vector<Face>         inner_face_, outer_face_;
+};
+} // namespace chaindrive::observe

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/files/json.h>
+#include <chaindrive/utilities/timing.h>
+
+#include <mpi.h>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace chaindrive::observe
+{
+/// CPU seconds by phase and `total`. Names become members in snake_case: "Internal force" ->
+/// `internal_force`.
+files::Json cpu_seconds(const std::vector<PhaseTimer::Row> &rows);
+
+/// The rows of @p timer, of all ranks together. Collective.
+std::vector<PhaseTimer::Row> rows_of_all_ranks(const PhaseTimer &timer, MPI_Comm comm);
+
+/// The most asked for members of a run's summary, a line each, for the log.
+void print_summary(std::ostream &out, const files::Json &summary);
+} // namespace chaindrive::observe

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/contact/family.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace chaindrive::observe
+{
+/// Normal forces on the teeth of one sprocket, now and their peaks since the last sample, N.
+struct ToothForces
+{
+  std::vector<const contact::Teeth *> families; ///< of rigid and of elastic rollers
+  std::string                         name;
+  std::vector<double>                 roller, roller_peak; ///< per joint
+  std::vector<double>                 in_gap, in_gap_peak; ///< per gap of the sprocket
+  double                              overlap = 0.;        ///< largest so far, m
+
+  /// Looks at the present records of the rollers that are near.
+  void look()
+  {
+    std::fill(roller.begin(), roller.end(), 0.);
+    std::fill(in_gap.begin(), in_gap.end(), 0.);
+    for (const contact::Teeth *family : families)
+      for (const unsigned int i : family->near())
+        {
+          const contact::Record &record = family->records()[i];
+          const double           normal = record.force * record.normal;
+          roller[record.joint] += normal;
+          in_gap[record.feature] += normal;
+          overlap = std::max(overlap, -record.gap);
+        }
+    for (unsigned int k = 0; k < roller.size(); ++k)
+      roller_peak[k] = std::max(roller_peak[k], roller[k]);
+    for (unsigned int g = 0; g < in_gap.size(); ++g)
+      in_gap_peak[g] = std::max(in_gap_peak[g], in_gap[g]);
+  }
+};
+} // namespace chaindrive::observe

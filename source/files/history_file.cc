@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/files/file.h>
+#include <chaindrive/files/history_file.h>
+#include <chaindrive/utilities/errors.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <hdf5.h>
+#include <limits>
+#include <sys/file.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace chaindrive::files
+{
+namespace
+{
+/// Owner of an HDF5 object of any type.
+class Object
+{
+public:
+  explicit Object(const hid_t id = H5I_INVALID_HID) : id_(id) {}
+  Object(Object &&other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)) {}
+  Object &operator=(Object &&other) noexcept
+  {
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  ~Object()
+  {
+    if (id_ >= 0)
+      H5Idec_ref(id_);
+  }
+        operator hid_t() const { return id_; }
+  hid_t release() { return std::exchange(id_, H5I_INVALID_HID); }
+
+private:
+  hid_t id_;
+};
+
+/// The reason of the last failed HDF5 call: the system's error number where there was one.
+int last_error_number()
+{
+  int error = 0;
+  H5Ewalk2(
+      H5E_DEFAULT,
+      H5E_WALK_UPWARD,
+      [](unsigned int, const H5E_error2_t *entry, void *result) -> herr_t {
+        const char *found = entry->desc != nullptr ? std::strstr(entry->desc, "errno = ") : nullptr;
+        if (found != nullptr)
+          *static_cast<int *>(result) = std::atoi(found + std::strlen("errno = "));
+        return 0;
+      },
+      &error);
+  return error != 0 ? error : EIO;
+}
+} // namespace
+
+struct HistoryFile::Data
+{
+  std::string               path;
+  std::size_t               rows, block;
+  std::vector<unsigned int> columns;
+  Object                    file;
+  std::vector<Object>       tables;
+  int                       descriptor = -1; ///< of the open file, owned by HDF5
+  bool                      abandoned  = false;
+  bool                      complete   = false; ///< opened to be read
+
+  ~Data()
+  {
+    // a flush that failed leaves the library's cache in a state that only the next flush clears
+    if (abandoned && file >= 0)
+      H5Fflush(file, H5F_SCOPE_GLOBAL);
+  }
+
+  /// Returns what an HDF5 call returned, or gives the file up when the call failed.
+  template <typename Result>
+  Result check(const Result result)
+  {
+    if (result < 0)
+      abandon(last_error_number());
+    return result;
+  }
+
+  /// The library keeps what it could not write, tries again when it closes the file and crashes at
+  /// the end of the program when that fails as well. From now on it writes to memory instead, which
+  /// vanishes with the file; a few kilobytes, since numbers are not kept.
+  [[noreturn]] void abandon(const int error)
+  {
+    if (complete)
+      throw InputError("The histories '" + path + "' cannot be read: the file is damaged.");
+    abandoned = true;
+    if (descriptor >= 0)
+      {
+        const int memory = ::memfd_create("abandoned", MFD_CLOEXEC);
+        ::dup2(memory, descriptor);
+        ::close(memory);
+      }
+    throw RunError(write_failure(path, error));
+  }
+
+  /// Takes the disk space for @p n further rows at the end of a file, so that HDF5 will not fail to
+  /// get it half-way. Returns an error number, or 0.
+  int reserve(const int of_file, const std::size_t n) const
+  {
+    struct ::stat status;
+    if (::fstat(of_file, &status) != 0)
+      return errno;
+    std::size_t bytes = 65536;
+    for (const unsigned int c : columns)
+      bytes += (n / block + 1) * block * c * sizeof(double) + 8192;
+    const int error = ::posix_fallocate(of_file, status.st_size, bytes);
+    if (error == 0 || error == EOPNOTSUPP || error == EINVAL) // not every file system can do this
+      return 0;
+    [[maybe_unused]] const int ignored = ::ftruncate(of_file, status.st_size);
+    return error;
+  }
+
+  /// Gives back the space that was taken and not used.
+  void release()
+  {
+    hsize_t size;
+    check(H5Fflush(file, H5F_SCOPE_GLOBAL));
+    check(H5Fget_filesize(file, &size));
+    if (::ftruncate(descriptor, size) != 0)
+      abandon(errno);
+  }
+
+  void resize(const std::size_t n)
+  {
+    for (std::size_t t = 0; t < tables.size(); ++t)
+      {
+        const hsize_t size[2] = {n, columns[t]};
+        check(H5Dset_extent(tables[t], size));
+      }
+    rows = n;
+  }
+
+  /// Texts in UTF-8 as an attribute; a single one as a scalar.
+  void add_attribute(const hid_t to, const std::string &name, const std::vector<std::string> &texts)
+  {
+    const Object type(check(H5Tcopy(H5T_C_S1)));
+    check(H5Tset_size(type, H5T_VARIABLE));
+    check(H5Tset_cset(type, H5T_CSET_UTF8));
+    const hsize_t n = texts.size();
+    const Object  space(check(n == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &n, nullptr)));
+    const Object  attribute(
+        check(H5Acreate2(to, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT)));
+    std::vector<const char *> pointers;
+    pointers.reserve(n);
+    for (const std::string &text : texts)
+      pointers.push_back(text.c_str());
+    check(H5Awrite(attribute, type, pointers.data()));
+  }
+
+  void add_table(const TableInfo &info)
+  {
+    const int     rank         = info.columns == 1 ? 1 : 2;
+    const hsize_t size[2]      = {rows, info.columns};
+    const hsize_t unlimited[2] = {H5S_UNLIMITED, info.columns};
+    const hsize_t chunk[2]     = {block, info.columns};
+    const Object  space(check(H5Screate_simple(rank, size, unlimited)));
+
+    const Object creation(check(H5Pcreate(H5P_DATASET_CREATE)));
+    const double unwritten = std::numeric_limits<double>::quiet_NaN();
+    check(H5Pset_chunk(creation, rank, chunk));
+    check(H5Pset_fill_value(creation, H5T_NATIVE_DOUBLE, &unwritten));
+    check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY));
+
+    const Object links(check(H5Pcreate(H5P_LINK_CREATE)));
+    check(H5Pset_create_intermediate_group(links, 1));
+
+    // No cache: a write that fails fails at once and leaves nothing behind to be written later.
+    const Object access(check(H5Pcreate(H5P_DATASET_ACCESS)));
+    check(H5Pset_chunk_cache(access, 0, 0, 1.));
+
+    tables.emplace_back(
+        check(H5Dcreate2(file, info.path.c_str(), H5T_IEEE_F64LE, space, links, creation, access)));
+    for (const auto &[name, value] : info.attributes)
+      add_attribute(tables.back(), name, {value});
+    if (!info.labels.empty())
+      add_attribute(tables.back(), "columns", info.labels);
+  }
+
+  /// The spaces of @p n rows from @p first on, in memory and in table @p t.
+  std::pair<Object, Object>
+  select(const std::size_t t, const std::size_t first, const std::size_t n)
+  {
+    const hsize_t start[2] = {first, 0};
+    const hsize_t count[2] = {n, columns[t]};
+    Object        memory(check(H5Screate_simple(columns[t] == 1 ? 1 : 2, count, nullptr)));
+    Object        space(check(H5Dget_space(tables[t])));
+    check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr));
+    return {std::move(memory), std::move(space)};
+  }
+
+  void make(const Attributes &attributes, const std::vector<TableInfo> &infos)
+  {
+    // failures are reported by exceptions only
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    for (const TableInfo &info : infos)
+      columns.push_back(info.columns);
+
+    const Object access(check(H5Pcreate(H5P_FILE_ACCESS)));
+    check(H5Pset_sieve_buf_size(access, 0));
+    // The format of HDF5 1.8: before it an attribute, the names of many columns, has at most 64
+    // KiB; a later one marks the file as being written, and nobody could read it meanwhile.
+    check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
+    // first without HDF5, which need not be tidied up after
+    const int trial = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (trial < 0)
+      abandon(errno);
+    const int error = reserve(trial, rows);
+    ::close(trial);
+    if (error != 0)
+      {
+        ::unlink(path.c_str());
+        abandon(error);
+      }
+
+    file = Object(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)));
+    void *handle;
+    check(H5Fget_vfd_handle(file, access, &handle));
+    descriptor = *static_cast<int *>(handle);
+    // the file is valid at any instant: others may read it while it is being written
+    ::flock(descriptor, LOCK_UN);
+
+    if (const int now = reserve(descriptor, rows); now != 0)
+      abandon(now);
+    for (const auto &[name, value] : attributes)
+      add_attribute(file, name, {value});
+    for (const TableInfo &info : infos)
+      add_table(info);
+    release();
+  }
+};
+
+HistoryFile::HistoryFile(const std::string            &path,
+                         const Attributes             &attributes,
+                         const std::vector<TableInfo> &tables,
+                         const std::size_t             rows,
+                         const std::size_t             block)
+    : data_(std::make_unique<Data>())
+{
+  data_->path  = path;
+  data_->block = std::max<std::size_t>(block, 1);
+  data_->rows  = std::max<std::size_t>(rows, 1);
+  try
+    {
+      data_->make(attributes, tables);
+    }
+  catch (const RunError &)
+    {
+      // without its tables it is of no use
+      if (data_->descriptor >= 0)
+        ::unlink(path.c_str());
+      throw;
+    }
+}
+
+HistoryFile::HistoryFile(const std::string &path, const std::vector<TableInfo> &tables)
+    : data_(std::make_unique<Data>())
+{
+  Data &d    = *data_;
+  d.path     = path;
+  d.complete = true;
+  d.rows     = std::numeric_limits<std::size_t>::max();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  d.file = Object(d.check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)));
+  for (const TableInfo &info : tables)
+    {
+      d.columns.push_back(info.columns);
+      d.tables.emplace_back(d.check(H5Dopen2(d.file, info.path.c_str(), H5P_DEFAULT)));
+      const Object space(d.check(H5Dget_space(d.tables.back())));
+      hsize_t      size[2] = {0, 1};
+      const int    rank    = H5Sget_simple_extent_ndims(space);
+      if (rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space, size, nullptr) < 0 ||
+          size[1] != info.columns)
+        throw InputError("The histories '" + path + "' are of another run: " + info.path +
+                         " has not " + std::to_string(info.columns) + " columns there.");
+      d.rows = std::min<std::size_t>(d.rows, size[0]);
+    }
+}
+
+HistoryFile::~HistoryFile() = default;
+
+std::size_t HistoryFile::n_rows() const { return data_->rows; }
+
+void HistoryFile::read(const std::size_t                 first,
+                       const std::size_t                 n,
+                       std::vector<std::vector<double>> &values)
+{
+  for (std::size_t t = 0; t < data_->tables.size(); ++t)
+    {
+      const auto [memory, space] = data_->select(t, first, n);
+      data_->check(H5Dread(
+          data_->tables[t], H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values[t].data()));
+    }
+}
+
+void HistoryFile::write(const std::size_t                       first,
+                        const std::size_t                       n,
+                        const std::vector<std::vector<double>> &values)
+{
+  Data &d = *data_;
+  if (d.abandoned || n == 0)
+    return;
+  if (first + n > d.rows)
+    {
+      const std::size_t more = std::max(first + n - d.rows, d.rows);
+      if (const int error = d.reserve(d.descriptor, more); error != 0)
+        d.abandon(error);
+      d.resize(d.rows + more);
+      d.release();
+    }
+  for (std::size_t t = 0; t < d.tables.size(); ++t)
+    {
+      const auto [memory, space] = d.select(t, first, n);
+      d.check(
+          H5Dwrite(d.tables[t], H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values[t].data()));
+    }
+  d.check(H5Fflush(d.file, H5F_SCOPE_GLOBAL));
+}
+
+void HistoryFile::close(const std::size_t rows)
+{
+  Data &d = *data_;
+  if (d.abandoned || d.file < 0)
+    return;
+  if (rows != d.rows)
+    d.resize(rows);
+  // First the tables, then the end of the file: if one fails, the file is still as long as all it
+  // refers to.
+  for (const Object &table : d.tables)
+    d.check(H5Dflush(table));
+  d.check(H5Fflush(d.file, H5F_SCOPE_GLOBAL));
+  d.tables.clear();
+  d.descriptor = -1;
+  if (H5Fclose(d.file.release()) < 0)
+    throw RunError(write_failure(d.path, last_error_number()));
+}
+} // namespace chaindrive::files

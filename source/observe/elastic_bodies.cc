@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/mesh/surface/surface_nodes.h>
+#include <chaindrive/observe/elastic_bodies.h>
+
+#include <cmath>
+
+namespace chaindrive::observe
+{
+namespace
+{
+dealii::Tensor<1, 3>
+velocity_of(const BodyBatches &copies, const unsigned int copy, const unsigned int node)
+{
+  dealii::Tensor<1, 3> v;
+  for (unsigned int d = 0; d < 3; ++d)
+    v[d] = copies.velocity.local_element(copies.index(copy, node, d));
+  return v;
+}
+
+/// The node of a roller's outside, of those next to its middle plane, that lies farthest along
+/// @p direction in body axes.
+unsigned int farthest_node(const BodyBatches &copies, const dealii::Tensor<1, 3> &direction)
+{
+  const mesh::SurfaceNodes outside(*copies.part, copies.nodes, mesh::roller_outside);
+  // a millionth of the radius decides between planes
+  const auto key = [&](const unsigned int node) {
+    const dealii::Point<3> &x = copies.nodes.position[node];
+    return 1e6 * std::abs(x[2]) - direction * x;
+  };
+  unsigned int best = outside.node.front();
+  for (const unsigned int node : outside.node)
+    if (key(node) < key(best))
+      best = node;
+  return best;
+}
+} // namespace
+
+ElasticBodies::ElasticBodies(const scene::Scene     &scene,
+                             const dynamics::System &system,
+                             const bool              cells)
+{
+  for (unsigned int g = 0; g < system.world.n_elastic_groups(); ++g)
+    {
+      const BodyBatches &copies = system.world.copies[g];
+      const scene::Kind  kind   = scene.bodies[copies.bodies.front()].kind;
+      if (cells)
+        cells_.try_emplace(g, *copies.part, copies.nodes, scene.material);
+      if (kind == scene::Kind::inner_link || kind == scene::Kind::outer_link)
+        plates_.try_emplace(g, *copies.part, copies.nodes, scene.material);
+      if (kind == scene::Kind::roller)
+        for (const unsigned int body : copies.bodies)
+          surface_nodes_[body] = farthest_node(
+              copies, transpose(scene.bodies[body].initial.rotation) * scene.span_normal);
+    }
+}
+
+ElasticSnapshot ElasticBodies::snapshot(const dynamics::System &system,
+                                        const World::Address   &place) const
+{
+  const BodyBatches &copies = system.world.copies[place.group];
+  const std::size_t  n      = copies.nodes.of_vertex.size();
+  ElasticSnapshot    snapshot{
+      std::vector<dealii::Tensor<1, 3>>(n), std::vector<dealii::Tensor<1, 3>>(n), {}};
+  std::vector<dealii::Tensor<1, 3>> position(copies.n_nodes());
+  for (unsigned int node = 0; node < copies.n_nodes(); ++node)
+    {
+      const unsigned int vertex     = copies.nodes.vertex[node];
+      position[node]                = system.elastic.position(system.world, place, node);
+      snapshot.displacement[vertex] = system.elastic.displacement(system.world, place, node);
+      snapshot.velocity[vertex]     = velocity_of(copies, place.copy, node);
+    }
+  for (const Rim &rim : system.world.rims) // the hub knows the velocities of nodes that it holds
+    if (rim.group == place.group)
+      for (const unsigned int node : rim.border)
+        snapshot.velocity[copies.nodes.vertex[node]] =
+            system.world.velocity_at(rim.body, position[node], 0.);
+  snapshot.stress = cells_.at(place.group)(position);
+  return snapshot;
+}
+
+WaistStress ElasticBodies::waist(const dynamics::System &system, const unsigned int body) const
+{
+  const World::Address             &place  = system.world.elastic_address[body];
+  const PlateStress                &plates = plates_.at(place.group);
+  std::vector<dealii::Tensor<1, 3>> position;
+  position.reserve(plates.nodes().size());
+  for (const unsigned int node : plates.nodes())
+    position.push_back(system.elastic.position(system.world, place, node));
+  return plates(position);
+}
+
+dealii::Tensor<1, 3> ElasticBodies::surface_velocity(const dynamics::System &system,
+                                                     const unsigned int      body) const
+{
+  const World::Address &place = system.world.elastic_address[body];
+  return velocity_of(system.world.copies[place.group], place.copy, surface_nodes_.at(body));
+}
+} // namespace chaindrive::observe

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/engagements.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace chaindrive::observe
+{
+namespace
+{
+constexpr double free_time    = 1e-3;   // without contact before a touch counts as an arrival
+constexpr double peak_time    = 1e-3;   // after the touch, in which the peak is looked for
+constexpr double impulse_time = 0.3e-3; // after the touch, over which the impulse is summed
+} // namespace
+
+Engagements::Engagements(const scene::Scene &scene, const dynamics::System &system)
+{
+  std::vector<char> not_seated; // at the start: these will arrive from a span
+  for (const char seated : scene.seated)
+    not_seated.push_back(!seated);
+
+  const auto add = [&](const std::string          &name,
+                       const unsigned int          body,
+                       const unsigned int          teeth,
+                       const dealii::Tensor<1, 3> &entry_side) {
+    const double pitch_radius = 0.5 * scene.pitch / std::sin(dealii::numbers::PI / teeth);
+    for (const auto &family : system.contacts.families())
+      if (const auto *found = dynamic_cast<const contact::Teeth *>(family.get());
+          found != nullptr && found->sprocket() == body)
+        sprockets_.push_back(
+            {name,
+             found,
+             pitch_radius + 0.15 * scene.pitch,
+             entry_side,
+             std::vector<double>(scene.n_joints, -std::numeric_limits<double>::infinity()),
+             not_seated,
+             std::vector<int>(scene.n_joints, -1),
+             std::vector<double>(scene.n_joints, 0.)});
+  };
+  add("driver", scene.driver, scene.driver_teeth, scene.span_normal);
+  add("driven", scene.driven, scene.driven_teeth, -scene.span_normal);
+}
+
+void Engagements::observe(const dynamics::System &system, const double dt)
+{
+  for (Sprocket &sprocket : sprockets_)
+    observe(sprocket, system.world, dt);
+}
+
+void Engagements::observe(Sprocket &sprocket, const World &world, const double dt)
+{
+  const std::vector<contact::Record> &records = sprocket.teeth->records();
+  const Frame                        &hub     = world.frames[sprocket.teeth->sprocket()];
+
+  // a roller may have several contact points: its force is their sum, booked at the first point
+  // that touches
+  for (const unsigned int i : sprocket.teeth->near())
+    sprocket.force[records[i].joint] = 0.;
+  for (const unsigned int i : sprocket.teeth->near())
+    sprocket.force[records[i].joint] += records[i].force * records[i].normal;
+
+  for (const unsigned int i : sprocket.teeth->near())
+    {
+      const contact::Record &record = records[i];
+      const unsigned int     joint  = record.joint;
+      const Frame           &roller = world.frames[record.slave];
+      int                   &open   = sprocket.open[joint];
+      const double           force  = sprocket.force[joint];
+      if (force > 0. && record.force * record.normal <= 0.)
+        continue; // another of its points touches
+
+      if ((roller.position - hub.position).norm_square() >
+          sprocket.far_radius * sprocket.far_radius)
+        sprocket.was_far[joint] = 1;
+
+      if (force > 0.)
+        {
+          if (open < 0 && sprocket.was_far[joint] &&
+              world.time - sprocket.last_touch[joint] >= free_time &&
+              (roller.position - hub.position) * sprocket.entry_side > 0.)
+            {
+              const dealii::Tensor<1, 3> relative =
+                  roller.velocity - world.velocity_at(record.master, roller.position, 0.);
+              open = static_cast<int>(found_.size());
+              found_.push_back(
+                  {sprocket.name, joint, world.time, relative.norm(), -(relative * record.normal)});
+              sprocket.was_far[joint] = 0;
+            }
+          sprocket.last_touch[joint] = world.time;
+        }
+
+      if (open >= 0)
+        {
+          Engagement  &engagement = found_[open];
+          const double age        = world.time - engagement.time;
+          engagement.peak_force   = std::max(engagement.peak_force, force);
+          if (age <= impulse_time)
+            engagement.impulse += force * dt;
+          if (age >= peak_time)
+            {
+              engagement.complete = true;
+              open                = -1;
+            }
+        }
+      // what is left of this joint's points in the list must not count its force again
+      sprocket.force[joint] = 0.;
+    }
+}
+
+void Engagements::serialize(const Archive &archive)
+{
+  archive("found", found_);
+  for (unsigned int s = 0; s < sprockets_.size(); ++s)
+    {
+      const Archive part = archive / std::to_string(s);
+      part.numbers("last touch", sprockets_[s].last_touch);
+      part.numbers("was far", sprockets_[s].was_far);
+      part.numbers("open", sprockets_[s].open);
+      part.numbers("force", sprockets_[s].force);
+    }
+}
+
+double Engagements::mean_pitch_time(const double start, const double end) const
+{
+  double       first = 0., last = 0.;
+  unsigned int n = 0;
+  for (const Engagement &engagement : found_)
+    if (engagement.sprocket == "driver" && engagement.time >= start && engagement.time <= end)
+      {
+        if (n++ == 0)
+          first = engagement.time;
+        last = engagement.time;
+      }
+  return n > 1 ? (last - first) / (n - 1) : std::numeric_limits<double>::quiet_NaN();
+}
+} // namespace chaindrive::observe

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/files/file.h>
+#include <chaindrive/files/vtu.h>
+#include <chaindrive/observe/fields.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/ranks.h>
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+namespace chaindrive::observe
+{
+PartPatches::PartPatches(const dealii::Triangulation<3> &mesh, const bool rigid_zone_only)
+    : vertices(mesh.get_vertices())
+{
+  // deal.II numbers the vertices of a cell lexicographically, VTK around its two faces
+  constexpr std::array<unsigned int, 8> lexicographic{{0, 1, 3, 2, 4, 5, 7, 6}};
+  cells.reserve(mesh.n_active_cells());
+  for (const auto &cell : mesh.active_cell_iterators())
+    {
+      if (rigid_zone_only && cell->material_id() != mesh::hub_zone)
+        continue;
+      cells.emplace_back();
+      for (unsigned int v = 0; v < 8; ++v)
+        cells.back()[v] = cell->vertex_index(lexicographic[v]);
+    }
+}
+
+namespace
+{
+void append(std::vector<float> &values, const dealii::Tensor<1, 3> &v)
+{
+  values.insert(values.end(), {float(v[0]), float(v[1]), float(v[2])});
+}
+
+/// In VTK's order.
+void append(std::vector<float> &values, const dealii::SymmetricTensor<2, 3> &t)
+{
+  for (const double value : {t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[0][2]})
+    values.push_back(static_cast<float>(value));
+}
+
+/// Of every cell of all bodies.
+std::vector<files::VtuGrid::FloatData> stresses_of(const std::vector<BodySnapshot> &bodies)
+{
+  std::vector<float> von_mises, strain, stress;
+  for (const BodySnapshot &body : bodies)
+    {
+      const std::size_t n = body.part->cells.size();
+      Assert(body.stress.size() == 0 || body.stress.size() == n,
+             dealii::ExcMessage("One stress per cell"));
+      for (const element::Stress &s : body.stress)
+        {
+          von_mises.push_back(static_cast<float>(element::von_mises(s.cauchy)));
+          append(strain, s.strain);
+          append(stress, s.piola);
+        }
+      if (body.stress.size() == 0)
+        {
+          von_mises.resize(von_mises.size() + n, 0.F);
+          strain.resize(strain.size() + 6 * n, 0.F);
+          stress.resize(stress.size() + 6 * n, 0.F);
+        }
+    }
+  return {{"von_mises", 1, std::move(von_mises)},
+          {"strain", 6, std::move(strain)},
+          {"stress", 6, std::move(stress)}};
+}
+
+bool have_stress(const std::vector<BodySnapshot> &bodies)
+{
+  return std::any_of(bodies.begin(), bodies.end(), [](const BodySnapshot &body) {
+    return body.stress.size() > 0;
+  });
+}
+
+files::VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const bool with_stress)
+{
+  std::size_t n_points = 0, n_cells = 0;
+  for (const BodySnapshot &body : bodies)
+    {
+      n_points += body.part->vertices.size();
+      n_cells += body.part->cells.size();
+    }
+
+  std::vector<float>        displacement, velocity, contact_force;
+  std::vector<std::int32_t> id, kind;
+  files::VtuGrid            grid;
+  for (auto *values : {&displacement, &velocity, &grid.points})
+    values->reserve(3 * n_points);
+  grid.connectivity.reserve(8 * n_cells);
+  contact_force.reserve(3 * n_cells);
+  id.reserve(n_cells);
+  kind.reserve(n_cells);
+
+  std::int32_t first_point = 0;
+  for (const BodySnapshot &body : bodies)
+    {
+      const auto &vertices = body.part->vertices;
+      const bool  elastic  = body.displacement.size() > 0;
+      Assert(!elastic || (body.displacement.size() == vertices.size() &&
+                          body.velocity.size() == vertices.size()),
+             dealii::ExcMessage("One displacement and one velocity per vertex"));
+      for (std::size_t v = 0; v < vertices.size(); ++v)
+        {
+          const dealii::Tensor<1, 3> start =
+              body.initial.position + body.initial.rotation * vertices[v];
+          const dealii::Tensor<1, 3> arm = body.now.rotation * vertices[v];
+          const dealii::Tensor<1, 3> u =
+              elastic ? body.displacement[v] : body.now.position + arm - start;
+          append(grid.points, start + u);
+          append(displacement, u);
+          append(velocity,
+                 elastic ? body.velocity[v] :
+                           body.now.velocity + cross_product_3d(body.now.angular_velocity, arm));
+        }
+      for (const auto &cell : body.part->cells)
+        {
+          for (const unsigned int v : cell)
+            grid.connectivity.push_back(first_point + v);
+          append(contact_force, body.contact_force);
+          id.push_back(body.id);
+          kind.push_back(body.kind);
+        }
+      first_point += vertices.size();
+    }
+
+  grid.point_data = {{"displacement", 3, std::move(displacement)},
+                     {"velocity", 3, std::move(velocity)}};
+  grid.cell_data  = {{"contact_force", 3, std::move(contact_force)}};
+  if (with_stress)
+    for (files::VtuGrid::FloatData &data : stresses_of(bodies))
+      grid.cell_data.push_back(std::move(data));
+  grid.cell_numbers = {{"body", std::move(id)}, {"kind", std::move(kind)}};
+  return grid;
+}
+
+files::VtuGrid grid_of(const std::vector<BarSnapshot> &bars)
+{
+  files::VtuGrid grid;
+  grid.cell         = files::VtuGrid::Cell::line;
+  grid.point_data   = {{"displacement", 3, {}}, {"velocity", 3, {}}};
+  grid.cell_data    = {{"tension", 1, {}}};
+  grid.cell_numbers = {{"bar", {}}};
+  for (const BarSnapshot &bar : bars)
+    {
+      for (const unsigned int end : {0, 1})
+        {
+          grid.connectivity.push_back(grid.connectivity.size());
+          append(grid.points, bar.position[end]);
+          append(grid.point_data[0].values, bar.displacement[end]);
+          append(grid.point_data[1].values, bar.velocity[end]);
+        }
+      grid.cell_data[0].values.push_back(static_cast<float>(bar.tension));
+      grid.cell_numbers[0].values.push_back(bar.id);
+    }
+  return grid;
+}
+
+std::string file_name(const std::string &name, const std::size_t number, const std::string &ending)
+{
+  char file[64];
+  std::snprintf(file, sizeof(file), "%s_%06zu%s", name.c_str(), number, ending.c_str());
+  return file;
+}
+} // namespace
+
+Fields::Fields(const std::string &directory, const MPI_Comm comm)
+    : directory_(directory), comm_(comm)
+{
+}
+
+void Fields::write_next(const std::string    &name,
+                        const files::VtuGrid &grid,
+                        const double          time,
+                        Record               &record)
+{
+  const unsigned int rank    = rank_in(comm_);
+  const unsigned int n_ranks = n_ranks_in(comm_);
+  const std::size_t  number  = record.size();
+  const auto         piece   = [&](const unsigned int r) {
+    return file_name(name, number, n_ranks > 1 ? "." + std::to_string(r) + ".vtu" : ".vtu");
+  };
+  std::error_code error;
+  std::filesystem::create_directories(directory_ + "/fields", error);
+  if (error)
+    throw RunError(files::write_failure(directory_ + "/fields", error.value()));
+  files::write_file(directory_ + "/fields/" + piece(rank),
+                    [&](std::ostream &out) { files::write_vtu(out, grid, time); });
+  std::string file = piece(0);
+  if (n_ranks > 1)
+    {
+      MPI_Barrier(comm_);
+      file = file_name(name, number, ".pvtu");
+      std::vector<std::string> pieces;
+      for (unsigned int r = 0; r < n_ranks; ++r)
+        pieces.push_back(piece(r));
+      if (rank == 0)
+        files::write_file(directory_ + "/fields/" + file,
+                          [&](std::ostream &out) { files::write_pvtu(out, grid, pieces); });
+    }
+  // what the list names exists
+  record.emplace_back(time, "fields/" + file);
+  if (rank == 0)
+    files::write_file(directory_ + "/" + name + ".pvd", [&](std::ostream &out) {
+      dealii::DataOutBase::write_pvd_record(out, record);
+    });
+}
+
+void Fields::write(const double                     time,
+                   const std::vector<BodySnapshot> &bodies,
+                   const std::vector<BarSnapshot>  &bars)
+{
+  // all pieces of a picture have the same fields: those of any rank
+  const int with_stress = dealii::Utilities::MPI::max(int(have_stress(bodies)), comm_);
+  write_next("bodies", grid_of(bodies, with_stress != 0), time, bodies_);
+  if (!bars.empty())
+    write_next("bars", grid_of(bars), time, bars_);
+}
+} // namespace chaindrive::observe

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/plate_stress.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace chaindrive::observe
+{
+using dealii::Point;
+using dealii::SymmetricTensor;
+using dealii::Tensor;
+
+PlateStress::PlateStress(const mesh::Part           &part,
+                         const mesh::Nodes          &nodes,
+                         const parameters::Material &material)
+    : material_(material)
+{
+  const auto   in_middle = [](const Point<3> &x) { return std::abs(x[0]) < 1e-9; };
+  const auto   on_axis   = [&](const Point<3> &x) { return in_middle(x) && std::abs(x[1]) < 1e-9; };
+  Tensor<1, 3> along, upwards, outwards;
+  double       area = 0.;
+  along[0] = upwards[1] = outwards[2] = 1.;
+
+  for (const auto &cell : part.mesh->active_cell_iterators())
+    {
+      const bool plate =
+          cell->material_id() == mesh::inner_plate || cell->material_id() == mesh::outer_plate;
+      if (!plate || cell->center()[2] < 0.)
+        continue;
+
+      // Forces between two halves of the plate: what the cells of one half exert on the nodes in
+      // the middle, -V F S B. Their hourglass forces have no part in the sum, or little.
+      Cell         of_section;
+      Tensor<1, 3> pull;
+      of_section.gradients = element::mean_gradients(mesh::corners_of(cell));
+      for (unsigned int v = 0; v < 8; ++v)
+        if (in_middle(cell->vertex(v)))
+          pull -= cell->measure() * of_section.gradients[v];
+      if (pull.norm() > 0.)
+        {
+          of_section.weight = (cell->center()[0] > 0. ? 0.5 : -0.5) * pull;
+          for (unsigned int v = 0; v < 8; ++v)
+            of_section.node[v] = place_of(nodes.of_vertex[cell->vertex_index(v)]);
+          section_.push_back(of_section);
+        }
+
+      for (const auto &face : cell->face_iterators())
+        {
+          std::array<Point<3>, 4> corners;
+          Face                    here;
+          for (unsigned int v = 0; v < 4; ++v)
+            corners[v] = face->vertex(v);
+          const auto add_to = [&](std::vector<Face> &faces, const Tensor<1, 3> &across) {
+            for (unsigned int v = 0; v < 4; ++v)
+              here.node[v] = place_of(nodes.of_vertex[face->vertex_index(v)]);
+            here.gradients = element::face_gradients(corners, along, across);
+            faces.push_back(here);
+          };
+
+          if (std::all_of(corners.begin(), corners.end(), in_middle))
+            area += 0.5 * face->measure(); // seen from both sides
+          if (!face->at_boundary())
+            continue;
+          if (face->boundary_id() == mesh::plate_edges &&
+              std::any_of(corners.begin(), corners.end(), in_middle))
+            add_to(face->center()[1] > 0. ? upper_edge_ : lower_edge_, outwards);
+          else if (std::any_of(corners.begin(), corners.end(), on_axis))
+            {
+              if (face->boundary_id() == mesh::plate_inner_faces)
+                add_to(inner_face_, upwards);
+              if (face->boundary_id() == mesh::plate_outer_faces)
+                add_to(outer_face_, upwards);
+            }
+        }
+    }
+  AssertThrow(!section_.empty() && !upper_edge_.empty() && !lower_edge_.empty() &&
+                  !inner_face_.empty() && !outer_face_.empty(),
+              dealii::ExcMessage("no plate with vertices in its middle: " + part.name));
+
+  for (Cell &cell : section_)
+    cell.weight /= area;
+}
+
+unsigned int PlateStress::place_of(const unsigned int node)
+{
+  const auto         found = std::find(nodes_.begin(), nodes_.end(), node);
+  const unsigned int place = static_cast<unsigned int>(found - nodes_.begin());
+  if (found == nodes_.end())
+    nodes_.push_back(node);
+  return place;
+}
+
+SymmetricTensor<2, 2> PlateStress::mean(const std::vector<Face>         &faces,
+                                        const std::vector<Tensor<1, 3>> &position) const
+{
+  SymmetricTensor<2, 2> sum;
+  for (const Face &face : faces)
+    {
+      std::array<Tensor<1, 3>, 4> corners;
+      for (unsigned int v = 0; v < 4; ++v)
+        corners[v] = position[face.node[v]];
+      sum += element::face_stress(face.gradients, corners, material_);
+    }
+  return sum / static_cast<double>(faces.size());
+}
+
+WaistStress PlateStress::operator()(const std::vector<Tensor<1, 3>> &position) const
+{
+  WaistStress stress{};
+  for (const Cell &cell : section_)
+    {
+      std::array<Tensor<1, 3>, 8> corners;
+      for (unsigned int v = 0; v < 8; ++v)
+        corners[v] = position[cell.node[v]];
+      const Tensor<2, 3> F = element::deformation_gradient(cell.gradients, corners);
+      stress.axial += (element::stress(F, material_).piola * cell.weight)[0];
+    }
+  const SymmetricTensor<2, 2> inner = mean(inner_face_, position);
+  const SymmetricTensor<2, 2> outer = mean(outer_face_, position);
+  stress.in_plane = 0.5 * (mean(lower_edge_, position)[0][0] - mean(upper_edge_, position)[0][0]);
+  stress.out_of_plane  = 0.5 * (outer[0][0] - inner[0][0]);
+  const auto principal = eigenvalues(0.5 * (inner + outer));
+  stress.principal_1   = principal[0];
+  stress.principal_2   = principal[1];
+  return stress;
+}
+} // namespace chaindrive::observe

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/summary.h>
+
+#include <iomanip>
+
+namespace chaindrive::observe
+{
+void print_summary(std::ostream &out, const files::Json &summary)
+{
+  const auto line =
+      [&](const char *text, const char *member, const char *unit, const double scale = 1.) {
+        out << "  " << std::left << std::setw(34) << text << std::right << std::setw(12);
+        if (summary[member].is_number())
+          out << std::setprecision(5) << scale * summary[member].get<double>();
+        else
+          out << "-";
+        out << ' ' << unit << '\n';
+      };
+  out << "Means from " << summary["window"]["start"].get<double>() * 1e3 << " ms to "
+      << summary["window"]["end"].get<double>() * 1e3 << " ms\n";
+  line("driven speed", "driven_speed_mean", "rad/s");
+  line("tight-span speed", "span_speed_mean", "m/s");
+  line("pitch time", "pitch_time_mean", "ms", 1e3);
+  line("tight tension", "tight_tension_mean", "N");
+  line("slack tension", "slack_tension_mean", "N");
+  line("driver torque", "driver_torque_mean", "N m");
+  out << "Whole run\n";
+  line("largest tight tension in 10 ms", "tight_tension_max_start", "N");
+  line("driven angle at the end", "driven_angle_end", "rad");
+  line("drive work", "drive_work", "J");
+  line("resisting work", "resisting_work", "J");
+  line("largest energy imbalance", "energy_imbalance_max", "of the energy turned over");
+
+  unsigned int n = 0;
+  for (const files::Json &engagement : summary["engagements"])
+    n += engagement["complete"].get<bool>() ? 1 : 0;
+  out << "  " << n << " complete engagements in summary.json\n";
+}
+} // namespace chaindrive::observe
