@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/dynamics/time_loop.h>
+#include <chaindrive/element/part_report.h>
 #include <chaindrive/files/console.h>
 #include <chaindrive/files/directory.h>
 #include <chaindrive/files/file.h>
 #include <chaindrive/mesh/import/import.h>
-#include <chaindrive/mesh/report.h>
 #include <chaindrive/observe/checkpoints.h>
 #include <chaindrive/observe/recorder.h>
 #include <chaindrive/parameters/reader.h>
@@ -136,7 +136,7 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
         " us: every step is a sample, " + std::to_string(n_steps + 1) + " in all.");
   scene::print_plan(log, scene, system.memory_consumption(), n_steps);
   for (const auto &[kind, part] : scene.parts)
-    mesh::print(log, mesh::make_report(*part, parameters.material));
+    element::print(log, element::make_report(*part, parameters.material));
   print_step(log, choice, n_steps);
   if (command_line.command == Command::plan)
     return true;

@@ -120,8 +120,7 @@ void append(std::vector<std::string> &notes, const std::vector<std::string> &mor
 Drive make_drive(const Parameters &parameters)
 {
   const parameters::Sprockets &sprockets = parameters.drive.sprockets;
-  const double                 density   = parameters.material.density;
-  const Elasticity steel{parameters.material.youngs_modulus, parameters.material.poissons_ratio};
+  const Material              &steel     = parameters.material;
 
   Drive d;
   d.chain  = make_chain(parameters.drive.chain);
@@ -153,11 +152,11 @@ Drive make_drive(const Parameters &parameters)
              d.driven_hub_diameter,
              d.notes);
 
-  d.roller_solid     = roller_solid(d.chain, density);
-  d.inner_link_solid = inner_link_solid(d.chain, density);
-  d.outer_link_solid = outer_link_solid(d.chain, density);
-  d.driver_solid     = sprocket_solid(d.driver, d.driver_bore, d.sprocket_width, density);
-  d.driven_solid     = sprocket_solid(d.driven, d.driven_bore, d.sprocket_width, density);
+  d.roller_solid     = roller_solid(d.chain, steel.density);
+  d.inner_link_solid = inner_link_solid(d.chain, steel.density);
+  d.outer_link_solid = outer_link_solid(d.chain, steel.density);
+  d.driver_solid     = sprocket_solid(d.driver, d.driver_bore, d.sprocket_width, steel.density);
+  d.driven_solid     = sprocket_solid(d.driven, d.driven_bore, d.sprocket_width, steel.density);
   d.mass_per_pitch =
       d.roller_solid.mass + 0.5 * (d.inner_link_solid.mass + d.outer_link_solid.mass);
 

@@ -30,35 +30,35 @@ double pressure(const double b2, const double t)
 }
 } // namespace
 
-double ring_stiffness(const double      outer_diameter,
-                      const double      bore,
-                      const double      length,
-                      const Elasticity &steel)
+double ring_stiffness(const double    outer_diameter,
+                      const double    bore,
+                      const double    length,
+                      const Material &steel)
 {
   const double wall = 0.5 * (outer_diameter - bore), radius = 0.25 * (outer_diameter + bore);
   const double moment = length * wall * wall * wall / 12.;
   return steel.youngs_modulus * moment / (0.1488 * radius * radius * radius);
 }
 
-double line_contact_stiffness(const double length, const Elasticity &steel)
+double line_contact_stiffness(const double length, const Material &steel)
 {
-  return 0.25 * PI * 0.5 * steel.plane_strain_modulus() * length;
+  return 0.25 * PI * steel.contact_modulus() * length;
 }
 
-double roller_tooth_stiffness(const ChainDimensions &c, const Elasticity &steel)
+double roller_tooth_stiffness(const ChainDimensions &c, const Material &steel)
 {
   return in_series(ring_stiffness(c.roller_diameter, c.roller_bore, c.roller_length, steel),
                    line_contact_stiffness(c.roller_length, steel));
 }
 
-ConformingContact conforming_contact(const double      radius,
-                                     const double      clearance,
-                                     const double      q,
-                                     const Elasticity &steel)
+ConformingContact conforming_contact(const double    radius,
+                                     const double    clearance,
+                                     const double    q,
+                                     const Material &steel)
 {
   // persson() falls from infinity to zero at the contact of a pin without clearance; bisection in
   // the logarithm of b^2, whose range is many decades
-  const double modulus = steel.plane_strain_modulus(), target = modulus * clearance / q;
+  const double modulus = steel.plane_modulus(), target = modulus * clearance / q;
   double       low = std::log(1e-16), high = std::log(0.8345);
   for (int i = 0; i < 100; ++i)
     {
@@ -88,21 +88,21 @@ ConformingContact conforming_contact(const double      radius,
   return contact;
 }
 
-double roller_bush_stiffness(const ChainDimensions &c, const double load, const Elasticity &steel)
+double roller_bush_stiffness(const ChainDimensions &c, const double load, const Material &steel)
 {
   return load / conforming_contact(
                     0.5 * c.bush_diameter, c.roller_clearance(), load / c.roller_length, steel)
                     .approach;
 }
 
-double bush_pin_stiffness(const ChainDimensions &c, const double load, const Elasticity &steel)
+double bush_pin_stiffness(const ChainDimensions &c, const double load, const Material &steel)
 {
   return load /
          conforming_contact(0.5 * c.pin_diameter, c.pin_clearance(), load / c.bush_length, steel)
              .approach;
 }
 
-double plate_stiffness(const Plate &plate, const Elasticity &steel)
+double plate_stiffness(const Plate &plate, const Material &steel)
 {
   // a bar of the net section from hole to hole
   const dealii::QGauss<1> gauss(4);
@@ -124,7 +124,7 @@ double plate_stiffness(const Plate &plate, const Elasticity &steel)
   return steel.youngs_modulus * plate.thickness / (bar + 2. * eye);
 }
 
-double chain_stiffness(const ChainDimensions &c, const double load, const Elasticity &steel)
+double chain_stiffness(const ChainDimensions &c, const double load, const Material &steel)
 {
   const double inner = 2. * plate_stiffness(inner_plate(c), steel);
   const double outer = 2. * plate_stiffness(outer_plate(c), steel);

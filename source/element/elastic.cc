@@ -25,8 +25,8 @@ Elastic::Elastic(const scene::Scene &scene, const World &world) : kernels_(best_
           std::make_unique<Reference>(*copies.part,
                                       copies.nodes,
                                       scene.material,
-                                      formulation_called(scene.elasticity.formulation),
-                                      scene.elasticity.hourglass_coefficient));
+                                      formulation_called(scene.elements.formulation),
+                                      scene.elements.hourglass_coefficient));
       limits_.push_back({copies.part->name, 2. / references_.back()->largest_frequency()});
     }
 }

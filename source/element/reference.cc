@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/element/hexahedron_stiffness.h>
 #include <chaindrive/element/reference.h>
-#include <chaindrive/mesh/stiffness.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
@@ -319,18 +319,19 @@ hourglass_stiffness_of(const Hexahedron &element, const double coefficient, cons
 }
 } // namespace
 
-Reference::Reference(const mesh::Part           &part,
-                     const mesh::Nodes          &nodes,
-                     const parameters::Material &material,
-                     const Formulation           formulation,
-                     const double                hourglass_coefficient,
-                     const Shape                 most_regular)
-    : formulation(formulation), shape(most_regular), mass(nodes.mass), position(nodes.position)
+Reference::Reference(const mesh::Part  &part,
+                     const mesh::Nodes &nodes,
+                     const Material    &material,
+                     const Formulation  formulation,
+                     const double       hourglass_coefficient,
+                     const Shape        most_regular)
+    : formulation(formulation)
+    , shape(most_regular)
+    , lambda(material.lambda())
+    , mu(material.mu())
+    , mass(nodes.mass)
+    , position(nodes.position)
 {
-  const double E = material.youngs_modulus, nu = material.poissons_ratio;
-  lambda = E * nu / ((1. + nu) * (1. - 2. * nu));
-  mu     = 0.5 * E / (1. + nu);
-
   std::vector<std::pair<mesh::Corners, std::array<unsigned int, 8>>> cells;
   for (const auto &cell : part.mesh->active_cell_iterators())
     {
@@ -380,9 +381,9 @@ Reference::Reference(const mesh::Part           &part,
       Hexahedron element = make_hexahedron(here.corners, gauss);
       if (formulation == Formulation::one_point)
         element.hourglass_stiffness =
-            hourglass_stiffness_of(element, hourglass_coefficient, lambda + 2. * mu);
+            hourglass_stiffness_of(element, hourglass_coefficient, material.constrained_modulus());
       if (formulation == Formulation::enhanced)
-        condense(mesh::stiffness(gauss, material, true), here.corners, element);
+        condense(stiffness(gauss, material, true), here.corners, element);
       for_each_number(
           shape, formulation, element, [&](const double number) { numbers.push_back(number); });
     }

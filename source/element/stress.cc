@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/element/stress.h>
-#include <chaindrive/mesh/stiffness.h>
+#include <chaindrive/mesh/gauss_points.h>
 
 #include <cmath>
 
@@ -9,10 +9,9 @@ namespace chaindrive::element
 using dealii::SymmetricTensor;
 using dealii::Tensor;
 
-Stress stress(const Tensor<2, 3> &F, const parameters::Material &material)
+Stress stress(const Tensor<2, 3> &F, const Material &material)
 {
-  const double E = material.youngs_modulus, nu = material.poissons_ratio;
-  const double lambda = E * nu / ((1. + nu) * (1. - 2. * nu)), mu = 0.5 * E / (1. + nu);
+  const double                lambda = material.lambda(), mu = material.mu();
   const SymmetricTensor<2, 3> one = dealii::unit_symmetric_tensor<3>();
 
   Stress s;
@@ -52,9 +51,9 @@ Tensor<2, 3> deformation_gradient(const Gradients                   &gradients,
   return F;
 }
 
-CellStresses::CellStresses(const mesh::Part           &part,
-                           const mesh::Nodes          &nodes,
-                           const parameters::Material &material)
+CellStresses::CellStresses(const mesh::Part  &part,
+                           const mesh::Nodes &nodes,
+                           const Material    &material)
     : n_cells_(part.mesh->n_active_cells()), material_(material), nodes_(nodes.cells)
 {
   for (const auto &cell : part.mesh->active_cell_iterators())
@@ -114,7 +113,7 @@ FaceGradients face_gradients(const std::array<dealii::Point<3>, 4> &corners,
 
 SymmetricTensor<2, 2> face_stress(const FaceGradients               &gradients,
                                   const std::array<Tensor<1, 3>, 4> &position,
-                                  const parameters::Material        &material)
+                                  const Material                    &material)
 {
   Tensor<1, 3> line[2]; // what the axes have become
   for (unsigned int i = 0; i < 2; ++i)
@@ -127,6 +126,6 @@ SymmetricTensor<2, 2> face_stress(const FaceGradients               &gradients,
     for (unsigned int j = 0; j <= i; ++j)
       strain[i][j] = 0.5 * (line[i] * line[j] - one[i][j]);
   const double nu = material.poissons_ratio;
-  return material.youngs_modulus / (1. - nu * nu) * ((1. - nu) * strain + nu * trace(strain) * one);
+  return material.plane_modulus() * ((1. - nu) * strain + nu * trace(strain) * one);
 }
 } // namespace chaindrive::element

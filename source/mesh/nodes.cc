@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/mesh/gauss_points.h>
 #include <chaindrive/mesh/nodes.h>
-#include <chaindrive/mesh/stiffness.h>
 
 namespace chaindrive::mesh
 {

@@ -12,9 +12,7 @@ using dealii::Point;
 using dealii::SymmetricTensor;
 using dealii::Tensor;
 
-PlateStress::PlateStress(const mesh::Part           &part,
-                         const mesh::Nodes          &nodes,
-                         const parameters::Material &material)
+PlateStress::PlateStress(const mesh::Part &part, const mesh::Nodes &nodes, const Material &material)
     : material_(material)
 {
   const auto   in_middle = [](const Point<3> &x) { return std::abs(x[0]) < 1e-9; };

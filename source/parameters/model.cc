@@ -95,7 +95,7 @@ void Material::declare(dealii::ParameterHandler &prm)
       "value of the drive in prm/paper; most steels have 7800 to 7900.");
 }
 
-void Elasticity::declare(dealii::ParameterHandler &prm)
+void Elements::declare(dealii::ParameterHandler &prm)
 {
   const Subsection section(prm, "Elements");
   add(prm,

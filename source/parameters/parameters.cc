@@ -9,7 +9,7 @@ void Parameters::declare(dealii::ParameterHandler &prm)
   model.declare(prm);
   material.declare(prm);
   mesh.declare(prm);
-  elasticity.declare(prm);
+  elements.declare(prm);
   contact.declare(prm);
   effects.declare(prm);
   loads.declare(prm);

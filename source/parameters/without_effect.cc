@@ -35,9 +35,9 @@ std::vector<Rule> rules(const Parameters &p)
       {p.drive.layout.start == "warm",
        {"Loads/Speed ramp", "Loads/Ramp time in ms", "Loads/Torque ramp angle in rad"},
        layout + "Start = warm begins at full speed under full load"},
-      {full && p.elasticity.formulation != "one point",
+      {full && p.elements.formulation != "one point",
        {"Elements/Hourglass coefficient"},
-       "Elements/Formulation = " + p.elasticity.formulation + " does not use it"}};
+       "Elements/Formulation = " + p.elements.formulation + " does not use it"}};
   for (const auto &[choice, entry] :
        {std::pair<const char *, const char *>{"given", "Centre distance in mm"},
         {"slack", "Slack in mm"},

@@ -130,12 +130,11 @@ ContactLaw make_area_law(const Parameters           &parameters,
                          const double                thickness,
                          const std::optional<double> friction)
 {
-  const parameters::Material &steel = parameters.material;
-  const double bulk_modulus = steel.youngs_modulus / (3. * (1. - 2. * steel.poissons_ratio));
+  const Material &steel = parameters.material;
   // what moves with a surface at the frequency of its penalty is half an element
   return make_law(parameters,
                   effects,
-                  parameters.contact.penalty_factor * bulk_modulus / thickness,
+                  parameters.contact.penalty_factor * steel.bulk_modulus() / thickness,
                   0.5 * steel.density * thickness,
                   friction);
 }
@@ -148,7 +147,7 @@ Scene build_scene(const Parameters               &parameters,
   Scene                scene;
   scene.start_time      = parameters.time.start;
   scene.material        = parameters.material;
-  scene.elasticity      = parameters.elasticity;
+  scene.elements        = parameters.elements;
   scene.effects         = decide_effects(parameters);
   scene.loads           = effective_loads(parameters, scene.effects);
   scene.sense           = layout.sense;

@@ -16,12 +16,12 @@ namespace
 scene::Scene
 make_scene(const mesh::RollerGrid &grid, const double stiffness, const scene::ContactLaw &shape)
 {
-  scene::Scene               scene = empty_scene();
-  const parameters::Material steel;
-  const auto                 chain = drive::make_chain(parameters::Chain());
-  auto                       tight = chain;
-  tight.roller_bore                = chain.bush_diameter - 4e-6;
-  const auto add = [&](const scene::Kind kind, mesh::Part &&part, const double x) {
+  scene::Scene   scene = empty_scene();
+  const Material steel;
+  const auto     chain = drive::make_chain(parameters::Chain());
+  auto           tight = chain;
+  tight.roller_bore    = chain.bush_diameter - 4e-6;
+  const auto add       = [&](const scene::Kind kind, mesh::Part &&part, const double x) {
     scene.bodies.push_back(body(scene::Motion::elastic,
                                 scene::Support::none,
                                 part.meshed.mass,

@@ -28,8 +28,8 @@ double axial_frequency(const Reference &reference, const double expected, const 
 
 int main()
 {
-  parameters::Material material;
-  const double         c = std::sqrt(material.youngs_modulus / material.density);
+  Material     material;
+  const double c = std::sqrt(material.youngs_modulus / material.density);
 
   std::cout << std::fixed;
   for (const auto &formulation : formulations)

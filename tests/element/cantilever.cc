@@ -13,9 +13,9 @@ using namespace test;
 
 int main()
 {
-  const parameters::Material material;
-  const double               length = 0.1, width = 0.01;
-  const auto count = [](const double x) { return static_cast<unsigned int>(std::lround(x)); };
+  const Material material;
+  const double   length = 0.1, width = 0.01;
+  const auto     count = [](const double x) { return static_cast<unsigned int>(std::lround(x)); };
 
   std::cout << std::fixed << std::setprecision(3);
   for (const std::array<unsigned int, 2> &cells :

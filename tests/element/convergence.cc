@@ -48,8 +48,8 @@ struct Field
 
 int main()
 {
-  const parameters::Material material;
-  const Field                field;
+  const Material material;
+  const Field    field;
   for (const auto &formulation : formulations)
     {
       std::array<double, 3> error{};

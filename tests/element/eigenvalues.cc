@@ -12,7 +12,7 @@
 // across: they bend as plates do.
 #include "../support/elastic.h"
 
-#include <chaindrive/mesh/stiffness.h>
+#include <chaindrive/element/hexahedron_stiffness.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
@@ -120,7 +120,7 @@ Tensor<2, 3> edges(const std::array<double, 3> &length, const double shear)
 
 int main()
 {
-  const parameters::Material material;
+  const Material material;
   for (const auto &length : {std::array<double, 3>{{1e-3, 1e-3, 1e-3}},
                              {{1e-3, 0.7e-3, 2.3e-3}},
                              {{3e-3, 0.4e-3, 0.3e-3}}})
@@ -136,7 +136,7 @@ int main()
                                            formulation.first == Formulation::enhanced);
         std::array<double, 8> masses;
         masses.fill(reference.mass[0]);
-        const auto omega = mesh::natural_frequencies(reference.element_stiffness(0), masses);
+        const auto omega = element::natural_frequencies(reference.element_stiffness(0), masses);
         double     worst = 0.;
         for (unsigned int m = 0; m < 18; ++m)
           worst = std::max(worst, std::abs(omega[m + 6] / std::sqrt(expected[m]) - 1.));

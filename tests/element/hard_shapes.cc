@@ -66,7 +66,7 @@ int main()
         mesh::Part part = brick(body.size, body.cells);
         if (body.sliver < 1.)
           make_sliver(part, body.sliver);
-        parameters::Material material;
+        Material material;
         material.poissons_ratio = body.poisson;
         const Reference reference(part, material, formulation.first);
         const double    dt = 0.9 * 2. / reference.largest_frequency();

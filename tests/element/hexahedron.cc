@@ -5,7 +5,7 @@
 // as a beam.
 #include "../support/elastic.h"
 
-#include <chaindrive/mesh/stiffness.h>
+#include <chaindrive/element/hexahedron_stiffness.h>
 
 using namespace test;
 
@@ -41,9 +41,9 @@ double relative_difference(const dealii::FullMatrix<double> &a, const dealii::Fu
 
 int main()
 {
-  const parameters::Material material;
-  const double E = material.youngs_modulus, nu = material.poissons_ratio, rho = material.density;
-  const double c_d = std::sqrt(E * (1. - nu) / ((1. + nu) * (1. - 2. * nu) * rho));
+  const Material material;
+  const double   E = material.youngs_modulus, nu = material.poissons_ratio, rho = material.density;
+  const double   c_d = std::sqrt(E * (1. - nu) / ((1. + nu) * (1. - 2. * nu) * rho));
 
   std::cout << std::fixed << std::setprecision(3);
   for (const bool cube : {true, false})
@@ -56,7 +56,7 @@ int main()
               x[v][d] = 1e-3 * ((v >> d) & 1);
         const Reference reference(
             single(x), material, enhanced ? Formulation::enhanced : Formulation::full);
-        const auto k = mesh::stiffness(mesh::gauss_points(x), material, enhanced);
+        const auto k = element::stiffness(mesh::gauss_points(x), material, enhanced);
         std::cout << (cube ? "cube, " : "distorted, ") << (enhanced ? "enhanced" : "full")
                   << ": kernels' stiffness differs by less than 1e-14: "
                   << (relative_difference(reference.element_stiffness(0), k) < 1e-14 ? "yes" : "NO")
@@ -73,7 +73,8 @@ int main()
     {
       const Reference reference(single(x), material, formulation.first);
       std::cout << "free cube, " << formulation.second << ", omega h / c_d:";
-      for (const double omega : mesh::natural_frequencies(reference.element_stiffness(0), masses))
+      for (const double omega :
+           element::natural_frequencies(reference.element_stiffness(0), masses))
         std::cout << ' ' << omega * 1e-3 / c_d;
       std::cout << '\n';
     }

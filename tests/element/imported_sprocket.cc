@@ -38,10 +38,10 @@ double pressure(const Point<3> &x, const double r, const double pitch_radius)
 /// Deflection [m] per newton.
 double compliance(const mesh::Part &part, const drive::ToothForm &form)
 {
-  const mesh::Nodes          nodes(part);
-  const parameters::Material steel;
-  const element::Reference   reference(part, nodes, steel, element::Formulation::enhanced);
-  test::LinearModel          model(reference);
+  const mesh::Nodes        nodes(part);
+  const Material           steel;
+  const element::Reference reference(part, nodes, steel, element::Formulation::enhanced);
+  test::LinearModel        model(reference);
   // what the rigid zone holds
   for (const auto &cell : part.mesh->active_cell_iterators())
     if (cell->material_id() == mesh::hub_zone)

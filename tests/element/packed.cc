@@ -138,7 +138,7 @@ std::size_t n_geometries(const Reference &reference)
 
 int main()
 {
-  const parameters::Material material;
+  const Material material;
 
   const std::array<std::pair<std::string, std::function<mesh::Part()>>, 4> bodies{
       {{"ring", small_ring},

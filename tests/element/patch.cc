@@ -14,8 +14,8 @@ using namespace test;
 
 int main()
 {
-  const parameters::Material material;
-  mesh::Part                 body = brick({4e-3, 3e-3, 2.5e-3}, {4, 3, 3});
+  const Material material;
+  mesh::Part     body = brick({4e-3, 3e-3, 2.5e-3}, {4, 3, 3});
   dealii::GridTools::distort_random(0.25, *body.mesh, /*keep_boundary*/ false, 3);
 
   std::vector<bool> on_boundary(body.mesh->n_vertices(), false);

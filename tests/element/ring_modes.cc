@@ -98,12 +98,12 @@ double ovalisation(const Reference &reference, const Held &held, const double ne
 }
 
 /// The same with cubic elements in a quarter of the ring.
-double reference_ovalisation(const Size                 &size,
-                             const unsigned int          around,
-                             const unsigned int          along,
-                             const Held                 &held,
-                             const double                near,
-                             const parameters::Material &material)
+double reference_ovalisation(const Size        &size,
+                             const unsigned int around,
+                             const unsigned int along,
+                             const Held        &held,
+                             const double       near,
+                             const Material    &material)
 {
   const mesh::Part body = part([&](dealii::Triangulation<3> &mesh) {
     dealii::Triangulation<2> section;
@@ -183,9 +183,9 @@ double reference_ovalisation(const Size                 &size,
 
 int main()
 {
-  const parameters::Material material;
-  const auto                 chain     = drive::make_chain(parameters::Chain());
-  const auto                 of_length = [](Size size, const double length) {
+  const Material material;
+  const auto     chain     = drive::make_chain(parameters::Chain());
+  const auto     of_length = [](Size size, const double length) {
     size.length = length;
     return size;
   };

@@ -13,9 +13,9 @@ using namespace test;
 
 int main()
 {
-  constexpr unsigned int     n_steps = 500000, n_mean = 20000;
-  const auto                 chain = drive::make_chain(parameters::Chain());
-  const parameters::Material material;
+  constexpr unsigned int n_steps = 500000, n_mean = 20000;
+  const auto             chain = drive::make_chain(parameters::Chain());
+  const Material         material;
   const mesh::Part roller = mesh::make_roller(chain, material.density, mesh::RollerGrid(1, 16, 2));
   const Reference  reference(roller, material, Formulation::enhanced);
   const double     dt = 0.9 * 2. / reference.largest_frequency();

@@ -13,9 +13,9 @@ using namespace test;
 
 int main()
 {
-  const parameters::Material material;
-  const mesh::Part           body = ring(3.76e-3, 5.08e-3, 7e-3, {{1, 16, 2}});
-  const Tensor<1, 3>         far  = Point<3>(0.4, -0.4, 0.2); // 0.6 m
+  const Material     material;
+  const mesh::Part   body = ring(3.76e-3, 5.08e-3, 7e-3, {{1, 16, 2}});
+  const Tensor<1, 3> far  = Point<3>(0.4, -0.4, 0.2); // 0.6 m
 
   for (const auto &formulation : formulations)
     {

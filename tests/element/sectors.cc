@@ -20,11 +20,11 @@ constexpr unsigned int teeth = 11;
 /// One sprocket, placed off the origin and turned, without anything else.
 scene::Scene make_scene(const scene::Support support, const std::string &formulation)
 {
-  scene::Scene scene           = empty_scene();
-  scene.elasticity.formulation = formulation;
-  const auto chain             = drive::make_chain(parameters::Chain());
-  const auto form  = drive::make_tooth_form(teeth, chain, parameters::Sprockets(), true);
-  const auto whole = std::make_shared<const mesh::Part>(mesh::make_sprocket(
+  scene::Scene scene         = empty_scene();
+  scene.elements.formulation = formulation;
+  const auto chain           = drive::make_chain(parameters::Chain());
+  const auto form            = drive::make_tooth_form(teeth, chain, parameters::Sprockets(), true);
+  const auto whole           = std::make_shared<const mesh::Part>(mesh::make_sprocket(
       form, {15e-3, 0.6 * form.root_diameter, 7e-3}, scene.material.density, 1));
 
   scene.parts[scene::Kind::driver]   = whole;

@@ -4,7 +4,7 @@
 // periods of their breathing.
 #include "../support/modes.h"
 
-#include <chaindrive/mesh/stiffness.h>
+#include <chaindrive/mesh/gauss_points.h>
 
 #include <algorithm>
 #include <vector>
@@ -123,9 +123,9 @@ std::array<Means, n_lanes> spin(const Reference                   &reference,
 
 int main()
 {
-  const parameters::Material material;
-  const double E = material.youngs_modulus, nu = material.poissons_ratio, rho = material.density;
-  const double c = std::sqrt(E / rho);
+  const Material material;
+  const double   E = material.youngs_modulus, nu = material.poissons_ratio, rho = material.density;
+  const double   c = std::sqrt(E / rho);
   std::array<double, n_lanes> omega;
   for (int lane = 0; lane < n_lanes; ++lane)
     omega[lane] = 120.74 * (1. + lane);

@@ -71,7 +71,7 @@ unsigned int bounded_steps(const Reference &reference, const double factor, unsi
 
 int main()
 {
-  const parameters::Material                      material;
+  const Material                                  material;
   std::vector<std::pair<std::string, mesh::Part>> parts;
   parts.emplace_back("cube", brick({1e-3, 1e-3, 1e-3}, {1, 1, 1}));
   parts.emplace_back("distorted cube", brick({1e-3, 1e-3, 1e-3}, {1, 1, 1}));

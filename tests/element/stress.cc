@@ -6,7 +6,7 @@
 #include "../support/elastic.h"
 
 #include <chaindrive/element/stress.h>
-#include <chaindrive/mesh/stiffness.h>
+#include <chaindrive/mesh/gauss_points.h>
 
 using namespace test;
 
@@ -76,8 +76,8 @@ struct Faces
   }
 };
 
-const parameters::Material material;
-const double               E = material.youngs_modulus, nu = material.poissons_ratio;
+const Material material;
+const double   E = material.youngs_modulus, nu = material.poissons_ratio;
 
 void stretched(const mesh::Part &body, const double along, const double across, const bool uniaxial)
 {

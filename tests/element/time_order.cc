@@ -9,8 +9,8 @@ using namespace test;
 
 int main()
 {
-  const parameters::Material material;
-  mesh::Part                 body = brick({2e-3, 2e-3, 2e-3}, {2, 2, 2});
+  const Material material;
+  mesh::Part     body = brick({2e-3, 2e-3, 2e-3}, {2, 2, 2});
   dealii::GridTools::distort_random(0.2, *body.mesh, /*keep_boundary*/ false, 3);
 
   std::cout << std::fixed << std::setprecision(2);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Every boundary face of the parts belongs to its named surface: areas against the solids'.
 
+#include <chaindrive/element/part_report.h>
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/generate/sprocket.h>
-#include <chaindrive/mesh/report.h>
 
 #include <iomanip>
 #include <iostream>
@@ -18,7 +18,7 @@ const double pi = dealii::numbers::PI;
 void compare(const mesh::Part &part, const std::map<std::string, double> &exact)
 {
   std::cout << part.name << ": areas of mesh / solid\n";
-  for (const auto &side : mesh::make_report(part, parameters::Material()).sides)
+  for (const auto &side : element::make_report(part, Material()).sides)
     std::cout << "  " << side.name << ": "
               << (exact.count(side.name) ? side.area / exact.at(side.name) : -1.) << '\n';
 }

@@ -2,9 +2,9 @@
 // Volumes of the components of links tend to those of the solids with order 2; the density factors
 // make up for the rest, and for the bush that its mesh leads through the plate.
 
+#include <chaindrive/element/part_report.h>
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/mass.h>
-#include <chaindrive/mesh/report.h>
 
 #include <cmath>
 #include <iomanip>
@@ -16,11 +16,11 @@ namespace
 {
 void study(const std::string &what, const drive::ChainDimensions &chain, const bool inner)
 {
-  const parameters::Material material;
-  const double               density = material.density;
-  const drive::Plate         plate  = inner ? drive::inner_plate(chain) : drive::outer_plate(chain);
-  const double               plates = 2. * drive::plate_solid(plate, density).mass / density;
-  const double               tube =
+  const Material     material;
+  const double       density = material.density;
+  const drive::Plate plate   = inner ? drive::inner_plate(chain) : drive::outer_plate(chain);
+  const double       plates  = 2. * drive::plate_solid(plate, density).mass / density;
+  const double       tube =
       2. * (inner ? drive::bush_solid(chain, density) : drive::pin_solid(chain, density)).mass /
       density;
   const double length  = inner ? chain.bush_length : chain.pin_length;
@@ -42,7 +42,7 @@ void study(const std::string &what, const drive::ChainDimensions &chain, const b
       std::cout << n << std::setprecision(4) << ' ' << 100. * e_plates << ' ' << 100. * e_tube;
       std::cout << std::setprecision(5) << ", " << part.density_factor[ids.first] << ' '
                 << part.density_factor[ids.second];
-      const mesh::Report report = mesh::make_report(part, material);
+      const element::PartReport report = element::make_report(part, material);
       std::cout << std::setprecision(3);
       for (unsigned int d = 0; d < 3; ++d)
         std::cout << (d == 0 ? ", " : " ") << 100. * report.meshed_error[d];

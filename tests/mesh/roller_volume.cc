@@ -2,9 +2,9 @@
 // The mesh of a roller is a prism over a ring of two regular polygons: its volume, area and polar
 // moment have closed forms, which tend to those of the solid as 1/n^2.
 
+#include <chaindrive/element/part_report.h>
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/mass.h>
-#include <chaindrive/mesh/report.h>
 
 #include <cmath>
 #include <iomanip>
@@ -14,10 +14,10 @@ using namespace chaindrive;
 
 int main()
 {
-  const auto           chain = drive::make_chain(parameters::Chain());
-  parameters::Material material;
-  const double         R = 0.5 * chain.roller_diameter, r = 0.5 * chain.roller_bore;
-  const double         solid = dealii::numbers::PI * (R * R - r * r) * chain.roller_length;
+  const auto   chain = drive::make_chain(parameters::Chain());
+  Material     material;
+  const double R = 0.5 * chain.roller_diameter, r = 0.5 * chain.roller_bore;
+  const double solid = dealii::numbers::PI * (R * R - r * r) * chain.roller_length;
 
   std::cout << std::fixed
             << "around, volume and outside over closed form, error of the volume in %, "
@@ -25,8 +25,8 @@ int main()
   double last = 0.;
   for (const unsigned int n : {12, 24, 48, 96})
     {
-      const mesh::Part   part   = mesh::make_roller(chain, material.density, {2, n, 2});
-      const mesh::Report report = mesh::make_report(part, material);
+      const mesh::Part          part   = mesh::make_roller(chain, material.density, {2, n, 2});
+      const element::PartReport report = element::make_report(part, material);
 
       const double angle   = 2. * dealii::numbers::PI / n;
       const double polygon = 0.5 * n * std::sin(angle) * (R * R - r * r) * chain.roller_length;

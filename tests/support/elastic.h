@@ -37,7 +37,7 @@ inline mesh::Part part(const std::function<void(dealii::Triangulation<3> &)> &ma
 {
   mesh::Part part;
   part.name    = "test part";
-  part.density = parameters::Material().density;
+  part.density = Material().density;
   part.mesh    = std::make_unique<dealii::Triangulation<3>>();
   make(*part.mesh);
   return part;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <chaindrive/element/kernels.h>
+#include <chaindrive/material/material.h>
 #include <chaindrive/mesh/nodes.h>
-#include <chaindrive/parameters/model.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -25,19 +25,19 @@ class Reference
 public:
   /// @p nodes are those of @p part; @p hourglass_coefficient is that of Flanagan and Belytschko,
   /// used by Formulation::one_point. No shape beyond @p most_regular is looked for.
-  Reference(const mesh::Part           &part,
-            const mesh::Nodes          &nodes,
-            const parameters::Material &material,
-            Formulation                 formulation,
-            double                      hourglass_coefficient = 0.1,
-            Shape                       most_regular          = Shape::symmetric_prism);
+  Reference(const mesh::Part  &part,
+            const mesh::Nodes &nodes,
+            const Material    &material,
+            Formulation        formulation,
+            double             hourglass_coefficient = 0.1,
+            Shape              most_regular          = Shape::symmetric_prism);
 
   /// The same with the nodes made for the occasion.
-  Reference(const mesh::Part           &part,
-            const parameters::Material &material,
-            Formulation                 formulation,
-            double                      hourglass_coefficient = 0.1,
-            Shape                       most_regular          = Shape::symmetric_prism)
+  Reference(const mesh::Part &part,
+            const Material   &material,
+            Formulation       formulation,
+            double            hourglass_coefficient = 0.1,
+            Shape             most_regular          = Shape::symmetric_prism)
       : Reference(
             part, mesh::Nodes(part), material, formulation, hourglass_coefficient, most_regular)
   {

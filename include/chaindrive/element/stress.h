@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/material/material.h>
 #include <chaindrive/mesh/nodes.h>
 #include <chaindrive/mesh/quality.h>
-#include <chaindrive/parameters/model.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -27,7 +27,7 @@ struct Stress
 };
 
 /// From the deformation gradient @p F: reference axes to world axes, any rotation in it.
-Stress stress(const dealii::Tensor<2, 3> &F, const parameters::Material &material);
+Stress stress(const dealii::Tensor<2, 3> &F, const Material &material);
 
 /// Von Mises' equivalent of @p stress, sqrt(3/2 s:s) with its deviator s, in its unit.
 double von_mises(const dealii::SymmetricTensor<2, 3> &stress);
@@ -48,9 +48,7 @@ class CellStresses
 {
 public:
   /// @p nodes are those of @p part.
-  CellStresses(const mesh::Part           &part,
-               const mesh::Nodes          &nodes,
-               const parameters::Material &material);
+  CellStresses(const mesh::Part &part, const mesh::Nodes &nodes, const Material &material);
 
   /// From the position of each node of one copy [m], in world axes or any others: one entry per
   /// active cell of the mesh, zero in a rigid zone.
@@ -58,7 +56,7 @@ public:
 
 private:
   unsigned int                             n_cells_;
-  parameters::Material                     material_;
+  Material                                 material_;
   std::vector<std::array<unsigned int, 8>> nodes_;     ///< per elastic cell
   std::vector<unsigned int>                cell_;      ///< its number in the mesh
   std::vector<Gradients>                   gradients_; ///< 1/m
@@ -76,5 +74,5 @@ FaceGradients face_gradients(const std::array<dealii::Point<3>, 4> &corners,
 /// from the face's own strain. Axes are those of @p gradients, @p position are its corners now [m].
 dealii::SymmetricTensor<2, 2> face_stress(const FaceGradients                       &gradients,
                                           const std::array<dealii::Tensor<1, 3>, 4> &position,
-                                          const parameters::Material                &material);
+                                          const Material                            &material);
 } // namespace chaindrive::element

@@ -28,9 +28,7 @@ class PlateStress
 {
 public:
   /// @p part is an inner or outer link, @p nodes are its nodes.
-  PlateStress(const mesh::Part           &part,
-              const mesh::Nodes          &nodes,
-              const parameters::Material &material);
+  PlateStress(const mesh::Part &part, const mesh::Nodes &nodes, const Material &material);
 
   /// The nodes of the part whose positions are needed.
   const std::vector<unsigned int> &nodes() const { return nodes_; }
@@ -58,7 +56,7 @@ private:
   dealii::SymmetricTensor<2, 2> mean(const std::vector<Face>                 &faces,
                                      const std::vector<dealii::Tensor<1, 3>> &position) const;
 
-  parameters::Material      material_;
+  Material                  material_;
   std::vector<unsigned int> nodes_;
   std::vector<Cell>         section_;
   std::vector<Face>         lower_edge_, upper_edge_; ///< y < 0, y > 0

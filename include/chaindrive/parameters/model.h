@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/material/material.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <optional>
@@ -25,20 +27,16 @@ struct Model
   void declare(dealii::ParameterHandler &prm);
 };
 
-/// Section `Material`: linear elastic, isotropic, the same for every part.
-struct Material
+/// Section `Material`: the same for every part.
+struct Material : chaindrive::Material
 {
-  double youngs_modulus = 210e9; ///< Pa
-  double poissons_ratio = 0.3;
-  double density        = 7600.; ///< kg/m3
-
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p prm.
   void declare(dealii::ParameterHandler &prm);
 };
 
 /// Section `Elements`: how elastic bodies are computed.
-struct Elasticity
+struct Elements
 {
   std::string formulation           = "enhanced"; ///< one point | enhanced | full
   double      hourglass_coefficient = 0.1;        ///< of one point, after Flanagan and Belytschko

@@ -74,8 +74,8 @@ struct Scene
   int    sense               = 1;     ///< +1: counter-clockwise drive
   std::map<Kind, std::shared_ptr<const mesh::Part>>   parts;   ///< those that somebody needs
   std::map<Kind, std::shared_ptr<const mesh::Sector>> sectors; ///< of elastic sprockets
-  parameters::Material                                material;
-  parameters::Elasticity                              elasticity;
+  Material                                            material;
+  parameters::Elements                                elements;
   std::vector<Effect>                                 effects;
   std::vector<std::string> notes; ///< what the log must say about choices made
 

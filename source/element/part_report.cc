@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/mesh/report.h>
-#include <chaindrive/mesh/stiffness.h>
-
+#include <chaindrive/element/hexahedron_stiffness.h>
+#include <chaindrive/element/part_report.h>
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/mesh/quality.h>
 #include <chaindrive/utilities/text.h>
@@ -13,9 +12,10 @@
 #include <limits>
 #include <set>
 
-namespace chaindrive::mesh
+namespace chaindrive::element
 {
 using dealii::Tensor;
+using mesh::Corners;
 
 namespace
 {
@@ -61,11 +61,11 @@ std::string percent(const double ratio)
 }
 } // namespace
 
-Report make_report(const Part &part, const parameters::Material &material)
+PartReport make_report(const mesh::Part &part, const Material &material)
 {
   const dealii::Triangulation<3> &mesh = *part.mesh;
 
-  Report report;
+  PartReport report;
   report.name            = part.name;
   report.n_cells         = mesh.n_active_cells();
   report.n_vertices      = mesh.n_used_vertices();
@@ -74,17 +74,17 @@ Report make_report(const Part &part, const parameters::Material &material)
   report.scaled_jacobian = 1.;
   report.aspect_ratio    = 1.;
 
-  double                         frequency = 0.;
-  std::set<std::vector<long>>    shapes;
-  std::array<bool, n_components> seen{};
+  double                               frequency = 0.;
+  std::set<std::vector<long>>          shapes;
+  std::array<bool, mesh::n_components> seen{};
   for (const auto &cell : mesh.active_cell_iterators())
     {
-      const Corners x = corners_of(cell);
+      const Corners x = mesh::corners_of(cell);
 
-      report.scaled_jacobian = std::min(report.scaled_jacobian, scaled_jacobian(x));
+      report.scaled_jacobian = std::min(report.scaled_jacobian, mesh::scaled_jacobian(x));
 
       seen[cell->material_id()] = true;
-      if (cell->material_id() == hub_zone)
+      if (cell->material_id() == mesh::hub_zone)
         continue;
       ++report.n_elastic_cells;
 
@@ -110,27 +110,27 @@ Report make_report(const Part &part, const parameters::Material &material)
     report.exact_inertia[d] = part.exact.inertia[d][d];
   report.mass_error   = part.meshed.mass / part.exact.mass - 1.;
   report.meshed_error = relative_error(part.meshed, part.exact);
-  report.lumped_error = relative_error(lumped_properties(part), part.exact);
-  for (unsigned int c = 0; c < n_components; ++c)
+  report.lumped_error = relative_error(mesh::lumped_properties(part), part.exact);
+  for (unsigned int c = 0; c < mesh::n_components; ++c)
     if (seen[c])
-      report.factors.push_back({component_name(c), part.density_factor[c]});
+      report.factors.push_back({mesh::component_name(c), part.density_factor[c]});
 
-  std::array<Report::Side, n_surfaces> sides;
-  for (unsigned int s = 0; s < n_surfaces; ++s)
-    sides[s] = {surface_name(s), 0, 0.};
+  std::array<PartReport::Side, mesh::n_surfaces> sides;
+  for (unsigned int s = 0; s < mesh::n_surfaces; ++s)
+    sides[s] = {mesh::surface_name(s), 0, 0.};
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary())
       {
         ++sides[face->boundary_id()].n_faces;
         sides[face->boundary_id()].area += area(face);
       }
-  for (const Report::Side &side : sides)
+  for (const PartReport::Side &side : sides)
     if (side.n_faces > 0)
       report.sides.push_back(side);
   return report;
 }
 
-void print(std::ostream &out, const Report &report)
+void print(std::ostream &out, const PartReport &report)
 {
   const auto line = [&out](const std::string &what, const std::string &value) {
     out << "  " << what << std::string(what.size() < 24 ? 24 - what.size() : 1, ' ') << value
@@ -152,14 +152,14 @@ void print(std::ostream &out, const Report &report)
            to_text(1e9 * report.exact_inertia[2], 5) + " g mm2");
   line("  error of the mesh", three(report.meshed_error));
   line("  error of lumped masses", three(report.lumped_error));
-  for (const Report::Factor &factor : report.factors)
+  for (const PartReport::Factor &factor : report.factors)
     line("density factor", to_text(factor.density_factor, 5) + " (" + factor.component + ")");
   line("stable step",
        to_text(1e6 * report.stable_step, 4) + " us (largest element frequency, " +
            std::to_string(report.n_shapes) + " shapes of " +
            std::to_string(report.n_elastic_cells) + " elastic cells)");
-  for (const Report::Side &side : report.sides)
+  for (const PartReport::Side &side : report.sides)
     line(side.name,
          std::to_string(side.n_faces) + " faces, " + to_text(1e6 * side.area, 5) + " mm2");
 }
-} // namespace chaindrive::mesh
+} // namespace chaindrive::element

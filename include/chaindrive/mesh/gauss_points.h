@@ -2,12 +2,8 @@
 #pragma once
 
 #include <chaindrive/mesh/quality.h>
-#include <chaindrive/parameters/model.h>
-
-#include <deal.II/lac/full_matrix.h>
 
 #include <array>
-#include <vector>
 
 namespace chaindrive::mesh
 {
@@ -26,22 +22,6 @@ struct GaussPoint
 
 std::array<GaussPoint, 8> gauss_points(const Corners &corners);
 
-/// Stiffness matrix [N/m] of the hexahedron with those points, row 3 a + i for component i of
-/// vertex a. @p enhanced condenses the incompatible modes out of it: such an element bends as a
-/// beam does with one layer through its thickness.
-dealii::FullMatrix<double> stiffness(const std::array<GaussPoint, 8> &points,
-                                     const parameters::Material      &material,
-                                     bool                             enhanced);
-
 /// Lumped masses of the vertices: row sums of the mass matrix, kg; @p density in kg/m3.
 std::array<double, 8> lumped_masses(const std::array<GaussPoint, 8> &points, double density);
-
-/// Natural frequencies [rad/s] of the free hexahedron, ascending, six zeros among them.
-/// @p stiffness as above, @p masses of the vertices [kg].
-std::vector<double> natural_frequencies(const dealii::FullMatrix<double> &stiffness,
-                                        const std::array<double, 8>      &masses);
-
-/// The largest of them for a fully integrated hexahedron; @p density in kg/m3.
-double
-largest_frequency(const Corners &corners, const parameters::Material &material, double density);
 } // namespace chaindrive::mesh

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/material/material.h>
 #include <chaindrive/mesh/part.h>
-#include <chaindrive/parameters/model.h>
 
 #include <ostream>
 #include <string>
 #include <vector>
 
-namespace chaindrive::mesh
+namespace chaindrive::element
 {
 /// What a user should know about a mesh before trusting it.
-struct Report
+struct PartReport
 {
   std::string  name;
   unsigned int n_cells, n_elastic_cells, n_vertices;
@@ -46,8 +46,8 @@ struct Report
   std::vector<Side> sides; ///< named surfaces
 };
 
-Report make_report(const Part &part, const parameters::Material &material);
+PartReport make_report(const mesh::Part &part, const Material &material);
 
 /// Prints @p report for people: mm, g, us.
-void print(std::ostream &out, const Report &report);
-} // namespace chaindrive::mesh
+void print(std::ostream &out, const PartReport &report);
+} // namespace chaindrive::element

@@ -4,9 +4,9 @@
 // brick the limit tends to that of a bar of constrained cross-section, dt = h / c_d. A report on a
 // roller.
 
+#include <chaindrive/element/hexahedron_stiffness.h>
+#include <chaindrive/element/part_report.h>
 #include <chaindrive/mesh/generate/links.h>
-#include <chaindrive/mesh/report.h>
-#include <chaindrive/mesh/stiffness.h>
 
 #include <cmath>
 #include <iomanip>
@@ -16,17 +16,17 @@ using namespace chaindrive;
 
 int main()
 {
-  const parameters::Material material;
-  const double E = material.youngs_modulus, nu = material.poissons_ratio, rho = material.density;
-  const double bulk = E / (3. * (1. - 2. * nu));
-  const double c_k  = std::sqrt(bulk / rho),
-               c_d  = std::sqrt(E * (1. - nu) / ((1. + nu) * (1. - 2. * nu) * rho));
+  const Material material;
+  const double   E = material.youngs_modulus, nu = material.poissons_ratio, rho = material.density;
+  const double   bulk = E / (3. * (1. - 2. * nu));
+  const double   c_k  = std::sqrt(bulk / rho),
+               c_d    = std::sqrt(E * (1. - nu) / ((1. + nu) * (1. - 2. * nu) * rho));
 
   const auto step = [&](const double a, const double b, const double c) {
     mesh::Corners x;
     for (unsigned int v = 0; v < 8; ++v)
       x[v] = dealii::Point<3>((v & 1) * a, ((v >> 1) & 1) * b, (v >> 2) * c);
-    return 2. / mesh::largest_frequency(x, material, rho);
+    return 2. / element::largest_frequency(x, material, rho);
   };
   const double h = 1e-3;
   std::cout << std::fixed << std::setprecision(6) << "cube: step over h / (sqrt(3) c_K) "
@@ -39,5 +39,5 @@ int main()
   // The true limit of this mesh is 0.1078 us (Lanczos); the bound by single cells is 10 to 26 %
   // less.
   const auto chain = drive::make_chain(parameters::Chain());
-  print(std::cout, mesh::make_report(mesh::make_roller(chain, rho, 2), material));
+  print(std::cout, element::make_report(mesh::make_roller(chain, rho, 2), material));
 }
