@@ -11,6 +11,10 @@ import re
 LICENCE = "SPDX-License-Identifier: LGPL-2.1-or-later"
 MAX_LINES = 600
 MAX_BYTES = 1_000_000
+MAX_COLUMNS = 100
+
+# Documents that a program writes.
+GENERATED = {"doc/parameters.md", "doc/validation/verification.md"}
 
 # Beyond the order of rooms: what a room may not reach, directly or through our own headers.
 OUT_OF_BOUNDS = {
@@ -164,6 +168,22 @@ def links(tree):
     return violations
 
 
+def prose(tree):
+    """Lines of the documents fit the page, but for tables, fenced code, headings and single links."""
+    violations = []
+    for path, text in tree.items():
+        if not path.endswith(".md") or path in GENERATED:
+            continue
+        fenced = False
+        for number, line in enumerate(text.splitlines(), 1):
+            if line.lstrip().startswith("```"):
+                fenced = not fenced
+            exempt = fenced or line.lstrip().startswith(("|", "#")) or " " not in line.strip()
+            if len(line) > MAX_COLUMNS and not exempt:
+                violations.append(f"{path}:{number}: {len(line)} columns, more than {MAX_COLUMNS}")
+    return violations
+
+
 def prm_listed(tree):
     """Every .prm for users is in a table that says what it answers."""
     tables = tree.get("README.md", "") + tree.get("prm/README.md", "")
@@ -174,4 +194,4 @@ def prm_listed(tree):
     ]
 
 
-RULES = {rule.__name__: rule for rule in (layering, licence, length, words, links, prm_listed)}
+RULES = {rule.__name__: rule for rule in (layering, licence, length, words, links, prose, prm_listed)}

@@ -93,6 +93,18 @@ class Files(unittest.TestCase):
             {"doc/c.md": "[gone](gone.md)"},
         )
 
+    def test_prose(self):
+        long = "word " * 20 + "end"
+        self.assert_rule(
+            rules.prose,
+            {
+                "a.md": f"# {long}\n\n{long[:100]}\n\n| {long} |\n\n```\n{long}\n```\n{'x' * 101}\n",
+                "doc/parameters.md": long,
+                "a.cc": f"// {long}\n",
+            },
+            {"b.md": long, "c.md": f"```\na\n```\n{long}\n", "d.md": f"- item\n  {long}\n"},
+        )
+
     def test_prm_listed(self):
         self.assert_rule(
             rules.prm_listed,
