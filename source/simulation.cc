@@ -104,7 +104,7 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
   if (!scene.has_elastic_bodies() && !is_first_rank)
     return true;
   dynamics::System     system(scene,
-                          parameters.contact.search == "every step",
+                          parameters.contact.search == parameters::Search::every_step,
                           scene.has_elastic_bodies() ? comm : MPI_COMM_SELF);
   dynamics::StepChoice choice  = dynamics::choose_step(system, parameters);
   const MPI_Comm       at_work = system.world.communicator();

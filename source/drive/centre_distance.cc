@@ -15,9 +15,9 @@ std::string in_mm(const double length) { return to_text(length * 1e3, 7) + " mm"
 
 Target wanted(const parameters::Layout &layout)
 {
-  if (layout.centre_distance_from == "slack")
+  if (layout.centre_distance_from == parameters::CentreDistanceFrom::slack)
     return {Target::Kind::slack, layout.slack};
-  if (layout.centre_distance_from == "sag")
+  if (layout.centre_distance_from == parameters::CentreDistanceFrom::sag)
     return {Target::Kind::sag, layout.sag};
   return {Target::Kind::slack, 0.}; // pre-tension: the link lengths hold the stretch
 }
@@ -38,7 +38,7 @@ Proposal propose(const Fitter             &fitter,
 {
   const std::string the_chain = "A chain of " + std::to_string(fitter.n_links) + " links";
   const double      given     = layout.centre_distance;
-  const bool        is_given  = layout.centre_distance_from == "given";
+  const bool        is_given = layout.centre_distance_from == parameters::CentreDistanceFrom::given;
   if (is_given && given <= least_distance)
     throw InputError("Drive/Layout/Centre distance in mm = " + to_text(given * 1e3, 7) +
                      ": the sprockets overlap; it must exceed " + in_mm(least_distance) + ".");

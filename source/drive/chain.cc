@@ -13,10 +13,11 @@ namespace
 /// 11 (2004) 573-584, in m. Other sizes scale from it.
 namespace reference
 {
-constexpr double roller_diameter = 10.16e-3, roller_length = 7.00e-3;
-constexpr double bush_diameter = 7.43e-3, pin_diameter = 5.24e-3, pin_bore = 2.68e-3;
-constexpr double inner_width = 7.94e-3, plate_thickness = 2.0e-3, plate_gap = 0.5e-3;
-constexpr double clearance = 0.045e-3; // radial, of both joints, kept in every size
+constexpr const char *designation     = "525";
+constexpr double      roller_diameter = 10.16e-3, roller_length = 7.00e-3;
+constexpr double      bush_diameter = 7.43e-3, pin_diameter = 5.24e-3, pin_bore = 2.68e-3;
+constexpr double      inner_width = 7.94e-3, plate_thickness = 2.0e-3, plate_gap = 0.5e-3;
+constexpr double      clearance = 0.045e-3; // radial, of both joints, kept in every size
 } // namespace reference
 
 std::string in_mm(const double length) { return to_text(length * 1e3, 5) + " mm"; }
@@ -160,13 +161,9 @@ void set_hole_pitches(ChainDimensions &c, const parameters::Chain &chain)
                      " must be at least 0 and less than 20.");
   const double longer = 1. + chain.elongation, play = 2. * c.pin_clearance();
   c.inner_hole_pitch = longer * c.pitch;
-  if (chain.pitch_set == "standard")
-    c.outer_hole_pitch = longer * c.pitch - play;
-  else if (chain.pitch_set == "paper literal" || chain.pitch_set == "nominal")
-    c.outer_hole_pitch = longer * (c.pitch + play) - play;
-  else
-    throw InputError("Drive/Chain/Pitch set = " + chain.pitch_set +
-                     " must be one of: standard, paper literal, nominal.");
+  c.outer_hole_pitch = chain.pitch_set == parameters::PitchSet::standard ?
+                           longer * c.pitch - play :
+                           longer * (c.pitch + play) - play;
 }
 } // namespace
 
@@ -176,7 +173,7 @@ ChainDimensions make_chain(const parameters::Chain &chain)
   ChainDimensions       c;
   Filler                fill(c.derived, row.designation);
 
-  const bool documented    = row.designation == "525"; // the reference chain itself
+  const bool documented    = row.designation == reference::designation;
   c.designation            = row.designation;
   c.pitch                  = chain.pitch.value_or(row.pitch);
   c.roller_diameter        = chain.roller_diameter.value_or(row.roller_diameter);

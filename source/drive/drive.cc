@@ -11,6 +11,8 @@
 
 namespace chaindrive::drive
 {
+using parameters::CentreDistanceFrom;
+
 namespace
 {
 std::string in_mm(const double length) { return to_text(length * 1e3, 5) + " mm"; }
@@ -38,7 +40,8 @@ Pull hardest_pull(const Parameters &parameters, const double pitch_radius)
   const double after = std::abs(loads.torque_after_step) / pitch_radius;
   if (loads.torque_step_time && after > pull.tension)
     pull = {after, "of the load after its step", "Loads/Torque after step in N m"};
-  if (layout.centre_distance_from == "pretension" && layout.pretension > pull.tension)
+  if (layout.centre_distance_from == CentreDistanceFrom::pretension &&
+      layout.pretension > pull.tension)
     pull = {layout.pretension, "before the start", "Drive/Layout/Pretension in N"};
   return pull;
 }
@@ -85,7 +88,10 @@ void choose_hub(const std::string           &name,
 }
 
 /// The acceleration that acts, m/s2.
-double gravity(const Parameters &p) { return p.effects.gravity == "off" ? 0. : p.loads.gravity; }
+double gravity(const Parameters &p)
+{
+  return p.effects.gravity == parameters::Switch::off ? 0. : p.loads.gravity;
+}
 
 /// The chain of the simple or the layered model for bring_to_rest().
 RestingChain resting_chain(const Parameters &p, const Drive &d)
@@ -95,7 +101,7 @@ RestingChain resting_chain(const Parameters &p, const Drive &d)
   chain.weight          = mass * gravity(p);
   chain.roller_radius   = 0.5 * d.chain.roller_diameter;
   chain.tooth_stiffness = p.contact.roller_tooth_stiffness.value_or(d.roller_tooth_stiffness);
-  if (p.model.fidelity == "simple")
+  if (!p.model.capabilities().has_clearances)
     {
       const double mean     = d.chain.loaded_pitch();
       chain.length          = {mean, mean};
@@ -119,8 +125,9 @@ void append(std::vector<std::string> &notes, const std::vector<std::string> &mor
 
 Drive make_drive(const Parameters &parameters)
 {
-  const parameters::Sprockets &sprockets = parameters.drive.sprockets;
-  const Material              &steel     = parameters.material;
+  const parameters::Sprockets   &sprockets = parameters.drive.sprockets;
+  const Material                &steel     = parameters.material;
+  const parameters::Capabilities model     = parameters.model.capabilities();
 
   Drive d;
   d.chain  = make_chain(parameters.drive.chain);
@@ -169,7 +176,7 @@ Drive make_drive(const Parameters &parameters)
   d.roller_bush_stiffness     = roller_bush_stiffness(d.chain, reference_load, steel);
   d.stiffness_per_pitch       = parameters.model.stiffness_per_pitch.value_or(
       chain_stiffness(d.chain, reference_load, steel));
-  if (parameters.model.fidelity != "full") // there the elastic bodies give way
+  if (!model.is_elastic) // there the elastic bodies give way
     {
       const parameters::Contact &given = parameters.contact;
       const Pull                 load  = hardest_pull(parameters, 0.5 * d.driven.pitch_diameter);
@@ -183,7 +190,7 @@ Drive make_drive(const Parameters &parameters)
                   load,
                   0.5 * d.chain.pin_diameter,
                   "pins");
-      if (parameters.model.fidelity == "layered")
+      if (model.has_clearances)
         refuse_soft("Contact/Roller-bush stiffness in N/m",
                     given.roller_bush_stiffness.value_or(d.roller_bush_stiffness),
                     load,
@@ -200,18 +207,18 @@ Drive make_drive(const Parameters &parameters)
                          d.chain,
                          d.driver,
                          d.driven,
-                         parameters.model.fidelity != "simple",
+                         model.has_clearances,
                          d.stiffness_per_pitch,
                          parameters.loads.driver_speed,
                          d.nominal_tension,
                          gravity(parameters) == 0.);
   const parameters::Layout &layout = parameters.drive.layout;
-  if (layout.centre_distance_from == "pretension" && layout.pretension > 0. &&
-      layout.start != "warm")
+  if (layout.centre_distance_from == CentreDistanceFrom::pretension && layout.pretension > 0. &&
+      layout.start != parameters::Start::warm)
     bring_to_rest(d.layout, resting_chain(parameters, d), d.driver, d.driven, layout.pretension);
-  if (layout.centre_distance_from != "given")
+  if (layout.centre_distance_from != CentreDistanceFrom::given)
     d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance * 1e3, 7) +
-                      " mm, from " + layout.centre_distance_from + ".");
+                      " mm, from " + text_of(layout.centre_distance_from) + ".");
   return d;
 }
 } // namespace chaindrive::drive

@@ -14,6 +14,7 @@ namespace chaindrive::drive
 using dealii::Point;
 using dealii::Tensor;
 using dealii::numbers::PI;
+using parameters::CentreDistanceFrom;
 
 namespace
 {
@@ -42,43 +43,28 @@ Fitter make_fitter(const parameters::Drive &drive,
   fitter.n_links      = drive.n_links;
   fitter.phase        = layout.start_phase;
   // the tight span above: the slack one hangs away from it; below: it sags towards it
-  fitter.bulge = layout.tight_span == "lower" && !weightless ? -1 : 1;
+  fitter.bulge = layout.tight_span == parameters::TightSide::lower && !weightless ? -1 : 1;
 
   const double mean = chain.loaded_pitch();
   fitter.seats = clearances ? LinkLengths{chain.loaded_inner_pitch(), chain.loaded_outer_pitch()} :
                               LinkLengths{mean, mean};
   fitter.tight = fitter.slack = fitter.seats;
-  if (clearances && layout.start == "concentric")
+  if (clearances && layout.start == parameters::Start::concentric)
     fitter.tight = fitter.slack = {chain.inner_hole_pitch, chain.outer_hole_pitch};
 
-  const double everywhere =
-      layout.centre_distance_from == "pretension" ? layout.pretension / stiffness_per_pitch : 0.;
-  const double in_tight = layout.start == "warm" ? tight_tension / stiffness_per_pitch : everywhere;
-  fitter.tight          = stretched(fitter.tight, clearances, in_tight);
-  fitter.slack          = stretched(fitter.slack, clearances, everywhere);
+  const double everywhere = layout.centre_distance_from == CentreDistanceFrom::pretension ?
+                                layout.pretension / stiffness_per_pitch :
+                                0.;
+  const double in_tight =
+      layout.start == parameters::Start::warm ? tight_tension / stiffness_per_pitch : everywhere;
+  fitter.tight = stretched(fitter.tight, clearances, in_tight);
+  fitter.slack = stretched(fitter.slack, clearances, everywhere);
   return fitter;
 }
 
-void check_choices(const parameters::Drive &drive, const bool clearances)
+void check_entries(const parameters::Drive &drive, const bool clearances)
 {
   const parameters::Layout &layout = drive.layout;
-  const auto one_of = [](const std::string &entry, const std::string &value, const auto &names) {
-    std::string list;
-    for (const char *name : names)
-      {
-        if (value == name)
-          return;
-        list += (list.empty() ? "" : ", ") + std::string(name);
-      }
-    throw InputError("Drive/Layout/" + entry + " = " + value + " must be one of: " + list + ".");
-  };
-  using Names = std::initializer_list<const char *>;
-  one_of("Start", layout.start, Names{"taut", "concentric", "warm"});
-  one_of("Tight span", layout.tight_span, Names{"upper", "lower"});
-  one_of("Centre distance from",
-         layout.centre_distance_from,
-         Names{"given", "slack", "sag", "pretension"});
-
   if (!(layout.start_phase >= 0. && layout.start_phase < 1.))
     throw InputError("Drive/Layout/Start phase = " + to_text(layout.start_phase) +
                      " must be at least 0 and less than 1.");
@@ -86,7 +72,8 @@ void check_choices(const parameters::Drive &drive, const bool clearances)
     throw InputError("Drive/Number of links = " + std::to_string(drive.n_links) +
                      " is odd: inner and outer links would not alternate without an offset link, "
                      "which there is not; take an even number.");
-  if (layout.start == "concentric" && layout.centre_distance_from == "pretension")
+  if (layout.start == parameters::Start::concentric &&
+      layout.centre_distance_from == CentreDistanceFrom::pretension)
     throw InputError("Drive/Layout/Start = concentric has no contact in its joints, so Centre "
                      "distance from = pretension cannot be; take start = taut.");
 }
@@ -274,15 +261,15 @@ std::string no_route(const parameters::Layout &layout,
                      const bool                even)
 {
   const std::string what = ": the chain closes on no route around these sprockets";
-  if (layout.centre_distance_from == "given")
+  if (layout.centre_distance_from == CentreDistanceFrom::given)
     return "Drive/Layout/Centre distance in mm = " + to_text(layout.centre_distance * 1e3, 7) +
            what + "; choose a larger one, or Centre distance from = slack.";
-  if (layout.centre_distance_from == "pretension")
+  if (layout.centre_distance_from == CentreDistanceFrom::pretension)
     return "Drive/Layout/Pretension in N = " + to_text(layout.pretension) + what +
            "; choose another number of links.";
 
   parameters::Layout trial = layout;
-  const bool         sag   = layout.centre_distance_from == "sag";
+  const bool         sag   = layout.centre_distance_from == CentreDistanceFrom::sag;
   double            &value = sag ? trial.sag : trial.slack;
   double             low = 0., high = value;
   for (unsigned int i = 0; i < 20; ++i)
@@ -332,7 +319,7 @@ Layout make_layout(const parameters::Drive &drive,
                    const double             tight_tension,
                    const bool               weightless)
 {
-  check_choices(drive, clearances);
+  check_entries(drive, clearances);
   const Fitter fitter =
       make_fitter(drive, chain, clearances, stiffness_per_pitch, tight_tension, weightless);
   const double   least    = 0.5 * (driver.outside_diameter + driven.outside_diameter);
@@ -351,9 +338,9 @@ Layout make_layout(const parameters::Drive &drive,
       check_slack(
           fit, fitter, std::max(chain.inner_plate_height, chain.outer_plate_height), clearances);
       Layout layout = lay(fit, fitter);
-      if (drive.layout.start == "warm")
+      if (drive.layout.start == parameters::Start::warm)
         set_in_motion(layout, std::abs(driver_speed));
-      if (drive.layout.tight_span == "lower")
+      if (drive.layout.tight_span == parameters::TightSide::lower)
         mirror(layout, fit.driver, fit.driven);
       const std::string overlap = find_overlap(layout, chain, driver, driven, clearances);
       if (overlap.empty())

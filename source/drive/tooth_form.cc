@@ -12,6 +12,8 @@ namespace chaindrive::drive
 using dealii::Point;
 using dealii::Tensor;
 using dealii::numbers::PI;
+using parameters::SeatCentre;
+using parameters::StandardForm;
 
 namespace
 {
@@ -25,16 +27,16 @@ struct IsoGap
   double seat_radius, seat_half_angle, flank_radius;
 };
 
-IsoGap iso_gap(const std::string &form, const double z, const double d1)
+IsoGap iso_gap(const StandardForm form, const double z, const double d1)
 {
   const double d1_mm = d1 * 1e3;
   const IsoGap least{0.505 * d1, 0.5 * (140. - 90. / z) * degree, 0.12 * d1 * (z + 2.)};
   const IsoGap most{(0.505 * d1_mm + 0.069 * std::cbrt(d1_mm)) * 1e-3,
                     0.5 * (120. - 90. / z) * degree,
                     0.008 * d1 * (z * z + 180.)};
-  if (form == "iso min")
+  if (form == StandardForm::iso_min)
     return least;
-  if (form == "iso max")
+  if (form == StandardForm::iso_max)
     return most;
   return {0.5 * (least.seat_radius + most.seat_radius),
           0.5 * (least.seat_half_angle + most.seat_half_angle),
@@ -166,18 +168,11 @@ ToothForm make_tooth_form(const unsigned int           teeth,
   if (teeth < 9)
     throw InputError("Drive/" + name + " teeth = " + std::to_string(teeth) +
                      ": the tooth forms of the standards begin at 9 teeth.");
-  const std::string &form   = sprockets.tooth_form;
-  const std::string &centre = sprockets.seat_centre;
-  const bool         ansi   = form == "ansi";
-  if (!ansi && form != "iso min" && form != "iso mid" && form != "iso max")
-    throw InputError("Drive/Sprockets/Tooth form = " + form +
-                     " must be one of: iso min, iso mid, iso max, ansi.");
-  if (centre != "iso" && centre != "pitch" && centre != "bottom diameter")
-    throw InputError("Drive/Sprockets/Seat centre = " + centre +
-                     " must be one of: iso, pitch, bottom diameter.");
-
-  const double z = teeth, p = chain.pitch, d1 = chain.roller_diameter;
-  ToothForm    t;
+  const StandardForm form   = sprockets.tooth_form;
+  const SeatCentre   centre = sprockets.seat_centre;
+  const bool         ansi   = form == StandardForm::ansi;
+  const double       z = teeth, p = chain.pitch, d1 = chain.roller_diameter;
+  ToothForm          t;
   t.teeth           = teeth;
   t.pitch           = p;
   t.pitch_diameter  = p / std::sin(PI / z);
@@ -187,7 +182,7 @@ ToothForm make_tooth_form(const unsigned int           teeth,
   t.seat_radius    = ansi ? 0.5 * (1.005 * d1 + 0.0762e-3) : gap.seat_radius;
   double seat_centre =
       0.5 * t.pitch_diameter; // `pitch`, and what ANSI means by a standard sprocket
-  if (centre == "bottom diameter")
+  if (centre == SeatCentre::bottom_diameter)
     {
       const auto &bottom =
           driver ? sprockets.driver_bottom_diameter : sprockets.driven_bottom_diameter;
@@ -197,7 +192,7 @@ ToothForm make_tooth_form(const unsigned int           teeth,
                          "centre = bottom diameter.");
       seat_centre = 0.5 * *bottom + t.seat_radius;
     }
-  else if (centre == "iso" && !ansi)
+  else if (centre == SeatCentre::iso && !ansi)
     seat_centre = 0.5 * (t.pitch_diameter - d1) + t.seat_radius;
   t.root_diameter = 2. * (seat_centre - t.seat_radius);
   if (!(t.root_diameter > 0.))

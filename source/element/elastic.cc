@@ -6,27 +6,16 @@
 
 namespace chaindrive::element
 {
-namespace
-{
-Formulation formulation_called(const std::string &name)
-{
-  if (name == "one point")
-    return Formulation::one_point;
-  return name == "full" ? Formulation::full : Formulation::enhanced;
-}
-} // namespace
-
 Elastic::Elastic(const scene::Scene &scene, const World &world) : kernels_(best_kernels())
 {
   for (unsigned int g = 0; g < world.n_elastic_groups(); ++g)
     {
       const BodyBatches &copies = world.copies[g];
-      references_.push_back(
-          std::make_unique<Reference>(*copies.part,
-                                      copies.nodes,
-                                      scene.material,
-                                      formulation_called(scene.elements.formulation),
-                                      scene.elements.hourglass_coefficient));
+      references_.push_back(std::make_unique<Reference>(*copies.part,
+                                                        copies.nodes,
+                                                        scene.material,
+                                                        scene.elements.formulation,
+                                                        scene.elements.hourglass_coefficient));
       limits_.push_back({copies.part->name, 2. / references_.back()->largest_frequency()});
     }
 }

@@ -16,7 +16,7 @@ SpeedProgram::SpeedProgram(const scene::Scene &scene)
     : speed_(scene.sense * scene.loads.driver_speed)
     , start_(scene.start_time)
     , ramp_time_(scene.at_speed ? 0. : scene.loads.ramp_time)
-    , cosine_(scene.loads.speed_ramp == "cosine")
+    , cosine_(scene.loads.speed_ramp == parameters::SpeedRamp::cosine)
 {
 }
 

@@ -4,10 +4,10 @@
 
 namespace chaindrive::parameters
 {
-void Contact::declare(dealii::ParameterHandler &prm)
+void Contact::declare(Declarations &declarations)
 {
-  const Subsection section(prm, "Contact");
-  add(prm,
+  const Subsection section(declarations, "Contact");
+  add(declarations,
       "Roller-tooth stiffness in N/m",
       roller_tooth_stiffness,
       unit::si,
@@ -15,14 +15,14 @@ void Contact::declare(dealii::ParameterHandler &prm)
       "Force over approach of roller and tooth. For a rigid roller this is physics, not numerics: "
       "the peak of an impact grows with its square root. auto: the roller as an elastic ring and "
       "its line contact in series.");
-  add(prm,
+  add(declarations,
       "Roller-bush stiffness in N/m",
       roller_bush_stiffness,
       unit::si,
       above(0., 1e13),
       "Force over approach of roller and bush; layered fidelity only. auto: conforming contact of "
       "the two cylinders at the tension that the load asks for.");
-  add(prm,
+  add(declarations,
       "Damping ratio",
       damping_ratio,
       unit::si,
@@ -30,35 +30,35 @@ void Contact::declare(dealii::ParameterHandler &prm)
       "Damping of a contact over the critical damping of its two bodies on its spring; it acts "
       "while they touch. 0 lets a roller bounce 5 to 8 times when it meets a tooth, 0.1 three to "
       "four times.");
-  add(prm,
+  add(declarations,
       "Friction coefficient",
       friction_coefficient,
       unit::si,
       between(0., 2.),
       "Coulomb friction of every interface not named below. Dry steel has 0.1 to 0.3, a "
       "lubricated chain 0.05 to 0.12.");
-  add(prm,
+  add(declarations,
       "Roller-tooth friction",
       roller_tooth_friction,
       unit::si,
       between(0., 2.),
       "Friction coefficient between rollers and teeth. Lumped rollers, whose rings turn on their "
       "bushes without friction, feel little of it. auto: the general coefficient.");
-  add(prm,
+  add(declarations,
       "Roller-bush friction",
       roller_bush_friction,
       unit::si,
       between(0., 2.),
       "Friction coefficient between rollers and bushes; layered and full fidelity only. auto: the "
       "general coefficient.");
-  add(prm,
+  add(declarations,
       "Bush-pin friction",
       bush_pin_friction,
       unit::si,
       between(0., 2.),
       "Friction coefficient in the joints, where the links turn and wear happens; layered "
       "and full fidelity only. auto: the general coefficient.");
-  add(prm,
+  add(declarations,
       "Tangential ratio",
       tangential_ratio,
       unit::si,
@@ -66,7 +66,7 @@ void Contact::declare(dealii::ParameterHandler &prm)
       "Stiffness of a sticking contact along the surface over its stiffness across. Two elastic "
       "half-spaces have 2 (1 - nu) / (2 - nu), which is 0.82 for steel. A smaller value allows a "
       "longer stable step.");
-  add(prm,
+  add(declarations,
       "Penalty factor",
       penalty_factor,
       unit::si,
@@ -74,19 +74,17 @@ void Contact::declare(dealii::ParameterHandler &prm)
       "Penalty stiffness per area between elastic bodies, over the bulk modulus divided by the "
       "thickness of the elements below the surface; full fidelity only. Numerics, not physics: a "
       "larger value lets surfaces overlap less and shortens the stable step.");
-  add(prm,
+  add(declarations,
       "Plate faces",
       plate_faces,
-      {"off", "on"},
       "Whether the outer faces of inner plates and the inner faces of outer plates touch, round "
       "the "
       "joints and between elastic links; full fidelity only. They are apart unless something "
       "pushes "
       "or bends the chain sideways. off: plates pass through each other.");
-  add(prm,
+  add(declarations,
       "Search",
       search,
-      {"displacement", "every step"},
       "When the program looks anew for surfaces that may touch. displacement: after anything has "
       "moved far enough to matter; no contact is missed. every step: only to compare with "
       "programs that do so; gives the same results more slowly.");

@@ -29,6 +29,11 @@ struct Findings
 std::string ms(const double value) { return to_entry_text(value, unit::milli) + " ms"; }
 std::string us(const double value) { return to_entry_text(value, unit::micro) + " us"; }
 
+std::string chosen_fidelity(const Parameters &p)
+{
+  return "Model/Fidelity = " + text_of(p.model.fidelity);
+}
+
 void check_times(const Parameters &p, Findings &findings)
 {
   const Time   &time   = p.time;
@@ -77,16 +82,16 @@ void check_chain(const Parameters &p, Findings &findings)
 {
   const Drive     &drive     = p.drive;
   const Sprockets &sprockets = drive.sprockets;
-  const bool       layered   = p.model.fidelity != "simple";
+  const bool       alternate = p.model.capabilities().has_clearances;
   const bool       odd       = drive.n_links % 2 != 0;
-  const bool       bottoms   = sprockets.seat_centre == "bottom diameter";
+  const bool       bottoms   = sprockets.seat_centre == SeatCentre::bottom_diameter;
 
-  findings.contradiction(layered && odd,
+  findings.contradiction(alternate && odd,
                          "Drive/Number of links = " + std::to_string(drive.n_links) +
-                             " is odd, but Model/Fidelity = " + p.model.fidelity +
-                             " takes inner and outer links "
-                             "by turns, which needs an even number; use one link more or less.");
-  findings.note(!layered && odd,
+                             " is odd, but " + chosen_fidelity(p) +
+                             " takes inner and outer links by turns, which needs an even number; "
+                             "use one link more or less.");
+  findings.note(!alternate && odd,
                 "Drive/Number of links = " + std::to_string(drive.n_links) +
                     " is odd: a real chain needs an offset link, which the simple model does not "
                     "tell from the others.");
@@ -97,17 +102,17 @@ void check_chain(const Parameters &p, Findings &findings)
       "Driven bottom diameter in mm; give them, or choose iso or pitch.");
   findings.note(!bottoms && (sprockets.driver_bottom_diameter || sprockets.driven_bottom_diameter),
                 "The bottom diameters of Drive/Sprockets have no effect, since Seat centre is " +
-                    sprockets.seat_centre + ".");
+                    text_of(sprockets.seat_centre) + ".");
   findings.contradiction(
-      drive.chain.pitch_set == "paper literal" && !bottoms,
+      drive.chain.pitch_set == PitchSet::paper_literal && !bottoms,
       "Drive/Chain/Pitch set = paper literal makes the loaded chain a radial clearance per pitch "
       "longer than nominal, but Drive/Sprockets/Seat centre = " +
-          sprockets.seat_centre +
+          text_of(sprockets.seat_centre) +
           " cuts the seats for the nominal pitch: the rollers would ride up the flanks as on worn "
           "sprockets. Choose Seat centre = bottom diameter with both bottom diameters, or Pitch "
           "set = standard.");
   findings.note(
-      drive.chain.pitch_set == "nominal",
+      drive.chain.pitch_set == PitchSet::nominal,
       "Drive/Chain/Pitch set = nominal: the loaded chain is a radial clearance per pitch longer "
       "than its sprockets are cut for, and rides up their flanks like a worn chain.");
 
@@ -144,77 +149,82 @@ void check_mesh(const Mesh &mesh, Findings &findings)
 
 void check_model(const Parameters &p, Findings &findings)
 {
-  const bool         simple = p.model.fidelity == "simple";
-  const std::string &start  = p.drive.layout.start;
+  const std::string chosen     = chosen_fidelity(p);
+  const bool        clearances = p.model.capabilities().has_clearances;
+  const Start       start      = p.drive.layout.start;
 
+  findings.contradiction(!clearances && start == Start::concentric,
+                         "Drive/Layout/Start = concentric centres pins in their bushes, but " +
+                             chosen +
+                             " has no joints; choose taut or warm, or Model/Fidelity = layered.");
+  const bool elastic = p.model.capabilities().is_elastic;
   findings.contradiction(
-      simple && start == "concentric",
-      "Drive/Layout/Start = concentric centres pins in their bushes, but Model/Fidelity = simple "
-      "has no joints; choose taut or warm, or Model/Fidelity = layered.");
-  const bool full = p.model.fidelity == "full";
+      elastic && p.drive.layout.centre_distance_from == CentreDistanceFrom::pretension,
+      "Drive/Layout/Centre distance from = pretension stretches the chain before the start, "
+      "which " +
+          chosen + " cannot do with its elastic parts; choose given, slack or sag.");
+  findings.contradiction(p.model.half && !elastic,
+                         "Model/Half model = true is for elastic bodies: " + chosen + " has none.");
   findings.contradiction(
-      full && p.drive.layout.centre_distance_from == "pretension",
-      "Drive/Layout/Centre distance from = pretension stretches the chain before the start, which "
-      "Model/Fidelity = full cannot do with its elastic parts; choose given, slack or sag.");
-  findings.contradiction(p.model.half && !full,
-                         "Model/Half model = true is for elastic bodies: Model/Fidelity = " +
-                             p.model.fidelity + " has none.");
-  findings.contradiction(
-      full && p.mesh.inner_link.along.value_or(4) < 4,
+      elastic && p.mesh.inner_link.along.value_or(4) < 4,
       "Mesh/Inner link/Cells along = 2 leaves one ring of a bush's nodes inside its roller, which "
-      "could tilt freely; Model/Fidelity = full needs at least 4.");
-  findings.contradiction(full && start == "warm",
+      "could tilt freely; " +
+          chosen + " needs at least 4.");
+  findings.contradiction(elastic && start == Start::warm,
                          "Drive/Layout/Start = warm would need the strain of the running chain, "
-                         "which Model/Fidelity = "
-                         "full does not know at the start; choose taut or concentric.");
+                         "which " +
+                             chosen + " does not know at the start; choose taut or concentric.");
   findings.contradiction(
-      full && (p.model.mass_per_pitch || p.model.stiffness_per_pitch),
-      "Model/Mass per pitch in g and Model/Stiffness per pitch in N/m are those of the parts in "
-      "Model/Fidelity = full: leave them auto.");
+      elastic && (p.model.mass_per_pitch || p.model.stiffness_per_pitch),
+      "Model/Mass per pitch in g and Model/Stiffness per pitch in N/m are those of the parts in " +
+          chosen + ": leave them auto.");
   findings.contradiction(
-      full && (p.contact.roller_tooth_stiffness || p.contact.roller_bush_stiffness),
+      elastic && (p.contact.roller_tooth_stiffness || p.contact.roller_bush_stiffness),
       "Contact/Roller-tooth stiffness in N/m and Roller-bush stiffness in N/m follow from the "
-      "elastic parts in Model/Fidelity = full: leave them auto and choose Penalty factor.");
-  findings.contradiction(!full && p.contact.plate_faces == "on",
-                         "Contact/Plate faces = on is for elastic bodies: Model/Fidelity = " +
-                             p.model.fidelity + " has none; choose off.");
-  findings.contradiction(
-      !full && p.model.elastic_sprockets == "on",
-      "Model/Elastic sprockets = on contradicts Model/Fidelity = " + p.model.fidelity +
-          ", in which no body is elastic; choose auto or off.");
-  const bool arriving = p.model.elastic_links == "arriving";
-  findings.contradiction(
-      arriving && !full,
-      "Model/Elastic links = arriving contradicts Model/Fidelity = " + p.model.fidelity +
-          ", in which no link is elastic; choose all, or Fidelity = full.");
+      "elastic parts in " +
+          chosen + ": leave them auto and choose Penalty factor.");
+  findings.contradiction(!elastic && p.contact.plate_faces == PlateFaces::on,
+                         "Contact/Plate faces = on is for elastic bodies: " + chosen +
+                             " has none; choose off.");
+  findings.contradiction(!elastic && p.model.elastic_sprockets == Switch::on,
+                         "Model/Elastic sprockets = on contradicts " + chosen +
+                             ", in which no body is elastic; choose auto or off.");
+  const bool arriving = p.model.elastic_links == ElasticLinks::arriving;
+  findings.contradiction(arriving && !elastic,
+                         "Model/Elastic links = arriving contradicts " + chosen +
+                             ", in which no link is elastic; choose all, or Fidelity = full.");
   findings.contradiction(arriving && p.model.half,
                          "Model/Half model = true cannot be with Elastic links = arriving, whose "
                          "rigid links are whole; choose false, or Elastic links = all.");
-  findings.contradiction(arriving && p.model.elastic_sprockets == "on",
+  findings.contradiction(arriving && p.model.elastic_sprockets == Switch::on,
                          "Model/Elastic sprockets = on contradicts Elastic links = arriving, in "
                          "which both sprockets are rigid; choose auto or off, or Elastic links = "
                          "all.");
   findings.note(
-      start != "warm" && p.loads.ramp_time > p.time.end,
+      start != Start::warm && p.loads.ramp_time > p.time.end,
       "Loads/Ramp time in ms ends after the run: the driver does not reach its full speed.");
 
   findings.note(
       p.loads.torque_after_step != 0. && !p.loads.torque_step_time,
       "Loads/Torque after step in N m has no effect, since Torque step time in ms is auto.");
+}
 
-  const Contact &contact = p.contact;
-  const auto     insist  = [&findings](const std::string &name,
-                                  const std::string &choice,
+void check_effects(const Parameters &p, Findings &findings)
+{
+  const Contact &contact    = p.contact;
+  const bool     clearances = p.model.capabilities().has_clearances;
+  const auto     insist     = [&findings](const std::string &name,
+                                  const Switch       choice,
                                   const double       coefficient,
                                   const std::string &coefficient_name) {
-    findings.contradiction(choice == "on" && coefficient == 0.,
+    findings.contradiction(choice == Switch::on && coefficient == 0.,
                            "Effects/" + name + " = on contradicts " + coefficient_name +
                                " = 0; give a value above zero, or choose auto or off.");
   };
   const Effects &effects = p.effects;
   // the largest coefficient that any interface of this fidelity has
   double friction = contact.roller_tooth_friction.value_or(contact.friction_coefficient);
-  if (!simple)
+  if (clearances)
     for (const auto &own : {contact.roller_bush_friction, contact.bush_pin_friction})
       friction = std::max(friction, own.value_or(contact.friction_coefficient));
   insist("Friction", effects.friction, friction, "Contact/Friction coefficient");
@@ -222,17 +232,16 @@ void check_model(const Parameters &p, Findings &findings)
       "Contact damping", effects.contact_damping, contact.damping_ratio, "Contact/Damping ratio");
   insist("Gravity", effects.gravity, p.loads.gravity, "Loads/Gravity in m/s2");
   insist("Drag", effects.drag, p.loads.drag, "Loads/Drag in 1/s");
-  if (simple)
+  if (!clearances)
     insist("Chain damping",
            effects.chain_damping,
            p.model.chain_damping_ratio,
            "Model/Chain damping ratio");
   else
     findings.contradiction(
-        effects.chain_damping == "on",
-        "Effects/Chain damping = on contradicts Model/Fidelity = " + p.model.fidelity +
-            ", which has no bars: "
-            "Contact/Damping ratio damps its joints. Choose auto or off.");
+        effects.chain_damping == Switch::on,
+        "Effects/Chain damping = on contradicts " + chosen_fidelity(p) +
+            ", which has no bars: Contact/Damping ratio damps its joints. Choose auto or off.");
 }
 } // namespace
 
@@ -242,6 +251,7 @@ std::vector<std::string> cross_check(const Parameters &parameters)
   check_times(parameters, findings);
   check_chain(parameters, findings);
   check_model(parameters, findings);
+  check_effects(parameters, findings);
   check_mesh(parameters.mesh, findings);
 
   std::string message;

@@ -4,39 +4,38 @@
 
 namespace chaindrive::parameters
 {
-void Chain::declare(dealii::ParameterHandler &prm)
+void Chain::declare(Declarations &declarations)
 {
-  const Subsection section(prm, "Chain");
+  const Subsection section(declarations, "Chain");
   add_text(
-      prm,
+      declarations,
       "Designation",
       designation,
       "a designation of ISO 606 (such as 08B or 12A), ANSI (such as 40 or 60) or a motorcycle "
       "chain (such as 428, 525 or 630)",
       "Size of the chain in the standards' tables, from which all dimensions below follow unless "
       "they are given. The default is the chain of the drive in prm/paper.");
-  add(prm,
+  add(declarations,
       "Pitch set",
       pitch_set,
-      {"standard", "paper literal", "nominal"},
       "Distance of the holes in the plates. standard: outer plates are shorter by the joint "
       "clearance, so that the chain under load has its nominal pitch everywhere; right for all "
       "chains made to a standard. nominal: inner and outer plates have the nominal pitch, so that "
       "the loaded chain is longer by a radial clearance per pitch, like a worn one. paper "
       "literal: as nominal, for sprockets cut to that longer pitch by their bottom diameters "
       "(Seat centre = bottom diameter).");
-  add(prm,
+  add(declarations,
       "Elongation in percent",
       elongation,
       unit::percent,
       between(0., 5.),
       "Wear: how much longer than new the loaded pitch is. Chains are usually replaced at 2 to 3 "
       "percent. Default: a new chain.");
-  const auto length = [&prm](const std::string     &name,
-                             std::optional<double> &member,
-                             const Range           &range,
-                             const std::string     &meaning) {
-    add(prm, name, member, unit::milli, range, meaning);
+  const auto length = [&declarations](const std::string     &name,
+                                      std::optional<double> &member,
+                                      const Range           &range,
+                                      const std::string     &meaning) {
+    add(declarations, name, member, unit::milli, range, meaning);
   };
   const std::string listed = " auto: from the table.";
   const std::string scaled =
@@ -103,7 +102,7 @@ void Chain::declare(dealii::ParameterHandler &prm)
          outer_plate_thickness,
          between(1e-3, 100.),
          "Thickness of one outer plate." + scaled);
-  add(prm,
+  add(declarations,
       "Waist ratio",
       waist_ratio,
       unit::si,
@@ -113,29 +112,28 @@ void Chain::declare(dealii::ParameterHandler &prm)
       "standard rules it.");
 }
 
-void Sprockets::declare(dealii::ParameterHandler &prm)
+void Sprockets::declare(Declarations &declarations)
 {
-  const Subsection section(prm, "Sprockets");
-  add(prm,
+  const Subsection section(declarations, "Sprockets");
+  add(declarations,
       "Tooth form",
       tooth_form,
-      {"iso min", "iso mid", "iso max", "ansi"},
       "Shape of the tooth gap. ISO 606 limits it by a minimum and a maximum form, between which "
       "makers are free; iso mid takes the means of seat radius, angle and flank radius. ansi is "
       "the form of ANSI B29.1. The form moves the impact peaks as much as 50 um of seat radius "
       "do. Default: the form that keeps a tip land up to the largest outside diameter.");
-  add(prm,
+  add(declarations,
       "Seat centre",
       seat_centre,
-      {"iso", "pitch", "bottom diameter"},
       "Where the seat of a gap lies. iso: the bottom of the gap is on the root circle, so that a "
       "roller seated there has its centre on the pitch circle. pitch: the seat arc's centre is on "
       "the pitch circle, as in ANSI forms. bottom diameter: the bottom of the gap is on the "
       "bottom diameter below, as measured on a real sprocket.");
-  const auto length =
-      [&prm](const std::string &name, std::optional<double> &member, const std::string &meaning) {
-        add(prm, name, member, unit::milli, between(1e-3, 10000.), meaning);
-      };
+  const auto length = [&declarations](const std::string     &name,
+                                      std::optional<double> &member,
+                                      const std::string     &meaning) {
+    add(declarations, name, member, unit::milli, between(1e-3, 10000.), meaning);
+  };
   const std::string outside = "Diameter over the tips of the ";
   const std::string tips = " teeth. auto: the middle of the range of ISO 606 as far as the tooth "
                            "keeps a tip land, or the value of ANSI B29.1. A value that leaves no "
@@ -171,32 +169,34 @@ void Sprockets::declare(dealii::ParameterHandler &prm)
       "parameter file's directory, then in the one the program is started in. Give it for teeth "
       "that no form above describes. "
       "Default: the mesh is made from the tooth form.";
-  add_text(
-      prm, "Driver mesh", driver_mesh, "a file name or nothing", "Mesh of the driver" + meshed);
-  add_text(prm,
+  add_text(declarations,
+           "Driver mesh",
+           driver_mesh,
+           "a file name or nothing",
+           "Mesh of the driver" + meshed);
+  add_text(declarations,
            "Driven mesh",
            driven_mesh,
            "a file name or nothing",
            "Mesh of the driven sprocket" + meshed);
 }
 
-void Layout::declare(dealii::ParameterHandler &prm)
+void Layout::declare(Declarations &declarations)
 {
-  const Subsection section(prm, "Layout");
-  add(prm,
+  const Subsection section(declarations, "Layout");
+  add(declarations,
       "Centre distance from",
       centre_distance_from,
-      {"given", "slack", "sag", "pretension"},
       "Which of the four entries below decides how far the shafts are apart; the other three are "
       "not used. The distance that follows is printed with the plan.");
-  add(prm,
+  add(declarations,
       "Centre distance in mm",
       centre_distance,
       unit::milli,
       between(1e-3, 100000.),
       "Distance of the shafts. A chain too short to be laid round them is refused with the "
       "numbers. Default: the drive in prm/paper with 0.5 mm of slack.");
-  add(prm,
+  add(declarations,
       "Slack in mm",
       slack,
       unit::milli,
@@ -204,14 +204,14 @@ void Layout::declare(dealii::ParameterHandler &prm)
       "Length of chain beyond what two straight spans need, measured on the chain as laid, with "
       "its clearances taken up. More slack means less tension in the slack span and a softer "
       "start. Default: a drive adjusted almost tight.");
-  add(prm,
+  add(declarations,
       "Sag in percent",
       sag,
       unit::percent,
       between(0., 10.),
       "Sag of the slack span in its middle over its length. Makers ask for 1 to 3 percent; "
       "steeper or reversing drives for less.");
-  add(prm,
+  add(declarations,
       "Pretension in N",
       pretension,
       unit::si,
@@ -221,55 +221,53 @@ void Layout::declare(dealii::ParameterHandler &prm)
       "starts in equilibrium with it, whatever the chain on the sprockets gives way. Keep it far "
       "below the working tension and well above the weight of a span; 0 lays both spans straight "
       "and unstressed. With Start = warm it is that of the slack span as laid.");
-  add(prm,
+  add(declarations,
       "Tight span",
       tight_span,
-      {"upper", "lower"},
       "Which span pulls the driven sprocket. upper: both sprockets turn counter-clockwise, the "
       "driver on the left. lower: everything is mirrored and they turn clockwise; only gravity "
       "tells the two apart.");
-  add(prm,
+  add(declarations,
       "Start phase",
       start_phase,
       unit::si,
       from_to_below(0., 1.),
       "How far the driver is turned at the start, as a fraction of a tooth. Peak forces of single "
       "rollers depend on it by chance: judge them over several phases.");
-  add(prm,
+  add(declarations,
       "Start",
       start,
-      {"taut", "concentric", "warm"},
       "Where the parts of the joints are at the start. taut: at rest, clearances taken up in the "
       "pulling direction. concentric: at rest, pins and bushes centred, so that the drive first "
       "hauls in the clearances and then jerks; layered fidelity only. warm: moving at full speed "
       "under full load; saves the time of the ramp.");
 }
 
-void Drive::declare(dealii::ParameterHandler &prm)
+void Drive::declare(Declarations &declarations)
 {
-  const Subsection section(prm, "Drive");
-  add(prm,
+  const Subsection section(declarations, "Drive");
+  add(declarations,
       "Number of links",
       n_links,
       10,
       10000,
       "Inner plus outer links of the endless chain; even, unless it has an offset link. Default: "
       "the drive in prm/paper.");
-  add(prm,
+  add(declarations,
       "Driver teeth",
       driver_teeth,
       9,
       500,
       "Teeth of the sprocket whose speed is prescribed. Below 17 the polygonal motion grows "
       "quickly; the standards' tooth forms end at 9. Default: the drive in prm/paper.");
-  add(prm,
+  add(declarations,
       "Driven teeth",
       driven_teeth,
       9,
       500,
       "Teeth of the sprocket that carries the load torque. Default: the drive in prm/paper.");
-  chain.declare(prm);
-  sprockets.declare(prm);
-  layout.declare(prm);
+  chain.declare(declarations);
+  sprockets.declare(declarations);
+  layout.declare(declarations);
 }
 } // namespace chaindrive::parameters

@@ -1,36 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/parameters/entries.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <functional>
-#include <memory>
 
 namespace chaindrive::parameters
 {
 namespace
 {
-/// Accepts what a function accepts, and says what that is in words fit for a message to the user.
-class Pattern : public dealii::Patterns::PatternBase
-{
-public:
-  Pattern(const std::string &allowed, const std::function<bool(const std::string &)> &accepts)
-      : allowed_(allowed), accepts_(accepts)
-  {
-  }
-
-  bool match(const std::string &value) const override { return accepts_(value); }
-
-  std::string description(const OutputStyle) const override { return allowed_; }
-
-  std::unique_ptr<PatternBase> clone() const override { return std::make_unique<Pattern>(*this); }
-
-private:
-  std::string                              allowed_;
-  std::function<bool(const std::string &)> accepts_;
-};
-
 /// Reads all of @p text as a T; empty if there is anything else in it.
 template <typename T>
 std::optional<T> read_all(const std::string &text)
@@ -51,6 +32,17 @@ bool is_in(const std::string &text, const Range &range)
   return value && range.contains(*value);
 }
 
+bool is_in(const std::string &text, const unsigned int lower, const unsigned int upper)
+{
+  const auto value = read_all<unsigned int>(text);
+  return value && *value >= lower && *value <= upper;
+}
+
+std::string whole_number(const unsigned int lower, const unsigned int upper)
+{
+  return "a whole number from " + std::to_string(lower) + " to " + std::to_string(upper);
+}
+
 std::vector<std::string> split_at_commas(const std::string &text)
 {
   return dealii::Utilities::split_string_list(text, ',');
@@ -62,17 +54,6 @@ std::string join(const std::vector<std::string> &words)
   for (std::size_t i = 0; i < words.size(); ++i)
     text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + words[i];
   return text;
-}
-
-void declare(dealii::ParameterHandler                       &prm,
-             const std::string                              &name,
-             const std::string                              &default_value,
-             const Pattern                                  &pattern,
-             const std::string                              &meaning,
-             const std::function<void(const std::string &)> &store)
-{
-  prm.declare_entry(name, default_value, pattern, meaning);
-  prm.add_action(name, store); // stores the default, too: from text and back it is unchanged
 }
 } // namespace
 
@@ -135,37 +116,37 @@ std::optional<double> from_entry_text(const std::string &text, const int exponen
   return read_all<double>(text.substr(0, e) + "e" + std::to_string(power + exponent));
 }
 
-void add(dealii::ParameterHandler &prm,
-         const std::string        &name,
-         double                   &member,
-         const int                 exponent,
-         const Range              &range,
-         const std::string        &meaning)
+Entry &add(Declarations      &declarations,
+           const std::string &name,
+           double            &member,
+           const int          exponent,
+           const Range       &range,
+           const std::string &meaning)
 {
-  declare(prm,
-          name,
-          to_entry_text(member, exponent),
-          Pattern(range.text(), [range](const std::string &text) { return is_in(text, range); }),
-          meaning,
-          [&member, exponent](const std::string &text) {
-            member = from_entry_text(text, exponent).value_or(0.); // below the smallest double
-          });
+  return declarations.add(
+      name,
+      to_entry_text(member, exponent),
+      range.text(),
+      meaning,
+      [range](const std::string &text) { return is_in(text, range); },
+      [&member, exponent](const std::string &text) {
+        member = from_entry_text(text, exponent).value_or(0.); // below the smallest double
+      });
 }
 
-void add(dealii::ParameterHandler &prm,
-         const std::string        &name,
-         std::optional<double>    &member,
-         const int                 exponent,
-         const Range              &range,
-         const std::string        &meaning)
+Entry &add(Declarations          &declarations,
+           const std::string     &name,
+           std::optional<double> &member,
+           const int              exponent,
+           const Range           &range,
+           const std::string     &meaning)
 {
-  declare(
-      prm,
+  return declarations.add(
       name,
       member ? to_entry_text(*member, exponent) : "auto",
-      Pattern("auto or " + range.text(),
-              [range](const std::string &text) { return text == "auto" || is_in(text, range); }),
+      "auto or " + range.text(),
       meaning,
+      [range](const std::string &text) { return text == "auto" || is_in(text, range); },
       [&member, exponent](const std::string &text) {
         if (text == "auto")
           member.reset();
@@ -174,122 +155,117 @@ void add(dealii::ParameterHandler &prm,
       });
 }
 
-void add(dealii::ParameterHandler &prm,
-         const std::string        &name,
-         unsigned int             &member,
-         const unsigned int        lower,
-         const unsigned int        upper,
-         const std::string        &meaning)
+Entry &add(Declarations      &declarations,
+           const std::string &name,
+           unsigned int      &member,
+           const unsigned int lower,
+           const unsigned int upper,
+           const std::string &meaning)
 {
-  declare(prm,
-          name,
-          std::to_string(member),
-          Pattern("a whole number from " + std::to_string(lower) + " to " + std::to_string(upper),
-                  [lower, upper](const std::string &text) {
-                    const auto value = read_all<unsigned int>(text);
-                    return value && *value >= lower && *value <= upper;
-                  }),
-          meaning,
-          [&member](const std::string &text) { member = *read_all<unsigned int>(text); });
+  return declarations.add(
+      name,
+      std::to_string(member),
+      whole_number(lower, upper),
+      meaning,
+      [lower, upper](const std::string &text) { return is_in(text, lower, upper); },
+      [&member](const std::string &text) { member = *read_all<unsigned int>(text); });
 }
 
-void add(dealii::ParameterHandler    &prm,
-         const std::string           &name,
-         std::optional<unsigned int> &member,
-         const unsigned int           lower,
-         const unsigned int           upper,
-         const std::string           &meaning)
+Entry &add(Declarations                &declarations,
+           const std::string           &name,
+           std::optional<unsigned int> &member,
+           const unsigned int           lower,
+           const unsigned int           upper,
+           const std::string           &meaning)
 {
-  declare(prm,
-          name,
-          member ? std::to_string(*member) : "auto",
-          Pattern("a whole number from " + std::to_string(lower) + " to " + std::to_string(upper) +
-                      ", or auto",
-                  [lower, upper](const std::string &text) {
-                    const auto value = read_all<unsigned int>(text);
-                    return text == "auto" || (value && *value >= lower && *value <= upper);
-                  }),
-          meaning,
-          [&member](const std::string &text) {
-            member.reset();
-            if (text != "auto")
-              member = *read_all<unsigned int>(text);
-          });
+  return declarations.add(
+      name,
+      member ? std::to_string(*member) : "auto",
+      whole_number(lower, upper) + ", or auto",
+      meaning,
+      [lower, upper](const std::string &text) {
+        return text == "auto" || is_in(text, lower, upper);
+      },
+      [&member](const std::string &text) {
+        member.reset();
+        if (text != "auto")
+          member = *read_all<unsigned int>(text);
+      });
 }
 
-void add(dealii::ParameterHandler       &prm,
-         const std::string              &name,
-         std::string                    &member,
-         const std::vector<std::string> &choices,
-         const std::string              &meaning)
+Entry &add_choice(Declarations                                   &declarations,
+                  const std::string                              &name,
+                  const std::string                              &default_value,
+                  const std::vector<std::string>                 &texts,
+                  const std::string                              &meaning,
+                  const std::function<void(const std::string &)> &store)
 {
-  declare(prm,
-          name,
-          member,
-          Pattern(join(choices),
-                  [choices](const std::string &text) {
-                    return std::find(choices.begin(), choices.end(), text) != choices.end();
-                  }),
-          meaning,
-          [&member](const std::string &text) { member = text; });
+  return declarations.add(
+      name,
+      default_value,
+      join(texts),
+      meaning,
+      [texts](const std::string &text) {
+        return std::find(texts.begin(), texts.end(), text) != texts.end();
+      },
+      store);
 }
 
-void add_text(dealii::ParameterHandler &prm,
-              const std::string        &name,
-              std::string              &member,
-              const std::string        &allowed,
-              const std::string        &meaning)
+Entry &add_text(Declarations      &declarations,
+                const std::string &name,
+                std::string       &member,
+                const std::string &allowed,
+                const std::string &meaning)
 {
-  declare(prm,
-          name,
-          member,
-          Pattern(allowed, [](const std::string &) { return true; }),
-          meaning,
-          [&member](const std::string &text) { member = text; });
+  return declarations.add(
+      name,
+      member,
+      allowed,
+      meaning,
+      [](const std::string &) { return true; },
+      [&member](const std::string &text) { member = text; });
 }
 
-void add(dealii::ParameterHandler &prm,
-         const std::string        &name,
-         bool                     &member,
-         const std::string        &meaning)
+Entry &
+add(Declarations &declarations, const std::string &name, bool &member, const std::string &meaning)
 {
-  declare(prm,
-          name,
-          member ? "true" : "false",
-          Pattern("true or false",
-                  [](const std::string &text) { return text == "true" || text == "false"; }),
-          meaning,
-          [&member](const std::string &text) { member = text == "true"; });
+  return declarations.add(
+      name,
+      member ? "true" : "false",
+      "true or false",
+      meaning,
+      [](const std::string &text) { return text == "true" || text == "false"; },
+      [&member](const std::string &text) { member = text == "true"; });
 }
 
-void add(dealii::ParameterHandler  &prm,
-         const std::string         &name,
-         std::vector<unsigned int> &member,
-         const std::string         &meaning)
+Entry &add(Declarations              &declarations,
+           const std::string         &name,
+           std::vector<unsigned int> &member,
+           const std::string         &meaning)
 {
   std::string default_value = member.empty() ? "all" : "";
   for (const unsigned int number : member)
     default_value += (default_value.empty() ? "" : ", ") + std::to_string(number);
-  declare(prm,
-          name,
-          default_value,
-          Pattern("all or whole numbers separated by commas",
-                  [](const std::string &text) {
-                    const auto words = split_at_commas(text);
-                    return text == "all" ||
-                           (!words.empty() &&
-                            std::all_of(words.begin(), words.end(), [](const std::string &word) {
-                              return read_all<unsigned int>(word).has_value();
-                            }));
-                  }),
-          meaning,
-          [&member](const std::string &text) {
-            member.clear();
-            if (text != "all")
-              for (const std::string &word : split_at_commas(text))
-                member.push_back(*read_all<unsigned int>(word));
-            std::sort(member.begin(), member.end());
-            member.erase(std::unique(member.begin(), member.end()), member.end());
-          });
+  return declarations.add(
+      name,
+      default_value,
+      "all or whole numbers separated by commas",
+      meaning,
+      [](const std::string &text) {
+        const auto words = split_at_commas(text);
+        return text == "all" ||
+               (!words.empty() &&
+                std::all_of(words.begin(), words.end(), [](const std::string &word) {
+                  return read_all<unsigned int>(word).has_value();
+                }));
+      },
+      [&member](const std::string &text) {
+        member.clear();
+        if (text != "all")
+          for (const std::string &word : split_at_commas(text))
+            member.push_back(*read_all<unsigned int>(word));
+        std::sort(member.begin(), member.end());
+        member.erase(std::unique(member.begin(), member.end()), member.end());
+      });
 }
 } // namespace chaindrive::parameters

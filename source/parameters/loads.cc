@@ -4,12 +4,12 @@
 
 namespace chaindrive::parameters
 {
-void Effects::declare(dealii::ParameterHandler &prm)
+void Effects::declare(Declarations &declarations)
 {
-  const Subsection section(prm, "Effects");
+  const Subsection section(declarations, "Effects");
   const auto       effect =
-      [&prm](const std::string &name, std::string &member, const std::string &meaning) {
-        add(prm, name, member, {"auto", "on", "off"}, meaning);
+      [&declarations](const std::string &name, Switch &member, const std::string &meaning) {
+        add(declarations, name, member, meaning);
       };
   const std::string common =
       " off drops it, at no cost, without touching the coefficient; on insists on it and refuses "
@@ -35,10 +35,10 @@ void Effects::declare(dealii::ParameterHandler &prm)
              common);
 }
 
-void Loads::declare(dealii::ParameterHandler &prm)
+void Loads::declare(Declarations &declarations)
 {
-  const Subsection section(prm, "Loads");
-  add(prm,
+  const Subsection section(declarations, "Loads");
+  add(declarations,
       "Driver speed in rad/s",
       driver_speed,
       unit::si,
@@ -46,34 +46,33 @@ void Loads::declare(dealii::ParameterHandler &prm)
       "Speed of the driver after the ramp; 1 rad/s is 9.549 revolutions per minute. Its sense "
       "follows from Drive/Layout/Tight span. Default: 1153 rpm, a motorcycle at 50 km/h, as in "
       "prm/paper.");
-  add(prm,
+  add(declarations,
       "Speed ramp",
       speed_ramp,
-      {"linear", "cosine"},
       "How the driver's speed grows from zero. linear: constant acceleration, which begins and "
       "ends with a jerk. cosine: half a cosine wave, which excites the drive less.");
-  add(prm,
+  add(declarations,
       "Ramp time in ms",
       ramp_time,
       unit::milli,
       between(0., 1e6),
       "How long the driver takes to its full speed. A short ramp saves time and costs a "
       "transient: the tension of the start can be twice that of steady running.");
-  add(prm,
+  add(declarations,
       "Resisting torque in N m",
       resisting_torque,
       unit::si,
       between(0., 1e7),
       "Torque of the load, which resists the rotation of the driven sprocket. Default: as in "
       "prm/paper.");
-  add(prm,
+  add(declarations,
       "Torque ramp angle in rad",
       torque_ramp_angle,
       unit::si,
       between(0., 100.),
       "Rotation of the driven sprocket over which the torque grows to its full value; before "
       "that, the load only resists in proportion to the rotation. Default: as in prm/paper.");
-  add(prm,
+  add(declarations,
       "Torque step time in ms",
       torque_step_time,
       unit::milli,
@@ -81,7 +80,7 @@ void Loads::declare(dealii::ParameterHandler &prm)
       "Time after the start at which the torque jumps from one step to the next to the value "
       "below: "
       "a load that is thrown off or changes sides. auto: never.");
-  add(prm,
+  add(declarations,
       "Torque after step in N m",
       torque_after_step,
       unit::si,
@@ -89,13 +88,13 @@ void Loads::declare(dealii::ParameterHandler &prm)
       "Torque from Torque step time in ms on, whatever the rotation; below zero the load drives, "
       "and "
       "the spans change their parts. Default: none.");
-  add(prm,
+  add(declarations,
       "Gravity in m/s2",
       gravity,
       unit::si,
       between(0., 1000.),
       "Acceleration of gravity, downwards along -y: the shafts lie at the same height.");
-  add(prm,
+  add(declarations,
       "Drag in 1/s",
       drag,
       unit::si,

@@ -4,32 +4,31 @@
 
 namespace chaindrive::parameters
 {
-void Model::declare(dealii::ParameterHandler &prm)
+void Model::declare(Declarations &declarations)
 {
-  const Subsection section(prm, "Model");
-  add(prm,
+  const Subsection section(declarations, "Model");
+  add(declarations,
       "Fidelity",
       fidelity,
-      {"simple", "layered", "full"},
       "Which bodies the chain is made of. simple: lumped rollers joined by elastic bars, for "
       "tensions, speeds and a first look. layered: rollers, inner and outer links as rigid bodies "
       "with their clearances, for contact forces and the motion of single rollers; costs about "
       "four times as much. full: the same bodies made of elastic finite elements, for what their "
       "deformation does; costs hundreds of times as much.");
-  add(prm,
+  add(declarations,
       "Half model",
       half,
       "Computes only the halves of all bodies on one side of the chain's middle plane, which is a "
       "plane of symmetry as long as nothing pushes the chain sideways; full fidelity only. Forces, "
       "masses and energies are reported of whole bodies. Costs half as much.");
-  add(prm,
+  add(declarations,
       "Mass per pitch in g",
       mass_per_pitch,
       unit::milli,
       above(0., 1e6),
       "Mass of the chain per pitch; a catalogue's kg/m times the pitch in mm. auto: from the "
       "volumes of the parts and the density.");
-  add(prm,
+  add(declarations,
       "Stiffness per pitch in N/m",
       stiffness_per_pitch,
       unit::si,
@@ -38,14 +37,14 @@ void Model::declare(dealii::ParameterHandler &prm)
       "from a test: how plates hold pin and bush changes it by a factor of five. It sets the "
       "resonance of the driven inertia on the tight span. auto: plates and joint contact, from "
       "their dimensions.");
-  add(prm,
+  add(declarations,
       "Driven inertia in kg m2",
       driven_inertia,
       unit::si,
       above(0., 1e9),
       "Moment of inertia of all that turns with the driven sprocket. Give it whenever a machine "
       "is coupled to it. auto: the sprocket alone.");
-  add(prm,
+  add(declarations,
       "Chain damping ratio",
       chain_damping_ratio,
       unit::si,
@@ -53,40 +52,38 @@ void Model::declare(dealii::ParameterHandler &prm)
       "Damping of the chain's bars over the critical damping of two neighbouring lumps on their "
       "bar; simple fidelity only, since the joints' contact damps the layered chain. Default: "
       "steel structures with bolted joints have 0.5 to 3 percent.");
-  add(prm,
+  add(declarations,
       "Elastic links",
       elastic_links,
-      {"all", "arriving"},
       "Which links and rollers are elastic; full fidelity only. arriving: those that the driver "
       "takes in between Output/Window start in ms and Window end in ms, and two more before and "
       "after them; all others, and both sprockets, are rigid as in layered fidelity. For what "
       "single links feel as they engage, at a fraction of the cost.");
-  add(prm,
+  add(declarations,
       "Elastic sprockets",
       elastic_sprockets,
-      {"auto", "on", "off"},
       "Whether the rims of the sprockets, from the hub diameter outwards, are elastic; full "
       "fidelity only. Of an imported sprocket, all but its physical volume hub zone is its rim. "
       "auto: on in full fidelity but for Elastic links = arriving. off: both sprockets are rigid.");
 }
 
-void Material::declare(dealii::ParameterHandler &prm)
+void Material::declare(Declarations &declarations)
 {
-  const Subsection section(prm, "Material");
-  add(prm,
+  const Subsection section(declarations, "Material");
+  add(declarations,
       "Young's modulus in GPa",
       youngs_modulus,
       unit::giga,
       between(1e-3, 10000.),
       "Modulus of elasticity of all parts, from which stiffnesses that are auto follow. Default: "
       "steel, as in prm/paper.");
-  add(prm,
+  add(declarations,
       "Poisson's ratio",
       poissons_ratio,
       unit::si,
       from_to_below(0., 0.5),
       "Lateral contraction over extension. Default: steel.");
-  add(prm,
+  add(declarations,
       "Density in kg/m3",
       density,
       unit::si,
@@ -95,19 +92,18 @@ void Material::declare(dealii::ParameterHandler &prm)
       "value of the drive in prm/paper; most steels have 7800 to 7900.");
 }
 
-void Elements::declare(dealii::ParameterHandler &prm)
+void Elements::declare(Declarations &declarations)
 {
-  const Subsection section(prm, "Elements");
-  add(prm,
+  const Subsection section(declarations, "Elements");
+  add(declarations,
       "Formulation",
       formulation,
-      {"one point", "enhanced", "full"},
       "How the elastic hexahedra are integrated; full fidelity only. enhanced: one point and a "
       "stiffness against hourglassing that bends as a beam does, right with one element through a "
       "wall. one point: the hourglass stiffness of Flanagan and Belytschko, faster, for walls of "
       "three elements and more. full: 2 x 2 x 2 points, too stiff in bending where elements are "
       "flat.");
-  add(prm,
+  add(declarations,
       "Hourglass coefficient",
       hourglass_coefficient,
       unit::si,
@@ -118,24 +114,34 @@ void Elements::declare(dealii::ParameterHandler &prm)
 
 namespace
 {
-void declare_link(dealii::ParameterHandler &prm,
-                  const std::string        &name,
-                  const std::string        &tube,
-                  Mesh::Link               &link)
+void declare_link(Declarations      &declarations,
+                  const std::string &name,
+                  const std::string &tube,
+                  Mesh::Link        &link)
 {
-  const Subsection section(prm, name);
-  add(prm, "Cells around", link.around, 8, 400, "Around each hole; a multiple of four.");
-  add(prm, "Cells through wall", link.wall, 1, 20, "Through the wall of a " + tube + ".");
-  add(prm, "Rings in plate", link.rings, 1, 40, "Between a hole and the plate's edge.");
-  add(prm, "Cells through plate", link.plate_layers, 1, 20, "Through the plate's thickness.");
-  add(prm, "Cells along", link.along, 2, 200, "Along a " + tube + " between the plates; even.");
+  const Subsection section(declarations, name);
+  add(declarations, "Cells around", link.around, 8, 400, "Around each hole; a multiple of four.");
+  add(declarations, "Cells through wall", link.wall, 1, 20, "Through the wall of a " + tube + ".");
+  add(declarations, "Rings in plate", link.rings, 1, 40, "Between a hole and the plate's edge.");
+  add(declarations,
+      "Cells through plate",
+      link.plate_layers,
+      1,
+      20,
+      "Through the plate's thickness.");
+  add(declarations,
+      "Cells along",
+      link.along,
+      2,
+      200,
+      "Along a " + tube + " between the plates; even.");
 }
 } // namespace
 
-void Mesh::declare(dealii::ParameterHandler &prm)
+void Mesh::declare(Declarations &declarations)
 {
-  const Subsection section(prm, "Mesh");
-  add(prm,
+  const Subsection section(declarations, "Mesh");
+  add(declarations,
       "Refinement",
       refinement,
       0,
@@ -145,16 +151,21 @@ void Mesh::declare(dealii::ParameterHandler &prm)
       "every level. The entries of the subsections change single numbers of cells; auto: those of "
       "the refinement.");
   {
-    const Subsection roller(prm, "Roller");
-    add(prm, "Cells through wall", roller_wall, 1, 20, "Through the wall of a roller.");
-    add(prm, "Cells around", roller_around, 8, 400, "Around a roller; a multiple of four.");
-    add(prm, "Cells along", roller_along, 2, 200, "Along a roller; even.");
+    const Subsection roller(declarations, "Roller");
+    add(declarations, "Cells through wall", roller_wall, 1, 20, "Through the wall of a roller.");
+    add(declarations,
+        "Cells around",
+        roller_around,
+        8,
+        400,
+        "Around a roller; a multiple of four.");
+    add(declarations, "Cells along", roller_along, 2, 200, "Along a roller; even.");
   }
-  declare_link(prm, "Inner link", "bush", inner_link);
-  declare_link(prm, "Outer link", "pin", outer_link);
+  declare_link(declarations, "Inner link", "bush", inner_link);
+  declare_link(declarations, "Outer link", "pin", outer_link);
   {
-    const Subsection sprockets(prm, "Sprockets");
-    add(prm, "Refinement", sprocket_refinement, 0, 4, "Of generated sprockets.");
+    const Subsection sprockets(declarations, "Sprockets");
+    add(declarations, "Refinement", sprocket_refinement, 0, 4, "Of generated sprockets.");
   }
 }
 } // namespace chaindrive::parameters

@@ -3,17 +3,17 @@
 
 namespace chaindrive
 {
-void Parameters::declare(dealii::ParameterHandler &prm)
+void Parameters::declare(parameters::Declarations &declarations)
 {
-  drive.declare(prm);
-  model.declare(prm);
-  material.declare(prm);
-  mesh.declare(prm);
-  elements.declare(prm);
-  contact.declare(prm);
-  effects.declare(prm);
-  loads.declare(prm);
-  time.declare(prm);
-  output.declare(prm);
+  drive.declare(declarations);
+  model.declare(declarations);
+  material.declare(declarations);
+  mesh.declare(declarations);
+  elements.declare(declarations);
+  contact.declare(declarations);
+  effects.declare(declarations);
+  loads.declare(declarations);
+  time.declare(declarations);
+  output.declare(declarations);
 }
 } // namespace chaindrive

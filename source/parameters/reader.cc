@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/parameters/catalogue.h>
 #include <chaindrive/parameters/cross_checks.h>
+#include <chaindrive/parameters/declarations.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/parameter_file.h>
 #include <chaindrive/parameters/reader.h>
@@ -54,14 +54,12 @@ std::string closest(const std::string &name, const std::vector<std::string> &nam
   return nearest == candidates.end() ? "" : names[(nearest - candidates.begin()) % names.size()];
 }
 
-/// Reads statements into a ParameterHandler and collects a sentence for every mistake.
-///
-/// ParameterHandler's own parser reads the same grammar, but stops at the first mistake, in words
-/// for programmers; here names are checked first, and only valid statements reach it.
+/// Reads statements in the grammar of deal.II's ParameterHandler and collects a sentence for every
+/// mistake, where ParameterHandler stops at the first one, in words for programmers.
 class Reader
 {
 public:
-  Reader(dealii::ParameterHandler &prm, Input &input) : prm_(prm), input_(input), catalogue_(prm) {}
+  explicit Reader(Input &input) : input_(input) { input.parameters.declare(declarations_); }
 
   void read_file(const std::string &file)
   {
@@ -93,7 +91,7 @@ public:
     // the unit in an entry's name may itself contain a slash: compare whole paths
     const std::string        path = trim(text.substr(0, equals));
     std::vector<std::string> paths;
-    for (const Entry &entry : catalogue_.entries())
+    for (const Entry &entry : declarations_.entries())
       {
         if (entry.path() == path)
           {
@@ -122,7 +120,7 @@ public:
   std::string resolved() const
   {
     std::ostringstream out;
-    write_prm(out, catalogue_, values_, false);
+    write_prm(out, declarations_, values_, false);
     return out.str();
   }
 
@@ -130,7 +128,7 @@ public:
   std::vector<std::string> changed() const
   {
     std::vector<std::string> paths;
-    for (const Entry &entry : catalogue_.entries())
+    for (const Entry &entry : declarations_.entries())
       {
         const auto given = values_.find(entry.path());
         if (given == values_.end() || given->second == entry.default_value)
@@ -144,15 +142,12 @@ public:
 
   std::string fixed() const
   {
-    // the links that arrive in the window are the elastic ones
-    const bool  window = input_.parameters.model.elastic_links == "arriving";
+    const bool  arrive = input_.parameters.model.elastic_links == ElasticLinks::arriving;
     std::string text;
-    for (const Entry &entry : catalogue_.entries())
+    for (const Entry &entry : declarations_.entries())
       {
-        const bool of_window = entry.name.compare(0, 7, "Window ") == 0;
-        const bool free      = entry.section == "Output" && entry.name != "Rollers";
-        const bool end       = entry.section == "Time" && entry.name == "End time in ms";
-        if ((free && !(of_window && window)) || (end && !window))
+        if (entry.on_resume == OnResume::may_change ||
+            (entry.on_resume == OnResume::must_stay_if_links_arrive && !arrive))
           continue;
         const auto given = values_.find(entry.path());
         text += entry.path() + " = " +
@@ -188,7 +183,7 @@ private:
     const std::string outer = open_.empty() ? "" : open_.back().first;
     const std::string path  = outer.empty() ? name : outer + "/" + name;
     // what stands in an unknown section is passed over: one sentence for it is enough
-    if (catalogue_.has_section(outer) && !catalogue_.has_section(path))
+    if (declarations_.has_section(outer) && !declarations_.has_section(path))
       errors_.push_back(where + unknown_section(name, outer));
     open_.emplace_back(path, line);
   }
@@ -197,13 +192,13 @@ private:
   {
     const std::string begin =
         (outer.empty() ? "there is" : "section " + outer + " has") + " no section '" + name + "'.";
-    for (const std::string &path : catalogue_.sections())
+    for (const std::string &path : declarations_.sections())
       if (last_part(path) == name)
         return begin + (enclosing(path).empty() ?
                             " It is a section of its own: is an 'end' missing above?" :
                             " It belongs in section " + enclosing(path) + ".");
-    return begin + suggestion(closest(name, catalogue_.section_names(outer)),
-                              catalogue_.section_names(outer));
+    return begin + suggestion(closest(name, declarations_.section_names(outer)),
+                              declarations_.section_names(outer));
   }
 
   void close_section(const std::string &rest, const std::string &where)
@@ -225,10 +220,10 @@ private:
         errors_.push_back(where + "an entry is written 'set Name = value'; the '=' is missing.");
         return;
       }
-    if (!catalogue_.has_section(section))
+    if (!declarations_.has_section(section))
       return;
     const std::string name = trim(rest.substr(0, equals));
-    if (const Entry *entry = catalogue_.find(section, name))
+    if (const Entry *entry = declarations_.find(section, name))
       {
         const auto [before, is_first] = set_in_.emplace(entry->path(), line_);
         if (!is_first)
@@ -247,11 +242,11 @@ private:
     const std::string begin = section.empty() ?
                                   "the entry '" + name + "' stands outside all sections." :
                                   "section " + section + " has no entry '" + name + "'.";
-    for (const Entry &entry : catalogue_.entries())
+    for (const Entry &entry : declarations_.entries())
       if (entry.name == name)
         return begin + " It belongs in section " + entry.section + ".";
-    return begin + suggestion(closest(name, catalogue_.entry_names(section)),
-                              catalogue_.entry_names(section));
+    return begin + suggestion(closest(name, declarations_.entry_names(section)),
+                              declarations_.entry_names(section));
   }
 
   static std::string suggestion(const std::string &nearest, const std::vector<std::string> &all)
@@ -266,7 +261,7 @@ private:
   {
     try
       {
-        set(prm_, entry, value, where);
+        set(entry, value, where);
         values_[entry.path()] = value;
       }
     catch (const InputError &error)
@@ -275,9 +270,8 @@ private:
       }
   }
 
-  dealii::ParameterHandler                         &prm_;
   Input                                            &input_;
-  const Catalogue                                   catalogue_;
+  Declarations                                      declarations_;
   std::vector<std::pair<std::string, unsigned int>> open_;     ///< path, line of each open section
   std::map<std::string, std::string>                values_;   ///< of all entries set, by path
   std::map<std::string, unsigned int>               set_in_;   ///< line of the file, by path
@@ -288,11 +282,8 @@ private:
 
 Input read_parameters(const std::string &file, const std::vector<std::string> &overrides)
 {
-  Input                    input;
-  dealii::ParameterHandler prm;
-  input.parameters.declare(prm);
-
-  Reader reader(prm, input);
+  Input  input;
+  Reader reader(input);
   reader.read_file(file);
   for (const std::string &override_text : overrides)
     reader.read_override(override_text);

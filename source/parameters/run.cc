@@ -4,38 +4,39 @@
 
 namespace chaindrive::parameters
 {
-void Time::declare(dealii::ParameterHandler &prm)
+void Time::declare(Declarations &declarations)
 {
-  const Subsection section(prm, "Time");
-  add(prm,
+  const Subsection section(declarations, "Time");
+  add(declarations,
       "Start time in ms",
       start,
       unit::milli,
       between(0., 1e9),
       "Time at which the run begins. It only shifts the axis of time in the results: the ramps "
       "begin with the run.");
-  add(prm,
+  add(declarations,
       "End time in ms",
       end,
       unit::milli,
       above(0., 1e9),
       "Time at which the run ends. Speeds and tensions need about ten pitch times after the "
-      "start-up transient. Default: as in prm/paper, nearly nine pitch times.");
-  add(prm,
+      "start-up transient. Default: as in prm/paper, nearly nine pitch times.")
+      .on_resume = OnResume::must_stay_if_links_arrive;
+  add(declarations,
       "Step in us",
       step,
       unit::micro,
       above(0., 1e6),
       "Time step. A step above the stable one is refused, not shortened. auto: a fortieth of the "
       "shortest period of vibration.");
-  add(prm,
+  add(declarations,
       "Safety factor",
       safety_factor,
       unit::si,
       above(0., 1.),
       "Largest accepted step over the stable step, whose bound holds for linear vibration. "
       "Default: leaves ten percent for what is not linear.");
-  add(prm,
+  add(declarations,
       "Energy limit in percent",
       energy_limit,
       unit::percent,
@@ -43,7 +44,7 @@ void Time::declare(dealii::ParameterHandler &prm)
       "Imbalance of energy, over the energy turned over, at which a run stops. A sound run stays "
       "below 0.1 (simple) or 0.5 (layered), in its first impacts below 3; a larger imbalance means "
       "too large a step. Default: what can no longer be trusted.");
-  add(prm,
+  add(declarations,
       "Guard",
       guard,
       "Whether a run also stops within 100 steps when momentum comes from nowhere, energy jumps, a "
@@ -52,16 +53,16 @@ void Time::declare(dealii::ParameterHandler &prm)
       "names the place. Default: it costs next to nothing.");
 }
 
-void Output::declare(dealii::ParameterHandler &prm)
+void Output::declare(Declarations &declarations)
 {
-  const Subsection section(prm, "Output");
-  add_text(prm,
+  const Subsection section(declarations, "Output", OnResume::may_change);
+  add_text(declarations,
            "Directory",
            directory,
            "a directory name or nothing",
            "Where the results go, relative to the directory that the program is started in. "
            "Default: results/ and the name of the .prm file. The option --output overrides it.");
-  add(prm,
+  add(declarations,
       "History interval in us",
       history_interval,
       unit::micro,
@@ -69,53 +70,59 @@ void Output::declare(dealii::ParameterHandler &prm)
       "Time between two samples of the histories. Every force is also recorded by its maximum "
       "since the last sample, since an impact may last 20 us only. Below the step, every step is a "
       "sample.");
-  add(prm,
+  add(declarations,
       "Field interval in ms",
       field_interval,
       unit::milli,
       between(0., 1e9),
       "Time between two pictures of all bodies for ParaView; 0 writes none.");
-  add(prm,
+  add(declarations,
       "Rollers",
       rollers,
       "Numbers of the rollers whose motion goes into the histories. Roller 0 sits on the driver "
-      "where the tight span arrives; numbers grow in the direction of travel.");
-  add(prm, "CSV", csv, "Whether the histories are also written as CSV files, beside HDF5.");
-  add(prm,
+      "where the tight span arrives; numbers grow in the direction of travel.")
+      .on_resume = OnResume::must_stay;
+  add(declarations,
+      "CSV",
+      csv,
+      "Whether the histories are also written as CSV files, beside HDF5.");
+  add(declarations,
       "Window start in ms",
       window_start,
       unit::milli,
       between(0., 1e9),
       "Begin of the window over which summary.json averages; choose it after the start-up "
-      "transient. Default: the drive in prm/paper has settled by then.");
-  add(prm,
+      "transient. Default: the drive in prm/paper has settled by then.")
+      .on_resume = OnResume::must_stay_if_links_arrive;
+  add(declarations,
       "Window end in ms",
       window_end,
       unit::milli,
       above(0., 1e9),
-      "End of that window. auto: the end of the run.");
-  add(prm,
+      "End of that window. auto: the end of the run.")
+      .on_resume = OnResume::must_stay_if_links_arrive;
+  add(declarations,
       "Checkpoint interval in ms",
       checkpoint_interval,
       unit::milli,
       between(0., 1e9),
       "Simulated time between two checkpoints, from which a run that was interrupted, or whose end "
       "time has been raised, can go on; 0 writes none for this reason. Two are kept.");
-  add(prm,
+  add(declarations,
       "Checkpoint wait in s",
       checkpoint_wait,
       unit::si,
       between(0., 1e9),
       "Elapsed time after which a checkpoint is written too; 0 writes none for this reason. "
       "Default: no interruption costs more than ten minutes, and short runs write none.");
-  add(prm,
+  add(declarations,
       "Wall-clock limit in s",
       wall_clock_limit,
       unit::si,
       between(0., 1e9),
       "Elapsed time after which the run writes a checkpoint and ends with the status 4, as it does "
       "on SIGTERM; 0 sets no limit. Choose some minutes less than a queue allows.");
-  add_text(prm,
+  add_text(declarations,
            "Resume",
            resume,
            "auto, the name of a checkpoint, or nothing",

@@ -15,35 +15,35 @@ struct Rule
 
 std::vector<Rule> rules(const Parameters &p)
 {
-  const std::string &fidelity = p.model.fidelity;
-  const std::string  chosen   = "Model/Fidelity = " + fidelity;
-  const bool         full     = fidelity == "full";
-  const std::string &from     = p.drive.layout.centre_distance_from;
-  const std::string  layout   = "Drive/Layout/";
+  const auto [has_clearances, is_elastic] = p.model.capabilities();
+  const std::string        chosen         = "Model/Fidelity = " + text_of(p.model.fidelity);
+  const CentreDistanceFrom from           = p.drive.layout.centre_distance_from;
+  const std::string        layout         = "Drive/Layout/";
 
   std::vector<Rule> rules = {
-      {fidelity == "simple",
+      {!has_clearances,
        {"Contact/Roller-bush stiffness in N/m",
         "Contact/Roller-bush friction",
         "Contact/Bush-pin friction"},
        chosen + " has no bushes and pins"},
-      {fidelity != "simple", {"Model/Chain damping ratio"}, chosen + " has no bars"},
-      {!full, {"Contact/Penalty factor", "Elements/"}, chosen + " has no elastic bodies"},
-      {!full && p.output.field_interval == 0.,
+      {has_clearances, {"Model/Chain damping ratio"}, chosen + " has no bars"},
+      {!is_elastic, {"Contact/Penalty factor", "Elements/"}, chosen + " has no elastic bodies"},
+      {!is_elastic && p.output.field_interval == 0.,
        {"Mesh/"},
        chosen + " needs meshes for pictures only, and Output/Field interval in ms = 0 writes none"},
-      {p.drive.layout.start == "warm",
+      {p.drive.layout.start == Start::warm,
        {"Loads/Speed ramp", "Loads/Ramp time in ms", "Loads/Torque ramp angle in rad"},
        layout + "Start = warm begins at full speed under full load"},
-      {full && p.elements.formulation != "one point",
+      {is_elastic && p.elements.formulation != Formulation::one_point,
        {"Elements/Hourglass coefficient"},
-       "Elements/Formulation = " + p.elements.formulation + " does not use it"}};
-  for (const auto &[choice, entry] :
-       {std::pair<const char *, const char *>{"given", "Centre distance in mm"},
-        {"slack", "Slack in mm"},
-        {"sag", "Sag in percent"},
-        {"pretension", "Pretension in N"}})
-    rules.push_back({from != choice, {layout + entry}, layout + "Centre distance from = " + from});
+       "Elements/Formulation = " + text_of(p.elements.formulation) + " does not use it"}};
+  for (const auto &[choice, entry] : {std::pair<CentreDistanceFrom, const char *>{
+                                          CentreDistanceFrom::given, "Centre distance in mm"},
+                                      {CentreDistanceFrom::slack, "Slack in mm"},
+                                      {CentreDistanceFrom::sag, "Sag in percent"},
+                                      {CentreDistanceFrom::pretension, "Pretension in N"}})
+    rules.push_back(
+        {from != choice, {layout + entry}, layout + "Centre distance from = " + text_of(from)});
   return rules;
 }
 } // namespace

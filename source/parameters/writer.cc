@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/declarations.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/parameters/writer.h>
+
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <ostream>
@@ -37,14 +40,6 @@ void change_section(std::ostream &out, std::vector<std::string> &open, const std
     }
 }
 
-Catalogue default_catalogue()
-{
-  Parameters               parameters;
-  dealii::ParameterHandler prm;
-  parameters.declare(prm);
-  return Catalogue(prm);
-}
-
 /// A bar would end a cell of a Markdown table.
 std::string cell(const std::string &text)
 {
@@ -56,12 +51,12 @@ std::string cell(const std::string &text)
 } // namespace
 
 void write_prm(std::ostream                             &out,
-               const Catalogue                          &catalogue,
+               const Declarations                       &declarations,
                const std::map<std::string, std::string> &values,
                const bool                                documented)
 {
   std::vector<std::string> open;
-  for (const Entry &entry : catalogue.entries())
+  for (const Entry &entry : declarations.entries())
     {
       if (open.empty() || parts_of(entry.section) != open)
         {
@@ -95,12 +90,17 @@ void write_template(std::ostream &out)
   out << "# SPDX-License-Identifier: LGPL-2.1-or-later\n#\n# A roller chain drive: every entry "
          "that chaindrive knows, with its default. Entries that are\n# left out keep their "
          "defaults, so a file of your own needs only what differs.\n\n";
-  write_prm(out, default_catalogue(), {}, true);
+  Parameters   defaults;
+  Declarations declarations;
+  defaults.declare(declarations);
+  write_prm(out, declarations, {}, true);
 }
 
 std::string parameter_documentation()
 {
-  const Catalogue    catalogue = default_catalogue();
+  Parameters   defaults;
+  Declarations declarations;
+  defaults.declare(declarations);
   std::ostringstream out;
   out << "# Parameters\n\nEvery entry of a `.prm` file, written by `chaindrive document`. Sections "
          "are\nnested (`Drive/Chain` is `subsection Chain` "
@@ -109,7 +109,7 @@ std::string parameter_documentation()
          "`auto` lets the program find the value, which the log then states.\nOn the command "
          "line, `--set \"Section/Entry=value\"` overrides the file.\n";
   std::string section;
-  for (const Entry &entry : catalogue.entries())
+  for (const Entry &entry : declarations.entries())
     {
       if (entry.section != section)
         out << "\n## " << entry.section

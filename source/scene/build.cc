@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace chaindrive::scene
 {
@@ -77,6 +78,22 @@ std::shared_ptr<const mesh::Part> sprocket_part(const Parameters               &
   if (is_on(scene.effects, "fields") || elastic)
     return make_sprocket_part(parameters, drive, driver);
   return nullptr;
+}
+
+/// The only place that asks which fidelity it is; what others ask of it is in
+/// parameters::Capabilities.
+auto builder_of(const parameters::Fidelity fidelity)
+{
+  switch (fidelity)
+    {
+    case parameters::Fidelity::simple:
+      return &add_simple_chain;
+    case parameters::Fidelity::layered:
+      return &add_layered_chain;
+    case parameters::Fidelity::full:
+      return &add_full_chain;
+    }
+  throw std::logic_error("a fidelity has no builder");
 }
 
 Tensor3 embed(const dealii::Tensor<1, 2> &v)
@@ -163,19 +180,14 @@ Scene build_scene(const Parameters               &parameters,
   scene.span_normal         = embed(layout.tight_normal);
   scene.stiffness_per_pitch = drive.stiffness_per_pitch;
   scene.notes               = drive.notes;
-  if (parameters.drive.layout.centre_distance_from == "pretension")
+  if (parameters.drive.layout.centre_distance_from == parameters::CentreDistanceFrom::pretension)
     scene.prestress = parameters.drive.layout.pretension;
   if (scene.at_speed)
     scene.prestress = std::max(scene.prestress, drive.nominal_tension);
   if (scene.at_speed) // a warm start finds the load torque fully applied
     scene.torque_angle_offset = scene.loads.torque_ramp_angle;
 
-  if (parameters.model.fidelity == "simple")
-    add_simple_chain(parameters, drive, scene);
-  else if (parameters.model.fidelity == "full")
-    add_full_chain(parameters, drive, scene);
-  else
-    add_layered_chain(parameters, drive, scene);
+  builder_of(parameters.model.fidelity)(parameters, drive, scene);
   add_sprockets(parameters, drive, folders, scene);
   return scene;
 }
@@ -188,7 +200,7 @@ void add_sprockets(const Parameters               &parameters,
   const drive::Layout &layout = drive.layout;
   const double         tooth_stiffness =
       parameters.contact.roller_tooth_stiffness.value_or(drive.roller_tooth_stiffness);
-  const bool   lumped      = parameters.model.fidelity == "simple";
+  const bool   lumped      = !parameters.model.capabilities().has_clearances;
   const double roller_mass = scene.bodies.front().mass;
   const auto   n_elastic =
       std::count_if(scene.bodies.begin(),

@@ -9,14 +9,18 @@
 
 namespace chaindrive::scene
 {
+using parameters::ElasticLinks;
+using parameters::PlateFaces;
+using parameters::Switch;
+
 namespace
 {
 Effect decide(const std::string &name,
-              const std::string &choice,
+              const Switch       choice,
               const double       coefficient,
               const std::string &coefficient_text)
 {
-  if (choice == "off")
+  if (choice == Switch::off)
     return {name, false, "switched off in section Effects"};
   const bool on = coefficient != 0.;
   return {name, on, coefficient_text + (on ? "" : " is zero")};
@@ -30,9 +34,9 @@ double largest_friction(const Parameters &p)
     return own.value_or(contact.friction_coefficient);
   };
   double largest = of(contact.roller_tooth_friction);
-  if (p.model.fidelity != "simple")
+  if (p.model.capabilities().has_clearances)
     largest = std::max({largest, of(contact.roller_bush_friction), of(contact.bush_pin_friction)});
-  if (p.model.fidelity == "full" && contact.plate_faces == "on")
+  if (p.model.capabilities().is_elastic && contact.plate_faces == PlateFaces::on)
     largest = std::max(largest, contact.friction_coefficient);
   return largest;
 }
@@ -40,22 +44,21 @@ double largest_friction(const Parameters &p)
 
 std::vector<Effect> decide_effects(const Parameters &p)
 {
-  const bool   layered  = p.model.fidelity != "simple";
-  const bool   full     = p.model.fidelity == "full";
-  const double friction = largest_friction(p);
+  const auto [has_clearances, is_elastic] = p.model.capabilities();
+  const std::string fidelity              = "fidelity " + text_of(p.model.fidelity) + ": ";
+  const double      friction              = largest_friction(p);
 
   std::vector<Effect> effects;
-  effects.push_back(
-      {"joint clearances",
-       layered,
-       layered ? "fidelity " + p.model.fidelity + ": roller, bush and pin are bodies of their own" :
-                 std::string("fidelity simple: roller, bush and pin are one lump")});
+  effects.push_back({"joint clearances",
+                     has_clearances,
+                     fidelity + (has_clearances ? "roller, bush and pin are bodies of their own" :
+                                                  "roller, bush and pin are one lump")});
   effects.push_back(
       {"chain bars",
-       !layered,
-       full    ? "fidelity full: links are made of finite elements" :
-       layered ? "fidelity layered: links are rigid, their compliance sits in the joints" :
-                 "fidelity simple: plates are elastic bars"});
+       !has_clearances,
+       fidelity + (is_elastic     ? "links are made of finite elements" :
+                   has_clearances ? "links are rigid, their compliance sits in the joints" :
+                                    "plates are elastic bars")});
   effects.push_back(decide(
       "friction", p.effects.friction, friction, "friction coefficient " + to_text(friction)));
   effects.push_back(decide("contact damping",
@@ -66,7 +69,7 @@ std::vector<Effect> decide_effects(const Parameters &p)
                                 p.effects.chain_damping,
                                 p.model.chain_damping_ratio,
                                 "chain damping ratio " + to_text(p.model.chain_damping_ratio));
-  if (layered)
+  if (has_clearances)
     chain_damping = {"chain damping", false, "there are no bars: the joints' contact damping acts"};
   effects.push_back(chain_damping);
   effects.push_back(decide("gravity",
@@ -75,26 +78,27 @@ std::vector<Effect> decide_effects(const Parameters &p)
                            "acceleration " + to_text(p.loads.gravity) + " m/s2"));
   effects.push_back(decide(
       "drag", p.effects.drag, p.loads.drag, "coefficient " + to_text(p.loads.drag) + " 1/s"));
-  const bool arriving = full && p.model.elastic_links == "arriving";
+  const bool arriving = is_elastic && p.model.elastic_links == ElasticLinks::arriving;
   effects.push_back({"elastic bodies",
-                     full,
-                     arriving ? "fidelity full: rollers and links that arrive in the window" :
-                     full     ? "fidelity full: rollers, inner and outer links" :
-                                "no group of bodies is elastic in this fidelity"});
-  const bool elastic_sprockets = full && !arriving && p.model.elastic_sprockets != "off";
+                     is_elastic,
+                     arriving   ? fidelity + "rollers and links that arrive in the window" :
+                     is_elastic ? fidelity + "rollers, inner and outer links" :
+                                  "no group of bodies is elastic in this fidelity"});
+  const bool elastic_sprockets =
+      is_elastic && !arriving && p.model.elastic_sprockets != Switch::off;
   effects.push_back({"elastic sprockets",
                      elastic_sprockets,
-                     elastic_sprockets ? "fidelity full: rims, held by rigid hubs" :
+                     elastic_sprockets ? fidelity + "rims, held by rigid hubs" :
                      arriving          ? "rigid beside rigid links: Elastic links = arriving" :
-                     full              ? "switched off in section Model" :
+                     is_elastic        ? "switched off in section Model" :
                                          "no group of bodies is elastic in this fidelity"});
-  if (full)
+  if (is_elastic)
     effects.push_back({"plate faces",
-                       p.contact.plate_faces == "on",
-                       p.contact.plate_faces == "on" ?
+                       p.contact.plate_faces == PlateFaces::on,
+                       p.contact.plate_faces == PlateFaces::on ?
                            "asked for in section Contact: between elastic links" :
                            "Contact/Plate faces: plates pass through each other"});
-  if (full)
+  if (is_elastic)
     effects.push_back(
         {"half model",
          p.model.half,

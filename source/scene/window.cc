@@ -26,8 +26,9 @@ double turned(const Scene &scene, const double time)
     return scene.loads.driver_speed * (t - 0.5 * ramp);
   const double s = t / ramp;
   return scene.loads.driver_speed * ramp *
-         (scene.loads.speed_ramp == "cosine" ? 0.5 * s - std::sin(PI * s) / (2. * PI) :
-                                               0.5 * s * s);
+         (scene.loads.speed_ramp == parameters::SpeedRamp::cosine ?
+              0.5 * s - std::sin(PI * s) / (2. * PI) :
+              0.5 * s * s);
 }
 } // namespace
 
@@ -35,7 +36,7 @@ std::vector<char>
 elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
 {
   const int n = static_cast<int>(scene.n_joints);
-  if (parameters.model.elastic_links == "all")
+  if (parameters.model.elastic_links == parameters::ElasticLinks::all)
     return std::vector<char>(n, true);
 
   // joint 0 sits where the chain comes in; with every pitch that the driver turns joint n-1, n-2,

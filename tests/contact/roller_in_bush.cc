@@ -13,7 +13,7 @@ int main()
   scene.loads.drag         = 100.; // lets the swinging about the bottom of the bore die out
   scene.loads.driver_speed = 120.74;
   scene.loads.ramp_time    = 20e-3;
-  scene.loads.speed_ramp   = "cosine";
+  scene.loads.speed_ramp   = parameters::SpeedRamp::cosine;
   scene.bodies             = {body(scene::Motion::rigid,
                        scene::Support::none,
                        m,

@@ -17,13 +17,13 @@ struct Case
   drive::ChainDimensions chain;
   drive::ToothForm       driver, driven;
 
-  explicit Case(const std::string &pitch_set)
+  explicit Case(const parameters::PitchSet pitch_set)
   {
     drive.chain.pitch_set = pitch_set;
     auto &s               = drive.sprockets;
-    if (pitch_set == "paper literal")
+    if (pitch_set == parameters::PitchSet::paper_literal)
       {
-        s.seat_centre            = "bottom diameter";
+        s.seat_centre            = parameters::SeatCentre::bottom_diameter;
         s.driver_bottom_diameter = 66.28e-3;
         s.driven_bottom_diameter = 202.82e-3;
       }
@@ -58,10 +58,10 @@ struct Case
 
 int main()
 {
-  Case standard("standard"), literal("paper literal");
+  Case standard(parameters::PitchSet::standard), literal(parameters::PitchSet::paper_literal);
 
   std::cout << "== both spans straight, over the start phase\n";
-  standard.drive.layout.centre_distance_from = "slack";
+  standard.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::slack;
   standard.drive.layout.slack                = 0.;
   const auto exact                           = standard.distances(false, 500);
   compare("least", exact[0], 643.28205, 5);
@@ -81,7 +81,7 @@ int main()
       std::cout << std::setprecision(1) << sag << " percent";
       for (Case *c : {&standard, &literal})
         {
-          c->drive.layout.centre_distance_from = "sag";
+          c->drive.layout.centre_distance_from = parameters::CentreDistanceFrom::sag;
           c->drive.layout.sag                  = sag / 100.;
           const auto   range                   = c->distances(true, 24);
           const double value                   = c == &standard ? expected : expected_literal;
@@ -97,13 +97,13 @@ int main()
     for (const double phase : {0., 0.3, 0.77})
       {
         auto &l                = standard.drive.layout;
-        l.centre_distance_from = "slack";
+        l.centre_distance_from = parameters::CentreDistanceFrom::slack;
         l.slack                = 0.5e-3;
         const auto a           = standard.layout(phase, clearances);
-        l.centre_distance_from = "sag";
+        l.centre_distance_from = parameters::CentreDistanceFrom::sag;
         l.sag                  = 0.02;
         const auto b           = standard.layout(phase, clearances);
-        l.centre_distance_from = "pretension";
+        l.centre_distance_from = parameters::CentreDistanceFrom::pretension;
         l.pretension           = 300.;
         const auto c           = standard.layout(phase, clearances);
         // the slack span's ends are seats: sag is that of the circle through its joints

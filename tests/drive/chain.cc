@@ -11,13 +11,13 @@ using namespace chaindrive;
 
 namespace
 {
-void print_pitches(const std::string &set, const double elongation)
+void print_pitches(const parameters::PitchSet set, const double elongation)
 {
   parameters::Chain chain;
   chain.pitch_set  = set;
   chain.elongation = elongation;
   const auto c     = drive::make_chain(chain);
-  std::cout << std::fixed << std::setprecision(5) << set << ", elongation " << elongation
+  std::cout << std::fixed << std::setprecision(5) << text_of(set) << ", elongation " << elongation
             << ": holes " << c.inner_hole_pitch * 1e3 << ' ' << c.outer_hole_pitch * 1e3
             << ", loaded " << c.loaded_inner_pitch() * 1e3 << ' ' << c.loaded_outer_pitch() * 1e3
             << ", mean " << c.loaded_pitch() * 1e3 << '\n';
@@ -52,7 +52,9 @@ int main()
   compare("radial clearance of bush and pin", c.pin_clearance() * 1e3, 0.045, 6);
 
   std::cout << "== pitches\n";
-  for (const std::string set : {"standard", "paper literal", "nominal"})
+  for (const auto set : {parameters::PitchSet::standard,
+                         parameters::PitchSet::paper_literal,
+                         parameters::PitchSet::nominal})
     for (const double elongation : {0., 0.01})
       print_pitches(set, elongation);
 

@@ -47,7 +47,7 @@ int main()
   std::cout << "== lower span tight, no gravity: the mirror image\n";
   drive.layout.slack      = 2e-3;
   const auto straight     = make(drive, true, true);
-  drive.layout.tight_span = "lower";
+  drive.layout.tight_span = parameters::TightSide::lower;
   const auto lower        = make(drive, true, true);
   double     difference   = 0.;
   for (unsigned int k = 0; k < drive.n_links; ++k)
@@ -60,8 +60,8 @@ int main()
   verdict("driver gap angles follow", std::abs(lower.driver_angle + straight.driver_angle) < 1e-12);
 
   std::cout << "== the slack span hangs down, whichever it is\n";
-  drive.layout.centre_distance_from = "sag";
-  for (const std::string tight : {"upper", "lower"})
+  drive.layout.centre_distance_from = parameters::CentreDistanceFrom::sag;
+  for (const auto tight : {parameters::TightSide::upper, parameters::TightSide::lower})
     {
       drive.layout.tight_span = tight;
       const auto         l    = make(drive, true);
@@ -69,15 +69,15 @@ int main()
       const auto        &first = l.joints[a].bush, &last = l.joints[a + n].bush;
       const auto        &middle = l.joints[a + n / 2].bush;
       const double       t      = (middle[0] - first[0]) / (last[0] - first[0]);
-      compare(tight + ": middle below the chord, over the sag",
+      compare(text_of(tight) + ": middle below the chord, over the sag",
               (first[1] + t * (last[1] - first[1]) - middle[1]) / l.sag,
               1.,
               1);
     }
 
   std::cout << "== warm\n";
-  drive.layout.tight_span  = "upper";
-  drive.layout.start       = "warm";
+  drive.layout.tight_span  = parameters::TightSide::upper;
+  drive.layout.start       = parameters::Start::warm;
   drive.layout.start_phase = 0.4;
   for (const bool clearances : {false, true})
     {
@@ -101,7 +101,7 @@ int main()
       compare(
           "chain speed within the polygon's range 4.509 ... 4.610", mid.velocity.norm(), 4.56, 1);
     }
-  drive.layout.tight_span = "lower";
+  drive.layout.tight_span = parameters::TightSide::lower;
   const auto clockwise    = make(drive, true);
   verdict("mirrored: both speeds negative",
           clockwise.driver_speed == -120.74 && clockwise.driven_speed < 0.);

@@ -34,8 +34,8 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
     {
       if (++worst.refused <= 3)
         std::cout << drive.driver_teeth << '/' << drive.driven_teeth << ' ' << drive.n_links << ' '
-                  << drive.layout.centre_distance_from << ' ' << drive.layout.start_phase << ": "
-                  << error.what() << '\n';
+                  << text_of(drive.layout.centre_distance_from) << ' ' << drive.layout.start_phase
+                  << ": " << error.what() << '\n';
       return;
     }
   const auto        &joints = layout.joints;
@@ -44,7 +44,7 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
       layout.driver_seats + layout.driven_seats + layout.tight_links + layout.slack_links != n + 2)
     ++worst.disordered;
 
-  const bool   concentric = clearances && drive.layout.start == "concentric";
+  const bool   concentric = clearances && drive.layout.start == parameters::Start::concentric;
   const double stretch    = 1000. / 3e8;
   int          region     = 0;
   for (unsigned int k = 0; k < n; ++k)
@@ -54,14 +54,14 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
         ++worst.disordered;
       region = static_cast<int>(a.region);
 
-      const bool seated   = a.gap >= 0 && b.gap >= 0 && a.region == b.region;
+      const bool seated   = a.tooth_gap >= 0 && b.tooth_gap >= 0 && a.region == b.region;
       const bool in_tight = k >= n - layout.tight_links;
       double     expected = chain.loaded_pitch();
       if (clearances)
         expected = k % 2 == 0 ? chain.loaded_inner_pitch() : chain.loaded_outer_pitch();
       if (concentric && !seated)
         expected = k % 2 == 0 ? chain.inner_hole_pitch : chain.outer_hole_pitch;
-      if (drive.layout.start == "warm" && in_tight)
+      if (drive.layout.start == parameters::Start::warm && in_tight)
         expected += !clearances ? stretch : k % 2 == 1 ? 2. * stretch : 0.;
       worst.spacing = std::max(worst.spacing, std::abs(a.bush.distance(b.bush) - expected));
       worst.link    = std::max(worst.link,
@@ -79,13 +79,13 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
                                        std::cos(angle) * arm[1] - std::sin(angle) * arm[0]);
           const auto             nearest = form.closest_point(local);
           worst.overlap = std::max(worst.overlap, 0.5 * chain.roller_diameter - nearest.distance);
-          if (a.gap >= 0 && (a.region == drive::Layout::Region::driver) == first)
+          if (a.tooth_gap >= 0 && (a.region == drive::Layout::Region::driver) == first)
             {
-              const double seat = a.gap * form.pitch_angle();
+              const double seat = a.tooth_gap * form.pitch_angle();
               const double r    = 0.5 * chain.loaded_pitch() / std::sin(0.5 * form.pitch_angle());
               worst.seat        = std::max(
                   worst.seat, local.distance(r * dealii::Point<2>(std::cos(seat), std::sin(seat))));
-              if (static_cast<int>(nearest.tooth_gap) != a.gap)
+              if (static_cast<int>(nearest.tooth_gap) != a.tooth_gap)
                 ++worst.disordered;
             }
         }
@@ -112,10 +112,11 @@ int main()
     return 2 * ((static_cast<unsigned int>(2. * spans + 0.5 * (z1 + z2) + d * d / spans) + 1) / 2);
   };
 
-  for (const std::string start : {"taut", "warm", "concentric"})
+  for (const auto start :
+       {parameters::Start::taut, parameters::Start::warm, parameters::Start::concentric})
     for (const bool clearances : {false, true})
       {
-        if (!clearances && start == "concentric")
+        if (!clearances && start == parameters::Start::concentric)
           continue;
         Worst worst;
         for (const auto &[z1, z2] : {std::pair<unsigned, unsigned>{9, 9},
@@ -128,8 +129,9 @@ int main()
                                      {60, 13},
                                      {14, 120}})
           for (const unsigned int spans : {8u, 21u, 40u, 110u})
-            for (const std::string from : {"slack", "sag"})
-              for (const std::string tight : {"upper", "lower"})
+            for (const auto from :
+                 {parameters::CentreDistanceFrom::slack, parameters::CentreDistanceFrom::sag})
+              for (const auto tight : {parameters::TightSide::upper, parameters::TightSide::lower})
                 for (const double phase : {0., 0.13, 0.5, 0.87, 0.999})
                   {
                     if (spans < 30 && z1 + z2 > 2 * spans)
@@ -146,14 +148,14 @@ int main()
                     drive.layout.start                = start;
                     check(drive, clearances, worst);
                   }
-        report(start + (clearances ? ", with clearances" : ", without"), worst);
+        report(text_of(start) + (clearances ? ", with clearances" : ", without"), worst);
       }
 
   Worst worst;
   for (int i = 0; i < 200; ++i)
     {
       parameters::Drive drive;
-      drive.layout.centre_distance_from = "given";
+      drive.layout.centre_distance_from = parameters::CentreDistanceFrom::given;
       drive.layout.centre_distance      = 635e-3 + i * 8.2e-3 / 199;
       drive.layout.start_phase          = std::fmod(0.37 * i, 1.);
       check(drive, i % 2 == 0, worst);
@@ -164,8 +166,8 @@ int main()
   for (int i = 0; i < 50; ++i)
     {
       parameters::Drive drive;
-      drive.chain.pitch_set                  = "paper literal";
-      drive.sprockets.seat_centre            = "bottom diameter";
+      drive.chain.pitch_set                  = parameters::PitchSet::paper_literal;
+      drive.sprockets.seat_centre            = parameters::SeatCentre::bottom_diameter;
       drive.sprockets.driver_bottom_diameter = 66.28e-3;
       drive.sprockets.driven_bottom_diameter = 202.82e-3;
       drive.layout.start_phase               = 0.02 * i;

@@ -53,7 +53,7 @@ int main()
 
   std::cout << "== links, both hole pitches 15.875\n";
   parameters::Chain nominal;
-  nominal.pitch_set = "nominal";
+  nominal.pitch_set = parameters::PitchSet::nominal;
   chain             = drive::make_chain(nominal);
   const auto inner  = drive::inner_link_solid(chain, density);
   const auto outer  = drive::outer_link_solid(chain, density);

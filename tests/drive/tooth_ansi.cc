@@ -16,7 +16,7 @@ int main()
   const double                 degree = dealii::numbers::PI / 180.;
   const drive::ChainDimensions chain  = drive::make_chain(parameters::Chain());
   parameters::Sprockets        sprockets;
-  sprockets.tooth_form = "ansi";
+  sprockets.tooth_form = parameters::StandardForm::ansi;
 
   struct Expected
   {
@@ -84,7 +84,7 @@ int main()
     }
 
   std::cout << "== bottom diameter given: the gullet moves as a whole\n";
-  sprockets.seat_centre            = "bottom diameter";
+  sprockets.seat_centre            = parameters::SeatCentre::bottom_diameter;
   sprockets.driver_bottom_diameter = 66.2e-3;
   const drive::ToothForm f         = drive::make_tooth_form(15, chain, sprockets, true);
   compare("bottom diameter", f.root_diameter * 1e3, 66.2, 4);

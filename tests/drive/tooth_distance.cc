@@ -33,7 +33,9 @@ double distance_to_polyline(const std::vector<Point<2>> &line, const Point<2> &p
   return inside ? -least : least;
 }
 
-void check(const std::string &form, const unsigned int z, const drive::ChainDimensions &chain)
+void check(const parameters::StandardForm form,
+           const unsigned int             z,
+           const drive::ChainDimensions  &chain)
 {
   parameters::Sprockets sprockets;
   sprockets.tooth_form              = form;
@@ -53,10 +55,10 @@ void check(const std::string &form, const unsigned int z, const drive::ChainDime
       worst            = std::max(worst, std::abs(q.distance - distance_to_polyline(line, p)));
       mismatch         = std::max(mismatch, (q.point + q.distance * q.normal - p).norm());
       mismatch         = std::max(mismatch, std::abs(q.normal.norm() - 1.) * chain.pitch);
-      const double off = std::remainder(angle - q.gap * f.pitch_angle(), 2. * dealii::numbers::PI);
+      const double off = std::remainder(angle - q.tooth_gap * f.pitch_angle(), 2. * dealii::numbers::PI);
       gap_error        = std::max(gap_error, std::abs(off) / (0.5 * f.pitch_angle()) - 1.);
     }
-  std::cout << "== " << form << ", " << z << " teeth\n";
+  std::cout << "== " << text_of(form) << ", " << z << " teeth\n";
   // a chord of the length l strays from an arc of the radius r by l^2 / (8 r)
   verdict("2000 points agree with the polyline within 0.5 um", worst < 0.5e-6);
   verdict("point + distance x normal is the given point, to 1e-12 mm", mismatch < 1e-15);
@@ -112,7 +114,9 @@ void check(const std::string &form, const unsigned int z, const drive::ChainDime
 int main()
 {
   const drive::ChainDimensions chain = drive::make_chain(parameters::Chain());
-  for (const std::string form : {"iso min", "iso max", "ansi"})
+  for (const auto form : {parameters::StandardForm::iso_min,
+                          parameters::StandardForm::iso_max,
+                          parameters::StandardForm::ansi})
     for (const unsigned int z : {9u, 15u, 42u})
       check(form, z, chain);
 }

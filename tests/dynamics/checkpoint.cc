@@ -106,15 +106,15 @@ int main()
   const auto build                                              = [&] {
     return scene::build_scene(parameters, drive::make_drive(parameters), {"."});
   };
-  parameters.drive.layout.start = "warm";
+  parameters.drive.layout.start = parameters::Start::warm;
   compare("simple", build(), 0.25);
-  parameters.model.fidelity = "layered";
+  parameters.model.fidelity = parameters::Fidelity::layered;
   compare("layered", build(), 0.25);
 
   // from rest to full speed within some steps
-  parameters.drive.layout.start = "taut";
+  parameters.drive.layout.start = parameters::Start::taut;
   parameters.loads.ramp_time    = 1e-6;
-  parameters.model.fidelity     = "full";
+  parameters.model.fidelity     = parameters::Fidelity::full;
   compare("full", build(), 0.9);
   parameters.model.half = true;
   compare("half", build(), 0.9);

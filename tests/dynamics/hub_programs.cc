@@ -9,7 +9,7 @@ int main()
 {
   const double full = 120.74, ramp = 5e-3, dt = 0.25e-6;
   for (const int sense : {1, -1})
-    for (const std::string shape : {"linear", "cosine"})
+    for (const auto shape : {parameters::SpeedRamp::linear, parameters::SpeedRamp::cosine})
       {
         scene::Scene scene       = empty_scene();
         scene.sense              = sense;
@@ -22,7 +22,7 @@ int main()
         advance(system, 40000, dt, [&]() {
           const double t = system.world.time, s = std::min(t / ramp, 1.);
           double       speed = full * s, angle = full * ramp * 0.5 * s * s;
-          if (shape == "cosine")
+          if (shape == parameters::SpeedRamp::cosine)
             {
               speed = full * 0.5 * (1. - std::cos(dealii::numbers::PI * s));
               angle = full * ramp *
@@ -37,7 +37,7 @@ int main()
                        std::abs(std::sin(std::atan2(frame.rotation[1][0], frame.rotation[0][0]) -
                                          sense * angle)));
         });
-        verdict((sense > 0 ? "counter-clockwise, " : "clockwise, ") + shape +
+        verdict((sense > 0 ? "counter-clockwise, " : "clockwise, ") + text_of(shape) +
                     ": speed to 1e-9, angle to 1e-12 rad",
                 worst_speed < 1e-9 && worst_angle < 1e-12);
       }

@@ -19,11 +19,13 @@ unsigned int stiff(const unsigned int n_joints) { return n_joints - 1; }
 scene::Scene make_scene(const bool layered, const bool stiff_link)
 {
   Parameters parameters;
-  parameters.model.fidelity        = layered ? "layered" : "simple";
+  parameters.model.fidelity =
+      layered ? parameters::Fidelity::layered : parameters::Fidelity::simple;
   parameters.output.field_interval = 0.;
   parameters.loads.ramp_time       = 0.2e-3;
   if (layered)
-    parameters.drive.layout.start = "warm"; // the joint is loaded from the first moment on
+    // the joint is loaded from the first moment on
+    parameters.drive.layout.start = parameters::Start::warm;
   scene::Scene scene = scene::build_scene(parameters, drive::make_drive(parameters), {"."});
   if (stiff_link && !layered)
     scene.bars[stiff(scene.n_joints)].stiffness *= 1e3;

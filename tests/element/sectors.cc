@@ -18,7 +18,7 @@ namespace
 constexpr unsigned int teeth = 11;
 
 /// One sprocket, placed off the origin and turned, without anything else.
-scene::Scene make_scene(const scene::Support support, const std::string &formulation)
+scene::Scene make_scene(const scene::Support support, const element::Formulation formulation)
 {
   scene::Scene scene         = empty_scene();
   scene.elements.formulation = formulation;
@@ -86,7 +86,7 @@ Whole whole_mesh(const scene::Scene         &scene,
 
 void compare_forces(const std::string &name, const element::Formulation formulation)
 {
-  const scene::Scene scene = make_scene(scene::Support::prescribed_hub, name);
+  const scene::Scene scene = make_scene(scene::Support::prescribed_hub, formulation);
   dynamics::System   system(scene, false);
   World             &world   = system.world;
   element::Elastic  &elastic = system.elastic;
@@ -182,7 +182,7 @@ void compare_forces(const std::string &name, const element::Formulation formulat
 /// A hub at 100 rad/s, a rim at rest. Returns the largest imbalance over the energy at the start.
 double serialize(const double dt)
 {
-  const scene::Scene scene = make_scene(scene::Support::loaded_hub, "enhanced");
+  const scene::Scene scene = make_scene(scene::Support::loaded_hub, element::Formulation::enhanced);
   dynamics::System   system(scene, false);
   World             &world  = system.world;
   const BodyBatches &copies = world.copies[0];

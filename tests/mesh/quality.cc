@@ -27,7 +27,7 @@ int main()
   std::cout << std::fixed << std::setprecision(2)
             << "worst scaled Jacobian of roller, inner link, outer link, sprocket 9, 31 teeth\n";
   for (const std::string designation : {"525", "06B", "08B", "12A", "35", "200"})
-    for (const std::string form_name : {"iso min", "ansi"})
+    for (const auto form_name : {parameters::StandardForm::iso_min, parameters::StandardForm::ansi})
       for (const unsigned int level : {0, 1})
         {
           parameters::Chain chosen;
@@ -35,7 +35,7 @@ int main()
           const auto            chain = drive::make_chain(chosen);
           parameters::Sprockets sprockets;
           sprockets.tooth_form = form_name;
-          std::cout << designation << ' ' << form_name << " level " << level << ": "
+          std::cout << designation << ' ' << text_of(form_name) << " level " << level << ": "
                     << worst(mesh::make_roller(chain, 7600., level)) << ' '
                     << worst(mesh::make_inner_link(chain, 7600., mesh::inner_link_grid(level)))
                     << ' '

@@ -52,14 +52,16 @@ int main()
 {
   const double density = 7600.;
   const auto   chain   = drive::make_chain(parameters::Chain());
-  for (const std::string name : {"iso min", "iso max", "ansi"})
+  for (const auto form_name : {parameters::StandardForm::iso_min,
+                               parameters::StandardForm::iso_max,
+                               parameters::StandardForm::ansi})
     for (const unsigned int z : {9, 15})
       {
         parameters::Sprockets sprockets;
-        sprockets.tooth_form = name;
+        sprockets.tooth_form = form_name;
         const auto   form    = drive::make_tooth_form(z, chain, sprockets, true);
         const double hub     = 0.6 * form.root_diameter;
-        std::cout << name << ", z = " << z << ": error of the volume in ppm";
+        std::cout << text_of(form_name) << ", z = " << z << ": error of the volume in ppm";
         double profile_error = 0., cyclic_error = 0., mass_error = 0.;
         for (const unsigned int level : {0, 2})
           {

@@ -79,7 +79,7 @@ int main()
   compare(imported, form);
   compare(mesh::make_sprocket(form, {25e-3, 33e-3, 7.2e-3}, 7600., 0), form);
 
-  sprockets.tooth_form = "ansi";
+  sprockets.tooth_form = parameters::StandardForm::ansi;
   sprockets.driver_outside_diameter.reset();
   const auto ansi = drive::make_tooth_form(15, chain, sprockets, true);
   compare(mesh::make_sprocket(ansi, {25e-3, 33e-3, 7.2e-3}, 7600., 2), ansi);

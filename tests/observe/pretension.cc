@@ -63,33 +63,34 @@ int main()
   p.output.field_interval             = 0.;
   p.model.driven_inertia              = 9.88e-3;
   p.model.stiffness_per_pitch         = 3e8;
-  p.drive.layout.centre_distance_from = "pretension";
-  for (const std::string fidelity : {"simple", "layered"})
+  p.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::pretension;
+  for (const auto fidelity : {parameters::Fidelity::simple, parameters::Fidelity::layered})
     {
       p.model.fidelity = fidelity;
       for (const double tension : {30., 300., 730., 2000.})
         {
           p.drive.layout.pretension = tension;
-          report(fidelity + ", " + std::to_string(int(tension)) + " N", {p});
+          report(text_of(fidelity) + ", " + std::to_string(int(tension)) + " N", {p});
         }
       p.drive.layout.pretension = 730.;
-      for (const std::string form : {"iso min", "iso mid", "iso max", "ansi"})
+      for (const auto &[form, name] : parameters::texts_of<parameters::StandardForm>)
         {
           std::vector<Parameters> phases;
           for (const double phase : {0.3, 0.7})
             {
               p.drive.layout.start_phase   = phase;
               p.drive.sprockets.tooth_form = form;
-              p.drive.layout.tight_span    = phase < 0.5 ? "upper" : "lower";
+              p.drive.layout.tight_span =
+                  phase < 0.5 ? parameters::TightSide::upper : parameters::TightSide::lower;
               phases.push_back(p);
             }
-          report(fidelity + ", " + form, phases);
+          report(text_of(fidelity) + ", " + name, phases);
         }
       Parameters small              = p;
       small.drive.driver_teeth      = 19;
       small.drive.driven_teeth      = 11;
       small.drive.n_links           = 60;
-      small.drive.layout.tight_span = "upper";
-      report(fidelity + ", 19/11", {small});
+      small.drive.layout.tight_span = parameters::TightSide::upper;
+      report(text_of(fidelity) + ", 19/11", {small});
     }
 }

@@ -21,23 +21,24 @@ int main()
                                               {80, 10, 110},
                                               {15, 42, 110},
                                               {9, 9, 16}}) // spans of three or four links
-    for (const std::string side : {"upper", "lower"})
-      for (const std::string fidelity : {"simple", "layered"})
+    for (const auto side : {parameters::TightSide::upper, parameters::TightSide::lower})
+      for (const auto fidelity : {parameters::Fidelity::simple, parameters::Fidelity::layered})
         {
-          if (fidelity == "layered" && links != 100)
+          if (fidelity == parameters::Fidelity::layered && links != 100)
             continue;
           double worst[5] = {0., 0., 0., 0., 0.};
           for (double phase = 0.05; phase < 1.; phase += 0.1)
             {
               Parameters p;
-              p.drive.driver_teeth         = driver;
-              p.drive.driven_teeth         = driven;
-              p.drive.n_links              = links;
-              p.drive.layout.tight_span    = side;
-              p.drive.layout.start         = "warm";
-              p.drive.layout.start_phase   = phase;
-              p.drive.layout.slack         = 0.;
-              p.drive.sprockets.tooth_form = "iso mid"; // has room for a chain that is laid taut
+              p.drive.driver_teeth       = driver;
+              p.drive.driven_teeth       = driven;
+              p.drive.n_links            = links;
+              p.drive.layout.tight_span  = side;
+              p.drive.layout.start       = parameters::Start::warm;
+              p.drive.layout.start_phase = phase;
+              p.drive.layout.slack       = 0.;
+              // has room for a chain that is laid taut
+              p.drive.sprockets.tooth_form = parameters::StandardForm::iso_mid;
               p.loads.resisting_torque     = 20.;
               p.loads.driver_speed         = 30.;
               p.model.fidelity             = fidelity;
@@ -60,8 +61,8 @@ int main()
                 if (std::abs(note[i]) > std::abs(worst[i]))
                   worst[i] = note[i];
             }
-          std::cout << driver << '/' << driven << ' ' << links << ' ' << side << ' ' << fidelity
-                    << std::fixed << std::setprecision(3);
+          std::cout << driver << '/' << driven << ' ' << links << ' ' << text_of(side) << ' '
+                    << text_of(fidelity) << std::fixed << std::setprecision(3);
           for (const double value : worst)
             std::cout << ' ' << value + 0.;
           std::cout << std::defaultfloat << '\n';

@@ -7,6 +7,7 @@
 #include <iostream>
 
 using chaindrive::Parameters;
+using namespace chaindrive::parameters;
 
 void check(const std::function<void(Parameters &)> &change)
 {
@@ -14,7 +15,7 @@ void check(const std::function<void(Parameters &)> &change)
   change(p);
   try
     {
-      for (const std::string &note : chaindrive::parameters::cross_check(p))
+      for (const std::string &note : cross_check(p))
         std::cout << "note: " << note << std::endl;
     }
   catch (const chaindrive::InputError &error)
@@ -44,83 +45,84 @@ int main()
 
   std::cout << "chain and sprockets" << std::endl;
   check([](Parameters &p) {
-    p.model.fidelity = "layered";
+    p.model.fidelity = Fidelity::layered;
     p.drive.n_links  = 111;
   });
   check([](Parameters &p) { p.drive.n_links = 111; });
   check([](Parameters &p) {
-    p.drive.sprockets.seat_centre            = "bottom diameter";
+    p.drive.sprockets.seat_centre            = SeatCentre::bottom_diameter;
     p.drive.sprockets.driver_bottom_diameter = 66.28e-3;
   });
   check([](Parameters &p) { p.drive.sprockets.driven_bottom_diameter = 202.82e-3; });
-  check([](Parameters &p) { p.drive.chain.pitch_set = "paper literal"; });
+  check([](Parameters &p) { p.drive.chain.pitch_set = PitchSet::paper_literal; });
   check([](Parameters &p) {
-    p.drive.chain.pitch_set                  = "paper literal";
-    p.drive.sprockets.seat_centre            = "bottom diameter";
+    p.drive.chain.pitch_set                  = PitchSet::paper_literal;
+    p.drive.sprockets.seat_centre            = SeatCentre::bottom_diameter;
     p.drive.sprockets.driver_bottom_diameter = 66.28e-3;
     p.drive.sprockets.driven_bottom_diameter = 202.82e-3;
   });
-  check([](Parameters &p) { p.drive.chain.pitch_set = "nominal"; });
+  check([](Parameters &p) { p.drive.chain.pitch_set = PitchSet::nominal; });
   check([](Parameters &p) { p.drive.sprockets.driver_mesh = "driver.msh"; });
   check([](Parameters &p) { p.output.rollers = {0, 109, 110}; });
 
   std::cout << "fidelity and start" << std::endl;
-  check([](Parameters &p) { p.drive.layout.start = "concentric"; });
+  check([](Parameters &p) { p.drive.layout.start = Start::concentric; });
   check([](Parameters &p) {
-    p.drive.layout.start = "concentric";
-    p.model.fidelity     = "layered";
+    p.drive.layout.start = Start::concentric;
+    p.model.fidelity     = Fidelity::layered;
   });
-  check([](Parameters &p) { p.drive.layout.start = "warm"; });
+  check([](Parameters &p) { p.drive.layout.start = Start::warm; });
   check([](Parameters &p) {
-    p.drive.layout.start    = "warm";
-    p.model.fidelity        = "full";
+    p.drive.layout.start    = Start::warm;
+    p.model.fidelity        = Fidelity::full;
     p.mesh.inner_link.along = 2;
     p.mesh.roller_along     = 5;
     p.mesh.roller_around    = 30;
     p.model.mass_per_pitch  = 10e-3;
   });
   check([](Parameters &p) {
-    p.drive.layout.centre_distance_from = "pretension";
-    p.model.fidelity                    = "full";
+    p.drive.layout.centre_distance_from = CentreDistanceFrom::pretension;
+    p.model.fidelity                    = Fidelity::full;
     p.contact.roller_tooth_stiffness    = 2e8;
   });
-  check([](Parameters &p) { p.model.elastic_sprockets = "on"; });
-  check([](Parameters &p) { p.contact.plate_faces = "on"; });
+  check([](Parameters &p) { p.model.elastic_sprockets = Switch::on; });
+  check([](Parameters &p) { p.contact.plate_faces = PlateFaces::on; });
   check([](Parameters &p) {
-    p.model.elastic_links = "arriving";
+    p.model.elastic_links = ElasticLinks::arriving;
     p.model.half          = true;
   });
   check([](Parameters &p) {
-    p.model.fidelity          = "full";
-    p.model.elastic_links     = "arriving";
-    p.model.elastic_sprockets = "on";
+    p.model.fidelity          = Fidelity::full;
+    p.model.elastic_links     = ElasticLinks::arriving;
+    p.model.elastic_sprockets = Switch::on;
   });
   check([](Parameters &p) { p.loads.ramp_time = 40e-3; });
   check([](Parameters &p) { p.contact.bush_pin_friction = 0.2; });
 
   std::cout << "effects" << std::endl;
   check([](Parameters &p) {
-    p.effects.friction             = "on";
+    p.effects.friction             = Switch::on;
     p.contact.friction_coefficient = 0.;
   });
   check([](Parameters &p) { // on by the coefficient of one interface
-    p.effects.friction             = "on";
+    p.effects.friction             = Switch::on;
     p.contact.friction_coefficient = 0.;
     p.contact.bush_pin_friction    = 0.1;
-    p.model.fidelity               = "layered";
+    p.model.fidelity               = Fidelity::layered;
   });
   check([](Parameters &p) { // which the simple model does not have
-    p.effects.friction             = "on";
+    p.effects.friction             = Switch::on;
     p.contact.friction_coefficient = 0.;
     p.contact.bush_pin_friction    = 0.1;
   });
   check([](Parameters &p) {
-    p.effects.contact_damping = p.effects.chain_damping = p.effects.gravity = p.effects.drag = "on";
+    p.effects.contact_damping = p.effects.chain_damping = p.effects.gravity = p.effects.drag =
+        Switch::on;
     p.contact.damping_ratio = p.model.chain_damping_ratio = p.loads.gravity = 0.;
   });
   check([](Parameters &p) {
-    p.effects.chain_damping = "on";
-    p.model.fidelity        = "layered";
+    p.effects.chain_damping = Switch::on;
+    p.model.fidelity        = Fidelity::layered;
   });
-  check([](Parameters &p) { p.effects.drag = "off"; });
+  check([](Parameters &p) { p.effects.drag = Switch::off; });
 }

@@ -1,16 +1,107 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Numbers of a .prm file and the SI members behind them: the decimal point is shifted in the text,
-// so that nothing is rounded on the way.
+// so that nothing is rounded on the way. Choices: every value has one text, every text is read,
+// listed and documented, and nothing else is read.
 #include <chaindrive/parameters/entries.h>
+#include <chaindrive/parameters/parameters.h>
+#include <chaindrive/parameters/reader.h>
+#include <chaindrive/utilities/errors.h>
 
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <set>
+#include <string_view>
+#include <utility>
 
 using namespace chaindrive::parameters;
 
+/// Whether the enum has a name for this number: the compiler writes a number with a cast if not.
+template <typename Enum, Enum value>
+constexpr bool is_enumerator()
+{
+  const std::string_view text  = __PRETTY_FUNCTION__;
+  const char             first = text[text.rfind("value = ") + 8];
+  return first != '(' && first != '-' && !(first >= '0' && first <= '9');
+}
+
+template <typename Enum, std::size_t... numbers>
+constexpr std::size_t n_enumerators(std::index_sequence<numbers...>)
+{
+  return (is_enumerator<Enum, static_cast<Enum>(numbers)>() + ...);
+}
+
+/// The words of entries that are a choice of this enum.
+template <typename Enum>
+std::string check_choice(const std::string &name)
+{
+  std::set<std::string> texts;
+  std::string           allowed;
+  bool                  read_back = true;
+  const auto           &table     = texts_of<Enum>;
+  for (std::size_t i = 0; i < table.size(); ++i)
+    {
+      texts.insert(table[i].text);
+      read_back = read_back && value_of<Enum>(text_of(table[i].value)) == table[i].value;
+      allowed += (i == 0 ? "" : i + 1 < table.size() ? ", " : " or ") + text_of(table[i].value);
+    }
+  std::cout << "  " << name << ": " << allowed << "; every value has a text: "
+            << (texts.size() == n_enumerators<Enum>(std::make_index_sequence<20>()))
+            << ", which is read back: " << read_back
+            << ", no other is: " << (!value_of<Enum>("") && !value_of<Enum>("other")) << std::endl;
+  return allowed;
+}
+
+void check_choices()
+{
+  const std::set<std::string> choices = {check_choice<PitchSet>("pitch set"),
+                                         check_choice<StandardForm>("standard form"),
+                                         check_choice<SeatCentre>("seat centre"),
+                                         check_choice<CentreDistanceFrom>("centre distance from"),
+                                         check_choice<TightSide>("tight side"),
+                                         check_choice<Start>("start"),
+                                         check_choice<Fidelity>("fidelity"),
+                                         check_choice<ElasticLinks>("elastic links"),
+                                         check_choice<Switch>("switch"),
+                                         check_choice<Formulation>("formulation"),
+                                         check_choice<PlateFaces>("plate faces"),
+                                         check_choice<Search>("search"),
+                                         check_choice<SpeedRamp>("speed ramp")};
+
+  // entries that are no choice take a number, any text, true or false
+  const std::string      documentation = parameter_documentation();
+  chaindrive::Parameters p;
+  Declarations           declarations;
+  p.declare(declarations);
+  unsigned int n_choices = 0, n_unknown = 0, n_accepting = 0, n_undocumented = 0;
+  for (const Entry &entry : declarations.entries())
+    {
+      if (entry.allowed.find("number") != std::string::npos || entry.accepts("any text") ||
+          entry.allowed == "true or false")
+        continue;
+      ++n_choices;
+      n_unknown += choices.count(entry.allowed) == 0;
+      n_accepting += entry.accepts("") || entry.accepts("other");
+      n_undocumented += documentation.find("| " + entry.allowed + " |") == std::string::npos;
+      try
+        {
+          set(entry, "other", "");
+          ++n_accepting;
+        }
+      catch (const chaindrive::InputError &)
+        {
+        }
+    }
+  std::cout << "entries that are a choice: " << n_choices << ", of an enum not above: " << n_unknown
+            << ", that take other words: " << n_accepting << ", not documented: " << n_undocumented
+            << std::endl;
+}
+
 int main()
 {
+  std::cout << "choices" << std::endl;
+  check_choices();
+
   std::cout << "SI value as text in an entry's unit" << std::endl;
   const auto print = [](const double value, const int exponent) {
     std::cout << "  10^" << exponent << ": " << to_entry_text(value, exponent) << std::endl;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The template can be read again and gives the defaults; so does the file of all values that a run
 // leaves among its results.
-#include <chaindrive/parameters/catalogue.h>
+#include <chaindrive/parameters/declarations.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/parameters/writer.h>
 
@@ -14,12 +14,11 @@ using namespace chaindrive::parameters;
 
 int main()
 {
-  Parameters               defaults;
-  dealii::ParameterHandler prm;
-  defaults.declare(prm);
-  const Catalogue    catalogue(prm);
+  Parameters   defaults;
+  Declarations declarations;
+  defaults.declare(declarations);
   std::ostringstream expected;
-  write_prm(expected, catalogue, {}, false);
+  write_prm(expected, declarations, {}, false);
 
   std::ofstream template_file("template.prm");
   write_template(template_file);
@@ -49,7 +48,7 @@ int main()
       std::cout << line << std::endl;
 
   unsigned int n_undocumented = 0, n_without_full_stop = 0;
-  for (const Entry &entry : catalogue.entries())
+  for (const Entry &entry : declarations.entries())
     {
       n_undocumented += entry.meaning.size() < 20 || entry.allowed.empty();
       n_without_full_stop += entry.meaning.back() != '.';
@@ -59,7 +58,7 @@ int main()
 
   const std::string documentation = parameter_documentation();
   unsigned int      n_missing     = 0;
-  for (const Entry &entry : catalogue.entries())
+  for (const Entry &entry : declarations.entries())
     n_missing += documentation.find("| `" + entry.name + "` |") == std::string::npos;
   std::cout << "entries missing in the documentation: " << n_missing << std::endl;
 }

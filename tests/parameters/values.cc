@@ -67,14 +67,14 @@ end)"; // without a line break at the end
                 !p.drive.chain.roller_diameter)
             << std::endl;
   std::cout << "sprockets: "
-            << (p.drive.sprockets.tooth_form == "iso max" &&
+            << (p.drive.sprockets.tooth_form == parameters::StandardForm::iso_max &&
                 p.drive.sprockets.driver_mesh == "meshes/a b.msh" &&
                 p.drive.sprockets.driven_mesh.empty())
             << std::endl;
   std::cout << "layout: "
-            << (p.drive.layout.centre_distance_from == "sag" && p.drive.layout.sag == 0.02 &&
-                p.drive.layout.centre_distance == 0.50025 && p.drive.layout.slack == 1e-3 &&
-                p.drive.layout.start_phase == 0.5)
+            << (p.drive.layout.centre_distance_from == parameters::CentreDistanceFrom::sag &&
+                p.drive.layout.sag == 0.02 && p.drive.layout.centre_distance == 0.50025 &&
+                p.drive.layout.slack == 1e-3 && p.drive.layout.start_phase == 0.5)
             << std::endl;
   std::cout << "model: "
             << (p.model.mass_per_pitch == 0.0107 && p.model.stiffness_per_pitch == 3e8 &&

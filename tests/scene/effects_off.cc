@@ -44,20 +44,20 @@ int main()
   Parameters parameters;
   show("simple, everything", parameters);
   parameters.effects.friction          = parameters.effects.contact_damping =
-      parameters.effects.chain_damping = parameters.effects.gravity = "off";
+      parameters.effects.chain_damping = parameters.effects.gravity = parameters::Switch::off;
   parameters.output.field_interval                                  = 0.;
   show("simple, all off", parameters);
-  parameters.model.fidelity = "layered";
+  parameters.model.fidelity = parameters::Fidelity::layered;
   parameters.loads.drag     = 10.;
   show("layered, drag only", parameters);
 
   // coefficients of interfaces that are not there, or that others overrule, switch nothing on
-  parameters.model.fidelity                = "simple";
-  parameters.effects.friction              = "auto";
+  parameters.model.fidelity                = parameters::Fidelity::simple;
+  parameters.effects.friction              = parameters::Switch::automatic;
   parameters.loads.drag                    = 0.;
   parameters.contact.roller_tooth_friction = 0.;
   show("simple, teeth without friction", parameters);
-  parameters.model.fidelity               = "layered";
+  parameters.model.fidelity               = parameters::Fidelity::layered;
   parameters.contact.roller_bush_friction = parameters.contact.bush_pin_friction = 0.;
   show("layered, no interface with friction", parameters);
 }

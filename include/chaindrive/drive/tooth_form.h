@@ -91,7 +91,7 @@ struct ToothForm
 /// greatest that the standard allows, but small enough to leave a tip land of 0.05 p.
 ///
 /// @throws InputError for less than 9 teeth, a tooth without tip land, an outside diameter that
-/// leaves no flank, a missing bottom diameter, an unknown form.
+/// leaves no flank or a missing bottom diameter.
 ToothForm make_tooth_form(unsigned int                 teeth,
                           const ChainDimensions       &chain,
                           const parameters::Sprockets &sprockets,

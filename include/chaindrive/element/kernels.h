@@ -5,16 +5,11 @@
 // (see utilities/pack.h).
 
 #include <chaindrive/element/shapes.h>
+#include <chaindrive/parameters/formulation.h>
 
 namespace chaindrive::element
 {
-/// How a trilinear hexahedron is integrated.
-enum class Formulation
-{
-  one_point, ///< mean gradient, hourglass stiffness after Flanagan and Belytschko (1981)
-  enhanced,  ///< mean gradient, hourglass stiffness condensed from incompatible modes ("EAS1")
-  full       ///< 2 x 2 x 2 points of Gauss' rule
-};
+using parameters::Formulation;
 
 /// The vertices of an element in deal.II's order, and where its numbers begin: elements of one
 /// geometry share them.

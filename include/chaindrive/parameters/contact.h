@@ -1,13 +1,36 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <deal.II/base/parameter_handler.h>
+#include <chaindrive/parameters/choice.h>
 
 #include <optional>
-#include <string>
 
 namespace chaindrive::parameters
 {
+class Declarations;
+
+/// Whether faces of plates touch or pass through each other.
+enum class PlateFaces
+{
+  off,
+  on
+};
+
+template <>
+inline constexpr Texts<PlateFaces, 2> texts_of<PlateFaces>{
+    {{PlateFaces::off, "off"}, {PlateFaces::on, "on"}}};
+
+/// When surfaces that may touch are searched for anew.
+enum class Search
+{
+  displacement, ///< after anything has moved far enough
+  every_step
+};
+
+template <>
+inline constexpr Texts<Search, 2> texts_of<Search>{
+    {{Search::displacement, "displacement"}, {Search::every_step, "every step"}}};
+
 /// Section `Contact`: penalty law, friction law and search of every interface.
 struct Contact
 {
@@ -16,13 +39,13 @@ struct Contact
   double                damping_ratio        = 0.1; ///< of the two bodies on the penalty spring
   double                friction_coefficient = 0.1; ///< of every interface not named below
   std::optional<double> roller_tooth_friction, roller_bush_friction, bush_pin_friction;
-  double                tangential_ratio = 0.8;            ///< sticking over normal stiffness
-  double                penalty_factor   = 0.5;            ///< of elastic bodies
-  std::string           plate_faces      = "off";          ///< off | on
-  std::string           search           = "displacement"; ///< displacement | every step
+  double                tangential_ratio = 0.8; ///< sticking over normal stiffness
+  double                penalty_factor   = 0.5; ///< of elastic bodies
+  PlateFaces            plate_faces      = PlateFaces::off;
+  Search                search           = Search::displacement;
 
   /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p prm.
-  void declare(dealii::ParameterHandler &prm);
+  /// outlive @p declarations.
+  void declare(Declarations &declarations);
 };
 } // namespace chaindrive::parameters

@@ -1,18 +1,101 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <deal.II/base/parameter_handler.h>
+#include <chaindrive/parameters/choice.h>
 
 #include <optional>
 #include <string>
 
 namespace chaindrive::parameters
 {
+class Declarations;
+
+/// Distance of the holes in the plates; see drive::make_chain().
+enum class PitchSet
+{
+  standard,
+  paper_literal,
+  nominal
+};
+
+template <>
+inline constexpr Texts<PitchSet, 3> texts_of<PitchSet>{{{PitchSet::standard, "standard"},
+                                                        {PitchSet::paper_literal, "paper literal"},
+                                                        {PitchSet::nominal, "nominal"}}};
+
+/// Shape of the tooth gap that a standard describes; see drive::make_tooth_form().
+enum class StandardForm
+{
+  iso_min,
+  iso_mid,
+  iso_max,
+  ansi
+};
+
+template <>
+inline constexpr Texts<StandardForm, 4> texts_of<StandardForm>{{{StandardForm::iso_min, "iso min"},
+                                                                {StandardForm::iso_mid, "iso mid"},
+                                                                {StandardForm::iso_max, "iso max"},
+                                                                {StandardForm::ansi, "ansi"}}};
+
+/// Where the seat of a tooth gap lies; see drive::make_tooth_form().
+enum class SeatCentre
+{
+  iso,
+  pitch,
+  bottom_diameter
+};
+
+template <>
+inline constexpr Texts<SeatCentre, 3> texts_of<SeatCentre>{
+    {{SeatCentre::iso, "iso"},
+     {SeatCentre::pitch, "pitch"},
+     {SeatCentre::bottom_diameter, "bottom diameter"}}};
+
+/// Which entry decides the centre distance.
+enum class CentreDistanceFrom
+{
+  given,
+  slack,
+  sag,
+  pretension
+};
+
+template <>
+inline constexpr Texts<CentreDistanceFrom, 4> texts_of<CentreDistanceFrom>{
+    {{CentreDistanceFrom::given, "given"},
+     {CentreDistanceFrom::slack, "slack"},
+     {CentreDistanceFrom::sag, "sag"},
+     {CentreDistanceFrom::pretension, "pretension"}}};
+
+/// Which of the two spans is tight.
+enum class TightSide
+{
+  upper,
+  lower
+};
+
+template <>
+inline constexpr Texts<TightSide, 2> texts_of<TightSide>{
+    {{TightSide::upper, "upper"}, {TightSide::lower, "lower"}}};
+
+/// Where the parts of the joints are at the start, and how they move.
+enum class Start
+{
+  taut,       ///< at rest, clearances taken up
+  concentric, ///< at rest, pins and bushes centred
+  warm        ///< at full speed under full load
+};
+
+template <>
+inline constexpr Texts<Start, 3> texts_of<Start>{
+    {{Start::taut, "taut"}, {Start::concentric, "concentric"}, {Start::warm, "warm"}}};
+
 /// Section `Drive/Chain`. An empty optional means `auto`: from the designation, or derived from it.
 struct Chain
 {
   std::string           designation = "525";
-  std::string           pitch_set   = "standard"; ///< standard | paper literal | nominal
+  PitchSet              pitch_set   = PitchSet::standard;
   double                elongation  = 0.; ///< of the loaded pitch, wear: 0.01 is one percent
   std::optional<double> pitch, roller_diameter, roller_bore, roller_length; ///< m
   std::optional<double> bush_diameter, bush_bore, bush_length;              ///< m
@@ -22,15 +105,15 @@ struct Chain
   double                waist_ratio = 0.7; ///< plate height at mid-pitch / plate height
 
   /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p prm.
-  void declare(dealii::ParameterHandler &prm);
+  /// outlive @p declarations.
+  void declare(Declarations &declarations);
 };
 
 /// Section `Drive/Sprockets`.
 struct Sprockets
 {
-  std::string           tooth_form  = "iso min"; ///< iso min | iso mid | iso max | ansi
-  std::string           seat_centre = "iso";     ///< iso | pitch | bottom diameter
+  StandardForm          tooth_form  = StandardForm::iso_min;
+  SeatCentre            seat_centre = SeatCentre::iso;
   std::optional<double> driver_outside_diameter, driven_outside_diameter; ///< m
   std::optional<double> driver_bottom_diameter,
       driven_bottom_diameter;                                     ///< m, for `bottom diameter`
@@ -40,25 +123,25 @@ struct Sprockets
   std::string           driver_mesh, driven_mesh;                 ///< Gmsh files; empty: generated
 
   /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p prm.
-  void declare(dealii::ParameterHandler &prm);
+  /// outlive @p declarations.
+  void declare(Declarations &declarations);
 };
 
 /// Section `Drive/Layout`.
 struct Layout
 {
-  std::string centre_distance_from = "slack";  ///< given | slack | sag | pretension
-  double      centre_distance      = 0.643038; ///< m, when given
-  double      slack                = 0.5e-3;   ///< m, total excess length of the chain as laid
-  double      sag                  = 0.01;     ///< of the slack span's length
-  double      pretension           = 100.;     ///< N, in both spans
-  std::string tight_span           = "upper";  ///< upper | lower
-  double      start_phase          = 0.;       ///< of a driver pitch, 0 <= phase < 1
-  std::string start                = "taut";   ///< taut | concentric | warm
+  CentreDistanceFrom centre_distance_from = CentreDistanceFrom::slack;
+  double             centre_distance      = 0.643038; ///< m, when given
+  double             slack                = 0.5e-3; ///< m, total excess length of the chain as laid
+  double             sag                  = 0.01;   ///< of the slack span's length
+  double             pretension           = 100.;   ///< N, in both spans
+  TightSide          tight_span           = TightSide::upper;
+  double             start_phase          = 0.; ///< of a driver pitch, 0 <= phase < 1
+  Start              start                = Start::taut;
 
   /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p prm.
-  void declare(dealii::ParameterHandler &prm);
+  /// outlive @p declarations.
+  void declare(Declarations &declarations);
 };
 
 /// Section `Drive`: the geometry of the whole drive.
@@ -72,7 +155,7 @@ struct Drive
   Layout       layout;
 
   /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p prm.
-  void declare(dealii::ParameterHandler &prm);
+  /// outlive @p declarations.
+  void declare(Declarations &declarations);
 };
 } // namespace chaindrive::parameters

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <deal.II/base/parameter_handler.h>
+#include <chaindrive/parameters/choice.h>
+#include <chaindrive/parameters/declarations.h>
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -42,85 +44,82 @@ constexpr Range from_to_below(const double lower, const double upper)
   return {lower, upper, true, false};
 }
 
-// Each of these declares the entry @p name of the current subsection of @p prm with the present
-// value of @p member as its default, and stores every value that is set in @p member, which must
+// Each of these declares the entry @p name of the open section of @p declarations with the present
+// value of @p member as its default. Every value that is set goes into @p member, which must
 // outlive
-// @p prm. @p meaning becomes the entry's documentation.
+// @p declarations. @p meaning becomes the entry's documentation. The entry that they return is good
+// until the next one is declared.
 
 /// A number in the unit 10^@p exponent.
-void add(dealii::ParameterHandler &prm,
-         const std::string        &name,
-         double                   &member,
-         int                       exponent,
-         const Range              &range,
-         const std::string        &meaning);
+Entry &add(Declarations      &declarations,
+           const std::string &name,
+           double            &member,
+           int                exponent,
+           const Range       &range,
+           const std::string &meaning);
 
 /// A number in the unit 10^@p exponent, or `auto`, which leaves the member empty.
-void add(dealii::ParameterHandler &prm,
-         const std::string        &name,
-         std::optional<double>    &member,
-         int                       exponent,
-         const Range              &range,
-         const std::string        &meaning);
+Entry &add(Declarations          &declarations,
+           const std::string     &name,
+           std::optional<double> &member,
+           int                    exponent,
+           const Range           &range,
+           const std::string     &meaning);
 
 /// A whole number, both ends of the range included.
-void add(dealii::ParameterHandler &prm,
-         const std::string        &name,
-         unsigned int             &member,
-         unsigned int              lower,
-         unsigned int              upper,
-         const std::string        &meaning);
+Entry &add(Declarations      &declarations,
+           const std::string &name,
+           unsigned int      &member,
+           unsigned int       lower,
+           unsigned int       upper,
+           const std::string &meaning);
 
 /// A whole number, both ends of the range included, or `auto`, which leaves the member empty.
-void add(dealii::ParameterHandler    &prm,
-         const std::string           &name,
-         std::optional<unsigned int> &member,
-         unsigned int                 lower,
-         unsigned int                 upper,
-         const std::string           &meaning);
+Entry &add(Declarations                &declarations,
+           const std::string           &name,
+           std::optional<unsigned int> &member,
+           unsigned int                 lower,
+           unsigned int                 upper,
+           const std::string           &meaning);
 
-/// One of the words @p choices.
-void add(dealii::ParameterHandler       &prm,
-         const std::string              &name,
-         std::string                    &member,
-         const std::vector<std::string> &choices,
-         const std::string              &meaning);
+/// One of @p texts, which @p store puts into its member.
+Entry &add_choice(Declarations                                   &declarations,
+                  const std::string                              &name,
+                  const std::string                              &default_value,
+                  const std::vector<std::string>                 &texts,
+                  const std::string                              &meaning,
+                  const std::function<void(const std::string &)> &store);
 
+/// One of the values of a choice.
+template <typename Enum>
+Entry &
+add(Declarations &declarations, const std::string &name, Enum &member, const std::string &meaning)
+{
+  std::vector<std::string> texts;
+  for (const Text<Enum> &choice : texts_of<Enum>)
+    texts.emplace_back(choice.text);
+  return add_choice(
+      declarations, name, text_of(member), texts, meaning, [&member](const std::string &text) {
+        member = *value_of<Enum>(text);
+      });
+}
 /// Any text: @p allowed says what is meant by it.
-void add_text(dealii::ParameterHandler &prm,
-              const std::string        &name,
-              std::string              &member,
-              const std::string        &allowed,
-              const std::string        &meaning);
+Entry &add_text(Declarations      &declarations,
+                const std::string &name,
+                std::string       &member,
+                const std::string &allowed,
+                const std::string &meaning);
 
 /// `true` or `false`.
-void add(dealii::ParameterHandler &prm,
-         const std::string        &name,
-         bool                     &member,
-         const std::string        &meaning);
+Entry &
+add(Declarations &declarations, const std::string &name, bool &member, const std::string &meaning);
 
 /// Whole numbers separated by commas, or `all`, which leaves the member empty. They are stored in
 /// increasing order, each once.
-void add(dealii::ParameterHandler  &prm,
-         const std::string         &name,
-         std::vector<unsigned int> &member,
-         const std::string         &meaning);
-
-/// A subsection of a ParameterHandler, open as long as this object lives.
-class Subsection
-{
-public:
-  Subsection(dealii::ParameterHandler &prm, const std::string &name) : prm_(prm)
-  {
-    prm_.enter_subsection(name);
-  }
-  ~Subsection() { prm_.leave_subsection(); }
-  Subsection(const Subsection &)            = delete;
-  Subsection &operator=(const Subsection &) = delete;
-
-private:
-  dealii::ParameterHandler &prm_;
-};
+Entry &add(Declarations              &declarations,
+           const std::string         &name,
+           std::vector<unsigned int> &member,
+           const std::string         &meaning);
 
 /// @p value [SI] as the shortest text that, read in the unit 10^@p exponent, gives it back exactly.
 std::string to_entry_text(double value, int exponent);

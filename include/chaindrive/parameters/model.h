@@ -2,48 +2,100 @@
 #pragma once
 
 #include <chaindrive/material/material.h>
-
-#include <deal.II/base/parameter_handler.h>
+#include <chaindrive/parameters/choice.h>
+#include <chaindrive/parameters/formulation.h>
 
 #include <optional>
-#include <string>
 
 namespace chaindrive::parameters
 {
+class Declarations;
+
+/// Which model of the chain: a builder of the scene. What others may ask of it is in Capabilities.
+enum class Fidelity
+{
+  simple,
+  layered,
+  full
+};
+
+template <>
+inline constexpr Texts<Fidelity, 3> texts_of<Fidelity>{
+    {{Fidelity::simple, "simple"}, {Fidelity::layered, "layered"}, {Fidelity::full, "full"}}};
+
+/// What parameters, drive and effects ask of a fidelity: never its name.
+struct Capabilities
+{
+  bool has_clearances; ///< rollers, inner and outer links are bodies; else lumps joined by bars
+  bool is_elastic;     ///< bodies deform; else their compliance sits in bars and contacts
+};
+
+constexpr Capabilities capabilities_of(const Fidelity fidelity)
+{
+  switch (fidelity)
+    {
+    case Fidelity::simple:
+      return {false, false};
+    case Fidelity::layered:
+      return {true, false};
+    case Fidelity::full:
+      return {true, true};
+    }
+  return {};
+}
+
+/// Which rollers and links of an elastic fidelity are elastic.
+enum class ElasticLinks
+{
+  all,
+  arriving ///< those that meet the driver in the window of the averages
+};
+
+template <>
+inline constexpr Texts<ElasticLinks, 2> texts_of<ElasticLinks>{
+    {{ElasticLinks::all, "all"}, {ElasticLinks::arriving, "arriving"}}};
+
+template <>
+inline constexpr Texts<Formulation, 3> texts_of<Formulation>{{{Formulation::one_point, "one point"},
+                                                              {Formulation::enhanced, "enhanced"},
+                                                              {Formulation::full, "full"}}};
+
 /// Section `Model`: which bodies there are, how they move, what they weigh and how stiff they are.
 struct Model
 {
-  std::string           fidelity = "simple"; ///< simple | layered | full
-  bool                  half     = false;    ///< elastic bodies: only their halves at z >= 0
+  Fidelity     fidelity = Fidelity::simple;
+  Capabilities capabilities() const { return capabilities_of(fidelity); }
+
+  bool                  half = false;        ///< elastic bodies: only their halves at z >= 0
   std::optional<double> mass_per_pitch;      ///< kg, of the whole chain per pitch
   std::optional<double> stiffness_per_pitch; ///< N/m, of the chain in a pull test, per pitch
   std::optional<double> driven_inertia;      ///< kg m2, of all that turns with the driven hub
-  double                chain_damping_ratio = 0.01;  ///< of two lumps on their bar, simple only
-  std::string           elastic_links       = "all"; ///< all | arriving: which of full fidelity
-  std::string           elastic_sprockets = "auto";  ///< auto | on | off; auto: on in full fidelity
+  double                chain_damping_ratio = 0.01; ///< of two lumps on their bar, simple only
+  ElasticLinks          elastic_links       = ElasticLinks::all;
+  Switch elastic_sprockets = Switch::automatic; ///< automatic: on in an elastic fidelity
 
   /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p prm.
-  void declare(dealii::ParameterHandler &prm);
+  /// outlive @p declarations.
+  void declare(Declarations &declarations);
 };
 
 /// Section `Material`: the same for every part.
 struct Material : chaindrive::Material
 {
   /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p prm.
-  void declare(dealii::ParameterHandler &prm);
+  /// outlive @p declarations.
+  void declare(Declarations &declarations);
 };
 
 /// Section `Elements`: how elastic bodies are computed.
 struct Elements
 {
-  std::string formulation           = "enhanced"; ///< one point | enhanced | full
-  double      hourglass_coefficient = 0.1;        ///< of one point, after Flanagan and Belytschko
+  Formulation formulation           = Formulation::enhanced;
+  double      hourglass_coefficient = 0.1; ///< of one point, after Flanagan and Belytschko
 
   /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p prm.
-  void declare(dealii::ParameterHandler &prm);
+  /// outlive @p declarations.
+  void declare(Declarations &declarations);
 };
 
 /// Section `Mesh`: of the parts' reference meshes. Numbers of cells left empty follow from the
@@ -64,7 +116,7 @@ struct Mesh
   Cells        sprocket_refinement; ///< 0 ... 4
 
   /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p prm.
-  void declare(dealii::ParameterHandler &prm);
+  /// outlive @p declarations.
+  void declare(Declarations &declarations);
 };
 } // namespace chaindrive::parameters

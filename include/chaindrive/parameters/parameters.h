@@ -28,7 +28,7 @@ struct Parameters
   parameters::Output   output;
 
   /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p prm.
-  void declare(dealii::ParameterHandler &prm);
+  /// outlive @p declarations.
+  void declare(parameters::Declarations &declarations);
 };
 } // namespace chaindrive

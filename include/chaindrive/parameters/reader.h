@@ -17,8 +17,7 @@ struct Input
   std::vector<std::string> warnings; ///< what is most likely a mistake, a sentence each
   std::string              text;     ///< of the file as it was read, once: it may be a pipe
   std::string              resolved; ///< every entry with its value, as a .prm file
-  /// "Section/Entry = value", a line for each entry that a resumed run must have as it was: all but
-  /// the end time and those of the section Output that do not decide what is computed or recorded.
+  /// "Section/Entry = value", a line for each entry that must stay when a run resumes.
   std::string fixed;
 };
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace chaindrive::parameters
 {
+class Declarations;
+
 /// Section `Time`.
 struct Time
 {
@@ -20,8 +20,8 @@ struct Time
   bool                  guard         = true; ///< whether dynamics::Guard looks at more than that
 
   /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p prm.
-  void declare(dealii::ParameterHandler &prm);
+  /// outlive @p declarations.
+  void declare(Declarations &declarations);
 };
 
 /// Section `Output`.
@@ -40,7 +40,7 @@ struct Output
   std::string               resume; ///< empty: a new run; auto: the newest checkpoint; its file
 
   /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p prm.
-  void declare(dealii::ParameterHandler &prm);
+  /// outlive @p declarations.
+  void declare(Declarations &declarations);
 };
 } // namespace chaindrive::parameters
