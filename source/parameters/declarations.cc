@@ -3,9 +3,33 @@
 #include <chaindrive/utilities/errors.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace chaindrive::parameters
 {
+namespace
+{
+/// Accepts what a function accepts, and says what that is in words fit for a message to the user.
+class Pattern : public dealii::Patterns::PatternBase
+{
+public:
+  Pattern(const std::string &allowed, const std::function<bool(const std::string &)> &accepts)
+      : allowed_(allowed), accepts_(accepts)
+  {
+  }
+
+  bool match(const std::string &value) const override { return accepts_(value); }
+
+  std::string description(const OutputStyle) const override { return allowed_; }
+
+  std::unique_ptr<PatternBase> clone() const override { return std::make_unique<Pattern>(*this); }
+
+private:
+  std::string                              allowed_;
+  std::function<bool(const std::string &)> accepts_;
+};
+} // namespace
+
 Entry &Declarations::add(const std::string                              &name,
                          const std::string                              &default_value,
                          const std::string                              &allowed,
@@ -13,7 +37,9 @@ Entry &Declarations::add(const std::string                              &name,
                          const std::function<bool(const std::string &)> &accepts,
                          const std::function<void(const std::string &)> &store)
 {
-  entries_.push_back({open_, name, default_value, allowed, meaning, on_resume_, accepts, store});
+  prm_.declare_entry(name, default_value, Pattern(allowed, accepts), meaning);
+  prm_.add_action(name, store); // stores the default, too: from text and back it is unchanged
+  entries_.push_back({open_, name, default_value, allowed, meaning, on_resume_, accepts});
   return entries_.back();
 }
 
@@ -27,10 +53,12 @@ Subsection::Subsection(Declarations      &declarations,
   declarations.open_      = outer_.empty() ? name : outer_ + "/" + name;
   declarations.on_resume_ = on_resume;
   declarations.sections_.push_back(declarations.open_);
+  declarations.prm_.enter_subsection(name);
 }
 
 Subsection::~Subsection()
 {
+  declarations_.prm_.leave_subsection();
   declarations_.open_      = outer_;
   declarations_.on_resume_ = outer_on_resume_;
 }
@@ -68,11 +96,24 @@ std::vector<std::string> Declarations::section_names(const std::string &section)
   return names;
 }
 
-void set(const Entry &entry, const std::string &value, const std::string &where)
+void Declarations::set(const Entry &entry, const std::string &value, const std::string &where)
 {
-  if (!entry.accepts(value))
+  const std::vector<std::string> path = dealii::Utilities::split_string_list(entry.section, '/');
+  for (const std::string &name : path)
+    prm_.enter_subsection(name);
+  bool allowed = true;
+  try
+    {
+      prm_.set(entry.name, value);
+    }
+  catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
+    {
+      allowed = false;
+    }
+  for (std::size_t i = 0; i < path.size(); ++i)
+    prm_.leave_subsection();
+  if (!allowed)
     throw InputError(where + entry.path() + " = " + (value.empty() ? "(nothing)" : value) +
                      " is not allowed: it must be " + entry.allowed + ".");
-  entry.store(value);
 }
 } // namespace chaindrive::parameters

@@ -261,7 +261,7 @@ private:
   {
     try
       {
-        set(entry, value, where);
+        declarations_.set(entry, value, where);
         values_[entry.path()] = value;
       }
     catch (const InputError &error)

@@ -41,12 +41,11 @@ int main()
 
   // light load: Hertz, half angle^2 = 8 q / (pi E' clearance)
   const double light = 1.;
-  compare(
-      "half angle at 1 mN/mm over Hertz'",
-      drive::conforming_contact(3.715e-3, 0.045e-3, light, steel).half_angle /
-          std::sqrt(8. * light / (dealii::numbers::PI * steel.plane_modulus() * 0.045e-3)),
-      1.,
-      4);
+  compare("half angle at 1 mN/mm over Hertz'",
+          drive::conforming_contact(3.715e-3, 0.045e-3, light, steel).half_angle /
+              std::sqrt(8. * light / (dealii::numbers::PI * steel.plane_modulus() * 0.045e-3)),
+          1.,
+          4);
   compare("half angle without clearance, deg",
           drive::conforming_contact(3.715e-3, 0., 1e5, steel).half_angle / degree,
           84.8,

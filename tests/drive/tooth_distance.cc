@@ -55,8 +55,9 @@ void check(const parameters::StandardForm form,
       worst            = std::max(worst, std::abs(q.distance - distance_to_polyline(line, p)));
       mismatch         = std::max(mismatch, (q.point + q.distance * q.normal - p).norm());
       mismatch         = std::max(mismatch, std::abs(q.normal.norm() - 1.) * chain.pitch);
-      const double off = std::remainder(angle - q.tooth_gap * f.pitch_angle(), 2. * dealii::numbers::PI);
-      gap_error        = std::max(gap_error, std::abs(off) / (0.5 * f.pitch_angle()) - 1.);
+      const double off =
+          std::remainder(angle - q.tooth_gap * f.pitch_angle(), 2. * dealii::numbers::PI);
+      gap_error = std::max(gap_error, std::abs(off) / (0.5 * f.pitch_angle()) - 1.);
     }
   std::cout << "== " << text_of(form) << ", " << z << " teeth\n";
   // a chord of the length l strays from an arc of the radius r by l^2 / (8 r)

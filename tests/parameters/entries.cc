@@ -85,7 +85,7 @@ void check_choices()
       n_undocumented += documentation.find("| " + entry.allowed + " |") == std::string::npos;
       try
         {
-          set(entry, "other", "");
+          declarations.set(entry, "other", "");
           ++n_accepting;
         }
       catch (const chaindrive::InputError &)

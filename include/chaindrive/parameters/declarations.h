@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,7 +17,7 @@ enum class OnResume
   must_stay_if_links_arrive ///< with Model/Elastic links = arriving it decides which are elastic
 };
 
-/// One entry of the .prm file and the member behind it.
+/// One entry of the .prm file.
 struct Entry
 {
   std::string section;       ///< path such as "Drive/Chain"
@@ -26,22 +28,28 @@ struct Entry
   OnResume    on_resume;
 
   std::function<bool(const std::string &)> accepts; ///< whether a text is a value
-  std::function<void(const std::string &)> store;   ///< puts an accepted text into the member
 
   std::string path() const { return section + "/" + name; }
 };
 
-/// All entries in the order of their declaration; entries.h has the functions that declare them.
+/// deal.II's ParameterHandler, which holds the entries, tests values and stores them in the members
+/// behind the entries, with what it has no place for: which entries there are, in the order of
+/// their declaration, and what may change on resuming. entries.h has the functions that declare.
 class Declarations
 {
 public:
-  /// Adds an entry to the section that is open. See Entry for the arguments.
+  /// Adds an entry to the section that is open: @p accepts and @p allowed make its pattern, @p
+  /// store puts an accepted text into the member. See Entry for the other arguments.
   Entry &add(const std::string                              &name,
              const std::string                              &default_value,
              const std::string                              &allowed,
              const std::string                              &meaning,
              const std::function<bool(const std::string &)> &accepts,
              const std::function<void(const std::string &)> &store);
+
+  /// Gives the member behind @p entry a value. Throws InputError when the value is not allowed:
+  /// @p where (file and line, or command-line option) begins the sentence.
+  void set(const Entry &entry, const std::string &value, const std::string &where);
 
   const std::vector<Entry> &entries() const { return entries_; }
 
@@ -60,6 +68,7 @@ public:
 private:
   friend class Subsection;
 
+  dealii::ParameterHandler prm_;
   std::vector<Entry>       entries_;
   std::vector<std::string> sections_;
   std::string              open_; ///< path of the section to which entries are added
@@ -83,8 +92,4 @@ private:
   const std::string outer_;
   const OnResume    outer_on_resume_;
 };
-
-/// Gives the member behind @p entry a value. Throws InputError when the value is not allowed:
-/// @p where (file and line, or command-line option) begins the sentence.
-void set(const Entry &entry, const std::string &value, const std::string &where);
 } // namespace chaindrive::parameters
