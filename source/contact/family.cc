@@ -68,25 +68,16 @@ void Family::apply(World &world, const unsigned int i, const Touch &touch, const
   if (touch.gap >= 0.)
     {
       record.force = dealii::Tensor<1, 3>();
-      if (state.overlap > 0.) // it has just come apart: let the law book what the spring gave back
-        update_touch(law_, touch.gap, 0., dealii::Tensor<1, 2>(), dt, state, world.ledger);
+      come_apart(law_, dt, state, world.ledger);
       return;
     }
 
   const dealii::Tensor<1, 3> relative = world.velocity_at(record.slave, touch.point, 0.5 * dt) -
                                         world.velocity_at(record.master, touch.point, 0.5 * dt);
-  const double         gap_rate = relative * touch.normal;
-  dealii::Tensor<1, 2> slip_rate;
-  slip_rate[0] = relative * touch.along;
-  slip_rate[1] = relative * touch.across;
-
-  update_touch(law_, touch.gap, gap_rate, slip_rate, dt, state, world.ledger);
-  record.force = state.normal * touch.normal;
-  if (law_.friction > 0.)
-    record.force += state.tangential[0] * touch.along + state.tangential[1] * touch.across;
+  record.force        = press(law_, touch, relative, relative, dt, state, world.ledger).total;
   record.feature      = touch.feature;
   record.normal       = touch.normal;
-  record.normal_speed = -gap_rate;
+  record.normal_speed = -(relative * touch.normal);
 
   // equal and opposite at one point: neither momentum nor moment of momentum is made
   world.add_force(record.slave, record.force, touch.point);

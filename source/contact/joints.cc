@@ -70,9 +70,9 @@ std::vector<unsigned int> node_offsets(const mesh::CylinderGrid        &grid,
   return offsets;
 }
 
-JointBatch::JointBatch(const JointTables  &tables,
-                       const SurfaceLaw   &law,
-                       const JointKernels &kernels)
+JointBatch::JointBatch(const JointTables       &tables,
+                       const scene::ContactLaw &law,
+                       const JointKernels      &kernels)
     : tables_(tables), kernels_(kernels), shape_(tables.shape()), arguments_{}, window_{}, sums_{}
 {
   state_.resize(std::size_t(tables.n_slave_nodes()) * n_touch_entries * n_lanes, 0.);

@@ -126,11 +126,6 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
   states_.resize(records_.size());
 
   const JointKernels &kernels = *joint_kernels(simd_width());
-  const SurfaceLaw    law{scene.law.stiffness,
-                       scene.law.damping,
-                       scene.law.friction,
-                       scene.law.tangential_stiffness,
-                       scene.law.tangential_damping};
   for (auto &[sides, pairs] : kinds)
     {
       const auto &[master_group, master_surface, slave_group, slave_surface] = sides;
@@ -146,8 +141,8 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
       const auto carried = [&](const unsigned int s) { return carried_area(bore, s, cylinder); };
       const auto own     = [&](const unsigned int s) { return cylinder.area(s, 0); };
       group.closed       = {
-                {closed_side(bore, master_surface, carried, law.stiffness, world, master_group),
-                 closed_side(cylinder, slave_surface, own, law.stiffness, world, slave_group)}};
+                {closed_side(bore, master_surface, carried, law_.stiffness, world, master_group),
+                 closed_side(cylinder, slave_surface, own, law_.stiffness, world, slave_group)}};
 
       pairs.erase(std::remove_if(pairs.begin(),
                                  pairs.end(),
@@ -168,7 +163,7 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
       for (unsigned int i = 0; i < pairs.size(); ++i)
         {
           if (i % n_lanes == 0)
-            placed.batches.push_back(std::make_unique<JointBatch>(*placed.tables, law, kernels));
+            placed.batches.push_back(std::make_unique<JointBatch>(*placed.tables, law_, kernels));
           const scene::BorePair &pair   = scene.pairs[pairs[i]];
           const unsigned int     master = world.node_address[pair.master].copy,
                              slave      = world.node_address[pair.slave.body].copy;

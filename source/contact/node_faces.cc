@@ -229,15 +229,17 @@ void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
       record.gap       = std::min(record.gap, gap);
       if (gap >= 0.)
         {
-          if (node.touch.overlap > 0.) // let the law book what the spring gave back
-            update_touch(law, gap, 0., dealii::Tensor<1, 2>(), dt, node.touch, world.ledger);
+          come_apart(law, dt, node.touch, world.ledger);
           continue;
         }
 
-      const dealii::Tensor<1, 3> &n     = projection.normal;
-      dealii::Tensor<1, 3>        along = fixed - (fixed * n) * n;
-      along /= along.norm();
-      const dealii::Tensor<1, 3> across = cross_product_3d(n, along);
+      const dealii::Tensor<1, 3> &n = projection.normal;
+      Touch                       touch;
+      touch.gap    = gap;
+      touch.normal = n;
+      touch.along  = fixed - (fixed * n) * n;
+      touch.along /= touch.along.norm();
+      touch.across = cross_product_3d(n, touch.along);
 
       dealii::Tensor<1, 3> relative = v(s), turning;
       for (unsigned int a = 0; a < 4; ++a)
@@ -246,22 +248,14 @@ void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
           relative -= projection.weight[a] * v_a;
           turning += (n * v_a) * projection.gradient[a];
         }
-      const dealii::Tensor<1, 3> slip = relative + gap * turning;
-      dealii::Tensor<1, 2>       slip_rate;
-      slip_rate[0] = slip * along;
-      slip_rate[1] = slip * across;
-      update_touch(law, gap, relative * n, slip_rate, dt, node.touch, world.ledger);
-
-      dealii::Tensor<1, 3> tangential;
-      if (law.friction > 0.)
-        tangential = node.touch.tangential[0] * along + node.touch.tangential[1] * across;
-      const dealii::Tensor<1, 3> force = node.touch.normal * n + tangential;
-      f.add(s, force);
+      const PointForce force =
+          press(law, touch, relative, relative + gap * turning, dt, node.touch, world.ledger);
+      f.add(s, force.total);
       for (unsigned int a = 0; a < 4; ++a)
         f_master.add(projection.node[a],
-                     -projection.weight[a] * force +
-                         gap * (tangential * projection.gradient[a]) * n);
-      resultant += force;
+                     -projection.weight[a] * force.total +
+                         gap * (force.tangential * projection.gradient[a]) * n);
+      resultant += force.total;
       normals += node.touch.normal * n;
       normal_force += node.touch.normal;
     }

@@ -185,9 +185,8 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
         {
           if (memory.overlap > 0. && touch.gap == std::numeric_limits<double>::max())
             lose_touch(law, memory, world.ledger);
-          else if (memory.overlap > 0.) // come apart: let the law book what the spring gave back
-            update_touch(
-                law, std::max(0., touch.gap), 0., dealii::Tensor<1, 2>(), dt, memory, world.ledger);
+          else
+            come_apart(law, dt, memory, world.ledger);
           const double speed =
               (value(copies.velocity, i, s) - flank_velocity(world, x, projection, dt)).norm();
           node.due += std::clamp(touch.gap, 0., within) / (2. * speed + unforeseen_);
@@ -198,18 +197,11 @@ void NodeTeeth::add_roller_forces(World &world, const unsigned int i, const doub
 
       const dealii::Tensor<1, 3> relative =
           value(copies.velocity, i, s) - flank_velocity(world, x, projection, dt);
-      const double         gap_rate = relative * touch.normal;
-      dealii::Tensor<1, 2> slip_rate;
-      slip_rate[0] = relative * touch.along;
-      slip_rate[1] = relative * touch.across;
-      update_touch(law, touch.gap, gap_rate, slip_rate, dt, memory, world.ledger);
-
-      dealii::Tensor<1, 3> force = memory.normal * touch.normal;
-      resultant += force;
+      const dealii::Tensor<1, 3> force =
+          press(law, touch, relative, relative, dt, memory, world.ledger).total;
+      resultant += memory.normal * touch.normal;
       normal_force += memory.normal;
-      power -= memory.normal * gap_rate;
-      if (law.friction > 0.)
-        force += memory.tangential[0] * touch.along + memory.tangential[1] * touch.across;
+      power -= memory.normal * (relative * touch.normal);
       for (unsigned int d = 0; d < 3; ++d)
         copies.force.local_element(first_[i] + (3 * surface_->node[s] + d) * n_lanes) += force[d];
       if (flanks_)

@@ -101,7 +101,7 @@ void measure(
     const std::function<std::pair<contact::JointBody, contact::JointBody>(unsigned)> &joint)
 {
   const contact::JointTables tables(master, slave);
-  const contact::SurfaceLaw  law{1e14, 1e7, 0.1, 5e13, 1e7};
+  const scene::ContactLaw   law{1e14, 1e7, 0.1, 5e13, 1e7};
   std::printf("\n%s: %u joints, %u slave nodes each, %u columns in %u\n",
               name.c_str(),
               n_joints,

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The packed law is the scalar law; every width of the joint kernels gives what the scalar ones
-// give, each lane with its own bodies, wherever these sit in their batches.
+// The law of nodes in packs is that of points one by one; every width of the joint kernels gives
+// what the scalar ones give, each lane with its own bodies, wherever these sit in their batches.
 #include "../support/joint.h"
 
-#include <chaindrive/contact/law.h>
-#include <chaindrive/contact/packed_law.h>
+#include <chaindrive/contact/point_force.h>
 
 using namespace test;
 
@@ -20,8 +19,8 @@ double difference_of_laws(const double friction)
   std::uniform_real_distribution<double> uniform(-1., 1.);
   contact::TouchState                    scalar[2];
   Ledger                                 ledger[2];
-  contact::packed::Touches<P>            packed{0., 0., {0., 0.}, {0., 0.}};
-  contact::packed::Energies<P>           energies{0., 0., 0.};
+  contact::TouchStateOf<P>               packed{0., 0., {0., 0.}, {0., 0.}};
+  contact::ContactEnergies<P>            energies{0., 0., 0.};
   double                                 difference = 0.;
   for (unsigned int n = 0; n < 2000; ++n)
     {
@@ -37,16 +36,16 @@ double difference_of_laws(const double friction)
           rate[0] = slip_rate[0][i];
           rate[1] = slip_rate[1][i];
           ledger[i].clear_stored();
-          contact::update_touch(law, gap[i], gap_rate[i], rate, 1e-7, scalar[i], ledger[i]);
+          contact::update_point(law, gap[i], gap_rate[i], rate, 1e-7, scalar[i], ledger[i]);
         }
       const P overlap = greatest(P(0.), P(0.) - gap);
-      contact::packed::update_touches(
-          contact::packed::PointLaw<P>{law.stiffness,
-                                       law.damping,
-                                       friction,
-                                       law.tangential_stiffness,
-                                       law.tangential_damping},
-          contact::packed::Approach<P>{overlap, gap, gap_rate, overlap - packed.overlap},
+      contact::update_touch(
+          scene::ContactLawOf<P>{law.stiffness,
+                                 law.damping,
+                                 friction,
+                                 law.tangential_stiffness,
+                                 law.tangential_damping},
+          contact::NodeApproach<P>{overlap, gap, gap_rate, overlap - packed.overlap},
           slip_rate,
           P(1e-7),
           friction > 0.,

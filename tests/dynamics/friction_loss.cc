@@ -4,7 +4,7 @@
 #include "../support/faults.h"
 #include "../support/scenes.h"
 
-#include <chaindrive/contact/law.h>
+#include <chaindrive/contact/point_force.h>
 #include <chaindrive/utilities/text.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ Watch drag(const double friction, const double ratio)
       slip[0] = 1.5 * std::sin(2.3e3 * t) + 0.2 * std::sin(4e4 * t);
       slip[1] = 0.7 * std::cos(3.1e3 * t);
       ledger.clear_stored();
-      contact::update_touch(law, -depth, rate, slip, dt, state, ledger);
+      contact::update_point(law, -depth, rate, slip, dt, state, ledger);
       watch.look(ledger.friction);
       watch.bound += friction * state.normal * slip.norm() * dt;
     }

@@ -5,7 +5,7 @@
 #include <chaindrive/bodies/spring.h>
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/geometry.h>
-#include <chaindrive/contact/law.h>
+#include <chaindrive/contact/point_force.h>
 
 #include <algorithm>
 #include <array>

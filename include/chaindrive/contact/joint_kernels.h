@@ -4,20 +4,11 @@
 // Plain structures and plain pointers only: the kernels are compiled for several instruction sets
 // (see utilities/pack.h).
 
+#include <chaindrive/scene/contact_law.h>
 #include <chaindrive/utilities/pack.h>
 
 namespace chaindrive::contact
 {
-/// Penalty and friction law of two surfaces, per area; see law.h for the formulas.
-struct SurfaceLaw
-{
-  double stiffness;            ///< N/m3, normal penalty
-  double damping;              ///< N s/m3, acts while the surfaces overlap
-  double friction;             ///< Coulomb's coefficient
-  double tangential_stiffness; ///< N/m3, of the sticking contact
-  double tangential_damping;   ///< N s/m3, of the sticking contact
-};
-
 /// What the two sides of all joints of one kind have in common. The bore is the master, the
 /// cylinder inside it the slave; the columns of both run round the same way, their stations the
 /// same way along the axes.
@@ -83,7 +74,7 @@ struct JointArguments
   const double       *slave_velocity[n_lanes];
   double             *master_force[n_lanes]; ///< to which contact forces are added, N
   double             *slave_force[n_lanes];
-  SurfaceLaw          law;
+  scene::ContactLaw   law;     ///< per m2
   double              dt;      ///< since the last call, s; 0 at the first one
   double             *state;   ///< [slave node][TouchEntry][lane], zero at the start
   unsigned int       *station; ///< [slave station][lane], master station that it met last

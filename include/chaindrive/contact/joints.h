@@ -55,7 +55,7 @@ class JointBatch
 {
 public:
   /// @p tables must outlive the batch. @p kernels are those of joint_kernels().
-  JointBatch(const JointTables &tables, const SurfaceLaw &law, const JointKernels &kernels);
+  JointBatch(const JointTables &tables, const scene::ContactLaw &law, const JointKernels &kernels);
 
   void set_joint(int lane, const JointBody &master, const JointBody &slave);
 

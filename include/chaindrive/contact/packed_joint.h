@@ -4,7 +4,7 @@
 // Bodies of the kernels of joint_kernels.h, for `width` joints at a time.
 
 #include <chaindrive/contact/packed_geometry.h>
-#include <chaindrive/contact/packed_law.h>
+#include <chaindrive/contact/penalty.h>
 
 namespace chaindrive::contact::packed
 {
@@ -151,14 +151,14 @@ add_share(const P gap, const P neighbours_gap, P &overlap, P &overlapping)
 /// Contact forces of the nodes of one visit. @p overlap and @p overlapping as add_share() gives
 /// them.
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE void touch_nodes(const JointArguments          &arg,
-                                          const int                      lane,
-                                          const Joints<width>           &joints,
-                                          const unsigned int             s,
-                                          const Visit<width>            &v,
-                                          const Pack<double, width>      overlap,
-                                          const Pack<double, width>      overlapping,
-                                          Energies<Pack<double, width>> &energies,
+CHAINDRIVE_ALWAYS_INLINE void touch_nodes(const JointArguments                 &arg,
+                                          const int                             lane,
+                                          const Joints<width>                  &joints,
+                                          const unsigned int                    s,
+                                          const Visit<width>                   &v,
+                                          const Pack<double, width>             overlap,
+                                          const Pack<double, width>             overlapping,
+                                          ContactEnergies<Pack<double, width>> &energies,
                                           Pack<double, width> (&total)[3])
 {
   using P                 = Pack<double, width>;
@@ -171,13 +171,12 @@ CHAINDRIVE_ALWAYS_INLINE void touch_nodes(const JointArguments          &arg,
       state_at[l] = (s * shape.slave_columns + v.column[l]) * n_touch_entries * n_lanes + lane + l;
       state[l]    = arg.state + state_at[l];
     }
-  Touches<P> touch;
-  touch.overlap       = v.overlap_before;
-  touch.normal        = v.active * gather(state, touch_normal * n_lanes);
-  touch.slip[0]       = v.active * gather(state, touch_slip_around * n_lanes);
-  touch.slip[1]       = v.active * gather(state, touch_slip_along * n_lanes);
-  touch.tangential[0] = v.active * gather(state, touch_tangential_around * n_lanes);
-  touch.tangential[1] = v.active * gather(state, touch_tangential_along * n_lanes);
+  TouchStateOf<P> touch{v.overlap_before,
+                        v.active * gather(state, touch_normal * n_lanes),
+                        {v.active * gather(state, touch_slip_around * n_lanes),
+                         v.active * gather(state, touch_slip_along * n_lanes)},
+                        {v.active * gather(state, touch_tangential_around * n_lanes),
+                         v.active * gather(state, touch_tangential_along * n_lanes)}};
 
   Motion<P> motion;
   find_motion(joints, v.meeting, motion);
@@ -185,14 +184,15 @@ CHAINDRIVE_ALWAYS_INLINE void touch_nodes(const JointArguments          &arg,
   const P slip_rate[2] = {motion.relative[1] - motion.arm * motion.spin,
                           motion.relative[2] - motion.arm * motion.tilt};
 
-  const P           share = v.cover * P(shape.area[s]), dt(arg.dt);
-  const PointLaw<P> law{share * P(arg.law.stiffness),
-                        share * overlapping * P(arg.law.damping),
-                        P(arg.law.friction),
-                        share * P(arg.law.tangential_stiffness),
-                        share * P(arg.law.tangential_damping)};
-  const Approach<P> approach{overlap, v.gap, zero - motion.relative[0], dt * motion.relative[0]};
-  update_touches(law, approach, slip_rate, dt, arg.law.friction > 0., touch, energies);
+  const P                      share = v.cover * P(shape.area[s]), dt(arg.dt);
+  const scene::ContactLawOf<P> law{share * P(arg.law.stiffness),
+                                   share * overlapping * P(arg.law.damping),
+                                   P(arg.law.friction),
+                                   share * P(arg.law.tangential_stiffness),
+                                   share * P(arg.law.tangential_damping)};
+  const NodeApproach<P>        approach{
+      overlap, v.gap, zero - motion.relative[0], dt * motion.relative[0]};
+  update_touch(law, approach, slip_rate, dt, arg.law.friction > 0., touch, energies);
 
   alignas(64) double now[n_touch_entries][width], changes[width];
   (touch.overlap + v.overlap_before).store(changes);
@@ -250,9 +250,9 @@ CHAINDRIVE_ALWAYS_INLINE void add_forces_of(const JointArguments &arg, const int
   const bool closed = visits == shape.slave_columns;
   find_frame(shape, joints);
 
-  const P     zero(0.);
-  Energies<P> energies{zero, zero, zero};
-  P           total[3] = {zero, zero, zero}, penetration(0.);
+  const P            zero(0.);
+  ContactEnergies<P> energies{zero, zero, zero};
+  P                  total[3] = {zero, zero, zero}, penetration(0.);
 
 #pragma GCC unroll 1
   for (unsigned int s = 0; s < shape.slave_stations; ++s)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/scene/contact_law.h>
+
 #include <deal.II/base/point.h>
 
 #include <memory>
@@ -17,31 +19,13 @@ namespace chaindrive::mesh
 class FacetSurface;
 }
 
+namespace chaindrive::contact
+{
+class Surface;
+}
+
 namespace chaindrive::scene
 {
-/// Penalty and friction law of one slave point on one master surface.
-struct ContactLaw
-{
-  double stiffness            = 0.; ///< N/m, normal penalty
-  double damping              = 0.; ///< N s/m, acts while the surfaces overlap
-  double friction             = 0.; ///< Coulomb's coefficient
-  double tangential_stiffness = 0.; ///< N/m, of the sticking contact
-  double tangential_damping   = 0.; ///< N s/m, of the sticking contact
-
-  /// The law of one of @p n equal points that share this interface's stiffness.
-  ContactLaw shared_by(const unsigned int n) const { return times(1. / n); }
-
-  /// The law of a node with the area @p factor, from a law per area.
-  ContactLaw times(const double factor) const
-  {
-    return {factor * stiffness,
-            factor * damping,
-            friction,
-            factor * tangential_stiffness,
-            factor * tangential_damping};
-  }
-};
-
 /// A point of a body's axis that carries a radius: the slave side of a rigid cylinder.
 struct SlavePoint
 {
@@ -103,6 +87,18 @@ struct ToothFamily
   bool                                      elastic = false; ///< the slaves are elastic bodies
   unsigned int slave_surface = 0; ///< of elastic slaves: the side of their mesh that touches
   std::vector<SlavePoint> slaves;
+};
+
+/// Slaves that may meet a surface of some body: what needs no chain, such as a block on an incline
+/// or a belt on a drum.
+struct SurfaceFamily
+{
+  std::string                             name;
+  std::shared_ptr<const contact::Surface> surface;
+  ContactLaw                              law; ///< of elastic slaves, whose nodes touch: per m2
+  std::vector<SlavePoint>                 slaves;
+  bool                                    elastic = false; ///< the slaves are elastic bodies
+  unsigned int slave_surface = 0; ///< of elastic slaves: the side of their mesh that touches
 };
 
 /// A massless elastic bar between the centres of two bodies.

@@ -60,12 +60,13 @@ struct Body
 /// Who is there, what touches what, what pulls: a pure description, from which a World is made.
 struct Scene
 {
-  std::vector<Body>        bodies; ///< rollers first (in joint order), then links, then sprockets
-  std::vector<Bar>         bars;   ///< simple fidelity: bar k joins rollers k and k+1
-  std::vector<BoreFamily>  bores;
-  std::vector<FaceFamily>  faces;
-  std::vector<ToothFamily> teeth;
-  parameters::Loads        loads;     ///< with the coefficients of effects that are off set to zero
+  std::vector<Body>          bodies; ///< rollers first (in joint order), then links, then sprockets
+  std::vector<Bar>           bars;   ///< simple fidelity: bar k joins rollers k and k+1
+  std::vector<BoreFamily>    bores;
+  std::vector<FaceFamily>    faces;
+  std::vector<ToothFamily>   teeth;
+  std::vector<SurfaceFamily> surfaces;
+  parameters::Loads          loads;   ///< with the coefficients of effects that are off set to zero
   double torque_angle_offset = 0.;    ///< rad by which the load torque's ramp is ahead
   double start_time          = 0.;    ///< s
   double prestress           = 0.;    ///< N, in the spans at the start

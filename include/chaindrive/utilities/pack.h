@@ -144,6 +144,22 @@ struct Pack
   }
 };
 
+/// The same for one number, so that a formula can be a template over the type of its numbers.
+CHAINDRIVE_ALWAYS_INLINE double
+if_less(const double x, const double y, const double a, const double b)
+{
+  return x < y ? a : b;
+}
+CHAINDRIVE_ALWAYS_INLINE double least(const double a, const double b)
+{
+  return if_less(a, b, a, b);
+}
+CHAINDRIVE_ALWAYS_INLINE double greatest(const double a, const double b)
+{
+  return if_less(b, a, a, b);
+}
+CHAINDRIVE_ALWAYS_INLINE double square_root(const double a) { return __builtin_sqrt(a); }
+
 /// Numbers from as many places in memory as the pack has: @p offset numbers after each of @p from.
 template <typename Number, int width>
 CHAINDRIVE_ALWAYS_INLINE Pack<Number, width> gather(const Number *const (&from)[width],

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+// The one penalty and friction evaluation, for one slave point (Number is double) or for as many as
+// a Pack has. Plain structures only: the kernels are compiled for several instruction sets, see
+// utilities/pack.h.
+
+#include <chaindrive/scene/contact_law.h>
+#include <chaindrive/utilities/pack.h>
+
+namespace chaindrive::contact
+{
+/// What one slave point remembers from step to step.
+template <typename Number>
+struct TouchStateOf
+{
+  Number overlap{};       ///< penetration of the last evaluation, m; 0 when apart
+  Number normal{};        ///< force along the master's normal, N, never negative
+  Number slip[2]{};       ///< elastic part of the slip in the master's tangents, m
+  Number tangential[2]{}; ///< force on the slave along the master's tangents, N
+};
+
+using TouchState = TouchStateOf<double>;
+
+/// Energies of contact that an evaluation adds to: what springs hold now, and losses since the
+/// start; J.
+template <typename Number>
+struct ContactEnergies
+{
+  Number stored, damping_loss, friction_loss;
+};
+
+// An approach says how deep and how fast the surfaces come together, and what the normal force
+// stores and loses. There are two: of a point by itself, and of a node that stands for the surface
+// about it.
+
+/// The approach of a point by itself: its overlap is d = max(0, -g), its spring holds k d^2 / 2.
+template <typename Number>
+struct PointApproach
+{
+  Number gap;  ///< g, negative when the surfaces overlap, m
+  Number rate; ///< g', m/s
+
+  CHAINDRIVE_ALWAYS_INLINE Number overlap() const { return greatest(Number(0.), Number(0.) - gap); }
+
+  /// The work of the normal force over the step, by the trapezoidal rule, is stored in the spring
+  /// or lost in the dashpot.
+  CHAINDRIVE_ALWAYS_INLINE void book(const scene::ContactLawOf<Number> &law,
+                                     const TouchStateOf<Number>        &before,
+                                     const TouchStateOf<Number>        &now,
+                                     ContactEnergies<Number>           &energies) const
+  {
+    const Number half(0.5);
+    const Number stored_before = half * law.stiffness * before.overlap * before.overlap;
+    const Number stored        = half * law.stiffness * now.overlap * now.overlap;
+    energies.stored += stored;
+    energies.damping_loss += half * (before.normal + now.normal) * (now.overlap - before.overlap) -
+                             (stored - stored_before);
+  }
+};
+
+/// The approach of a node: its overlap is the mean of that of the surface about it, of which it has
+/// a share also when only its neighbour overlaps. Nodes share the energy of the springs between
+/// them as k d (-g) / 2, which for a point by itself is its own k d^2 / 2.
+template <typename Number>
+struct NodeApproach
+{
+  Number mean_overlap; ///< d, m
+  Number gap;          ///< g, at the node, m
+  Number rate;         ///< g', m/s
+  Number closing;      ///< by how much the surfaces have come closer over the step, m
+
+  CHAINDRIVE_ALWAYS_INLINE Number overlap() const { return mean_overlap; }
+
+  /// What the normal force is more than that of the spring is the dashpot's, whose work over the
+  /// step is lost.
+  CHAINDRIVE_ALWAYS_INLINE void book(const scene::ContactLawOf<Number> &law,
+                                     const TouchStateOf<Number>        &before,
+                                     const TouchStateOf<Number>        &now,
+                                     ContactEnergies<Number>           &energies) const
+  {
+    const Number half(0.5);
+    const Number spring = law.stiffness * now.overlap;
+    energies.stored -= half * spring * gap;
+    const Number damping_before = before.normal - law.stiffness * before.overlap;
+    energies.damping_loss += half * (damping_before + now.normal - spring) * closing;
+  }
+};
+
+/// Length of a vector in the tangents' plane.
+template <typename Number>
+CHAINDRIVE_ALWAYS_INLINE Number length(const Number (&v)[2])
+{
+  return square_root(v[0] * v[0] + v[1] * v[1]);
+}
+
+/// Penalty force with damping and Coulomb friction at one instant.
+///
+///   N = max(0, k d - c g')   where d > 0              linear spring and dashpot (Kelvin-Voigt)
+///   |k_t s| <= mu N                                   return mapping of the elastic slip s
+///   T = - k_t s - c_t s',    |T| <= mu N              and then of the force: the dashpot takes
+///                                                     what the spring leaves of the limit
+///
+/// With the return mapping a contact below the limit is an elastic spring that keeps its origin: it
+/// sticks and does not creep (Giannakopoulos 1989; Wriggers, Computational Contact Mechanics, 5.2).
+/// Nothing but slip loads the spring. If T were mapped back alone and s = -T / k_t, it would take
+/// over the dashpot's share, with energy that no work has put in. The dashpot's part never drives:
+/// with the projection P onto the disc of radius mu N, which holds -k_t s, and T = P(-k_t s - c_t
+/// s'), it is (T + k_t s) . s' <= 0.
+/// Stored energy and losses are booked by the trapezoidal rule over the step.
+///
+/// @p approach tells overlap d [m] and gap rate g' [m/s]; @p slip_rate s' is the velocity of the
+/// slave's material relative to the master's along the two tangents [m/s]; @p dt the time since the
+/// last evaluation [s]. Without friction @p touch keeps what it has of slip.
+template <typename Number, typename Approach>
+CHAINDRIVE_ALWAYS_INLINE void update_touch(const scene::ContactLawOf<Number> &law,
+                                           const Approach                    &approach,
+                                           const Number (&slip_rate)[2],
+                                           const Number             dt,
+                                           const bool               with_friction,
+                                           TouchStateOf<Number>    &touch,
+                                           ContactEnergies<Number> &energies)
+{
+  const Number               zero(0.), half(0.5);
+  const TouchStateOf<Number> before = touch;
+
+  touch.overlap = approach.overlap();
+  touch.normal =
+      if_less(zero,
+              touch.overlap,
+              greatest(zero, law.stiffness * touch.overlap - law.damping * approach.rate),
+              zero);
+  approach.book(law, before, touch, energies);
+  if (!with_friction)
+    return;
+
+  const Number limit        = law.friction * touch.normal;
+  const auto   within_limit = [&limit](const Number &size) {
+    return if_less(limit, size, limit / size, Number(1.));
+  };
+  Number increment[2], elastic[2];
+  for (int d = 0; d < 2; ++d)
+    {
+      increment[d] = dt * slip_rate[d];
+      elastic[d]   = before.slip[d] + increment[d];
+    }
+  const Number elastic_part = within_limit(law.tangential_stiffness * length(elastic));
+  for (int d = 0; d < 2; ++d)
+    {
+      touch.slip[d] = elastic_part * elastic[d];
+      touch.tangential[d] =
+          zero - law.tangential_stiffness * touch.slip[d] - law.tangential_damping * slip_rate[d];
+    }
+  const Number part = within_limit(length(touch.tangential));
+  Number       work(0.), stored(0.), stored_before(0.);
+  for (int d = 0; d < 2; ++d)
+    {
+      touch.tangential[d] = part * touch.tangential[d];
+      work += (before.tangential[d] + touch.tangential[d]) * increment[d];
+      stored_before += before.slip[d] * before.slip[d];
+      stored += touch.slip[d] * touch.slip[d];
+    }
+  stored_before = half * law.tangential_stiffness * stored_before;
+  stored        = half * law.tangential_stiffness * stored;
+  energies.stored += stored;
+  energies.friction_loss -= half * work + (stored - stored_before);
+}
+} // namespace chaindrive::contact
