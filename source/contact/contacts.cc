@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/contacts.h>
+#include <chaindrive/contact/elastic_flanks.h>
 #include <chaindrive/contact/node_bores.h>
+#include <chaindrive/contact/node_contact.h>
 #include <chaindrive/contact/node_faces.h>
-#include <chaindrive/contact/node_teeth.h>
+#include <chaindrive/contact/point_contact.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
@@ -26,28 +28,32 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
   for (BodyBatches &copies : world.copies)
     copies.make_ghosts();
 
-  double smallest_radius = std::numeric_limits<double>::max();
+  const auto add_family = [&](const scene::SurfaceFamily &family) {
+    if (family.elastic)
+      families_.push_back(std::make_unique<NodeContact>(family, world, search_every_step));
+    else
+      families_.push_back(std::make_unique<PointContact>(family));
+  };
   for (const scene::ToothFamily &teeth : scene.teeth)
-    {
-      if (teeth.elastic)
-        families_.push_back(std::make_unique<NodeTeeth>(teeth, world, search_every_step));
-      else
-        families_.push_back(std::make_unique<Teeth>(teeth));
-      for (const scene::SlavePoint &slave : teeth.slaves)
-        if (slave.radius > 0.)
-          smallest_radius = std::min(smallest_radius, slave.radius);
-    }
+    add_family(on_flanks(teeth, world));
+  for (const scene::SurfaceFamily &family : scene.surfaces)
+    add_family(family);
   for (const scene::BoreFamily &bores : scene.bores)
     if (bores.elastic)
       families_.push_back(std::make_unique<NodeBores>(bores, world, search_every_step));
     else
-      families_.push_back(std::make_unique<Bores>(bores));
+      families_.push_back(std::make_unique<PointContact>(bores));
   for (const scene::FaceFamily &faces : scene.faces)
     families_.push_back(std::make_unique<NodeFaces>(faces, world, search_every_step));
 
+  // the reach is as large as the smallest slave: larger, and searches were fewer but lists longer
+  reach_ = std::numeric_limits<double>::max();
   for (const auto &family : families_)
-    needs_search_ = needs_search_ || family->needs_search();
-  reach_ = needs_search_ ? smallest_radius : 0.; // larger: fewer searches but longer lists
+    if (family->needs_search())
+      {
+        needs_search_ = true;
+        reach_        = std::min(reach_, family->smallest_radius());
+      }
 }
 
 void Contacts::search_if_due(const World &world, const double dt)
@@ -56,16 +62,17 @@ void Contacts::search_if_due(const World &world, const double dt)
   if (!every_step_)
     for (const Frame &frame : world.frames)
       largest = std::max(largest, frame.velocity.norm_square());
-  approach_ += 2. * std::sqrt(largest) * dt;
+  const double approach = 2. * std::sqrt(largest) * dt;
 
-  if (!searched_ || every_step_ || approach_ >= reach_)
+  if (every_step_ || cadence_.is_due(approach))
     {
       for (const auto &family : families_)
         family->search(world, reach_);
-      approach_ = 0.;
-      searched_ = true;
+      cadence_.restart(reach_);
       ++statistics_.searches;
     }
+  else
+    cadence_.use(approach);
   ++statistics_.evaluations;
 }
 
@@ -115,8 +122,7 @@ void Contacts::gather_records(const World &world)
 
 void Contacts::serialize(const Archive &archive, const World &world)
 {
-  archive("approach", approach_);
-  archive("searched", searched_);
+  cadence_.serialize(archive);
   archive("statistics", statistics_);
   unsigned long missed = dealii::Utilities::MPI::sum(n_missed(), world.communicator());
   archive("missed", missed);

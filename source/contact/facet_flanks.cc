@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/facet_flanks.h>
-#include <chaindrive/contact/family.h>
 #include <chaindrive/mesh/surface/facet_surface.h>
 
 #include <algorithm>
@@ -9,7 +8,7 @@
 namespace chaindrive::contact
 {
 FacetFlanks::FacetFlanks(const scene::ToothFamily &family, const World &world, const Rim &rim)
-    : Flanks(family, rim)
+    : ElasticFlanks(family, rim)
 {
   const BodyBatches &copies = world.copies[group_];
   place_.resize(copies.nodes.of_vertex.size());
@@ -23,10 +22,10 @@ FacetFlanks::FacetFlanks(const scene::ToothFamily &family, const World &world, c
       }
 }
 
-Flanks::Facet FacetFlanks::nearest(const dealii::Tensor<1, 3> &x,
-                                   const double                within,
-                                   unsigned int               &hint,
-                                   Projection                 &projection) const
+ElasticFlanks::Facet FacetFlanks::nearest(const dealii::Tensor<1, 3> &x,
+                                          const double                within,
+                                          unsigned int               &hint,
+                                          Projection                 &projection) const
 {
   const double           z = std::clamp(x[2], -family_.half_width, family_.half_width);
   const mesh::Projection nearest =
@@ -52,11 +51,12 @@ Flanks::Facet FacetFlanks::nearest(const dealii::Tensor<1, 3> &x,
   return facet;
 }
 
-ClosedSide FacetFlanks::closed_side(const double              stiffness,
-                                    const BodyBatches        &flanks,
+ClosedSide FacetFlanks::closed_side(const World              &world,
+                                    const double              stiffness,
                                     const mesh::SurfaceNodes &slaves,
                                     const BodyBatches        &of_slaves) const
 {
+  const BodyBatches &flanks = world.copies[group_];
   // the part of the axis that a node's facets cover
   std::vector<std::array<double, 2>> reach(flanks.n_nodes(), {{1e300, -1e300}});
   for (unsigned int f = 0; f < family_.facets->n_facets(); ++f)

@@ -24,6 +24,7 @@ JointTables::JointTables(const mesh::CylinderGrid &master, const mesh::CylinderG
   shape_.slave_columns   = slave.n_columns();
   shape_.slave_stations  = slave.n_stations();
 
+  // a chord of n columns is 2 R sin(pi / n) long, see packed_geometry.h
   const double sine    = std::sin(dealii::numbers::PI / master.n_columns());
   shape_.master_radius = master.radius;
   shape_.chord_factor  = 4. * sine * sine;
@@ -35,6 +36,9 @@ JointTables::JointTables(const mesh::CylinderGrid &master, const mesh::CylinderG
     ++n_axis;
   shape_.axis_stride = shape_.master_columns / n_axis;
 
+  // A node stands for half of the way to its neighbours along the axis: at an end for one half,
+  // h/2, elsewhere for two. cover is one over half of that length: the force fades over it, see
+  // covered().
   for (unsigned int s = 0; s < slave.n_stations(); ++s)
     {
       area_.push_back(slave.area(s, 0));
@@ -116,30 +120,35 @@ const dealii::AlignedVector<double> &JointBatch::measure_gaps()
   return gap_;
 }
 
-void JointBatch::search(const double reach, const double unforeseen)
+unsigned int JointBatch::search(const double reach, const double unforeseen)
 {
   if (!(reach >= 0.) || !(unforeseen > 0.))
     throw std::logic_error("JointBatch: a search needs a reach and a speed");
   measure_gaps();
-  double fastest = 0.;
+  double       fastest = 0.;
+  unsigned int missed  = 0;
   for (int lane = 0; lane < n_lanes; ++lane)
     if (arguments_.master_position[lane] != nullptr)
       {
-        search_lane(lane, reach);
+        missed += search_lane(lane, reach);
         fastest = std::max(fastest, closing_[lane]);
       }
-  fresh_      = true;
-  left_alone_ = false;
-  holds_for_  = reach / (2. * fastest + unforeseen);
+  fresh_ = true;
+  cadence_.restart(holding_time(reach, fastest, unforeseen));
+  return missed;
 }
 
-void JointBatch::search_lane(const int lane, const double reach)
+unsigned int JointBatch::search_lane(const int lane, const double reach)
 {
+  // A window is one run of columns, round and round.
+  // Columns are near where any of their nodes, in any station, overlaps, is closer than the reach,
+  // or has touched last time.
   const unsigned int n     = shape_.slave_columns;
   const unsigned int first = window_.first[lane], count = window_.count[lane];
 
   std::vector<bool> near(n, false);
-  bool              any = false;
+  bool              any    = false;
+  unsigned int      missed = 0;
   for (unsigned int s = 0; s < shape_.slave_stations; ++s)
     for (unsigned int c = 0; c < n; ++c)
       {
@@ -148,8 +157,8 @@ void JointBatch::search_lane(const int lane, const double reach)
         const bool         overlap = gap < 0. && covered_[node * n_lanes + lane] > 0.;
         // the outermost columns of a window have neighbours that are not there
         const unsigned int place = (c + n - first) % n;
-        if (overlap && left_alone_ && count < n && !(place > 0 && place + 1 < count))
-          ++missed_[lane];
+        if (overlap && cadence_.left_alone() && count < n && !(place > 0 && place + 1 < count))
+          ++missed;
         // what touched last time has a spring to let go
         if (overlap || gap < reach ||
             state_[(node * n_touch_entries + touch_overlap) * n_lanes + lane] > 0.)
@@ -171,6 +180,7 @@ void JointBatch::search_lane(const int lane, const double reach)
   const unsigned int left_out = longest > 2 ? longest - 2 : 0;
   window_.first[lane]         = left_out > 0 ? end % n : 0;
   window_.count[lane]         = any ? n - left_out : 0;
+  return missed;
 }
 
 void JointBatch::add_forces(const double dt)
@@ -179,10 +189,7 @@ void JointBatch::add_forces(const double dt)
   arguments_.dt = dt;
   kernels_.add_forces(arguments_);
   if (!fresh_)
-    {
-      holds_for_ -= dt;
-      left_alone_ = true;
-    }
+    cadence_.use(dt);
   fresh_ = false;
 }
 
@@ -194,12 +201,11 @@ void JointBatch::serialize(const int lane, const Archive &archive)
   archive("first", window_.first[lane]);
   archive("count", window_.count[lane]);
   archive("cell", window_.cell[lane]);
-  double holds_for = holds_for_;
-  archive("holds for", holds_for);
-  holds_for_      = lane == 0 ? holds_for : std::min(holds_for, holds_for_);
-  bool left_alone = left_alone_;
-  archive("left alone", left_alone);
-  left_alone_ = left_alone;
+  SearchCadence cadence = cadence_;
+  cadence.serialize(archive);
+  if (lane > 0)
+    cadence.join(cadence_);
+  cadence_ = cadence;
 }
 
 unsigned int JointBatch::n_visited() const

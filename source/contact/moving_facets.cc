@@ -56,11 +56,11 @@ MovingFacets::MovingFacets(const mesh::Part                                    &
         }
 }
 
-unsigned int MovingFacets::foot_on(const NodeValues   &position,
-                                   const Tensor<1, 3> &x,
-                                   const unsigned int  facet,
-                                   const double        margin,
-                                   Projection         &projection) const
+unsigned int MovingFacets::project_on(const NodeValues   &position,
+                                      const Tensor<1, 3> &x,
+                                      const unsigned int  facet,
+                                      const double        margin,
+                                      Projection         &projection) const
 {
   projection.facet = facet;
   projection.node  = quads_[facet];
@@ -117,12 +117,12 @@ MovingFacets::Projection MovingFacets::project(const NodeValues   &position,
       unsigned int facet = start;
       for (unsigned int i = 0; i < n_facets(); ++i)
         {
-          const unsigned int edge = foot_on(position, x, facet, round_off, projection);
+          const unsigned int edge = project_on(position, x, facet, round_off, projection);
           if (edge == 4)
             return projection;
           if (beyond_[facet][edge] == none)
             {
-              if (foot_on(position, x, facet, rim, projection) == 4)
+              if (project_on(position, x, facet, rim, projection) == 4)
                 return projection;
               break;
             }
@@ -134,7 +134,7 @@ MovingFacets::Projection MovingFacets::project(const NodeValues   &position,
   for (const double margin : {round_off, rim})
     {
       for (unsigned int facet = 0; facet < n_facets(); ++facet)
-        if (foot_on(position, x, facet, margin, projection) == 4 &&
+        if (project_on(position, x, facet, margin, projection) == 4 &&
             (best.facet == none || std::abs(projection.gap) < nearest))
           {
             best    = projection;

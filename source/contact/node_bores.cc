@@ -187,7 +187,7 @@ void NodeBores::add_forces(World &world, const double dt)
       {
         JointBatch &batch = *group.batches[b];
         if (every_step_ || batch.search_due(dt))
-          batch.search(every_step_ ? 0. : reach, unforeseen);
+          n_missed_ += batch.search(every_step_ ? 0. : reach, unforeseen);
         batch.add_forces(dt);
 
         const JointSums &sums = batch.sums();
@@ -257,15 +257,5 @@ std::optional<unsigned int> NodeBores::deepest_node(const unsigned int i) const
       return group.slave_nodes[deepest] / (3 * n_lanes);
     }
   return {};
-}
-
-unsigned long NodeBores::n_missed() const
-{
-  unsigned long missed = 0;
-  for (const Group &group : groups_)
-    for (const auto &batch : group.batches)
-      for (unsigned int lane = 0; lane < n_lanes; ++lane)
-        missed += batch->n_missed(lane);
-  return missed;
 }
 } // namespace chaindrive::contact

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/node_faces.h>
+#include <chaindrive/contact/point_force.h>
 #include <chaindrive/contact/tributary_area.h>
 
 #include <algorithm>
@@ -51,10 +52,10 @@ tributary_areas(const MovingFacets &facets, const BodyBatches &copies, const dea
   return result;
 }
 
-/// The same for every pair of a kind.
-using Sides = std::tuple<unsigned int, unsigned int, unsigned int, unsigned int, bool, bool>;
+/// The same for every pair of a sides.
+using SideKey = std::tuple<unsigned int, unsigned int, unsigned int, unsigned int, bool, bool>;
 
-Sides sides_of(const scene::FacePair &pair, const World &world)
+SideKey key_of(const scene::FacePair &pair, const World &world)
 {
   return {world.elastic_address[pair.master].group,
           pair.master_surface,
@@ -83,7 +84,7 @@ void NodeFaces::want_ghosts(const scene::FaceFamily &scene, World &world)
 NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool search_every_step)
     : Family(scene.name, scene.law), every_step_(search_every_step)
 {
-  std::map<Sides, unsigned int> kinds;
+  std::map<SideKey, unsigned int> numbers;
   for (unsigned int i = 0; i < scene.pairs.size(); ++i)
     {
       const scene::FacePair &pair   = scene.pairs[i];
@@ -94,16 +95,16 @@ NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool se
       add_record(pair.master, pair.slave, pair.joint);
 
       const auto [entry, is_new] =
-          kinds.emplace(sides_of(pair, world), static_cast<unsigned int>(kinds_.size()));
+          numbers.emplace(key_of(pair, world), static_cast<unsigned int>(side_pairs_.size()));
       if (is_new)
         {
-          kinds_.push_back({master.group,
-                            slave.group,
-                            pair.master_surface,
-                            pair.slave_surface,
-                            pair.master_axis,
-                            pair.slave_axis,
-                            {}});
+          side_pairs_.push_back({master.group,
+                                 slave.group,
+                                 pair.master_surface,
+                                 pair.slave_surface,
+                                 pair.master_axis,
+                                 pair.slave_axis,
+                                 {}});
           for (const double sign : {-1., 1.})
             {
               Faces      faces{facets_of(masters, pair.master_surface, pair.master_axis, sign),
@@ -114,44 +115,46 @@ NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool se
                 if (r[n] <= scene.radius)
                   faces.taking_part.push_back(n);
               if (faces.masters->n_facets() > 0)
-                kinds_.back().faces.push_back(std::move(faces));
+                side_pairs_.back().faces.push_back(std::move(faces));
             }
         }
       if (!slaves.owns(slave.copy))
         continue;
-      const Kind &kind = kinds_[entry->second];
-      for (unsigned int f = 0; f < kind.faces.size(); ++f)
+      const SidePair &sides = side_pairs_[entry->second];
+      for (unsigned int f = 0; f < sides.faces.size(); ++f)
         {
-          const Faces &faces = kind.faces[f];
-          Place        place{i, entry->second, f, {}, {}, {}, {}};
+          const Faces &faces = sides.faces[f];
+          FaceContact  contact{i, entry->second, f, {}, {}, {}, {}, {}};
           for (const unsigned int n : faces.masters->nodes())
-            place.masters.push_back(masters.index(master.copy, n, 0));
+            contact.masters.push_back(masters.index(master.copy, n, 0));
           for (const unsigned int s : faces.taking_part)
-            place.slaves.push_back(slaves.index(slave.copy, faces.slaves->nodes()[s], 0));
-          place.nodes.resize(faces.taking_part.size());
-          places_.push_back(std::move(place));
+            contact.slaves.push_back(slaves.index(slave.copy, faces.slaves->nodes()[s], 0));
+          contact.nodes.resize(faces.taking_part.size());
+          contacts_.push_back(std::move(contact));
         }
     }
   states_.resize(records_.size());
 }
 
-void NodeFaces::search_nodes(World &world, Place &place)
+void NodeFaces::search_nodes(World &world, FaceContact &contact)
 {
-  const Kind         &kind   = kinds_[place.kind];
-  const MovingFacets &facets = *kind.faces[place.face].masters;
-  BodyBatches &masters = world.copies[kind.master_group], &slaves = world.copies[kind.slave_group];
-  const NodeValues x{slaves.position.begin(), place.slaves},
-      v{slaves.velocity.begin(), place.slaves}, x_master{masters.position.begin(), place.masters},
-      v_master{masters.velocity.begin(), place.masters};
+  const SidePair     &sides   = side_pairs_[contact.sides];
+  const MovingFacets &facets  = *sides.faces[contact.face].masters;
+  BodyBatches        &masters = world.copies[sides.master_group],
+              &slaves         = world.copies[sides.slave_group];
+  const NodeValues x{NodeView(slaves.position), contact.slaves},
+      v{NodeView(slaves.velocity), contact.slaves},
+      x_master{NodeView(masters.position), contact.masters},
+      v_master{NodeView(masters.velocity), contact.masters};
 
   std::vector<unsigned int> found;
   double                    nearest = std::numeric_limits<double>::max(), fastest = 0.;
-  for (unsigned int s = 0; s < place.nodes.size(); ++s)
+  for (unsigned int s = 0; s < contact.nodes.size(); ++s)
     {
       const MovingFacets::Projection projection =
-          facets.project(x_master, x(s), place.nodes[s].facet);
-      place.nodes[s].facet = projection.facet;
-      const bool holds     = place.nodes[s].touch.overlap > 0.; // its spring has to let go
+          facets.project(x_master, x(s), contact.nodes[s].facet);
+      contact.nodes[s].facet = projection.facet;
+      const bool holds       = contact.nodes[s].touch.overlap > 0.; // its spring has to let go
       if (projection.facet == MovingFacets::none)
         {
           if (holds)
@@ -162,60 +165,60 @@ void NodeFaces::search_nodes(World &world, Place &place)
       for (unsigned int a = 0; a < 4; ++a)
         relative -= projection.weight[a] * v_master(projection.node[a]);
       fastest = std::max(fastest, -(relative * projection.normal));
-      if (projection.gap < 0. && place.left_alone &&
-          !std::binary_search(place.active.begin(), place.active.end(), s))
+      if (projection.gap < 0. && contact.cadence.left_alone() &&
+          !std::binary_search(contact.active.begin(), contact.active.end(), s))
         ++n_missed_;
       if (projection.gap < reach || holds)
         found.push_back(s);
       else
         nearest = std::min(nearest, projection.gap);
     }
-  place.active.swap(found);
-  place.holds_for = std::min(nearest, 1.) / (2. * fastest + unforeseen_speed(world));
+  contact.active.swap(found);
+  contact.cadence.restart(holding_time(std::min(nearest, 1.), fastest, unforeseen_speed(world)));
 }
 
 void NodeFaces::add_forces(World &world, const double dt)
 {
-  for (const Place &place : places_)
+  for (const FaceContact &contact : contacts_)
     {
-      Record &record             = records_[place.pair];
-      record.gap                 = std::numeric_limits<double>::max();
-      record.force               = dealii::Tensor<1, 3>();
-      states_[place.pair].normal = 0.;
+      Record &record               = records_[contact.pair];
+      record.gap                   = std::numeric_limits<double>::max();
+      record.force                 = dealii::Tensor<1, 3>();
+      states_[contact.pair].normal = 0.;
     }
-  for (Place &place : places_)
+  for (FaceContact &contact : contacts_)
     {
-      place.holds_for -= dt;
-      const bool is_due = every_step_ || place.holds_for <= 0.;
-      if (is_due)
-        search_nodes(world, place);
-      place.left_alone = !is_due;
-      if (!place.active.empty())
-        add_face_forces(world, place, dt);
+      if (every_step_ || contact.cadence.is_due(dt))
+        search_nodes(world, contact);
+      else
+        contact.cadence.use(dt);
+      if (!contact.active.empty())
+        add_face_forces(world, contact, dt);
     }
 }
 
-void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
+void NodeFaces::add_face_forces(World &world, FaceContact &contact, const double dt)
 {
-  const Kind  &kind    = kinds_[place.kind];
-  const Faces &faces   = kind.faces[place.face];
-  BodyBatches &masters = world.copies[kind.master_group], &slaves = world.copies[kind.slave_group];
-  const NodeValues x{slaves.position.begin(), place.slaves},
-      v{slaves.velocity.begin(), place.slaves}, f{slaves.force.begin(), place.slaves},
-      x_master{masters.position.begin(), place.masters},
-      v_master{masters.velocity.begin(), place.masters},
-      f_master{masters.force.begin(), place.masters};
+  const SidePair &sides   = side_pairs_[contact.sides];
+  const Faces    &faces   = sides.faces[contact.face];
+  BodyBatches    &masters = world.copies[sides.master_group],
+              &slaves     = world.copies[sides.slave_group];
+  const NodeValues x{NodeView(slaves.position), contact.slaves},
+      v{NodeView(slaves.velocity), contact.slaves}, f{NodeView(slaves.force), contact.slaves},
+      x_master{NodeView(masters.position), contact.masters},
+      v_master{NodeView(masters.velocity), contact.masters},
+      f_master{NodeView(masters.force), contact.masters};
 
   // two nodes of the master tell a direction that turns with it
-  const unsigned int         last  = static_cast<unsigned int>(place.masters.size()) - 1;
+  const unsigned int         last  = static_cast<unsigned int>(contact.masters.size()) - 1;
   const dealii::Tensor<1, 3> fixed = x_master(last) - x_master(0);
 
-  Record              &record = records_[place.pair];
+  Record              &record = records_[contact.pair];
   dealii::Tensor<1, 3> resultant, normals;
   double               normal_force = 0.;
-  for (const unsigned int s : place.active)
+  for (const unsigned int s : contact.active)
     {
-      Node                          &node = place.nodes[s];
+      Node                          &node = contact.nodes[s];
       const MovingFacets::Projection projection =
           faces.masters->project(x_master, x(s), node.facet);
       node.facet                  = projection.facet;
@@ -266,7 +269,7 @@ void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
       world.force.local_element(3 * record.slave + d) += resultant[d];
       world.force.local_element(3 * record.master + d) -= resultant[d];
     }
-  states_[place.pair].normal += normal_force;
+  states_[contact.pair].normal += normal_force;
   if (normal_force > 0.)
     record.normal = normals / normals.norm();
 }
@@ -274,39 +277,38 @@ void NodeFaces::add_face_forces(World &world, Place &place, const double dt)
 void NodeFaces::serialize_pair(const unsigned int i, const Archive &archive)
 {
   Family::serialize_pair(i, archive);
-  for (Place &place : places_)
-    if (place.pair == i)
+  for (FaceContact &contact : contacts_)
+    if (contact.pair == i)
       {
-        const Archive part = archive / ("face " + std::to_string(place.face));
-        part.numbers("nodes", place.nodes);
-        part("active", place.active);
-        part("holds for", place.holds_for);
-        part("left alone", place.left_alone);
+        const Archive part = archive / ("face " + std::to_string(contact.face));
+        part.numbers("nodes", contact.nodes);
+        part("active", contact.active);
+        contact.cadence.serialize(part);
       }
 }
 
 std::vector<ClosedPair> NodeFaces::closed_pairs(const World &world) const
 {
   std::vector<ClosedPair> pairs;
-  for (const Kind &kind : kinds_)
+  for (const SidePair &sides : side_pairs_)
     {
-      const BodyBatches &masters = world.copies[kind.master_group],
-                        &slaves  = world.copies[kind.slave_group];
+      const BodyBatches &masters = world.copies[sides.master_group],
+                        &slaves  = world.copies[sides.slave_group];
       ClosedPair pair;
-      pair[0].group   = kind.master_group;
-      pair[0].surface = kind.master_surface;
+      pair[0].group   = sides.master_group;
+      pair[0].surface = sides.master_surface;
       pair[0].stiffness.resize(masters.n_nodes());
-      pair[1].group   = kind.slave_group;
-      pair[1].surface = kind.slave_surface;
+      pair[1].group   = sides.slave_group;
+      pair[1].surface = sides.slave_surface;
       pair[1].stiffness.resize(slaves.n_nodes());
       const auto carry =
           [](ClosedSide &side, const BodyBatches &copies, const unsigned int node, const double k) {
             side.hold(node, k, copies.nodes.mass[node]);
           };
-      for (const Faces &faces : kind.faces)
+      for (const Faces &faces : sides.faces)
         {
-          const auto of_slaves  = tributary_areas(*faces.slaves, slaves, kind.slave_axis),
-                     of_masters = tributary_areas(*faces.masters, masters, kind.master_axis);
+          const auto of_slaves  = tributary_areas(*faces.slaves, slaves, sides.slave_axis),
+                     of_masters = tributary_areas(*faces.masters, masters, sides.master_axis);
           TributaryArea largest;
           for (const unsigned int s : faces.taking_part)
             {

@@ -10,7 +10,8 @@ namespace chaindrive::contact
 namespace
 {
 /// The nodes of the slave along the axis: where they are, what length they stand for, and over
-/// which length their force falls to zero at the bore's ends (see joint_geometry.h), m.
+/// which length their force falls to zero at the bore's ends (see covered() in packed_geometry.h),
+/// m.
 struct Station
 {
   double z, length, fade;

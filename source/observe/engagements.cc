@@ -27,8 +27,8 @@ Engagements::Engagements(const scene::Scene &scene, const dynamics::System &syst
                        const dealii::Tensor<1, 3> &entry_side) {
     const double pitch_radius = 0.5 * scene.pitch / std::sin(dealii::numbers::PI / teeth);
     for (const auto &family : system.contacts.families())
-      if (const auto *found = dynamic_cast<const contact::Teeth *>(family.get());
-          found != nullptr && found->sprocket() == body)
+      if (const auto *found = dynamic_cast<const contact::SurfaceContact *>(family.get());
+          found != nullptr && found->master() == body)
         sprockets_.push_back(
             {name,
              found,
@@ -52,7 +52,7 @@ void Engagements::observe(const dynamics::System &system, const double dt)
 void Engagements::observe(Sprocket &sprocket, const World &world, const double dt)
 {
   const std::vector<contact::Record> &records = sprocket.teeth->records();
-  const Frame                        &hub     = world.frames[sprocket.teeth->sprocket()];
+  const Frame                        &hub     = world.frames[sprocket.teeth->master()];
 
   // a roller may have several contact points: its force is their sum, booked at the first point
   // that touches

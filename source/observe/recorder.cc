@@ -95,7 +95,7 @@ Recorder::Recorder(const scene::Scene     &scene,
                           std::vector<double>(n_gaps, 0.),
                           std::vector<double>(n_gaps, 0.)});
         for (const contact::Family *family : system.contacts.find(teeth.name))
-          teeth_.back().families.push_back(dynamic_cast<const contact::Teeth *>(family));
+          teeth_.back().families.push_back(dynamic_cast<const contact::SurfaceContact *>(family));
       }
   for (const scene::BoreFamily &bores : scene.bores)
     if (named.insert(bores.name).second)

@@ -4,8 +4,9 @@
 // in the gaps of a sprocket.
 //
 // usage: contact_benchmark [LINKS]
+#include <chaindrive/contact/elastic_flanks.h>
 #include <chaindrive/contact/joints.h>
-#include <chaindrive/contact/node_teeth.h>
+#include <chaindrive/contact/node_contact.h>
 #include <chaindrive/element/reference.h>
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/surface/facet_surface.h>
@@ -101,7 +102,7 @@ void measure(
     const std::function<std::pair<contact::JointBody, contact::JointBody>(unsigned)> &joint)
 {
   const contact::JointTables tables(master, slave);
-  const scene::ContactLaw   law{1e14, 1e7, 0.1, 5e13, 1e7};
+  const scene::ContactLaw    law{1e14, 1e7, 0.1, 5e13, 1e7};
   std::printf("\n%s: %u joints, %u slave nodes each, %u columns in %u\n",
               name.c_str(),
               n_joints,
@@ -206,11 +207,13 @@ void measure_teeth(const std::shared_ptr<const mesh::Part> &roller,
   const unsigned int teeth = 15;
   const scene::Scene scene = seated_rollers(roller, chain, teeth, 0.1);
   World              world(scene);
-  const double       within = 100e-6; // the reach of the search, see node_teeth.cc
+  const double       within = 100e-6; // the reach of the search, see node_contact.cc
 
-  const BodyBatches       &copies = world.copies[0];
-  const mesh::SurfaceNodes nodes(*roller, copies.nodes, mesh::roller_outside);
-  unsigned int             visited = 0, touching = 0, hint = mesh::Projection::no_facet;
+  const scene::SurfaceFamily   rollers = contact::on_flanks(scene.teeth[0], world);
+  contact::Surface::Projection projection;
+  const BodyBatches           &copies = world.copies[0];
+  const mesh::SurfaceNodes     nodes(*roller, copies.nodes, mesh::roller_outside);
+  unsigned int                 visited = 0, touching = 0, hint = mesh::Projection::no_facet;
   for (unsigned int copy = 0; copy < teeth; ++copy)
     for (const unsigned int node : nodes.node)
       {
@@ -218,8 +221,7 @@ void measure_teeth(const std::shared_ptr<const mesh::Part> &roller,
         for (unsigned int d = 0; d < 3; ++d)
           x[d] = copies.position.local_element(copies.index(copy, node, d));
         const double gap =
-            contact::touch_flanks(scene.teeth[0], x, 0., 2. * within, world.frames[teeth], hint)
-                .gap;
+            rollers.surface->project(world, x, 0., 2. * within, hint, projection).gap;
         visited += gap < within;
         touching += gap < 0.;
       }
@@ -239,8 +241,8 @@ void measure_teeth(const std::shared_ptr<const mesh::Part> &roller,
       if (contact::joint_kernels(width) == nullptr)
         continue;
       setenv("CHAINDRIVE_SIMD_WIDTH", std::to_string(width).c_str(), 1);
-      contact::NodeTeeth family(scene.teeth[0], world, false), every(scene.teeth[0], world, true);
-      for (contact::NodeTeeth *f : {&family, &every})
+      contact::NodeContact family(rollers, world, false), every(rollers, world, true);
+      for (contact::NodeContact *f : {&family, &every})
         f->search(world, 1e-3);
       const double call   = time_of([&] { family.add_forces(world, 1e-9); });
       const double search = time_of([&] { every.add_forces(world, 1e-9); }) - call;

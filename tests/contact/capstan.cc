@@ -3,6 +3,8 @@
 // exp(mu theta) (Euler, Eytelwein). One end is held, the other carries a constant force.
 #include "../support/scenes.h"
 
+#include <chaindrive/contact/drum.h>
+
 using namespace test;
 
 int main()
@@ -11,17 +13,6 @@ int main()
   const unsigned int n    = 31; // on the drum, 6 degrees apart
   const double       step = dealii::numbers::PI / (n - 1), m = 1e-4, k_contact = 1e5, k_bar = 1e6,
                r = 1e-4;
-
-  std::vector<dealii::Point<3>>            vertices;
-  std::vector<std::array<unsigned int, 4>> quads;
-  const unsigned int                       facets = 96;
-  for (const double z : {-0.01, 0.01})
-    for (unsigned int i = 0; i < facets; ++i)
-      vertices.emplace_back(radius * std::cos(2. * dealii::numbers::PI * i / facets),
-                            radius * std::sin(2. * dealii::numbers::PI * i / facets),
-                            z);
-  for (unsigned int i = 0; i < facets; ++i)
-    quads.push_back({{i, (i + 1) % facets, facets + (i + 1) % facets, facets + i}});
 
   scene::Scene scene       = empty_scene();
   scene.loads.driver_speed = 0.5; // clockwise or counter-clockwise alike
@@ -44,11 +35,9 @@ int main()
   scene.bodies[far].initial.position    = vector(-seat, -1e3); // soft and long: a constant force
   scene.bars.push_back({anchor, 0, 0.1, k_bar, 2.});
   scene.bars.push_back({n - 1, far, 0.5e3, force / 0.5e3, 0.});
-  scene.teeth.push_back(on_surface(drum,
-                                   std::make_shared<const mesh::FacetSurface>(vertices, quads),
-                                   {k_contact, 1., mu, k_contact, 1.},
-                                   slaves));
-  scene.teeth[0].outer_radius = radius;
+  scene.surfaces.push_back(on_surface(std::make_shared<const contact::Drum>(drum, radius),
+                                      {k_contact, 1., mu, k_contact, 1.},
+                                      slaves));
 
   for (const int sense : {1, -1})
     {

@@ -6,7 +6,6 @@
 // and loses spin.
 #include "../support/scenes.h"
 
-#include <chaindrive/contact/node_teeth.h>
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/part.h>
 
@@ -80,8 +79,7 @@ Outcome run(const scene::Scene &scene, const bool every_step)
   });
   outcome.velocity = system.world.frames[0].velocity;
   outcome.friction = system.world.ledger.friction;
-  outcome.missed =
-      dynamic_cast<const contact::NodeTeeth &>(*system.contacts.families()[0]).n_missed();
+  outcome.missed   = system.contacts.n_missed();
   return outcome;
 }
 } // namespace

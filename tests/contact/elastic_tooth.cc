@@ -60,9 +60,9 @@ void check_far_along_the_axis()
   family.elastic            = false;
   family.half_width         = 0.1;
   family.slaves[0].point    = dealii::Point<3>(0., 0., 0.09); // the teeth are 41 mm from the axis
-  dynamics::System    system(scene, false);
-  contact::Teeth      teeth(family);
-  std::vector<Spring> springs;
+  dynamics::System      system(scene, false);
+  contact::PointContact teeth(contact::on_flanks(family, system.world));
+  std::vector<Spring>   springs;
   teeth.search(system.world, family.slaves[0].radius);
   teeth.add_springs(system.world, springs);
   verdict("a point of a roller 90 mm along the axis is near", !springs.empty());

@@ -41,11 +41,11 @@ int main()
                            vector(v0, 0.)),
                                           ground()};
       scene::ContactLaw law;
-      law.stiffness                = E / (length / n); // per area: one element's own
-      scene.teeth                  = {on_surface(
-          1, plane(1., vector(0., 0., 1.), vector(0., 1.)), law, {{0, dealii::Point<3>(), 1., 0}})};
-      scene.teeth[0].elastic       = true;
-      scene.teeth[0].slave_surface = end_face;
+      law.stiffness  = E / (length / n); // per area: one element's own
+      scene.surfaces = {
+          on_surface(plane(1, vector(-1., 0.)), law, {{0, dealii::Point<3>(), 1., 0}})};
+      scene.surfaces[0].elastic       = true;
+      scene.surfaces[0].slave_surface = end_face;
 
       dynamics::System system(scene, false);
       const double     limit = system.stable_step_limit(), dt = 0.5 * limit;

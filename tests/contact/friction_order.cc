@@ -17,10 +17,9 @@ int main()
       scene.loads.gravity = g;
       scene.prestress     = 2. * m * g; // the block starts in equilibrium on its spring
       scene.bodies        = {lump(m, vector(0., r - sunk), vector(v, 0.)), ground()};
-      scene.teeth.push_back(on_surface(1,
-                                       plane(1., vector(0., 0., 1.), vector(1., 0., 0.)),
-                                       {k, 0.2 * std::sqrt(k * m), mu, 0.8 * k, 0.},
-                                       {{0, dealii::Point<3>(), r, 0}}));
+      scene.surfaces.push_back(on_surface(plane(1, vector(0., 1.)),
+                                          {k, 0.2 * std::sqrt(k * m), mu, 0.8 * k, 0.},
+                                          {{0, dealii::Point<3>(), r, 0}}));
       dynamics::System system(scene, false);
       double           furthest = 0.;
       advance(system, static_cast<unsigned long>(0.25 / dt), dt, [&]() {

@@ -14,10 +14,9 @@ int main()
       const double m = 1., k = 1e6, r = 0.01, v = 0.2;
       const double sunk = m * 9.81 / k; // starts in equilibrium on its spring
       scene.bodies      = {lump(m, vector(0., r - 0.999e-9), vector(v, 0.)), ground()};
-      scene.teeth.push_back(on_surface(1,
-                                       plane(1., vector(0., 0., 1.), vector(1., 0., 0.)),
-                                       {k, 2. * 0.5 * std::sqrt(k * m), mu, 0.8 * k, 800.},
-                                       {{0, dealii::Point<3>(), r, 0}}));
+      scene.surfaces.push_back(on_surface(plane(1, vector(0., 1.)),
+                                          {k, 2. * 0.5 * std::sqrt(k * m), mu, 0.8 * k, 800.},
+                                          {{0, dealii::Point<3>(), r, 0}}));
       dynamics::System system(scene, false);
       double           stop_time = 0.;
       const double     dt        = 1e-5;

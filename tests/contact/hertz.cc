@@ -12,7 +12,7 @@
 #include "../support/scenes.h"
 #include "../support/statics.h"
 
-#include <chaindrive/contact/node_teeth.h>
+#include <chaindrive/contact/node_contact.h>
 
 using namespace test;
 using dealii::numbers::PI;
@@ -66,16 +66,16 @@ double load_of(const double approach, const double h, const double stiffness_fac
                           ground()};
   scene.bodies[1].initial.position = vector(0., -R);
   scene::ContactLaw law;
-  law.stiffness             = stiffness_factor * E / h; // per area
-  scene::ToothFamily family = on_surface(
-      1, plane(2. * R, vector(0., 0., 1.), vector(1., 0.)), law, {{0, dealii::Point<3>(), R, 0}});
+  law.stiffness = stiffness_factor * E / h; // per area
+  scene::SurfaceFamily family =
+      on_surface(plane(1, vector(0., 1.)), law, {{0, dealii::Point<3>(), R, 0}});
   family.elastic       = true;
   family.slave_surface = 2; // colour of the outside
 
-  World              world(scene);
-  BodyBatches       &copies = world.copies[0];
-  contact::NodeTeeth teeth(family, world, true);
-  teeth.search(world, R);
+  World                world(scene);
+  BodyBatches         &copies = world.copies[0];
+  contact::NodeContact flat(family, world, true);
+  flat.search(world, R);
   const Reference reference(
       *scene.parts[scene::Kind::roller], copies.nodes, scene.material, Formulation::enhanced);
   const auto contact = [&](const Vector<double> &u, Vector<double> &c) {
@@ -83,7 +83,7 @@ double load_of(const double approach, const double h, const double stiffness_fac
     for (unsigned int i = 0; i < u.size(); ++i)
       copies.position.local_element(copies.index(0, i / 3, i % 3)) =
           reference.position[i / 3][i % 3] + u[i];
-    teeth.add_forces(world, 0.);
+    flat.add_forces(world, 0.);
     for (unsigned int i = 0; i < u.size(); ++i)
       c[i] = copies.force.local_element(copies.index(0, i / 3, i % 3));
   };
@@ -104,7 +104,7 @@ double load_of(const double approach, const double h, const double stiffness_fac
     std::cout << "no equilibrium\n";
   Vector<double> c(statics.size);
   contact(statics.u, c);
-  return 2. * teeth.records()[0].force[1] / length;
+  return 2. * flat.records()[0].force[1] / length;
 }
 } // namespace
 

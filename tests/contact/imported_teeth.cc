@@ -23,14 +23,14 @@ struct Pressed
 /// [rad] from the bottom, away from the seat's centre.
 Pressed press(Tooth c, const double angle, const double approach)
 {
-  const auto    chain      = drive::make_chain(parameters::Chain());
-  const double  clearance  = 0.005 * chain.roller_diameter; // radial, of the least form
-  const Vector3 direction  = vector(-std::cos(angle), std::sin(angle));
-  const Vector3 moved      = (clearance + approach) * direction + vector(clearance - 5e-6, 0.);
-  c.velocity               = Vector3();
-  const scene::Scene scene = make_scene(c);
-  World              world(scene);
-  contact::NodeTeeth teeth(scene.teeth[0], world, true);
+  const auto    chain        = drive::make_chain(parameters::Chain());
+  const double  clearance    = 0.005 * chain.roller_diameter; // radial, of the least form
+  const Vector3 direction    = vector(-std::cos(angle), std::sin(angle));
+  const Vector3 moved        = (clearance + approach) * direction + vector(clearance - 5e-6, 0.);
+  c.velocity                 = Vector3();
+  const scene::Scene   scene = make_scene(c);
+  World                world(scene);
+  contact::NodeContact teeth(contact::on_flanks(scene.teeth[0], world), world, true);
   teeth.search(world, 1e-3);
 
   const mesh::Part &roller = *scene.parts.at(scene::Kind::roller),
@@ -138,16 +138,16 @@ void compare(const double degrees)
 std::vector<double> force_with_depth(const Sprocket sprocket, const bool elastic)
 {
   Tooth c;
-  c.sprocket                = sprocket;
-  c.elastic                 = elastic;
-  c.velocity                = Vector3();
-  c.moved                   = vector(0., 3e-6);
-  const scene::Scene  scene = make_scene(c);
-  World               world(scene);
-  contact::NodeTeeth  teeth(scene.teeth[0], world, true);
-  BodyBatches        &rollers = world.copies[world.elastic_address[0].group];
-  constexpr double    step    = 50e-6;
-  std::vector<double> forces;
+  c.sprocket                 = sprocket;
+  c.elastic                  = elastic;
+  c.velocity                 = Vector3();
+  c.moved                    = vector(0., 3e-6);
+  const scene::Scene   scene = make_scene(c);
+  World                world(scene);
+  contact::NodeContact teeth(contact::on_flanks(scene.teeth[0], world), world, true);
+  BodyBatches         &rollers = world.copies[world.elastic_address[0].group];
+  constexpr double     step    = 50e-6;
+  std::vector<double>  forces;
   for (double depth = -5e-6; depth + step <= teeth.senseless_overlap(); depth += step)
     {
       for (unsigned int n = 0; n < rollers.n_nodes(); ++n)

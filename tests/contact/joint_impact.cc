@@ -65,7 +65,7 @@ int main()
         {
           if (joints.search_due(dt))
             {
-              joints.search(c.every_step ? 0. : 2e-6, 0.5);
+              missed += joints.search(c.every_step ? 0. : 2e-6, 0.5);
               ++searches;
             }
           ring.batch.add_internal_forces();
@@ -100,7 +100,6 @@ int main()
           highest = std::max(highest, -momentum / (mass * speed));
           balance = std::max(balance, worst[lane]);
           loss    = std::max(loss, joints.sums().friction_loss[lane] / before[lane]);
-          missed += joints.n_missed(lane);
         }
       std::cout << c.name << ": restitution " << std::fixed << std::setprecision(2) << lowest
                 << " to " << highest << ", friction loss over energy " << loss << std::defaultfloat

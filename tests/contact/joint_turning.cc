@@ -50,8 +50,8 @@ void move(Tubes                                               &tubes,
 int main()
 {
   const scene::ContactLaw law{4e13, 0., 0.1, 3e13, 0.};
-  const double              overlap = 0.5e-6, eccentricity = 45e-6 + overlap;
-  Tubes                     ring(tube(3.76e-3, 5.08e-3, 7e-3, {{1, 32, 3}}), mesh::roller_bore);
+  const double            overlap = 0.5e-6, eccentricity = 45e-6 + overlap;
+  Tubes                   ring(tube(3.76e-3, 5.08e-3, 7e-3, {{1, 32, 3}}), mesh::roller_bore);
   Tubes bush(tube(2.6e-3, 3.715e-3, 6.2e-3, {{1, 40, 4}}), mesh::bush_outside_first);
   const contact::JointTables tables(ring.grid, bush.grid);
 

@@ -14,10 +14,8 @@ int main()
       scene::Scene scene  = empty_scene();
       scene.loads.gravity = g;
       scene.bodies        = {lump(m, vector(0., r - 0.9e-9)), ground()};
-      scene.teeth.push_back(on_surface(1,
-                                       plane(1., vector(0., 0., 1.), vector(1., 0., 0.)),
-                                       {k, 0., 0., 0., 0.},
-                                       {{0, dealii::Point<3>(), r, 0}}));
+      scene.surfaces.push_back(on_surface(
+          plane(1, vector(0., 1.)), {k, 0., 0., 0., 0.}, {{0, dealii::Point<3>(), r, 0}}));
       dynamics::System system(scene, false);
       const double     dt = share / w, rest = r - m * g / k;
       double           first = 0., last = 0., before = system.world.frames[0].position[1] - rest;

@@ -32,11 +32,10 @@ int main()
                                   vector(inertia, inertia, inertia),
                                   (radius - 0.5e-9) * normal),
                              ground()};
-      scene.teeth.push_back(on_surface(1,
-                                       plane(1., vector(0., 0., 1.), down_hill),
-                                       {k / 2, 15., c.mu, 0.8 * k / 2, 15.},
-                                       {{0, dealii::Point<3>(0., 0., 2e-3), radius, 0},
-                                        {0, dealii::Point<3>(0., 0., -2e-3), radius, 0}}));
+      scene.surfaces.push_back(on_surface(plane(1, normal),
+                                          {k / 2, 15., c.mu, 0.8 * k / 2, 15.},
+                                          {{0, dealii::Point<3>(0., 0., 2e-3), radius, 0},
+                                           {0, dealii::Point<3>(0., 0., -2e-3), radius, 0}}));
       dynamics::System system(scene, false);
       const double     dt = 5e-6, settle = 0.02, end = 0.1;
       advance(system, static_cast<unsigned long>(settle / dt), dt, []() {});

@@ -17,10 +17,9 @@ int main()
       scene.bodies             = {lump(m, vector(r, 0., 1e-3 - 0.9e-9)), ground(), ground()};
       scene.bodies[2].initial.position = vector(r, 0., -1000.);
       scene.bars                       = {{0, 2, 999., m * g / 1.001, 0.}};
-      scene.teeth.push_back(on_surface(1,
-                                       plane(1., vector(1., 0., 0.), vector(0., 1., 0.)),
-                                       {k, 300., mu, k, 300.},
-                                       {{0, dealii::Point<3>(), 1e-3, 0}}));
+      scene.surfaces.push_back(on_surface(plane(1, vector(0., 0., 1.)),
+                                          {k, 300., mu, k, 300.},
+                                          {{0, dealii::Point<3>(), 1e-3, 0}}));
       dynamics::System system(scene, false);
       double           slip_speed = 0.;
       bool             stuck      = true;

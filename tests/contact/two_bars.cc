@@ -61,14 +61,11 @@ int main()
       for (const unsigned int i : {0, 1})
         {
           // the first bar's end looks along x and meets the side of the plate that looks back
-          const Vector3 y = vector(0., 1.), z = vector(0., 0., 1.);
-          scene.teeth.push_back(on_surface(2,
-                                           i == 0 ? plane(width, z, y) : plane(width, y, z),
-                                           law,
-                                           {{i, dealii::Point<3>(), width, 0}}));
-          scene.teeth.back().name          = i == 0 ? "first" : "second";
-          scene.teeth.back().elastic       = true;
-          scene.teeth.back().slave_surface = i == 0 ? 1 : 0; // colours of the ends
+          scene.surfaces.push_back(on_surface(
+              plane(2, vector(i == 0 ? -1. : 1., 0.)), law, {{i, dealii::Point<3>(), width, 0}}));
+          scene.surfaces.back().name          = i == 0 ? "first" : "second";
+          scene.surfaces.back().elastic       = true;
+          scene.surfaces.back().slave_surface = i == 0 ? 1 : 0; // colours of the ends
         }
 
       dynamics::System system(scene, false);

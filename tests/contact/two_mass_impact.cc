@@ -21,10 +21,8 @@ Outcome collide(const double dt, const double phase, const double damping)
   // the first mass flies towards -x onto the face x = 0 of the second
   scene.bodies = {lump(m1, vector(r + (2. + phase) * v * dt, 0.), vector(-v, 0.)),
                   lump(m2, Vector3())};
-  scene.teeth.push_back(on_surface(1,
-                                   plane(1., vector(0., 1., 0.), vector(0., 0., 1.)),
-                                   {k, damping, 0., 0., 0.},
-                                   {{0, dealii::Point<3>(), r, 0}}));
+  scene.surfaces.push_back(on_surface(
+      plane(1, vector(1., 0.)), {k, damping, 0., 0., 0.}, {{0, dealii::Point<3>(), r, 0}}));
   dynamics::System system(scene, false);
   const double     m = m1 * m2 / (m1 + m2);
   // Largest force between the steps: the parabola through the largest sample and its neighbours.

@@ -15,9 +15,9 @@ scene::Scene impact(const double radius, const double mass, const double speed, 
   scene::Scene scene = empty_scene();
   scene.bodies       = {lump(mass, vector(-2. * radius, 0., 0.), vector(speed, 0.)), ground()};
   scene::ContactLaw law;
-  law.stiffness = mass * speed * speed / (depth * depth);
-  scene.teeth   = {on_surface(
-      1, plane(1., vector(0., 0., 1.), vector(0., 1.)), law, {{0, dealii::Point<3>(), radius, 0}})};
+  law.stiffness  = mass * speed * speed / (depth * depth);
+  scene.surfaces = {
+      on_surface(plane(1, vector(-1., 0.)), law, {{0, dealii::Point<3>(), radius, 0}})};
   return scene;
 }
 
@@ -26,7 +26,7 @@ unsigned int stopped_at(const scene::Scene &scene, const unsigned int n, std::st
 {
   dynamics::System system(scene, false);
   // of the spring alone: a dashpot that feeds energy has no stable step
-  const double    limit = 2. * std::sqrt(scene.bodies[0].mass / scene.teeth[0].law.stiffness);
+  const double    limit = 2. * std::sqrt(scene.bodies[0].mass / scene.surfaces[0].law.stiffness);
   const double    dt    = 0.01 * limit;
   dynamics::Guard guard(scene, system, 0.05, limit);
   for (unsigned int i = 1; i <= n; ++i)

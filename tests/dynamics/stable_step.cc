@@ -91,10 +91,8 @@ int main(int argc, char **argv)
                          vector(inertia, inertia, inertia),
                          vector(0., r - 0.9e-9)),
                            ground()};
-    scene.teeth.push_back(on_surface(1,
-                                     plane(1., vector(0., 0., 1.), vector(1., 0., 0.)),
-                                     {k, 0., 100., 0.8 * k, 0.},
-                                     {{0, dealii::Point<3>(), r, 0}}));
+    scene.surfaces.push_back(on_surface(
+        plane(1, vector(0., 1.)), {k, 0., 100., 0.8 * k, 0.}, {{0, dealii::Point<3>(), r, 0}}));
     const double w = std::sqrt(0.8 * k * (1. / m + r * r / inertia));
     ratio("roller that sticks", dynamics::System(scene, false).stable_step_limit(), 2. / w);
     verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
@@ -114,10 +112,8 @@ int main(int argc, char **argv)
       scene.bodies                     = {lump(m, turned(r - pull / k, far)), ground(), ground()};
       scene.bodies[2].initial.position = turned(-0.05, far);
       scene.bars                       = {{0, 2, 0.05 + r - pull / k - pull / k_bar, k_bar, 0.}};
-      scene.teeth.push_back(on_surface(1,
-                                       plane(1., turned(0., 1.), vector(0., 0., 1.)),
-                                       {k, 0., 0., 0., 0.},
-                                       {{0, dealii::Point<3>(), r, 0}}));
+      scene.surfaces.push_back(on_surface(
+          plane(1, turned(1., 0.)), {k, 0., 0., 0., 0.}, {{0, dealii::Point<3>(), r, 0}}));
       const double w = std::sqrt((k_bar + k) / m);
       ratio("roller between bar and tooth",
             dynamics::System(scene, false).stable_step_limit(),
@@ -139,11 +135,9 @@ int main(int argc, char **argv)
                          Vector3())};
     scene.bars         = {{0, 1, 2. * (r - pull / k) - pull / soft, soft, 0.}};
     for (const unsigned int side : {0, 1})
-      scene.teeth.push_back(
-          on_surface(2,
-                     plane(1., vector(0., side == 0 ? 1. : -1.), vector(0., 0., 1.)),
-                     {k, 0., 0., 0., 0.},
-                     {{side, dealii::Point<3>(), r, 0}}));
+      scene.surfaces.push_back(on_surface(plane(2, vector(side == 0 ? 1. : -1., 0.)),
+                                          {k, 0., 0., 0., 0.},
+                                          {{side, dealii::Point<3>(), r, 0}}));
     ratio("two rollers on a light hub",
           dynamics::System(scene, false).stable_step_limit(),
           2. / std::sqrt(k * (1. / m + 2. * far * far / inertia)));

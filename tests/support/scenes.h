@@ -3,8 +3,8 @@
 
 // Small scenes for closed-form cases: a few bodies, one interface, one load.
 
+#include <chaindrive/contact/plane.h>
 #include <chaindrive/dynamics/system.h>
-#include <chaindrive/mesh/surface/facet_surface.h>
 #include <chaindrive/scene/scene.h>
 
 #include <deal.II/base/numbers.h>
@@ -69,33 +69,18 @@ inline scene::Body ground()
       scene::Motion::rigid, scene::Support::prescribed_hub, 1., vector(1., 1., 1.), Vector3());
 }
 
-/// A flat square of side 2 @p half [m] through the origin, spanned by @p along and @p across; its
-/// outside is along x across.
-inline std::shared_ptr<const mesh::FacetSurface>
-plane(const double half, const Vector3 &along, const Vector3 &across)
+/// The plane through the origin of @p body with the @p normal out of its material.
+inline std::shared_ptr<const contact::Surface> plane(const unsigned int body, const Vector3 &normal)
 {
-  std::vector<dealii::Point<3>> corners;
-  for (const auto &[a, b] : {std::pair{-1., -1.}, {1., -1.}, {1., 1.}, {-1., 1.}})
-    corners.emplace_back(half * (a * along + b * across));
-  return std::make_shared<const mesh::FacetSurface>(
-      corners, std::vector<std::array<unsigned int, 4>>{{{0, 1, 2, 3}}});
+  return std::make_shared<const contact::Plane>(body, dealii::Point<3>(), normal);
 }
 
-/// An interface of slave points with a facet surface of @p master.
-inline scene::ToothFamily on_surface(const unsigned int                        master,
-                                     std::shared_ptr<const mesh::FacetSurface> surface,
-                                     const scene::ContactLaw                  &law,
-                                     const std::vector<scene::SlavePoint>     &slaves)
+/// Slave points on a surface.
+inline scene::SurfaceFamily on_surface(std::shared_ptr<const contact::Surface> surface,
+                                       const scene::ContactLaw                &law,
+                                       const std::vector<scene::SlavePoint>   &slaves)
 {
-  scene::ToothFamily family;
-  family.name         = "surface";
-  family.sprocket     = master;
-  family.facets       = std::move(surface);
-  family.teeth        = 1;
-  family.outer_radius = family.half_width = 1e6;
-  family.law                              = law;
-  family.slaves                           = slaves;
-  return family;
+  return {"surface", std::move(surface), law, slaves};
 }
 
 /// Advances @p system by @p n steps of @p dt [s] from its present time, calling @p look after each.

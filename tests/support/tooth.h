@@ -6,7 +6,8 @@
 
 #include "scenes.h"
 
-#include <chaindrive/contact/node_teeth.h>
+#include <chaindrive/contact/elastic_flanks.h>
+#include <chaindrive/contact/node_contact.h>
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/generate/sprocket.h>
 #include <chaindrive/mesh/import/import.h>
@@ -123,10 +124,10 @@ inline scene::Scene make_scene(const Tooth &c)
 template <typename Deform>
 inline std::pair<Vector3, double> force_and_energy(Tooth c, const Deform &deform)
 {
-  c.velocity               = Vector3();
-  const scene::Scene scene = make_scene(c);
-  World              world(scene);
-  contact::NodeTeeth family(scene.teeth[0], world, true);
+  c.velocity                 = Vector3();
+  const scene::Scene   scene = make_scene(c);
+  World                world(scene);
+  contact::NodeContact family(contact::on_flanks(scene.teeth[0], world), world, true);
   deform(world);
   family.search(world, 1e-3);
   family.add_forces(world, 0.);

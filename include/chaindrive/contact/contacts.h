@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/contact/family.h>
+#include <chaindrive/contact/search_cadence.h>
 
 #include <memory>
 #include <string>
@@ -61,9 +62,8 @@ private:
   std::vector<std::unique_ptr<Family>> families_;
   bool                                 every_step_;
   bool                                 needs_search_ = false;
-  double                               reach_;         ///< m
-  double                               approach_ = 0.; ///< bound of approach since the search, m
-  bool                                 searched_ = false;
+  double                               reach_;   ///< m
+  SearchCadence                        cadence_; ///< of approach, m
   SearchStatistics                     statistics_;
   unsigned long                        missed_before_ = 0; ///< the run was resumed, by any rank
   std::vector<double>                  message_;           ///< of gather_records()

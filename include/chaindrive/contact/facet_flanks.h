@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/contact/flanks.h>
+#include <chaindrive/contact/elastic_flanks.h>
 
 #include <vector>
 
 namespace chaindrive::contact
 {
 /// Elastic flanks whose surface is that of a mesh: see mesh::FacetSurface.
-class FacetFlanks : public Flanks
+class FacetFlanks : public ElasticFlanks
 {
 public:
   /// The facets of @p family are those of the mesh that the rim's copies are made of.
   FacetFlanks(const scene::ToothFamily &family, const World &world, const Rim &rim);
 
-  ClosedSide closed_side(double                    stiffness,
-                         const BodyBatches        &flanks,
+  ClosedSide closed_side(const World              &world,
+                         double                    stiffness,
                          const mesh::SurfaceNodes &slaves,
                          const BodyBatches        &of_slaves) const override;
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/bodies/mobility.h>
 #include <chaindrive/bodies/spring.h>
 #include <chaindrive/bodies/world.h>
-#include <chaindrive/contact/geometry.h>
-#include <chaindrive/contact/point_force.h>
+#include <chaindrive/contact/closed_pair.h>
+#include <chaindrive/contact/penalty.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -29,40 +26,8 @@ struct Record
   double               normal_speed = 0.; ///< approach along the normal, m/s, while touching
 };
 
-/// What the contact of elastic nodes, all of it held closed, is to one of its two sides: springs
-/// between each node and a ground, if the other side stood still.
-struct ClosedSide
-{
-  static constexpr unsigned int none = static_cast<unsigned int>(-1);
-
-  unsigned int        group   = none;  ///< of the bodies in World::copies; none: without nodes
-  unsigned int        surface = none;  ///< of their mesh: a node of it is in one contact at a time
-  std::vector<double> stiffness;       ///< per node of an elastic body, N/m; empty: a rigid one
-  double              eigenvalue = 0.; ///< largest of the springs and the masses alone, 1/s2
-
-  /// Holds an elastic body's node of @p mass [kg] by a spring @p k [N/m].
-  void hold(const unsigned int node, const double k, const double mass)
-  {
-    stiffness[node] = k;
-    eigenvalue      = std::max(eigenvalue, k / mass);
-  }
-};
-
-/// The two sides of all pairs of one kind.
-using ClosedPair = std::array<ClosedSide, 2>;
-
-/// Speed [m/s] with which gaps of elastic bodies may close beyond what their velocities tell, until
-/// they are looked at again: of vibration, 100 MPa in a wave are 2.5 m/s, and of impacts, which may
-/// be as fast as bodies fly.
-inline double unforeseen_speed(const World &world)
-{
-  double square = 25.;
-  for (const Frame &frame : world.frames)
-    square = std::max(square, frame.velocity.norm_square());
-  return std::sqrt(square);
-}
-
-/// All interfaces of one kind: search -> geometry -> law for each of its pairs.
+/// All contacts of one kind, each a pair of a slave and a master: a slave set, a surface and a law,
+/// evaluated as search -> geometry -> law. What it books per pair is a Record.
 class Family
 {
 public:
@@ -84,7 +49,7 @@ public:
   virtual std::vector<ClosedPair> closed_pairs(const World &) const { return {}; }
 
   /// Nodes that a search found to overlap without having been looked at before; there must be none.
-  virtual unsigned long n_missed() const { return 0; }
+  unsigned long n_missed() const { return n_missed_; }
 
   /// Whether each rank evaluates the pairs whose elastic bodies it owns. Families that are not
   /// dealt out are evaluated by the first rank.
@@ -99,11 +64,14 @@ public:
   /// evaluates it, all else. This is rank @p rank.
   virtual void serialize(const Archive &archive, unsigned int rank);
 
+  /// The smallest radius of a slave [m]; infinite where slaves have none.
+  double smallest_radius() const { return smallest_radius_; }
+
   /// Whether this family needs search() at all.
   virtual bool needs_search() const = 0;
 
   /// An overlap [m] out of all proportion to the bodies: a quarter of the smallest radius of a
-  /// slave, which even a soft penalty does not need. Infinite where slaves have no radius.
+  /// slave, which even a soft penalty does not need.
   double senseless_overlap() const { return 0.25 * smallest_radius_; }
 
   /// The node of an elastic slave that overlaps most in pair @p i, if this rank evaluates it.
@@ -132,20 +100,6 @@ protected:
     records_.push_back(record);
   }
 
-  /// Law and bookkeeping of pair @p i whose geometry is @p touch.
-  void apply(World &world, unsigned int i, const Touch &touch, double dt);
-
-  /// Springs that are no softer than pair @p i, closed along any normal across the master's z axis:
-  /// @p centre [m, world] is the slave's axis, @p radius [m] how far from it friction acts; @p
-  /// along is some direction across z.
-  void add_closed(const World                &world,
-                  const Mobility             &mobility,
-                  unsigned int                i,
-                  const dealii::Tensor<1, 3> &along,
-                  const dealii::Tensor<1, 3> &centre,
-                  double                      radius,
-                  std::vector<Spring>        &springs) const;
-
   /// What pair @p i of a family that is dealt out remembers.
   virtual void serialize_pair(const unsigned int i, const Archive &archive)
   {
@@ -167,57 +121,9 @@ protected:
   std::vector<Record>       records_;
   std::vector<TouchState>   states_;
   std::vector<unsigned int> owner_; ///< rank that evaluates the pair; empty: the first one
+  unsigned long             n_missed_ = 0;
 
 private:
   double smallest_radius_ = std::numeric_limits<double>::infinity(); ///< of the slaves, m
-};
-
-/// Cylinders in bores: every pair is near all the time.
-class Bores : public Family
-{
-public:
-  explicit Bores(const scene::BoreFamily &scene);
-
-  void search(const World &, double) override {}
-  void add_forces(World &world, double dt) override;
-  void add_springs(const World &world, std::vector<Spring> &springs) const override;
-  bool needs_search() const override { return false; }
-
-private:
-  std::vector<scene::BorePair> pairs_;
-};
-
-/// A cylinder (or a node, with the radius 0) over the flanks of the sprocket @p master, which are
-/// taken to go on beyond its width: its gap is the distance of its @p centre [m, world] less its
-/// @p radius [m]. Facets of an imported mesh are looked for @p within a distance [m]; @p hint is
-/// the facet found last time, if any.
-Touch touch_flanks(const scene::ToothFamily   &family,
-                   const dealii::Tensor<1, 3> &centre,
-                   double                      radius,
-                   double                      within,
-                   const Frame                &master,
-                   unsigned int               &hint);
-
-/// Rollers on the teeth of one sprocket: only those near its circumference are looked at.
-class Teeth : public Family
-{
-public:
-  explicit Teeth(const scene::ToothFamily &scene);
-
-  void search(const World &world, double reach) override;
-  void add_forces(World &world, double dt) override;
-  void add_springs(const World &world, std::vector<Spring> &springs) const override;
-  void serialize(const Archive &archive, unsigned int rank) override;
-  bool needs_search() const override { return true; }
-
-  unsigned int                     sprocket() const { return scene_.sprocket; }
-  const std::vector<unsigned int> &near() const { return near_; }
-
-protected:
-  scene::ToothFamily        scene_;
-  std::vector<unsigned int> near_; ///< pairs chosen by the last search
-
-private:
-  std::vector<unsigned int> hints_; ///< per pair, facet met last on an imported mesh
 };
 } // namespace chaindrive::contact

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/scene/interface.h>
 #include <chaindrive/utilities/rotation.h>
 
 #include <cmath>
@@ -9,7 +8,7 @@
 
 namespace chaindrive::contact
 {
-/// Where a slave point with a radius is nearest to a smooth master surface.
+/// Where a slave point with a radius is nearest to a surface.
 struct Touch
 {
   double               gap = std::numeric_limits<double>::max(); ///< m, negative: overlap
@@ -49,27 +48,5 @@ inline void set_tangents(Touch &touch, const Frame &master)
     }
   touch.along /= std::sqrt(length_square);
   touch.across = dealii::cross_product_3d(touch.normal, touch.along);
-}
-
-/// A slave of radius r whose axis passes a bore of radius R at the distance e from the bore's axis:
-/// gap = R - r - e. Cylinder in cylinder, exact for parallel axes.
-inline Touch touch_bore(const scene::BorePair &pair, const Frame &master, const Frame &slave)
-{
-  const dealii::Tensor<1, 3> z      = axis_of(master, 2);
-  const dealii::Tensor<1, 3> centre = to_world(slave, pair.slave.point);
-  dealii::Tensor<1, 3>       offset = centre - to_world(master, pair.axis);
-  offset -= (offset * z) * z;
-  const double square    = offset.norm_square();
-  const double clearance = pair.radius - pair.slave.radius;
-
-  Touch touch;
-  touch.gap = clearance - std::sqrt(square);
-  if (touch.gap < 0. && square > 0.)
-    {
-      touch.normal = offset / -std::sqrt(square);
-      touch.point  = centre - pair.slave.radius * touch.normal;
-      set_tangents(touch, master);
-    }
-  return touch;
 }
 } // namespace chaindrive::contact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/contact/joint_kernels.h>
+#include <chaindrive/contact/search_cadence.h>
 #include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/utilities/archive.h>
 
@@ -48,9 +49,8 @@ struct JointBody
 /// Up to n_lanes joints of one kind: search -> geometry -> law for the nodes of their sides.
 ///
 /// The search lists per joint the slave columns that have come closer to the bore than a reach. It
-/// holds until a gap may have become smaller by that reach. The rate at which gaps close is
-/// measured at the search; it is taken to be less than twice that, plus a speed that the caller
-/// states for what bodies do meanwhile (vibration, and impacts that turn them round).
+/// holds until a gap may have become smaller by that reach, see holding_time(): the rate at which
+/// gaps close is measured at the search.
 class JointBatch
 {
 public:
@@ -60,11 +60,12 @@ public:
   void set_joint(int lane, const JointBody &master, const JointBody &slave);
 
   /// Makes the windows anew. @p reach [m], not negative: with 0 the search is due at every step.
-  /// @p unforeseen [m/s], positive.
-  void search(double reach, double unforeseen);
+  /// @p unforeseen [m/s], positive. Returns how many slave nodes overlap that the windows before
+  /// have let alone, if forces were added with them later than at once: there must be none.
+  unsigned int search(double reach, double unforeseen);
 
   /// Whether search() must come before the next add_forces() with @p dt [s].
-  bool search_due(double dt) const { return !(dt <= holds_for_); }
+  bool search_due(double dt) const { return cadence_.is_due(dt); }
 
   /// Adds the contact forces to both sides of each joint. @p dt is the time since the last call
   /// [s], 0 at the first one.
@@ -76,10 +77,6 @@ public:
 
   /// Gaps of all slave nodes [slave node][lane], m, measured now; see GapArguments.
   const dealii::AlignedVector<double> &measure_gaps();
-
-  /// Slave nodes that a search found to overlap where the window before it has let them alone, if
-  /// forces were added with it later than at once: there must be none.
-  unsigned int n_missed(const int lane) const { return missed_[lane]; }
 
   /// Slave nodes that add_forces() visits in all joints.
   unsigned int n_visited() const;
@@ -95,7 +92,8 @@ public:
   std::size_t memory_consumption() const;
 
 private:
-  void search_lane(int lane, double reach);
+  /// Makes one lane's window anew; returns the nodes missed.
+  unsigned int search_lane(int lane, double reach);
 
   /// Points the kernels' arguments to what this holds, wherever that has been moved.
   void connect();
@@ -109,9 +107,7 @@ private:
   dealii::AlignedVector<double> state_, gap_, covered_;
   std::vector<unsigned int>     station_, cell_;
   std::array<double, n_lanes>   closing_{};
-  std::array<unsigned, n_lanes> missed_{};
-  bool                          left_alone_ = false; ///< since the search forces were added anew
-  bool                          fresh_      = false; ///< since the last add_forces()
-  double                        holds_for_  = -1.;   ///< s
+  SearchCadence                 cadence_;       ///< s
+  bool                          fresh_ = false; ///< searched since the last add_forces()
 };
 } // namespace chaindrive::contact

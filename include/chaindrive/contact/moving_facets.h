@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/bodies/node_view.h>
 #include <chaindrive/mesh/nodes.h>
 #include <chaindrive/mesh/part.h>
-#include <chaindrive/utilities/pack.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -14,25 +14,15 @@
 
 namespace chaindrive::contact
 {
-/// Vectors of some nodes of one body: positions, velocities or forces in World's copies.
+/// Vectors of some nodes of one body: positions, velocities or forces.
 struct NodeValues
 {
-  double                         *values; ///< all of this rank's
-  const std::vector<std::size_t> &place;  ///< per node, of its x component in them
+  NodeView<double>                field; ///< all of this rank's
+  const std::vector<std::size_t> &index; ///< per node, in the field
 
-  dealii::Tensor<1, 3> operator()(const unsigned int i) const
-  {
-    dealii::Tensor<1, 3> v;
-    for (unsigned int d = 0; d < 3; ++d)
-      v[d] = values[place[i] + d * n_lanes];
-    return v;
-  }
+  dealii::Tensor<1, 3> operator()(const unsigned int i) const { return field[index[i]]; }
 
-  void add(const unsigned int i, const dealii::Tensor<1, 3> &v) const
-  {
-    for (unsigned int d = 0; d < 3; ++d)
-      values[place[i] + d * n_lanes] += v[d];
-  }
+  void add(const unsigned int i, const dealii::Tensor<1, 3> &v) const { field.add(index[i], v); }
 };
 
 /// The facets of a nearly flat side of an elastic part: bilinear through its nodes, wherever these
@@ -65,9 +55,8 @@ public:
   };
 
   /// The projection of @p x on the facets whose nodes are at @p position. It is looked for from
-  /// facet
-  /// @p start on, across the facets' edges; from each of them with none. Beyond the rim a facet
-  /// goes on for a tenth of its size.
+  /// facet @p start on, across the facets' edges; from each of them with none. Beyond the rim a
+  /// facet goes on for a tenth of its size.
   Projection
   project(const NodeValues &position, const dealii::Tensor<1, 3> &x, unsigned int start) const;
 
@@ -79,11 +68,11 @@ public:
 private:
   /// The projection of @p x on @p facet or its continuation, and the edge that it lies beyond most,
   /// or 4.
-  unsigned int foot_on(const NodeValues           &position,
-                       const dealii::Tensor<1, 3> &x,
-                       unsigned int                facet,
-                       double                      margin,
-                       Projection                 &projection) const;
+  unsigned int project_on(const NodeValues           &position,
+                          const dealii::Tensor<1, 3> &x,
+                          unsigned int                facet,
+                          double                      margin,
+                          Projection                 &projection) const;
 
   std::vector<unsigned int>                nodes_;
   std::vector<double>                      area_;

@@ -32,8 +32,6 @@ public:
   void                        serialize(const Archive &archive, unsigned int rank) override;
   std::optional<unsigned int> deepest_node(unsigned int i) const override;
 
-  unsigned long n_missed() const override;
-
 private:
   /// Pairs whose two sides are the same surfaces of the same parts.
   struct Group

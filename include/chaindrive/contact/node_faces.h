@@ -3,6 +3,7 @@
 
 #include <chaindrive/contact/family.h>
 #include <chaindrive/contact/moving_facets.h>
+#include <chaindrive/contact/search_cadence.h>
 
 #include <memory>
 #include <vector>
@@ -20,8 +21,8 @@ namespace chaindrive::contact
 /// F = N n + T; the facet's nodes, whose weights are w_i, get -w_i F + g (T . grad w_i) n: forces
 /// and moments cancel to round-off. The slip's velocity is the one on which T does their work.
 ///
-/// A pair is left alone until the gap of the nodes that do not touch may have closed, at twice the
-/// speed with which they approach and a speed for what bodies do meanwhile.
+/// A pair is left alone until the gap of the nodes that do not touch may have closed, see
+/// holding_time().
 class NodeFaces : public Family
 {
 public:
@@ -38,21 +39,19 @@ public:
 
   std::vector<ClosedPair> closed_pairs(const World &world) const override;
 
-  unsigned long n_missed() const override { return n_missed_; }
-
 protected:
   void serialize_pair(unsigned int i, const Archive &archive) override;
 
 private:
-  /// Two faces, one opposite the other, of all pairs of a kind.
+  /// Two faces, one opposite the other, of all pairs of the same sides.
   struct Faces
   {
     std::unique_ptr<const MovingFacets> masters, slaves;
     std::vector<unsigned int>           taking_part; ///< slaves near the axis
   };
 
-  /// Pairs of the same sides of the same parts.
-  struct Kind
+  /// What pairs of the same sides of the same parts have in common.
+  struct SidePair
   {
     unsigned int       master_group, slave_group;     ///< in World::copies
     unsigned int       master_surface, slave_surface; ///< see scene::FacePair
@@ -68,25 +67,23 @@ private:
   };
 
   /// One face of one pair of this rank.
-  struct Place
+  struct FaceContact
   {
-    unsigned int              pair, kind, face;
-    std::vector<std::size_t>  masters, slaves;    ///< places of nodes in the vectors
-    std::vector<Node>         nodes;              ///< per slave that takes part
-    std::vector<unsigned int> active;             ///< of these: closer than a reach
-    double                    holds_for  = -1.;   ///< s, that active holds
-    bool                      left_alone = false; ///< forces were added without a new search
+    unsigned int              pair, sides, face; ///< in records(), side_pairs_, its faces
+    std::vector<std::size_t>  masters, slaves;   ///< of the nodes, see NodeView
+    std::vector<Node>         nodes;             ///< per slave that takes part
+    std::vector<unsigned int> active;            ///< of these: closer than a reach
+    SearchCadence             cadence;           ///< s, of active
   };
 
-  /// Lists the slaves of @p place that are closer than a reach.
-  void search_nodes(World &world, Place &place);
+  /// Lists the slaves of @p contact that are closer than a reach.
+  void search_nodes(World &world, FaceContact &contact);
 
   /// Contact of these, added to the record of their pair.
-  void add_face_forces(World &world, Place &place, double dt);
+  void add_face_forces(World &world, FaceContact &contact, double dt);
 
-  std::vector<Kind>  kinds_;
-  std::vector<Place> places_;
-  bool               every_step_;
-  unsigned long      n_missed_ = 0;
+  std::vector<SidePair>    side_pairs_;
+  std::vector<FaceContact> contacts_;
+  bool                     every_step_;
 };
 } // namespace chaindrive::contact

@@ -1,7 +1,32 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-// The formulas of doc/theory.md, section "Elastic joints", for `width` joints at a time.
+// Where the nodes of a cylinder, the slaves, meet a bore, the master; for `width` joints at a time.
+//
+// The bore's frame: its axis e_3 runs from the centre o of the bore's first ring of nodes to that
+// of its last one, over the length l; e_1 points from the axis to the first column of nodes, e_2 =
+// e_3 x e_1. A slave node is at x in this frame, at the distance r = |(x_1, x_2)| from the axis, on
+// the ray e = (x_1, x_2) / r.
+//
+// Each column of master nodes is a line from one ring to the next. It passes the plane of the slave
+// node, x_3 = const, in one point
+//
+//   a_c = (1 - s_c) a_lower + s_c a_upper,      s_c = (x_3 - a_lower,3) / (a_upper,3 - a_lower,3).
+//
+// Such points of neighbouring columns are the corners of a polygon. The ray passes its side from
+// a_0 to a_1 where the cross products a_0 x e and e x a_1 are not negative, at the part
+//
+//   t = (a_0 x e) / (a_0 x e + e x a_1)
+//
+// of the way, at the distance p = (a_0 + t (a_1 - a_0)) . e from the axis. The bore is round and
+// not a polygon: of n columns, undeformed and of the radius R, a side has the length 2 R sin(pi /
+// n), and its point at t is sqrt(1 - 4 sin^2(pi / n) t (1 - t)) R from the axis. By what that is
+// less than R the bore lies outside the polygon, deformed or not:
+//
+//   g = p + R (1 - sqrt(1 - 4 sin^2(pi / n) t (1 - t))) - r.
+//
+// The force on the slave node is carried by the four nodes about the side's point, with the weights
+// (1 - t or t) (1 - s or s).
 
 #include <chaindrive/contact/joint_kernels.h>
 
@@ -35,16 +60,16 @@ struct Meeting
   unsigned int  node[4][width]; ///< offsets of master nodes: two columns of the first ring, then of
                                 ///< the second
   P x[3];                       ///< the slave node in the bore's frame, m
-  P radius;                     ///< its distance from the axis, m
-  P along[2];                   ///< where between the two rings the columns pass the plane
-  P around;                     ///< where between the two corners the ray passes
-  P corner[2][2];               ///< the two corners: column, component; m
+  P radius;                     ///< r: its distance from the axis, m
+  P along[2];                   ///< s: where between the two rings the columns pass the plane
+  P around;                     ///< t: where between the two corners the ray passes
+  P corner[2][2];               ///< the two corners a: column, component; m
   P rise[2][3];                 ///< of a column from one ring to the next: column, component; m
-  P chord;                      ///< distance of the point where the ray passes from the axis, m
-  P gap;                        ///< m
+  P chord;                      ///< p: distance of the point where the ray passes from the axis, m
+  P gap;                        ///< g, m
 };
 
-/// BodyBatches the pointers of the lanes from @p lane on. Lanes without a joint read the numbers of
+/// Copies the pointers of the lanes from @p lane on. Lanes without a joint read the numbers of
 /// one that has one. Returns false if there is none.
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE bool
@@ -295,8 +320,11 @@ CHAINDRIVE_ALWAYS_INLINE void meet(const JointShape    &shape,
   m.gap        = m.chord - m.radius + P(shape.master_radius) * (P(1.) - square_root(rest));
 }
 
-/// How a slave node moves against the bore's material. Components are those in the bore's frame, or
-/// those along the ray, round the bore and along it.
+/// How a slave node moves against the bore's material: its velocity less that of the point of the
+/// polygon which the ray passes, v - sum of weights times nodal velocities. g' is the part against
+/// the ray; turns of the bore about its axis (spin) and of its wall (tilt) carry the place of the
+/// slave node, which is by the arm r - p farther out, along with it. Components are those in the
+/// bore's frame, or those along the ray, round the bore and along it.
 template <typename P>
 struct Motion
 {

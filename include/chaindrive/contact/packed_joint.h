@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-// Bodies of the kernels of joint_kernels.h, for `width` joints at a time.
+// Bodies of the kernels of joint_kernels.h, for `width` joints at a time: lane l of a pack is joint
+// l, with its own two bodies, its own window of slave columns and its own nodes.
+//
+// For each station (ring of slave nodes), one column of the window after the other:
+//   visit()         finds the gap of a node, see packed_geometry.h
+//   add_share()     from its gap and those of its two neighbours in the ring, the mean overlap of
+//                   the surface that the node stands for: forces are smooth functions of where the
+//                   nodes are, as they would not be if each of few nodes touched by itself
+//   touch_nodes()   the law, see penalty.h, with stiffness and damping of the node's area; then
+//   scatter()       forces to the slave node and to four nodes of the bore.
+// Lanes of one pack that have nothing to do compute with the numbers of others and write nothing.
 
 #include <chaindrive/contact/packed_geometry.h>
 #include <chaindrive/contact/penalty.h>
@@ -29,8 +39,11 @@ CHAINDRIVE_ALWAYS_INLINE void scatter(const JointArguments              &arg,
                                       const bool (&touches)[width])
 {
   using P = Pack<double, width>;
-  // Friction acts on the bore nearer to the axis than on the slave node. Pairs of opposite forces
-  // on the two columns and on the two rings make up for its moment.
+  // Friction T acts on the bore nearer to the axis than on the slave node, by the arm r - p. Pairs
+  // of opposite forces on the two columns (moment T_round arm about the axis: force T arm / |side|
+  // across the side) and on the two rings (the same along the axis) make up for its moment, and so
+  // the resultant forces and moments of both bodies cancel. Their work is that of the turns (spin,
+  // tilt) which slip_rate takes away.
   const P square_side         = motion.side[0] * motion.side[0] + motion.side[1] * motion.side[1],
           square_rise         = motion.rise[0] * motion.rise[0] + motion.rise[1] * motion.rise[1];
   const P round               = friction[0] * motion.arm / square_side,
@@ -130,8 +143,16 @@ CHAINDRIVE_ALWAYS_INLINE void visit(const JointArguments &arg,
   v.gap = if_less(P(0.), counts, v.meeting.gap, P(1.));
 }
 
-/// Between two neighbouring columns the gap is linear. Adds the part of the overlap there that
-/// falls to the first of them, as the mean over its area, and the part of its area that overlaps.
+/// Between two neighbouring columns the overlap is linear, from a at the first one to b at the
+/// other; negative is a gap. Of what lies there the first column has the share of its hat function,
+/// 1 - x at the part x of the way. Adds that of the overlap where there is one, the integral of
+/// max(0, a + (b - a) x) (1 - x), and of the area that overlaps, the integral of 1 - x:
+///
+///   a, b > 0       (2 a + b) / 6          1/2
+///   a > 0 > b      a t (3 - t) / 6        t (2 - t) / 2      t = a / (a - b)
+///   b > 0 > a      b t^2 / 6              t^2 / 2            t = b / (b - a)
+///
+/// With both neighbours these sum up to the means over the area that the node stands for.
 template <typename P>
 CHAINDRIVE_ALWAYS_INLINE void
 add_share(const P gap, const P neighbours_gap, P &overlap, P &overlapping)
@@ -139,7 +160,7 @@ add_share(const P gap, const P neighbours_gap, P &overlap, P &overlapping)
   const P zero(0.), half(0.5), sixth(1. / 6.);
   const P a = zero - gap, b = zero - neighbours_gap;
   const P high = greatest(a, b), low = least(a, b), positive = greatest(zero, high);
-  // the part of the way from the higher one to the lower one on which there is overlap
+  // t: the part of the way from the higher one to the lower one on which there is overlap
   const P t      = positive / greatest(high - low, P(1e-300));
   const P nearer = half * t * (P(2.) - t), farther = half * t * t;
   const P both = sixth * (a + a + b);
@@ -180,7 +201,7 @@ CHAINDRIVE_ALWAYS_INLINE void touch_nodes(const JointArguments                 &
 
   Motion<P> motion;
   find_motion(joints, v.meeting, motion);
-  // turning together with the bore is no slip
+  // turning together with the bore is no slip: its material at the slave node's place moves with it
   const P slip_rate[2] = {motion.relative[1] - motion.arm * motion.spin,
                           motion.relative[2] - motion.arm * motion.tilt};
 

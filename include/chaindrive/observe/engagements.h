@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/contact/surface_contact.h>
 #include <chaindrive/dynamics/system.h>
 #include <chaindrive/scene/scene.h>
 
@@ -55,14 +56,14 @@ public:
 private:
   struct Sprocket
   {
-    std::string           name;
-    const contact::Teeth *teeth;
-    double                far_radius; ///< m
-    dealii::Tensor<1, 3>  entry_side; ///< from the axis, where rollers arrive
-    std::vector<double>   last_touch; ///< per joint, s
-    std::vector<char>     was_far;    ///< per joint, since it last engaged
-    std::vector<int>      open;       ///< per joint, engagement still watched or -1
-    std::vector<double>   force;      ///< per joint, this step, N
+    std::string                    name;
+    const contact::SurfaceContact *teeth;
+    double                         far_radius; ///< m
+    dealii::Tensor<1, 3>           entry_side; ///< from the axis, where rollers arrive
+    std::vector<double>            last_touch; ///< per joint, s
+    std::vector<char>              was_far;    ///< per joint, since it last engaged
+    std::vector<int>               open;       ///< per joint, engagement still watched or -1
+    std::vector<double>            force;      ///< per joint, this step, N
   };
   void observe(Sprocket &sprocket, const World &world, double dt);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/contact/family.h>
+#include <chaindrive/contact/surface_contact.h>
 
 #include <algorithm>
 #include <string>
@@ -12,18 +12,18 @@ namespace chaindrive::observe
 /// Normal forces on the teeth of one sprocket, now and their peaks since the last sample, N.
 struct ToothForces
 {
-  std::vector<const contact::Teeth *> families; ///< of rigid and of elastic rollers
-  std::string                         name;
-  std::vector<double>                 roller, roller_peak; ///< per joint
-  std::vector<double>                 in_gap, in_gap_peak; ///< per gap of the sprocket
-  double                              overlap = 0.;        ///< largest so far, m
+  std::vector<const contact::SurfaceContact *> families; ///< of rigid and of elastic rollers
+  std::string                                  name;
+  std::vector<double>                          roller, roller_peak; ///< per joint
+  std::vector<double>                          in_gap, in_gap_peak; ///< per gap of the sprocket
+  double                                       overlap = 0.;        ///< largest so far, m
 
   /// Looks at the present records of the rollers that are near.
   void look()
   {
     std::fill(roller.begin(), roller.end(), 0.);
     std::fill(in_gap.begin(), in_gap.end(), 0.);
-    for (const contact::Teeth *family : families)
+    for (const contact::SurfaceContact *family : families)
       for (const unsigned int i : family->near())
         {
           const contact::Record &record = family->records()[i];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/contact/flanks.h>
+#include <chaindrive/contact/elastic_flanks.h>
 
 #include <vector>
 
@@ -9,14 +9,14 @@ namespace chaindrive::contact
 {
 /// Elastic flanks whose surface is the exact arcs of a tooth form. Facets form a grid, columns
 /// along the profile by layers along the axis.
-class ToothSurface : public Flanks
+class ArcFlanks : public ElasticFlanks
 {
 public:
   /// @p rim is that of the sprocket of @p family.
-  ToothSurface(const scene::ToothFamily &family, const World &world, const Rim &rim);
+  ArcFlanks(const scene::ToothFamily &family, const World &world, const Rim &rim);
 
-  ClosedSide closed_side(double                    stiffness,
-                         const BodyBatches        &flanks,
+  ClosedSide closed_side(const World              &world,
+                         double                    stiffness,
                          const mesh::SurfaceNodes &slaves,
                          const BodyBatches        &of_slaves) const override;
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/bodies/world.h>
-#include <chaindrive/contact/family.h>
+#include <chaindrive/contact/rigid_flanks.h>
 #include <chaindrive/contact/tributary_area.h>
 #include <chaindrive/mesh/surface/surface_nodes.h>
 
@@ -19,47 +18,32 @@ namespace chaindrive::contact
 /// displacement u = sum w_i u_i. Forces are the derivatives of g: along the surface's normal tilted
 /// by the facet's turn, on the nodes by their weights, and on the hub a couple, since surface and
 /// facets do not quite coincide. They cancel to round-off in force and moment.
-class Flanks
+class ElasticFlanks : public RigidFlanks
 {
 public:
-  virtual ~Flanks() = default;
+  Touch project(const World                &world,
+                const dealii::Tensor<1, 3> &x,
+                double                      radius,
+                double                      within,
+                unsigned int               &hint,
+                Projection                 &projection) const override;
 
-  /// Where a point is on the flanks.
-  struct Projection
-  {
-    std::array<std::size_t, 4> nodes{}; ///< places of their x components in the vectors
-    std::array<std::size_t, 4> twins{}; ///< the same in the next sector, for nodes between two, see
-                                        ///< Rim; else as nodes
-    std::array<double, 4> weights{};
-    dealii::Tensor<1, 3>  displacement; ///< relative to the hub, world axes, m
-    dealii::Tensor<1, 3>  arm;          ///< from the mean of the nodes to the point, m
-  };
+  /// Nodal velocities are the secants of the step.
+  dealii::Tensor<1, 3> velocity(const World                &world,
+                                const dealii::Tensor<1, 3> &x,
+                                const Projection           &projection,
+                                double                      dt) const override;
 
-  /// The contact of a slave node at @p x [m, world] and its @p projection. The other arguments are
-  /// those of touch_flanks().
-  Touch touch(const World                &world,
-              const dealii::Tensor<1, 3> &x,
-              double                      within,
-              unsigned int               &hint,
-              Projection                 &projection) const;
-
-  /// Velocity [m/s] of the flank's material there.
-  dealii::Tensor<1, 3> velocity(const World &world, const Projection &projection) const;
-
-  /// Adds a force @p f [N] on the flank there.
-  void add_force(World &world, const Projection &projection, const dealii::Tensor<1, 3> &f) const;
-
-  /// The flank's nodes on springs of @p stiffness [N/m3] of the @p slaves, nodes of copies @p
-  /// of_slaves, wherever these touch: see carried_area().
-  virtual ClosedSide closed_side(double                    stiffness,
-                                 const BodyBatches        &flanks,
-                                 const mesh::SurfaceNodes &slaves,
-                                 const BodyBatches        &of_slaves) const = 0;
-
-  unsigned int group() const { return group_; } ///< of the sectors in World::copies
+  void add_force(World                      &world,
+                 const dealii::Tensor<1, 3> &x,
+                 const Projection           &projection,
+                 const dealii::Tensor<1, 3> &f) const override;
 
 protected:
-  Flanks(const scene::ToothFamily &family, const Rim &rim) : family_(family), group_(rim.group) {}
+  ElasticFlanks(const scene::ToothFamily &family, const Rim &rim)
+      : RigidFlanks(family), group_(rim.group)
+  {
+  }
 
   /// The facet nearest to a point, undeformed and in the hub's frame.
   struct Facet
@@ -80,13 +64,11 @@ protected:
                         unsigned int               &hint,
                         Projection                 &projection) const = 0;
 
-  const scene::ToothFamily &family_;
-  unsigned int              group_;
+  unsigned int group_; ///< of the sectors in World::copies
 
 private:
   /// Completes @p projection for a slave at @p x [m, world]. Returns the displacements of the nodes
-  /// of
-  /// @p facet relative to the hub, world axes, m.
+  /// of @p facet relative to the hub, world axes, m.
   std::array<dealii::Tensor<1, 3>, 4> complete(const World                &world,
                                                const dealii::Tensor<1, 3> &x,
                                                const Facet                &facet,
@@ -96,8 +78,9 @@ private:
 /// The largest share of a node of @p side of @p copies, along the axis z.
 TributaryArea largest_share(const mesh::SurfaceNodes &side, const BodyBatches &copies);
 
-/// The flanks of the sprocket of @p family, whose rim is @p rim: those of its mesh if it is an
-/// imported one, else its exact arcs. The family must outlive them.
-std::unique_ptr<const Flanks>
-make_flanks(const scene::ToothFamily &family, const World &world, const Rim &rim);
+/// The flanks of the sprocket of @p family: rigid, or elastic where it has a rim.
+std::shared_ptr<const Surface> make_flanks(const scene::ToothFamily &family, const World &world);
+
+/// The rollers of @p family on these.
+scene::SurfaceFamily on_flanks(const scene::ToothFamily &family, const World &world);
 } // namespace chaindrive::contact

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/contact/family.h>
-#include <chaindrive/contact/tooth_surface.h>
+#include <chaindrive/contact/arc_flanks.h>
 #include <chaindrive/drive/tooth_form.h>
 
 #include <deal.II/base/exceptions.h>
@@ -24,7 +23,7 @@ double polar_angle(const dealii::Tensor<1, 2> &p) { return std::atan2(p[1], p[0]
 /// Half the distance between the neighbours of entry @p i in a line of points @p distance(i) [m]
 /// apart; at its ends the one distance there is.
 template <typename Distance>
-double half_width(const unsigned int i, const unsigned int n, const Distance &distance)
+double half_spacing(const unsigned int i, const unsigned int n, const Distance &distance)
 {
   if (i == 0)
     return distance(0);
@@ -32,12 +31,13 @@ double half_width(const unsigned int i, const unsigned int n, const Distance &di
 }
 } // namespace
 
-ToothSurface::ToothSurface(const scene::ToothFamily &family, const World &world, const Rim &rim)
-    : Flanks(family, rim)
+ArcFlanks::ArcFlanks(const scene::ToothFamily &family, const World &world, const Rim &rim)
+    : ElasticFlanks(family, rim)
 {
   const BodyBatches       &copies = world.copies[group_];
   const mesh::SurfaceNodes flanks(*copies.part, copies.nodes, mesh::tooth_flanks);
 
+  // The nodes of one sector's flank form a grid: sorted by layer along the axis and by polar angle.
   for (const unsigned int n : flanks.node)
     z_.push_back(copies.nodes.position[n][2]);
   std::sort(z_.begin(), z_.end());
@@ -67,10 +67,10 @@ ToothSurface::ToothSurface(const scene::ToothFamily &family, const World &world,
   Assert(column_.size() * z_.size() == nodes_.size(), dealii::ExcInternalError());
 }
 
-Flanks::Facet ToothSurface::nearest(const dealii::Tensor<1, 3> &x,
-                                    const double,
-                                    unsigned int &,
-                                    Projection &projection) const
+ElasticFlanks::Facet ArcFlanks::nearest(const dealii::Tensor<1, 3> &x,
+                                        const double,
+                                        unsigned int &,
+                                        Projection &projection) const
 {
   const auto                  profile  = family_.form->closest_point(dealii::Point<2>(x[0], x[1]));
   const dealii::Tensor<1, 2> &turn     = family_.form->rotations[profile.tooth_gap];
@@ -81,7 +81,10 @@ Flanks::Facet ToothSurface::nearest(const dealii::Tensor<1, 3> &x,
     return dealii::Point<3>(turn[0] * p[0] - turn[1] * p[1], turn[1] * p[0] + turn[0] * p[1], z);
   };
 
-  // the facet in sector 0 and where the point meets it
+  // The facet in sector 0 and where the point meets it. The profile's point P is the one of the
+  // arcs that is nearest to x; the facet is the one between the two columns of nodes whose polar
+  // angles enclose P's. Weights are bilinear: xi along the facet's chord, where P is projected onto
+  // it, eta along the axis.
   const dealii::Tensor<1, 2> local = unturned(profile.point);
   const unsigned int         c = interval(angle_, polar_angle(local)), k = interval(z_, x[2]);
   const dealii::Tensor<1, 2> chord  = column_[c + 1] - column_[c];
@@ -102,6 +105,8 @@ Flanks::Facet ToothSurface::nearest(const dealii::Tensor<1, 3> &x,
   facet.normal[1] = profile.normal[1];
   facet.feature   = profile.tooth_gap;
 
+  // xi changes by chord / |chord|^2 per metre, eta by 1 / height, and not at all beyond the last
+  // layer
   const dealii::Tensor<1, 3> along  = turned(chord / (length * length), 0.);
   const double               across = x[2] > z_.front() && x[2] < z_.back() ? 1. / height : 0.;
   for (unsigned int i = 0; i < 4; ++i)
@@ -114,11 +119,12 @@ Flanks::Facet ToothSurface::nearest(const dealii::Tensor<1, 3> &x,
   return facet;
 }
 
-ClosedSide ToothSurface::closed_side(const double              stiffness,
-                                     const BodyBatches        &flanks,
-                                     const mesh::SurfaceNodes &slaves,
-                                     const BodyBatches        &of_slaves) const
+ClosedSide ArcFlanks::closed_side(const World              &world,
+                                  const double              stiffness,
+                                  const mesh::SurfaceNodes &slaves,
+                                  const BodyBatches        &of_slaves) const
 {
+  const BodyBatches  &flanks    = world.copies[group_];
   const TributaryArea slave     = largest_share(slaves, of_slaves);
   const unsigned int  n_columns = column_.size(), n_layers = z_.size();
   ClosedSide          side;
@@ -129,11 +135,11 @@ ClosedSide ToothSurface::closed_side(const double              stiffness,
     for (unsigned int layer = 0; layer < n_layers; ++layer)
       {
         TributaryArea share;
-        share.across = half_width(c, n_columns, [&](const unsigned int i) {
+        share.across = half_spacing(c, n_columns, [&](const unsigned int i) {
           return (column_[i + 1] - column_[i]).norm();
         });
         share.along =
-            half_width(layer, n_layers, [&](const unsigned int i) { return z_[i + 1] - z_[i]; });
+            half_spacing(layer, n_layers, [&](const unsigned int i) { return z_[i + 1] - z_[i]; });
         // a node between two sectors has half of its mass and of its springs in each
         const double half = c == 0 || c + 1 == n_columns ? 0.5 : 1.;
         const double k    = half * stiffness * carried_area(share, slave);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace chaindrive::contact
+{
+/// What the contact of elastic nodes, all of it held closed, is to one of its two sides: springs
+/// between each node and a ground, if the other side stood still.
+struct ClosedSide
+{
+  static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+  unsigned int        group   = none;  ///< of the bodies in World::copies; none: without nodes
+  unsigned int        surface = none;  ///< of their mesh: a node of it is in one contact at a time
+  std::vector<double> stiffness;       ///< per node of an elastic body, N/m; empty: a rigid one
+  double              eigenvalue = 0.; ///< largest of the springs and the masses alone, 1/s2
+
+  /// Holds an elastic body's node of @p mass [kg] by a spring @p k [N/m].
+  void hold(const unsigned int node, const double k, const double mass)
+  {
+    stiffness[node] = k;
+    eigenvalue      = std::max(eigenvalue, k / mass);
+  }
+};
+
+/// The two sides of all pairs of one kind: master and slave.
+using ClosedPair = std::array<ClosedSide, 2>;
+} // namespace chaindrive::contact

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/bodies/world.h>
+#include <chaindrive/contact/closed_pair.h>
+#include <chaindrive/contact/geometry.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+namespace chaindrive::contact
+{
+/// What slave points meet: a surface of one body, the master. It tells where a point is nearest to
+/// it, how its material moves there, and takes the opposite force. Here it moves as a rigid body.
+class Surface
+{
+public:
+  explicit Surface(const unsigned int body) : body_(body) {}
+  virtual ~Surface() = default;
+
+  unsigned int body() const { return body_; }
+
+  /// The nodes that carry the point of an elastic surface where a slave is; a rigid one has none.
+  struct Projection
+  {
+    std::array<std::size_t, 4> nodes{}; ///< see NodeView
+    std::array<std::size_t, 4> twins{}; ///< the same in the next sector, for nodes between two, see
+                                        ///< Rim; else as nodes
+    std::array<double, 4> weights{};
+    dealii::Tensor<1, 3>  displacement; ///< relative to the hub, world axes, m
+    dealii::Tensor<1, 3>  arm;          ///< from the mean of the nodes to the slave, m
+  };
+
+  /// Where the point @p x [m, world], which carries a sphere of @p radius [m], is nearest to the
+  /// surface. Only a gap that is negative has a normal and tangents. Surfaces that must look for it
+  /// do so @p within a distance [m] of x and begin with @p hint, the facet found last time, if any.
+  virtual Touch project(const World                &world,
+                        const dealii::Tensor<1, 3> &x,
+                        double                      radius,
+                        double                      within,
+                        unsigned int               &hint,
+                        Projection                 &projection) const = 0;
+
+  /// Velocity [m/s] of the surface's material at @p x [m, world], whose projection this is, half a
+  /// step @p dt [s] before now, as the velocities of bodies are while forces are evaluated.
+  virtual dealii::Tensor<1, 3> velocity(const World                &world,
+                                        const dealii::Tensor<1, 3> &x,
+                                        const Projection           &projection,
+                                        double                      dt) const;
+
+  /// Adds the force @p f [N] that acts on the surface there.
+  virtual void add_force(World                      &world,
+                         const dealii::Tensor<1, 3> &x,
+                         const Projection           &projection,
+                         const dealii::Tensor<1, 3> &f) const;
+
+  /// Whether there are places far away from the surface, so that a search for slaves near it pays.
+  virtual bool needs_search() const { return false; }
+
+  /// Whether a slave at @p x [m, world] with @p radius [m] may touch before anything has moved by
+  /// @p reach [m].
+  virtual bool is_near(const World &, const dealii::Tensor<1, 3> & /*x*/, double, double) const
+  {
+    return true;
+  }
+
+  /// The surface reaches that far to both sides along its body's z axis, m.
+  virtual double half_width() const { return std::numeric_limits<double>::infinity(); }
+
+  /// Whether the point @p x [m, world] is beyond that.
+  virtual bool is_beside(const World &, const dealii::Tensor<1, 3> & /*x*/) const { return false; }
+
+  /// Some direction that is not the master's z axis, such as that of most of the force on @p slave,
+  /// whose axis is at @p centre [m, world].
+  virtual dealii::Tensor<1, 3>
+  main_direction(const World &world, const Frame &slave, const dealii::Tensor<1, 3> &centre) const;
+
+  /// The surface's nodes on springs of @p stiffness [N/m3] of the @p slaves, nodes of @p of_slaves,
+  /// wherever these touch: see carried_area(). Nothing where the surface has no nodes: a rigid body
+  /// is heavy beside a node, and each node of a slave is on its own spring.
+  virtual ClosedSide closed_side(const World &,
+                                 double /*stiffness*/,
+                                 const mesh::SurfaceNodes & /*slaves*/,
+                                 const BodyBatches & /*of_slaves*/) const
+  {
+    return {};
+  }
+
+private:
+  unsigned int body_;
+};
+
+inline dealii::Tensor<1, 3> Surface::velocity(const World                &world,
+                                              const dealii::Tensor<1, 3> &x,
+                                              const Projection &,
+                                              const double dt) const
+{
+  return world.velocity_at(body_, x, 0.5 * dt);
+}
+
+inline void Surface::add_force(World                      &world,
+                               const dealii::Tensor<1, 3> &x,
+                               const Projection &,
+                               const dealii::Tensor<1, 3> &f) const
+{
+  world.add_force(body_, f, x);
+}
+
+inline dealii::Tensor<1, 3>
+Surface::main_direction(const World &world, const Frame &, const dealii::Tensor<1, 3> &centre) const
+{
+  return centre - world.frames[body_].position;
+}
+} // namespace chaindrive::contact

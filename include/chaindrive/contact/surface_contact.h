@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/contact/family.h>
+#include <chaindrive/contact/surface.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace chaindrive::contact
+{
+/// Slaves on surfaces: each pair is a slave, by the point of its body's axis that carries its
+/// radius, and a surface. The search keeps a list of the pairs that are near; of a surface that is
+/// never far away, such as a bore, these are all of them.
+class SurfaceContact : public Family
+{
+public:
+  /// A slave and the surface that it may meet.
+  struct Pair
+  {
+    std::shared_ptr<const Surface> surface; ///< many slaves may share one
+    scene::SlavePoint              slave;
+  };
+
+  void search(const World &world, double reach) override;
+  void serialize(const Archive &archive, unsigned int rank) override;
+  bool needs_search() const override;
+
+  /// Pairs chosen by the last search, ascending.
+  const std::vector<unsigned int> &near() const { return near_; }
+
+  /// The body that slaves touch, of the first pair.
+  unsigned int master() const { return pairs_.front().surface->body(); }
+
+protected:
+  SurfaceContact(std::string name, const scene::ContactLaw &law, std::vector<Pair> pairs);
+
+  /// Each of @p slaves with @p surface.
+  static std::vector<Pair> pairs_on(const std::shared_ptr<const Surface> &surface,
+                                    const std::vector<scene::SlavePoint> &slaves);
+
+  std::vector<Pair>         pairs_;
+  std::vector<unsigned int> near_;
+};
+} // namespace chaindrive::contact

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/node_view.h>
+#include <chaindrive/contact/arc_flanks.h>
+#include <chaindrive/contact/facet_flanks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace chaindrive::contact
+{
+Touch ElasticFlanks::project(const World                &world,
+                             const dealii::Tensor<1, 3> &x,
+                             const double                radius,
+                             const double                within,
+                             unsigned int               &hint,
+                             Projection                 &projection) const
+{
+  const Frame &hub = world.frames[body()];
+  const Facet  facet =
+      nearest(dealii::transpose(hub.rotation) * (x - hub.position), within, hint, projection);
+  if (!facet.found)
+    {
+      projection     = Projection(); // far away it moves with the hub
+      projection.arm = x - hub.position;
+      return {};
+    }
+  const auto u = complete(world, x, facet, projection);
+
+  // the distance changes by no more than the displacement, to first order by its normal part
+  if (facet.distance - radius > projection.displacement.norm())
+    {
+      Touch apart;
+      apart.gap = facet.distance - (hub.rotation * facet.normal) * projection.displacement - radius;
+      apart.feature = facet.feature;
+      return apart;
+    }
+
+  unsigned int from  = hint;
+  Touch        touch = project_on_rigid(world, x - projection.displacement, radius, within, from);
+  if (touch.gap < 0.)
+    {
+      // what a step of the point along the surface changes in the displacement's normal part
+      const dealii::Tensor<1, 3> normal = touch.normal;
+      dealii::Tensor<1, 3>       tilt;
+      for (unsigned int i = 0; i < 4; ++i)
+        tilt += (normal * u[i]) * facet.gradients[i];
+      touch.normal -= hub.rotation * tilt;
+      touch.normal /= touch.normal.norm();
+      touch.point = x - radius * touch.normal;
+      set_tangents(touch, hub);
+    }
+  return touch;
+}
+
+std::array<dealii::Tensor<1, 3>, 4> ElasticFlanks::complete(const World                &world,
+                                                            const dealii::Tensor<1, 3> &x,
+                                                            const Facet                &facet,
+                                                            Projection &projection) const
+{
+  const Frame   &hub = world.frames[body()];
+  const NodeView position(world.copies[group_].position);
+  projection.displacement = projection.arm = dealii::Tensor<1, 3>();
+  std::array<dealii::Tensor<1, 3>, 4> u;
+  for (unsigned int i = 0; i < 4; ++i)
+    {
+      const dealii::Tensor<1, 3> now = position[projection.nodes[i]];
+      u[i]                           = now - hub.position - hub.rotation * facet.nodes[i];
+      projection.displacement += projection.weights[i] * u[i];
+      projection.arm += projection.weights[i] * (x - now);
+    }
+  return u;
+}
+
+dealii::Tensor<1, 3> ElasticFlanks::velocity(const World &world,
+                                             const dealii::Tensor<1, 3> &,
+                                             const Projection &projection,
+                                             const double) const
+{
+  const NodeView       velocity(world.copies[group_].velocity);
+  dealii::Tensor<1, 3> v = cross_product_3d(world.frames[body()].angular_velocity, projection.arm);
+  for (unsigned int i = 0; i < 4; ++i)
+    v += projection.weights[i] * velocity[projection.nodes[i]];
+  return v;
+}
+
+void ElasticFlanks::add_force(World &world,
+                              const dealii::Tensor<1, 3> &,
+                              const Projection           &projection,
+                              const dealii::Tensor<1, 3> &f) const
+{
+  const NodeView force(world.copies[group_].force);
+  for (unsigned int i = 0; i < 4; ++i)
+    {
+      const dealii::Tensor<1, 3> half = 0.5 * projection.weights[i] * f;
+      force.add(projection.nodes[i], half);
+      force.add(projection.twins[i], half);
+    }
+  const dealii::Tensor<1, 3> couple = cross_product_3d(projection.arm, f);
+  for (unsigned int d = 0; d < 3; ++d)
+    world.moment.local_element(3 * body() + d) += couple[d];
+}
+
+TributaryArea largest_share(const mesh::SurfaceNodes &side, const BodyBatches &copies)
+{
+  std::vector<double> stations;
+  for (const unsigned int n : side.node)
+    stations.push_back(copies.nodes.position[n][2]);
+  std::sort(stations.begin(), stations.end());
+  TributaryArea share;
+  for (unsigned int i = 1; i < stations.size(); ++i)
+    share.along = std::max(share.along, stations[i] - stations[i - 1]);
+  const double area = *std::max_element(side.area.begin(), side.area.end());
+  share.across      = share.along > 0. ? area / share.along : std::sqrt(area);
+  return share;
+}
+
+std::shared_ptr<const Surface> make_flanks(const scene::ToothFamily &family, const World &world)
+{
+  const Rim *rim = world.rim_of(family.sprocket);
+  if (rim == nullptr)
+    return std::make_shared<const RigidFlanks>(family);
+  if (family.facets)
+    return std::make_shared<const FacetFlanks>(family, world, *rim);
+  return std::make_shared<const ArcFlanks>(family, world, *rim);
+}
+
+scene::SurfaceFamily on_flanks(const scene::ToothFamily &family, const World &world)
+{
+  return {family.name,
+          make_flanks(family, world),
+          family.law,
+          family.slaves,
+          family.elastic,
+          family.slave_surface};
+}
+} // namespace chaindrive::contact

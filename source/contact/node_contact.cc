@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/node_contact.h>
+#include <chaindrive/contact/point_force.h>
+#include <chaindrive/utilities/ranks.h>
+
+#include <algorithm>
+
+namespace chaindrive::contact
+{
+namespace
+{
+constexpr double within = 200e-6; // m, how far facets of an imported mesh are looked for at first
+
+std::vector<unsigned int> bodies_of(const std::vector<scene::SlavePoint> &slaves)
+{
+  std::vector<unsigned int> bodies;
+  bodies.reserve(slaves.size());
+  for (const scene::SlavePoint &slave : slaves)
+    bodies.push_back(slave.body);
+  return bodies;
+}
+} // namespace
+
+NodeContact::NodeContact(const scene::SurfaceFamily &scene,
+                         const World                &world,
+                         const bool                  search_every_step)
+    : SurfaceContact(scene.name, scene.law, pairs_on(scene.surface, scene.slaves))
+    , surface_(scene.surface)
+    , slaves_(world, bodies_of(scene.slaves), scene.slave_surface)
+    , every_step_(search_every_step)
+{
+  for (unsigned int i = 0; i < slaves_.n_bodies(); ++i)
+    owner_.push_back(slaves_.owner(world, i));
+  nodes_.resize(std::size_t(slaves_.n_bodies()) * slaves_.n_nodes());
+  find_own(rank_in(world.communicator()));
+}
+
+void NodeContact::find_own(const unsigned int rank)
+{
+  own_.clear();
+  for (const unsigned int i : near_)
+    if (owner_[i] == rank)
+      own_.push_back(i);
+}
+
+void NodeContact::search(const World &world, const double reach)
+{
+  SurfaceContact::search(world, reach);
+  find_own(rank_in(world.communicator()));
+  for (unsigned int i = 0; i < slaves_.n_bodies(); ++i)
+    if (!within_reach(i)) // far from everything: when it comes back it is a new one
+      std::fill_n(nodes_.begin() + i * slaves_.n_nodes(), slaves_.n_nodes(), Node());
+}
+
+bool NodeContact::within_reach(const unsigned int i) const
+{
+  return std::binary_search(near_.begin(), near_.end(), i);
+}
+
+void NodeContact::serialize(const Archive &archive, const unsigned int rank)
+{
+  SurfaceContact::serialize(archive, rank);
+  clock_.serialize(archive);
+  if (archive.reads())
+    find_own(rank);
+}
+
+void NodeContact::serialize_pair(const unsigned int i, const Archive &archive)
+{
+  SurfaceContact::serialize_pair(i, archive);
+  archive.numbers("nodes", &node(i, 0), slaves_.n_nodes());
+}
+
+void NodeContact::add_forces(World &world, const double dt)
+{
+  clock_.advance(dt);
+  unforeseen_ = unforeseen_speed(world);
+  for (const unsigned int i : own_)
+    add_body_forces(world, i, dt);
+}
+
+void NodeContact::add_body_forces(World &world, const unsigned int i, const double dt)
+{
+  Record &record = records_[i];
+  record.gap     = std::numeric_limits<double>::max();
+  record.force   = dealii::Tensor<1, 3>();
+  Resultant sum;
+  for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
+    {
+      if (every_step_ || node(i, s).cadence.is_due(clock_))
+        add_node_force(world, i, s, dt, sum);
+      record.gap = std::min(record.gap, node(i, s).gap);
+    }
+
+  for (unsigned int d = 0; d < 3; ++d) // for the motion of the centre of mass
+    world.force.local_element(3 * record.slave + d) += record.force[d];
+  record.force      = world.of_whole(record.force);
+  states_[i].normal = sum.normal_force;
+  if (sum.normal_force > 0.)
+    {
+      record.normal       = sum.normal / sum.normal.norm();
+      record.normal_speed = sum.power / sum.normal_force;
+    }
+}
+
+void NodeContact::add_node_force(
+    World &world, const unsigned int i, const unsigned int s, const double dt, Resultant &sum)
+{
+  Node                      &node   = this->node(i, s);
+  Record                    &record = records_[i];
+  const Frame               &master = world.frames[surface_->body()];
+  const dealii::Tensor<1, 3> x      = slaves_.position(world, i, s);
+  const double               z      = axis_of(master, 2) * (x - master.position);
+  const double               area   = slaves_.cover(z, surface_->half_width(), s) * slaves_.area(s);
+  const scene::ContactLaw    law    = law_.times(area);
+  const bool                 left_alone = node.cadence.left_alone(clock_);
+
+  // what overlaps is looked for as deep as it may be, and deeper
+  const double far = node.touch.overlap > 0. ? std::max(within, 2. * senseless_overlap()) : within;
+  Surface::Projection projection;
+  const Touch         touch    = surface_->project(world, x, 0., far, node.hint, projection);
+  const bool          found    = touch.gap != std::numeric_limits<double>::max();
+  const auto          relative = [&]() {
+    return slaves_.velocity(world, i, s) - surface_->velocity(world, x, projection, dt);
+  };
+
+  node.gap = area > 0. ? touch.gap : std::numeric_limits<double>::max();
+  if (touch.gap >= 0. || area == 0.)
+    {
+      if (found)
+        come_apart(law, dt, node.touch, world.ledger);
+      else if (node.touch.overlap > 0.)
+        lose_touch(law, node.touch, world.ledger);
+      node.cadence.restart(
+          clock_, holding_time(std::clamp(touch.gap, 0., within), relative().norm(), unforeseen_));
+      return;
+    }
+  if (left_alone)
+    ++n_missed_;
+  node.cadence.restart(clock_, 0.);
+
+  const dealii::Tensor<1, 3> v     = relative();
+  const dealii::Tensor<1, 3> force = press(law, touch, v, v, dt, node.touch, world.ledger).total;
+  slaves_.add_force(world, i, s, force);
+  surface_->add_force(world, x, projection, -force);
+
+  record.force += force;
+  record.feature = touch.feature;
+  sum.normal += node.touch.normal * touch.normal;
+  sum.normal_force += node.touch.normal;
+  sum.power -= node.touch.normal * (v * touch.normal);
+}
+
+std::vector<ClosedPair> NodeContact::closed_pairs(const World &world) const
+{
+  const BodyBatches &batches = slaves_.batches(world);
+  ClosedPair         pair;
+  ClosedSide        &slave = pair[1];
+  slave.group              = slaves_.group();
+  slave.surface            = slaves_.surface();
+  slave.stiffness.resize(batches.n_nodes());
+  for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
+    slave.hold(
+        slaves_.node(s), law_.stiffness * slaves_.area(s), batches.nodes.mass[slaves_.node(s)]);
+  pair[0] = surface_->closed_side(world, law_.stiffness, slaves_.side(), batches);
+  return {pair};
+}
+
+std::optional<unsigned int> NodeContact::deepest_node(const unsigned int i) const
+{
+  if (!std::binary_search(own_.begin(), own_.end(), i))
+    return {};
+  const auto first = nodes_.begin() + i * slaves_.n_nodes();
+  const auto deepest =
+      std::max_element(first, first + slaves_.n_nodes(), [](const Node &a, const Node &b) {
+        return a.touch.overlap < b.touch.overlap;
+      });
+  return slaves_.node(deepest - first);
+}
+} // namespace chaindrive::contact

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/slave_nodes.h>
+
+#include <algorithm>
+
+namespace chaindrive::contact
+{
+namespace
+{
+/// How far the share of each node of a side reaches below and above it along z: half way to the
+/// next station of nodes, m.
+std::vector<std::array<double, 2>> extents(const mesh::Nodes               &nodes,
+                                           const std::vector<unsigned int> &side)
+{
+  std::vector<double> stations;
+  stations.reserve(side.size());
+  for (const unsigned int node : side)
+    stations.push_back(nodes.position[node][2]);
+  std::sort(stations.begin(), stations.end());
+  const double same = 1e-9 * (stations.back() - stations.front());
+  stations.erase(std::unique(stations.begin(),
+                             stations.end(),
+                             [same](const double a, const double b) { return b - a <= same; }),
+                 stations.end());
+
+  std::vector<std::array<double, 2>> result;
+  for (const unsigned int node : side)
+    {
+      const double z     = nodes.position[node][2];
+      const auto   below = std::lower_bound(stations.begin(), stations.end(), z - same);
+      const auto   above = std::upper_bound(stations.begin(), stations.end(), z + same);
+      result.push_back({{below == stations.begin() ? 0. : 0.5 * (z - *(below - 1)),
+                         above == stations.end() ? 0. : 0.5 * (*above - z)}});
+    }
+  return result;
+}
+} // namespace
+
+SlaveNodes::SlaveNodes(const World                     &world,
+                       const std::vector<unsigned int> &bodies,
+                       const unsigned int               surface)
+    : group_(world.elastic_address[bodies.front()].group), surface_(surface)
+{
+  const BodyBatches &copies = world.copies[group_];
+  side_                     = std::make_unique<mesh::SurfaceNodes>(
+      *copies.part, copies.nodes, static_cast<mesh::Surface>(surface));
+  extent_ = extents(copies.nodes, side_->node);
+  for (const unsigned int body : bodies)
+    {
+      copy_.push_back(world.elastic_address[body].copy);
+      first_.push_back(copies.owns(copy_.back()) ? copies.index(copy_.back(), 0, 0) : 0);
+    }
+}
+
+double SlaveNodes::cover(const double z, const double half_width, const unsigned int s) const
+{
+  const double from = std::max(z - extent_[s][0], -half_width);
+  const double to   = std::min(z + extent_[s][1], half_width);
+  return std::max(0., to - from) / (extent_[s][0] + extent_[s][1]);
+}
+} // namespace chaindrive::contact
