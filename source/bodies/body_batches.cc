@@ -71,12 +71,9 @@ BodyBatches::BodyBatches(std::shared_ptr<const mesh::Part> the_part,
                 frame.rotation * dealii::Tensor<1, 3>(nodes.position[node]);
             const dealii::Tensor<1, 3> v =
                 frame.velocity + dealii::cross_product_3d(frame.angular_velocity, arm);
-            for (unsigned int d = 0; d < 3; ++d)
-              {
-                const std::size_t i       = index(slot, node, d);
-                position.local_element(i) = frame.position[d] + arm[d];
-                velocity.local_element(i) = empty ? 0. : v[d];
-              }
+            const std::size_t at = index(slot, node);
+            NodeView(position).set(at, frame.position + arm);
+            NodeView(velocity).set(at, empty ? dealii::Tensor<1, 3>() : v);
           }
       }
 }
@@ -93,8 +90,8 @@ void BodyBatches::want(const unsigned int copy, const std::vector<unsigned int> 
     return;
   for (const unsigned int node : wanted)
     {
-      const std::size_t first = batch_of(copy) * stride() + std::size_t(3) * node * n_lanes;
-      ghosts_.add_range(first, first + 3 * n_lanes);
+      const std::size_t first = batch_of(copy) * stride() + node_offset(node);
+      ghosts_.add_range(first, first + numbers_per_node);
     }
 }
 
@@ -134,8 +131,30 @@ void BodyBatches::send_forces(std::vector<BodyBatches> &copies)
       c.force.compress_finish(dealii::VectorOperation::add);
 }
 
+void BodyBatches::hold_middle_plane(const unsigned int batch)
+{
+  const NodeView on(force.begin() + start_of(batch));
+  for (const unsigned int node : on_middle_plane)
+    on.clear_all_lanes(node_offset(node), 2);
+}
+
+dealii::Tensor<1, 3> BodyBatches::position_now(const unsigned int copy,
+                                               const unsigned int node) const
+{
+  const std::size_t at = index(copy, node);
+  return NodeView(position)[at] - ahead * NodeView(velocity)[at];
+}
+
+dealii::Tensor<1, 3> BodyBatches::displacement_now(const unsigned int copy,
+                                                   const unsigned int node) const
+{
+  return position_now(copy, node) - start[copy].position -
+         start[copy].rotation * dealii::Tensor<1, 3>(nodes.position[node]);
+}
+
 void BodyBatches::serialize(const Archive &archive)
 {
+  archive("ahead", ahead);
   for (unsigned int batch = first_owned_batch(); batch < end_of_owned_batches(); ++batch)
     {
       const Archive own = archive.of_this_rank() / ("batch " + std::to_string(batch));

@@ -28,9 +28,7 @@ Rim::Rim(const unsigned int                  the_body,
   for_each_pair(copies, [&copies](unsigned int s, unsigned int a, unsigned int t, unsigned int b) {
     if (copies.owns(s) && copies.owns(t))
       for (BodyBatches::Vector *vector : {&copies.position, &copies.velocity})
-        for (unsigned int d = 0; d < 3; ++d)
-          vector->local_element(copies.index(t, b, d)) =
-              vector->local_element(copies.index(s, a, d));
+        NodeView(*vector).set(copies.index(t, b), NodeView(*vector)[copies.index(s, a)]);
     else if (copies.owns(s))
       copies.want(t, {b});
     else if (copies.owns(t))
@@ -49,8 +47,7 @@ Rim::Rim(const unsigned int                  the_body,
     }
   for (unsigned int s = 0; s < n; ++s)
     for (const unsigned int node : copies.owns(s) ? border : std::vector<unsigned int>())
-      for (unsigned int d = 0; d < 3; ++d)
-        copies.velocity.local_element(copies.index(s, node, d)) = 0.;
+      NodeView(copies.velocity).set(copies.index(s, node), dealii::Tensor<1, 3>());
 }
 
 template <typename Visit>
@@ -65,26 +62,29 @@ void Rim::find_seam(const BodyBatches &copies)
 {
   for_each_pair(copies, [&](unsigned int s, unsigned int a, unsigned int t, unsigned int b) {
     if (copies.owns(s) && copies.owns(t))
-      seam_.emplace_back(copies.index(s, a, 0), copies.index(t, b, 0));
+      seam_.emplace_back(copies.index(s, a), copies.index(t, b));
     else if (copies.owns(s))
-      seam_with_others_.emplace_back(copies.index(s, a, 0), copies.index(t, b, 0));
+      seam_with_others_.emplace_back(copies.index(s, a), copies.index(t, b));
     else if (copies.owns(t))
-      seam_with_others_.emplace_back(copies.index(t, b, 0), copies.index(s, a, 0));
+      seam_with_others_.emplace_back(copies.index(t, b), copies.index(s, a));
   });
 }
 
 void Rim::even_out_forces(BodyBatches &copies) const
 {
-  double *force = copies.force.begin();
+  const NodeView force(copies.force);
   for (const auto &[own, ghost] : seam_with_others_)
-    for (unsigned int d = 0; d < 3; ++d)
-      force[ghost + d * n_lanes] = force[own + d * n_lanes] *= 0.5;
+    {
+      const dealii::Tensor<1, 3> half = 0.5 * force[own];
+      force.set(own, half);
+      force.set(ghost, half);
+    }
   for (const auto &[i, j] : seam_)
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        const double mean      = 0.5 * (force[i + d * n_lanes] + force[j + d * n_lanes]);
-        force[i + d * n_lanes] = force[j + d * n_lanes] = mean;
-      }
+    {
+      const dealii::Tensor<1, 3> mean = 0.5 * (force[i] + force[j]);
+      force.set(i, mean);
+      force.set(j, mean);
+    }
 }
 
 void Rim::hold(BodyBatches &copies, const Frame &frame) const
@@ -98,9 +98,7 @@ void Rim::hold(BodyBatches &copies, const Frame &frame) const
         {
           const dealii::Tensor<1, 3> x =
               here.position + here.rotation * dealii::Tensor<1, 3>(copies.nodes.position[node]);
-          const std::size_t first = copies.index(s, node, 0);
-          for (unsigned int d = 0; d < 3; ++d)
-            copies.position.local_element(first + d * n_lanes) = x[d];
+          NodeView(copies.position).set(copies.index(s, node), x);
         }
     }
 }

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/elastic_rim.h>
+#include <chaindrive/bodies/followers.h>
+#include <chaindrive/bodies/hubs.h>
+#include <chaindrive/bodies/partition.h>
+#include <chaindrive/bodies/rigid_bodies.h>
 #include <chaindrive/bodies/world.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
@@ -9,6 +15,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -23,47 +30,6 @@ dealii::Tensor<1, 3> angular_momentum(const Frame &frame, const dealii::Tensor<1
   for (unsigned int d = 0; d < 3; ++d)
     in_body[d] *= inertia[d];
   return frame.rotation * in_body;
-}
-
-/// Batches of one group of copies, to be dealt out to the ranks.
-struct Deal
-{
-  unsigned int n_batches;
-  double       cost;  ///< of each
-  bool         apart; ///< they touch few batches of other groups: any rank may have any of them
-};
-
-/// What a joint costs the owner of its bore, in elements: some 75 visits of a node, 37 ns each,
-/// beside 16 ns (doc/performance.md).
-constexpr double elements_per_joint = 170.;
-
-/// Deals the batches of each group out to @p n_ranks ranks in turn: equal shares, and what does not
-/// go up to those that have least so far, the last of them, since the first rank has results to
-/// take care of. Batches that may be apart even out the load. Returns per group the first batch of
-/// each rank, and the number of batches.
-std::vector<std::vector<unsigned int>> deal(const std::vector<Deal> &groups,
-                                            const unsigned int       n_ranks)
-{
-  std::vector<double>                    load(n_ranks, 0.);
-  std::vector<std::vector<unsigned int>> result;
-  for (const Deal &group : groups)
-    {
-      const unsigned int        share = group.apart ? 0 : group.n_batches / n_ranks;
-      std::vector<unsigned int> count(n_ranks, share);
-      for (double &l : load)
-        l += share * group.cost;
-      for (unsigned int i = n_ranks * share; i < group.n_batches; ++i)
-        {
-          const auto least = std::min_element(load.rbegin(), load.rend());
-          *least += group.cost;
-          ++count[load.rend() - least - 1];
-        }
-      std::vector<unsigned int> first = {0};
-      for (const unsigned int n : count)
-        first.push_back(first.back() + n);
-      result.push_back(first);
-    }
-  return result;
 }
 } // namespace
 
@@ -107,45 +73,37 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
         spins.push_back({b, body.inertia[2], body.initial.angular_velocity[2]});
     }
 
+  groups.push_back(std::make_unique<RigidBodies>());
+  groups.push_back(std::make_unique<Hubs>());
+  add_elastic_bodies(scene);
+  node_address = elastic_address;
+  add_followers(scene);
+}
+
+World::~World() = default;
+
+void World::add_elastic_bodies(const scene::Scene &scene)
+{
   std::map<scene::Kind, std::vector<unsigned int>> elastic;
-  for (unsigned int b = 0; b < n; ++b)
+  for (unsigned int b = 0; b < n_bodies(); ++b)
     if (scene.bodies[b].motion == scene::Motion::elastic)
       elastic[scene.bodies[b].kind].push_back(b);
-  std::map<scene::Kind, unsigned int> n_joints; // at bores of elastic bodies
-  for (const scene::BoreFamily &bores : scene.bores)
-    for (const scene::BorePair &pair : bores.pairs)
-      if (bores.elastic && scene.bodies[pair.master].motion == scene::Motion::elastic)
-        ++n_joints[scene.bodies[pair.master].kind];
-  std::vector<Deal> deals;
-  for (const auto &[kind, bodies] : elastic)
-    {
-      const auto         sector    = scene.sectors.find(kind);
-      const bool         is_rim    = sector != scene.sectors.end();
-      const unsigned int n_batches = BodyBatches::n_batches_of(
-          is_rim ? std::size_t(sector->second->n_sectors) : bodies.size());
-      const auto &part = is_rim ? *sector->second->part : *scene.parts.at(kind);
-      deals.push_back({n_batches,
-                       part.mesh->n_active_cells() +
-                           elements_per_joint * n_joints[kind] / double(bodies.size()),
-                       is_rim});
-    }
-  const auto first_batches = deal(deals, n_ranks_);
-  elastic_address.resize(n);
+
+  auto first_batch = partition(scene, n_ranks_);
+  elastic_address.resize(n_bodies());
   for (const auto &[kind, bodies] : elastic)
     {
       const unsigned int group = static_cast<unsigned int>(copies.size());
       if (scene.sectors.count(kind) != 0)
-        add_rim(scene, bodies.front(), first_batches[group]);
-      else
         {
-          copies.emplace_back(
-              scene.parts.at(kind), bodies, scene.bodies, first_batches[group], comm_);
-          for (unsigned int k = 0; k < bodies.size(); ++k)
-            elastic_address[bodies[k]] = {group, k};
+          add_rim(scene, bodies.front(), first_batch[kind]);
+          continue;
         }
+      copies.emplace_back(scene.parts.at(kind), bodies, scene.bodies, first_batch[kind], comm_);
+      for (unsigned int k = 0; k < bodies.size(); ++k)
+        elastic_address[bodies[k]] = {group, k};
+      groups.push_back(std::make_unique<ElasticBodies>(scene, *this, group));
     }
-  node_address = elastic_address;
-  add_followers(scene);
 }
 
 void World::add_rim(const scene::Scene              &scene,
@@ -171,6 +129,48 @@ void World::add_rim(const scene::Scene              &scene,
                      " is less than that of the elastic rim of the sprocket alone, " +
                      to_text(whole * (rim.inertia + rim.border_inertia)) +
                      "; choose a greater value, auto, or Model/Elastic sprockets = off.");
+  groups.push_back(
+      std::make_unique<ElasticRim>(scene, *this, static_cast<unsigned int>(rims.size()) - 1));
+}
+
+void World::add_followers(const scene::Scene &scene)
+{
+  // the sides of rigid bodies that touch with their nodes
+  std::map<scene::Kind, std::map<unsigned int, std::set<unsigned int>>> sides;
+  for (const scene::BoreFamily &bores : scene.bores)
+    if (bores.elastic)
+      for (const scene::BorePair &pair : bores.pairs)
+        for (const auto &[body, side] : {std::make_pair(pair.master, pair.master_surface),
+                                         std::make_pair(pair.slave.body, pair.slave_surface)})
+          if (elastic_address[body].group == Address::none)
+            sides[scene.bodies[body].kind][body].insert(side);
+
+  n_elastic_groups_ = static_cast<unsigned int>(copies.size());
+  for (const auto &[kind, of_bodies] : sides)
+    {
+      const unsigned int        group = static_cast<unsigned int>(copies.size());
+      std::vector<unsigned int> bodies;
+      for (const auto &entry : of_bodies)
+        {
+          node_address[entry.first] = {group, static_cast<unsigned int>(bodies.size())};
+          bodies.push_back(entry.first);
+        }
+      // the first rank owns them
+      std::vector<unsigned int> first_batch(n_ranks_ + 1, BodyBatches::n_batches_of(bodies.size()));
+      first_batch.front() = 0;
+      copies.emplace_back(scene.parts.at(kind), bodies, scene.bodies, first_batch, comm_);
+
+      std::vector<Followers::Side> followers;
+      for (const auto &[body, surfaces] : of_bodies)
+        for (const unsigned int surface : surfaces)
+          followers.push_back({body,
+                               node_address[body].copy,
+                               mesh::SurfaceNodes(*copies.back().part,
+                                                  copies.back().nodes,
+                                                  static_cast<mesh::Surface>(surface))
+                                   .node});
+      groups.push_back(std::make_unique<Followers>(group, std::move(followers)));
+    }
 }
 
 const Rim *World::rim_of(const unsigned int body) const
@@ -179,6 +179,18 @@ const Rim *World::rim_of(const unsigned int body) const
     if (rim.body == body)
       return &rim;
   return nullptr;
+}
+
+void World::place_surfaces(const double earlier)
+{
+  for (const auto &group : groups)
+    group->place_surface(*this, earlier);
+}
+
+void World::gather_forces()
+{
+  for (const auto &group : groups)
+    group->gather_forces(*this);
 }
 
 void World::clear_forces()
@@ -255,16 +267,8 @@ void World::sum_over_ranks()
 double World::kinetic_energy() const
 {
   double energy = 0.;
-  for (unsigned int b = 0; b < n_bodies(); ++b)
-    if (inverse_mass[b] > 0.)
-      energy += 0.5 * mass[b] * frames[b].velocity.norm_square();
-  for (const Rotation &r : rotations)
-    energy += 0.5 * (r.momentum * frames[r.body].angular_velocity);
-  for (const Spin &spin : spins)
-    energy += 0.5 * spin.inertia * spin.speed * spin.speed;
-  for (const Hub &hub : hubs)
-    if (!hub.prescribed)
-      energy += 0.5 * hub.inertia * hub.speed * hub.speed;
+  for (const auto &group : groups)
+    energy += group->kinetic_energy(*this);
   return energy;
 }
 
@@ -283,6 +287,8 @@ void World::serialize(const Archive &archive)
   archive.numbers("hubs", hubs);
   for (unsigned int g = 0; g < n_elastic_groups(); ++g)
     copies[g].serialize(archive / ("copies " + std::to_string(g)));
+  for (unsigned int g = 0; g < groups.size(); ++g)
+    groups[g]->serialize(archive / ("group " + std::to_string(g)));
 }
 
 std::size_t World::memory_consumption() const
@@ -290,8 +296,12 @@ std::size_t World::memory_consumption() const
   return displacement.memory_consumption() * 4 + n_bodies() * (sizeof(Frame) + 5 * sizeof(double)) +
          rotations.size() * sizeof(Rotation) + spins.size() * sizeof(Spin) +
          hubs.size() * sizeof(Hub) +
-         std::accumulate(copies.begin(), copies.end(), std::size_t(0), [](auto sum, const auto &c) {
-           return sum + c.memory_consumption();
+         std::accumulate(copies.begin(),
+                         copies.end(),
+                         std::size_t(0),
+                         [](auto sum, const auto &c) { return sum + c.memory_consumption(); }) +
+         std::accumulate(groups.begin(), groups.end(), std::size_t(0), [](auto sum, const auto &g) {
+           return sum + g->memory_consumption();
          });
 }
 } // namespace chaindrive

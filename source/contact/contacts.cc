@@ -78,7 +78,7 @@ void Contacts::search_if_due(const World &world, const double dt)
 
 void Contacts::add_forces(World &world, const double dt)
 {
-  world.place_followers(0.5 * dt);
+  world.place_surfaces(0.5 * dt);
   BodyBatches::fetch_ghosts(world.copies);
   if (needs_search_)
     search_if_due(world, dt);
@@ -86,7 +86,7 @@ void Contacts::add_forces(World &world, const double dt)
     if (family->is_dealt_out() || world.is_first_rank())
       family->add_forces(world, dt);
   BodyBatches::send_forces(world.copies);
-  world.take_moments_of_followers();
+  world.gather_forces();
 }
 
 void Contacts::gather_records(const World &world)

@@ -133,15 +133,18 @@ std::vector<Held> hold(const World               &world,
 }
 } // namespace
 
-double closed_contact_step(const World             &world,
-                           const element::Elastic  &elastic,
-                           const contact::Contacts &contacts,
-                           double                   limit)
+double closed_contact_step(const World &world, const contact::Contacts &contacts, double limit)
 {
-  std::vector<double> elements; // largest eigenvalue of each group of elastic bodies
-  for (const auto &part : elastic.limits())
-    elements.push_back(4. / (part.step * part.step));
-  elements.resize(world.copies.size(), 0.); // meshes of rigid bodies
+  // of each of the copies: the group that moves it if it vibrates, and its largest eigenvalue
+  std::vector<const BodyGroup *> groups(world.copies.size(), nullptr);
+  std::vector<double>            elements(world.copies.size(), 0.);
+  for (const auto &group : world.groups)
+    if (const unsigned int g = group->elastic_copies(); g != BodyGroup::none)
+      {
+        const double step = group->stable_step();
+        groups[g]         = group.get();
+        elements[g]       = 4. / (step * step);
+      }
 
   const std::vector<Held> held = hold(world, elements, contacts, limit);
   for (unsigned int g = 0; g < held.size(); ++g)
@@ -154,7 +157,7 @@ double closed_contact_step(const World             &world,
             std::vector<double> springs(held[g].stiffness);
             for (std::size_t n = 0; n < springs.size(); ++n)
               springs[n] += 2. / step * held[g].damping[n];
-            step = 2. / elastic.reference(g).largest_frequency(springs);
+            step = 2. / groups[g]->largest_frequency(springs);
           }
       limit = std::min(limit, step);
     }

@@ -68,14 +68,6 @@ std::string text_of(const scene::Scene &scene,
          " mm in the part's axes";
 }
 
-Vector3 value(const BodyBatches::Vector &from, const std::size_t first)
-{
-  Vector3 v;
-  for (unsigned int d = 0; d < 3; ++d)
-    v[d] = from.local_element(first + d * n_lanes);
-  return v;
-}
-
 Vector3 value(const World::Vector &from, const unsigned int body)
 {
   Vector3 v;
@@ -187,7 +179,7 @@ fastest_node(const World &world, const unsigned int group, const unsigned int co
   for (unsigned int node = 0; node < copies.n_nodes(); ++node)
     {
       const double speed =
-          (value(copies.velocity, copies.index(copy, node, 0)) - world.frames[body].velocity)
+          (NodeView(copies.velocity)[copies.index(copy, node)] - world.frames[body].velocity)
               .norm();
       if (speed > fastest.second)
         fastest = {node, speed};
@@ -224,8 +216,8 @@ std::vector<FaultSite> faults_not_finite(const scene::Scene &scene, System &syst
     std::vector<unsigned int> nodes;
     for (unsigned int node = 0; node < copies.n_nodes(); ++node)
       {
-        const std::size_t first = copies.index(copy, node, 0);
-        if (!finite(value(copies.velocity, first)) || !finite(value(copies.position, first)))
+        const std::size_t at = copies.index(copy, node);
+        if (!finite(NodeView(copies.velocity)[at]) || !finite(NodeView(copies.position)[at]))
           nodes.push_back(node);
       }
     if (!nodes.empty())

@@ -94,7 +94,8 @@ Guard::Guard(const scene::Scene &scene,
              const bool          on)
     : scene_(scene)
     , energy_(limit)
-    , stable_step_(system.elastic.empty() ? stable_step : std::numeric_limits<double>::infinity())
+    , stable_step_(system.world.has_elastic_bodies() ? std::numeric_limits<double>::infinity() :
+                                                       stable_step)
     , on_(on)
     , sound_until_(system.world.time)
     , start_time_(system.world.time)

@@ -64,9 +64,9 @@ CellStresses::CellStresses(const mesh::Part  &part,
       }
 }
 
-std::vector<Stress> CellStresses::operator()(const std::vector<Tensor<1, 3>> &position) const
+void CellStresses::recover(const std::vector<Tensor<1, 3>> &position,
+                           std::vector<Stress>             &stresses) const
 {
-  std::vector<Stress> stresses(n_cells_);
   for (unsigned int e = 0; e < cell_.size(); ++e)
     {
       std::array<Tensor<1, 3>, 8> corners;
@@ -74,7 +74,6 @@ std::vector<Stress> CellStresses::operator()(const std::vector<Tensor<1, 3>> &po
         corners[a] = position[nodes_[e][a]];
       stresses[cell_[e]] = stress(deformation_gradient(gradients_[e], corners), material_);
     }
-  return stresses;
 }
 
 FaceGradients face_gradients(const std::array<dealii::Point<3>, 4> &corners,

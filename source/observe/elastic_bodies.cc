@@ -11,10 +11,7 @@ namespace
 dealii::Tensor<1, 3>
 velocity_of(const BodyBatches &copies, const unsigned int copy, const unsigned int node)
 {
-  dealii::Tensor<1, 3> v;
-  for (unsigned int d = 0; d < 3; ++d)
-    v[d] = copies.velocity.local_element(copies.index(copy, node, d));
-  return v;
+  return NodeView(copies.velocity)[copies.index(copy, node)];
 }
 
 /// The node of a roller's outside, of those next to its middle plane, that lies farthest along
@@ -43,8 +40,6 @@ ElasticBodies::ElasticBodies(const scene::Scene     &scene,
     {
       const BodyBatches &copies = system.world.copies[g];
       const scene::Kind  kind   = scene.bodies[copies.bodies.front()].kind;
-      if (cells)
-        cells_.try_emplace(g, *copies.part, copies.nodes, scene.material);
       if (kind == scene::Kind::inner_link || kind == scene::Kind::outer_link)
         plates_.try_emplace(g, *copies.part, copies.nodes, scene.material);
       if (kind == scene::Kind::roller)
@@ -52,6 +47,10 @@ ElasticBodies::ElasticBodies(const scene::Scene     &scene,
           surface_nodes_[body] = farthest_node(
               copies, transpose(scene.bodies[body].initial.rotation) * scene.span_normal);
     }
+  if (cells)
+    for (const auto &group : system.world.groups)
+      if (group->elastic_copies() != BodyGroup::none)
+        cells_[group->elastic_copies()] = group->stress_recoveries(system.world);
 }
 
 ElasticSnapshot ElasticBodies::snapshot(const dynamics::System &system,
@@ -65,8 +64,8 @@ ElasticSnapshot ElasticBodies::snapshot(const dynamics::System &system,
   for (unsigned int node = 0; node < copies.n_nodes(); ++node)
     {
       const unsigned int vertex     = copies.nodes.vertex[node];
-      position[node]                = system.elastic.position(system.world, place, node);
-      snapshot.displacement[vertex] = system.elastic.displacement(system.world, place, node);
+      position[node]                = copies.position_now(place.copy, node);
+      snapshot.displacement[vertex] = copies.displacement_now(place.copy, node);
       snapshot.velocity[vertex]     = velocity_of(copies, place.copy, node);
     }
   for (const Rim &rim : system.world.rims) // the hub knows the velocities of nodes that it holds
@@ -74,7 +73,9 @@ ElasticSnapshot ElasticBodies::snapshot(const dynamics::System &system,
       for (const unsigned int node : rim.border)
         snapshot.velocity[copies.nodes.vertex[node]] =
             system.world.velocity_at(rim.body, position[node], 0.);
-  snapshot.stress = cells_.at(place.group)(position);
+  snapshot.stress.resize(copies.part->mesh->n_active_cells());
+  for (const auto &recovery : cells_.at(place.group))
+    recovery->recover(position, snapshot.stress);
   return snapshot;
 }
 
@@ -85,7 +86,7 @@ WaistStress ElasticBodies::waist(const dynamics::System &system, const unsigned 
   std::vector<dealii::Tensor<1, 3>> position;
   position.reserve(plates.nodes().size());
   for (const unsigned int node : plates.nodes())
-    position.push_back(system.elastic.position(system.world, place, node));
+    position.push_back(system.world.copies[place.group].position_now(place.copy, node));
   return plates(position);
 }
 

@@ -107,7 +107,7 @@ Recorder::Recorder(const scene::Scene     &scene,
   for (const scene::FaceFamily &faces : scene.faces)
     faces_.push_back({faces.name, system.contacts.find(faces.name)});
 
-  if (!system.elastic.empty())
+  if (system.world.has_elastic_bodies())
     elastic_ =
         std::make_unique<ElasticBodies>(scene, system, parameters.output.field_interval > 0.);
   add_channels();
@@ -369,7 +369,7 @@ files::Json Recorder::summary(const dynamics::System             &system,
   json["slack_tension_mean"]      = slack_tension_.mean();
   json["tight_tension_max_start"] = tight_tension_start_;
   json["driver_torque_mean"]      = driver_torque_.mean();
-  if (!system.elastic.empty())
+  if (system.world.has_elastic_bodies())
     json["contacts_missed"] = missed;
   json["drive_work"]           = ledger.drive_work;
   json["resisting_work"]       = ledger.resisting_work;

@@ -80,9 +80,8 @@ double lanes_per_copy(const Scene &scene, const Kind kind)
   const auto sector = scene.sectors.find(kind);
   if (sector == scene.sectors.end())
     return 1.;
-  const unsigned int n         = sector->second->n_sectors;
-  const unsigned int n_batches = (n + n_lanes - 1) / n_lanes;
-  return double(n_batches * n_lanes) / n;
+  const unsigned int n = sector->second->n_sectors;
+  return double(n_computed_of(n)) / n;
 }
 
 std::string law_text(const ContactLaw &law, const bool elastic)

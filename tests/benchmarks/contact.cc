@@ -7,7 +7,7 @@
 #include <chaindrive/contact/elastic_flanks.h>
 #include <chaindrive/contact/joints.h>
 #include <chaindrive/contact/node_contact.h>
-#include <chaindrive/element/reference.h>
+#include <chaindrive/element/hexahedra.h>
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/surface/facet_surface.h>
 
@@ -88,7 +88,7 @@ struct Batches
             force.data() + index(copy)};
   }
 
-  element::Reference            reference;
+  element::Hexahedra            reference;
   std::size_t                   stride;
   dealii::AlignedVector<double> position, velocity, force;
 };

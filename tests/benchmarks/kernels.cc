@@ -3,7 +3,7 @@
 // deal.II's own FEEvaluation on the same mesh and beside what the machine can do at best.
 //
 // kernel_benchmark --help lists the options.
-#include <chaindrive/element/reference.h>
+#include <chaindrive/element/hexahedra.h>
 #include <chaindrive/mesh/generate/links.h>
 
 #include <deal.II/base/aligned_vector.h>
@@ -75,7 +75,7 @@ double time_of(const std::function<void()> &work)
 /// Batches of copies of one part.
 struct BodyBatches
 {
-  BodyBatches(const element::Reference &reference, const unsigned int n_batches)
+  BodyBatches(const element::Hexahedra &reference, const unsigned int n_batches)
       : reference(reference), n_batches(n_batches), stride(3 * reference.n_nodes() * n_lanes)
   {
     position.resize(n_batches * stride, 0.);
@@ -119,7 +119,7 @@ struct BodyBatches
                     energy.data() + 6 * n_lanes});
   }
 
-  const element::Reference     &reference;
+  const element::Hexahedra     &reference;
   unsigned int                  n_batches, stride;
   dealii::AlignedVector<double> position, velocity, force, energy;
 };
@@ -246,7 +246,7 @@ struct Machine
 
 /// Nanoseconds per element and copy of a step on all cores together: CPU time of the slowest
 /// thread, so that other programs on the machine count for little.
-double step_on_threads(const element::Reference &reference,
+double step_on_threads(const element::Hexahedra &reference,
                        const element::Kernels   &kernels,
                        const Options            &options,
                        const double              expected_ns)
@@ -320,7 +320,7 @@ void measure(const mesh::RollerGrid &grid, const Options &options, const Machine
               options.copies);
   if (options.fe_evaluation)
     {
-      const element::Reference full(part, material, Formulation::full);
+      const element::Hexahedra full(part, material, Formulation::full);
       FEEvaluationOperator     reference_operator(part, full.lambda, full.mu);
       std::printf("deal.II FEEvaluation: %.1f\n", 1e9 * time_of([&] {
                                                     reference_operator.forces();
@@ -347,7 +347,7 @@ void measure(const mesh::RollerGrid &grid, const Options &options, const Machine
         if ((options.formulation != "all" && options.formulation != name) ||
             (options.shape != "all" && options.shape != shape_name))
           continue;
-        const element::Reference reference(part, material, formulation, 0.1, shape);
+        const element::Hexahedra reference(part, material, formulation, 0.1, shape);
         for (const int width : options.widths)
           {
             const element::Kernels *kernels = element::kernels(width);

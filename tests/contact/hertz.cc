@@ -76,7 +76,7 @@ double load_of(const double approach, const double h, const double stiffness_fac
   BodyBatches         &copies = world.copies[0];
   contact::NodeContact flat(family, world, true);
   flat.search(world, R);
-  const Reference reference(
+  const Hexahedra reference(
       *scene.parts[scene::Kind::roller], copies.nodes, scene.material, Formulation::enhanced);
   const auto contact = [&](const Vector<double> &u, Vector<double> &c) {
     copies.force = 0.;

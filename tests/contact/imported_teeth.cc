@@ -36,7 +36,7 @@ Pressed press(Tooth c, const double angle, const double approach)
   const mesh::Part &roller = *scene.parts.at(scene::Kind::roller),
                    &whole  = *scene.parts.at(scene::Kind::driver);
   const mesh::Nodes nodes(whole);
-  const Reference   roller_elements(roller, scene.material, Formulation::enhanced),
+  const Hexahedra   roller_elements(roller, scene.material, Formulation::enhanced),
       teeth_elements(whole, nodes, scene.material, Formulation::enhanced);
   Statics            statics({&roller_elements, &teeth_elements});
   const auto        &sector  = *scene.sectors.at(scene::Kind::driver);

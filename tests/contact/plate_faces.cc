@@ -62,7 +62,7 @@ double bars(const double approach, const std::array<unsigned int, 2> &cells)
 
   World              world(scene);
   contact::NodeFaces faces(family, world, true);
-  const Reference slave(*scene.parts[scene::Kind::inner_link], scene.material, Formulation::full),
+  const Hexahedra slave(*scene.parts[scene::Kind::inner_link], scene.material, Formulation::full),
       master(*scene.parts[scene::Kind::outer_link], scene.material, Formulation::full);
   Statics             statics({&slave, &master});
   std::vector<double> start(statics.size);
@@ -89,7 +89,7 @@ double bars(const double approach, const std::array<unsigned int, 2> &cells)
   std::vector<unsigned int> touched;
   for (unsigned int b = 0; b < 2; ++b)
     {
-      const Reference &reference = b == 0 ? slave : master;
+      const Hexahedra &reference = b == 0 ? slave : master;
       for (unsigned int n = 0; n < reference.n_nodes(); ++n)
         {
           const Point<3>    &x     = reference.position[n];

@@ -47,7 +47,7 @@ Vector3 angular_momentum(const dynamics::System &system, const unsigned int copy
   for (unsigned int node = 0; node < copies.n_nodes(); ++node)
     {
       // x_n+1/2 and v_n+1/2: with forces between nodes only, their moment of momentum is constant
-      Vector3 v, x = system.elastic.position(system.world, {0, copy}, node);
+      Vector3 v, x = copies.position_now(copy, node);
       for (unsigned int d = 0; d < 3; ++d)
         v[d] = copies.velocity.local_element(copies.index(copy, node, d));
       x += 0.5 * dt * v;

@@ -12,7 +12,7 @@ namespace
 constexpr double length = 0.1;
 
 /// The lowest axial mode of a quarter of a bar that may contract sideways, Hz.
-double axial_frequency(const Reference &reference, const double expected, const bool held)
+double axial_frequency(const Hexahedra &reference, const double expected, const bool held)
 {
   LinearModel model(reference);
   model.hold(reference, [&](const Point<3> &x, const unsigned int i) {
@@ -35,7 +35,7 @@ int main()
   for (const auto &formulation : formulations)
     {
       const mesh::Part body = brick({length, 1e-3, 1e-3}, {50, 1, 1});
-      const Reference  reference(body, material, formulation.first);
+      const Hexahedra  reference(body, material, formulation.first);
       std::cout << formulation.second << std::setprecision(5)
                 << ", frequency over closed form: free "
                 << axial_frequency(reference, c / (2. * length), false) / (c / (2. * length))
@@ -54,7 +54,7 @@ int main()
   for (const auto &formulation : formulations)
     {
       const mesh::Part body = brick({length, h, h}, {n_cells, 1, 1});
-      const Reference  reference(body, material, formulation.first);
+      const Hexahedra  reference(body, material, formulation.first);
       Batch            batch(reference, element::best_kernels());
       for (int lane = 0; lane < n_lanes; ++lane)
         batch.set(batch.velocity, lane, [&](const Point<3> &x, unsigned int) {
@@ -110,7 +110,7 @@ int main()
     {
       const mesh::Part  body = brick({2. * length, h, h}, {2 * n_cells, 1, 1});
       const mesh::Nodes nodes(body);
-      const Reference   reference(body, nodes, material, formulation.first);
+      const Hexahedra   reference(body, nodes, material, formulation.first);
       Batch             batch(reference, element::best_kernels());
       // the node in the middle belongs to both
       const auto first = [&](const Point<3> &x) {

@@ -25,7 +25,7 @@ int main()
         // half of its width; the plane z = 0 is one of symmetry
         const unsigned int across = std::max(1u, count(0.5 * cells[1]));
         const mesh::Part   body = brick({length, width, 0.5 * width}, {cells[0], cells[1], across});
-        const Reference    reference(body, material, formulation.first);
+        const Hexahedra    reference(body, material, formulation.first);
         LinearModel        model(reference);
         model.hold(reference, [&](const Point<3> &x, const unsigned int i) {
           return x[0] < 1e-9 || (i == 2 && x[2] < 1e-9);

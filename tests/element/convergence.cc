@@ -66,7 +66,7 @@ int main()
                   outside[face->vertex_index(v)] = true;
 
           const mesh::Nodes nodes(body);
-          const Reference   reference(body, nodes, material, formulation.first);
+          const Hexahedra   reference(body, nodes, material, formulation.first);
           LinearModel       model(reference);
           Vector<double>    exact(model.stiffness.m()), force(exact), held(exact), u(exact);
           for (unsigned int i = 0; i < exact.size(); ++i)

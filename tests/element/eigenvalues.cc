@@ -46,7 +46,7 @@ mesh::Part box(const Tensor<2, 3> &edges)
 
 /// Squares of the 18 frequencies [1/s2], ascending, of the box of half edges @p h.
 std::vector<double> closed_forms(const std::array<double, 3> &h,
-                                 const Reference             &reference,
+                                 const Hexahedra             &reference,
                                  const double                 rho,
                                  const bool                   incompatible)
 {
@@ -129,7 +129,7 @@ int main()
         if (formulation.first == Formulation::one_point)
           continue;
         const mesh::Part body = box(edges(length, 0.));
-        const Reference  reference(body, material, formulation.first);
+        const Hexahedra  reference(body, material, formulation.first);
         const auto expected = closed_forms({{0.5 * length[0], 0.5 * length[1], 0.5 * length[2]}},
                                            reference,
                                            material.density,
@@ -151,7 +151,7 @@ int main()
   for (const double shear : {0., 0.3, 0.8})
     {
       const mesh::Part body = box(edges({{1e-3, 0.7e-3, 1.3e-3}}, shear));
-      const Reference  reference(body, material, Formulation::full);
+      const Hexahedra  reference(body, material, Formulation::full);
       auto             difference = integrated(body, reference.lambda, reference.mu);
       const double     norm       = difference.frobenius_norm();
       // the element's vertices may be renumbered and are nodes in an order of their own

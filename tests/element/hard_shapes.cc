@@ -68,7 +68,7 @@ int main()
           make_sliver(part, body.sliver);
         Material material;
         material.poissons_ratio = body.poisson;
-        const Reference reference(part, material, formulation.first);
+        const Hexahedra reference(part, material, formulation.first);
         const double    dt = 0.9 * 2. / reference.largest_frequency();
 
         Batch                                  batch(reference, element::best_kernels());

@@ -54,7 +54,7 @@ int main()
           for (unsigned int v = 0; v < 8; ++v)
             for (unsigned int d = 0; d < 3; ++d)
               x[v][d] = 1e-3 * ((v >> d) & 1);
-        const Reference reference(
+        const Hexahedra reference(
             single(x), material, enhanced ? Formulation::enhanced : Formulation::full);
         const auto k = element::stiffness(mesh::gauss_points(x), material, enhanced);
         std::cout << (cube ? "cube, " : "distorted, ") << (enhanced ? "enhanced" : "full")
@@ -71,7 +71,7 @@ int main()
   const auto masses = mesh::lumped_masses(points, rho);
   for (const auto &formulation : formulations)
     {
-      const Reference reference(single(x), material, formulation.first);
+      const Hexahedra reference(single(x), material, formulation.first);
       std::cout << "free cube, " << formulation.second << ", omega h / c_d:";
       for (const double omega :
            element::natural_frequencies(reference.element_stiffness(0), masses))
@@ -87,7 +87,7 @@ int main()
         ((v & 1) - 0.5) * length, (((v >> 1) & 1) - 0.5) * height, ((v >> 2) - 0.5) * width);
   for (const auto &formulation : formulations)
     {
-      const Reference        reference(single(x), material, formulation.first);
+      const Hexahedra        reference(single(x), material, formulation.first);
       dealii::Vector<double> u(24), force(24);
       const double           kappa = 1.;
       for (unsigned int v = 0; v < 8; ++v)

@@ -40,7 +40,7 @@ double compliance(const mesh::Part &part, const drive::ToothForm &form)
 {
   const mesh::Nodes        nodes(part);
   const Material           steel;
-  const element::Reference reference(part, nodes, steel, element::Formulation::enhanced);
+  const element::Hexahedra reference(part, nodes, steel, element::Formulation::enhanced);
   test::LinearModel        model(reference);
   // what the rigid zone holds
   for (const auto &cell : part.mesh->active_cell_iterators())

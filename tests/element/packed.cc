@@ -90,7 +90,7 @@ double difference_of(const Batch &batch, const Batch &right)
 }
 
 /// Largest difference of the assembled stiffnesses in parts of the largest number.
-double stiffness_difference(const Reference &a, const Reference &b)
+double stiffness_difference(const Hexahedra &a, const Hexahedra &b)
 {
   dealii::SparsityPattern      pattern_a, pattern_b;
   dealii::SparseMatrix<double> k_a, k_b;
@@ -106,7 +106,7 @@ double stiffness_difference(const Reference &a, const Reference &b)
 }
 /// Largest difference between forces, made odd in the displacement, and those of the assembled
 /// stiffness, in parts of the largest force.
-double small_displacement_difference(const Reference &reference)
+double small_displacement_difference(const Hexahedra &reference)
 {
   Batch forth(reference, *element::kernels(1)), back(reference, *element::kernels(1));
   dealii::Vector<double> u(3 * reference.n_nodes()), force(u);
@@ -130,7 +130,7 @@ double small_displacement_difference(const Reference &reference)
 }
 
 /// How many sets of numbers the elements of a part share.
-std::size_t n_geometries(const Reference &reference)
+std::size_t n_geometries(const Hexahedra &reference)
 {
   return reference.numbers.size() / element::n_numbers(reference.shape, reference.formulation);
 }
@@ -151,8 +151,8 @@ int main()
       const mesh::Part body = make();
       for (const auto &formulation : formulations)
         {
-          const Reference reference(body, material, formulation.first);
-          const Reference general(body, material, formulation.first, 0.1, element::Shape::general);
+          const Hexahedra reference(body, material, formulation.first);
+          const Hexahedra general(body, material, formulation.first, 0.1, element::Shape::general);
           std::cout << name << ", " << formulation.second << ": "
                     << shapes[static_cast<int>(reference.shape)] << ", geometries "
                     << n_geometries(reference) << ", as they lie " << n_geometries(general)
@@ -181,7 +181,7 @@ int main()
     for (const auto &formulation : formulations)
       {
         const mesh::Part body = make();
-        const Reference  reference(body, material, formulation.first);
+        const Hexahedra  reference(body, material, formulation.first);
         Batch            scalar(reference, *element::kernels(1));
         fill(scalar);
         scalar.add_internal_forces();

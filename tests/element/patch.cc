@@ -30,7 +30,7 @@ int main()
   const mesh::Nodes nodes(body);
   for (const auto &formulation : formulations)
     {
-      const Reference reference(body, nodes, material, formulation.first);
+      const Hexahedra reference(body, nodes, material, formulation.first);
       const double    volume =
           std::accumulate(reference.mass.begin(), reference.mass.end(), 0.) / body.density;
 

@@ -84,7 +84,7 @@ double ovalisation(LinearModel                     &model,
   return largest > 0.9 ? 1e-3 * frequency : 0.;
 }
 
-double ovalisation(const Reference &reference, const Held &held, const double near)
+double ovalisation(const Hexahedra &reference, const Held &held, const double near)
 {
   LinearModel               model(reference);
   std::vector<Point<3>>     position;
@@ -219,7 +219,7 @@ int main()
               body.density_factor.fill(2. * dealii::numbers::PI / cells[1] /
                                        std::sin(2. * dealii::numbers::PI / cells[1]));
             const double ratio =
-                ovalisation(Reference(body, material, formulation.first), nothing, near) /
+                ovalisation(Hexahedra(body, material, formulation.first), nothing, near) /
                 reference;
             std::cout << name << ' ' << cells[0] << 'x' << cells[1] << 'x' << cells[2] << ", "
                       << formulation.second << ": over cubic elements " << std::setprecision(3)
@@ -242,7 +242,7 @@ int main()
           const mesh::Part   body =
               ring(0.5 * size.bore, 0.5 * size.outside, size.length, {{factor, 16 * factor, 1}});
           error[level] =
-              ovalisation(Reference(body, material, formulation.first), plane_strain, 44e3) /
+              ovalisation(Hexahedra(body, material, formulation.first), plane_strain, 44e3) /
                   exact -
               1.;
         }

@@ -17,7 +17,7 @@ int main()
   const auto             chain = drive::make_chain(parameters::Chain());
   const Material         material;
   const mesh::Part roller = mesh::make_roller(chain, material.density, mesh::RollerGrid(1, 16, 2));
-  const Reference  reference(roller, material, Formulation::enhanced);
+  const Hexahedra  reference(roller, material, Formulation::enhanced);
   const double     dt = 0.9 * 2. / reference.largest_frequency();
   Batch            batch(reference, element::best_kernels());
   const Vector<double> u = centrifugal_displacements(reference, 1.);

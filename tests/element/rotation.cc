@@ -19,7 +19,7 @@ int main()
 
   for (const auto &formulation : formulations)
     {
-      const Reference reference(body, material, formulation.first);
+      const Hexahedra reference(body, material, formulation.first);
       const double    volume =
           std::accumulate(reference.mass.begin(), reference.mass.end(), 0.) / body.density;
 

@@ -20,7 +20,7 @@ struct Means
   std::vector<double> hoop, radial, radius; ///< stress and place of each ring of cells, Pa and m
 };
 
-std::array<Means, n_lanes> spin(const Reference                   &reference,
+std::array<Means, n_lanes> spin(const Hexahedra                   &reference,
                                 const std::array<unsigned int, 3> &cells,
                                 const double                       bore,
                                 const std::array<double, n_lanes> &omega,
@@ -136,7 +136,7 @@ int main()
       const double                      r = 0.1, t = 1e-3;
       const std::array<unsigned int, 3> cells{{1, 96, 1}};
       const mesh::Part                  body = ring(r - 0.5 * t, r + 0.5 * t, 5e-3, cells);
-      const Reference                   reference(body, material, formulation.first);
+      const Hexahedra                   reference(body, material, formulation.first);
       const auto                        means =
           spin(reference, cells, r - 0.5 * t, omega, 5. * 2. * dealii::numbers::PI * r / c);
       std::cout << formulation.second
@@ -154,7 +154,7 @@ int main()
       const double                      a = 12.5e-3, b = 33.1e-3;
       const std::array<unsigned int, 3> cells{{10, 56, 1}};
       const mesh::Part                  body = ring(a, b, 1e-3, cells);
-      const Reference                   reference(body, material, formulation.first);
+      const Hexahedra                   reference(body, material, formulation.first);
       const auto means = spin(reference, cells, a, omega, 5. * dealii::numbers::PI * (a + b) / c);
       std::cout << formulation.second
                 << ", disc over theory, slowest and fastest: hoop at the bore";

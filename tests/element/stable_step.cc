@@ -18,7 +18,7 @@ using namespace test;
 namespace
 {
 /// The largest natural frequency from the dense matrix M^-1/2 K M^-1/2, rad/s.
-double exact_frequency(const Reference &reference)
+double exact_frequency(const Hexahedra &reference)
 {
   dealii::SparsityPattern      pattern;
   dealii::SparseMatrix<double> matrix;
@@ -38,7 +38,7 @@ double exact_frequency(const Reference &reference)
 
 /// How many steps of 2 / omega times @p factor pass until any lane's energy is a thousand times the
 /// energy of the start, which is that of motion in a random direction; at most @p steps.
-unsigned int bounded_steps(const Reference &reference, const double factor, unsigned int steps)
+unsigned int bounded_steps(const Hexahedra &reference, const double factor, unsigned int steps)
 {
   Batch                                  batch(reference, element::best_kernels());
   std::mt19937                           random(1);
@@ -90,7 +90,7 @@ int main()
   for (const auto &part : parts)
     for (const auto &formulation : formulations)
       {
-        const Reference reference(part.second, material, formulation.first);
+        const Hexahedra reference(part.second, material, formulation.first);
         const double    found = reference.largest_frequency(), exact = exact_frequency(reference);
         std::cout << part.first << ", " << formulation.second << ": limit over 1 mm / c_d "
                   << 2. / exact * c_d / 1e-3 << "; omega found from above, within a millionth: "

@@ -157,7 +157,7 @@ void sides()
 /// Positions without any order: energy of all cells against that of the force kernel.
 void energy(const mesh::Part &body)
 {
-  const Reference             reference(body, material, Formulation::one_point);
+  const Hexahedra             reference(body, material, Formulation::one_point);
   const mesh::Nodes           nodes(body);
   const element::CellStresses cells(body, nodes, material);
   Batch                       batch(reference, element::best_kernels());

@@ -16,7 +16,7 @@ int main()
   std::cout << std::fixed << std::setprecision(2);
   for (const auto &formulation : formulations)
     {
-      const Reference   reference(body, material, formulation.first);
+      const Hexahedra   reference(body, material, formulation.first);
       const LinearModel model(reference);
       std::vector<Mode> modes = natural_modes(model, 1.2e6, n_lanes);
 

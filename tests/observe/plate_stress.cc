@@ -75,7 +75,7 @@ observe::WaistStress loaded(const mesh::Part &part,
                             const double      pull,
                             const double      couple)
 {
-  const Reference reference(part, material, Formulation::enhanced);
+  const Hexahedra reference(part, material, Formulation::enhanced);
   LinearModel     model(reference);
   double          mass = 0., inertia = 0.;
   const auto      for_each = [&](const auto &act) {

@@ -3,7 +3,7 @@
 
 // A batch of copies of a part, and parts of simple shapes, for the tests of elements.
 
-#include <chaindrive/element/reference.h>
+#include <chaindrive/element/hexahedra.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <deal.II/base/aligned_vector.h>
@@ -25,7 +25,7 @@ using namespace chaindrive;
 using dealii::Point;
 using dealii::Tensor;
 using element::Formulation;
-using element::Reference;
+using element::Hexahedra;
 
 inline const std::array<std::pair<Formulation, std::string>, 3> formulations{
     {{Formulation::one_point, "one point"},
@@ -55,7 +55,7 @@ inline mesh::Part brick(const Point<3> &size, const std::vector<unsigned int> &c
 class Batch
 {
 public:
-  Batch(const Reference &reference, const element::Kernels &kernels)
+  Batch(const Hexahedra &reference, const element::Kernels &kernels)
       : kernels(kernels), reference(reference)
   {
     const unsigned int n = 3 * reference.n_nodes() * n_lanes;
@@ -141,7 +141,7 @@ public:
   }
 
   const element::Kernels       &kernels;
-  const Reference              &reference;
+  const Hexahedra              &reference;
   dealii::AlignedVector<double> position, velocity, force, energy;
 };
 

@@ -112,14 +112,14 @@ public:
   /// their nodes and @p on_bodies before the others do.
   void advance(const double h, const Change &on_nodes, const Change &on_bodies)
   {
-    dynamics::first_half(system.world, &system.loads.speed_program(), h, system.world.time + h);
-    element::Elastic::follow_hubs(system.world);
+    const Step step = system.make_step(h, system.world.time + h);
+    dynamics::first_half(system.world, step);
     if (on_nodes)
       on_nodes(system);
     system.evaluate_forces(h);
     if (on_bodies)
       on_bodies(system);
-    dynamics::second_half(system.world, &system.loads.speed_program(), h);
+    dynamics::second_half(system.world, step);
     system.world.ledger.kinetic += system.world.kinetic_energy();
   }
 

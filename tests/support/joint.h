@@ -93,7 +93,7 @@ struct Tubes
   }
 
   mesh::CylinderGrid        grid;
-  Reference                 reference;
+  Hexahedra                 reference;
   Batch                     batch;
   std::vector<unsigned int> offsets;
   Point<3>                  centre; ///< of the part, m

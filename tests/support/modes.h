@@ -25,7 +25,7 @@ struct LinearModel
   LinearModel() = default;
 
   /// Of a part, with its lumped masses.
-  explicit LinearModel(const Reference &reference)
+  explicit LinearModel(const Hexahedra &reference)
   {
     reference.assemble(pattern, stiffness);
     mass.reinit(pattern);
@@ -46,7 +46,7 @@ struct LinearModel
   }
 
   /// Holds component i at the reference positions for which @p held says so.
-  void hold(const Reference                                             &reference,
+  void hold(const Hexahedra                                             &reference,
             const std::function<bool(const Point<3> &, unsigned int i)> &held)
   {
     for (unsigned int i = 0; i < stiffness.m(); ++i)
@@ -124,7 +124,7 @@ inline double share(const LinearModel &model, const Mode &mode, const Vector<dou
 }
 
 /// Displacements of a free part that turns about the z axis with the speed @p omega [rad/s].
-inline Vector<double> centrifugal_displacements(const Reference &reference, const double omega)
+inline Vector<double> centrifugal_displacements(const Hexahedra &reference, const double omega)
 {
   const LinearModel model(reference);
   Vector<double>    force(model.stiffness.m());

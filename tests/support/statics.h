@@ -15,15 +15,15 @@ struct Statics
 {
   using Forces = std::function<void(const Vector<double> &u, Vector<double> &c)>;
 
-  explicit Statics(const std::vector<const Reference *> &bodies)
+  explicit Statics(const std::vector<const Hexahedra *> &bodies)
   {
-    for (const Reference *body : bodies)
+    for (const Hexahedra *body : bodies)
       {
         first.push_back(size);
         size += 3 * body->n_nodes();
       }
     first.push_back(size);
-    for (const Reference *body : bodies)
+    for (const Hexahedra *body : bodies)
       stiffness.push_back(std::make_unique<LinearModel>(*body));
     held.assign(size, false);
     u.reinit(size);

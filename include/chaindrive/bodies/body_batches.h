@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/bodies/node_view.h>
 #include <chaindrive/mesh/nodes.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/archive.h>
@@ -50,7 +51,7 @@ public:
 
   static unsigned int n_batches_of(const std::size_t n_copies)
   {
-    return static_cast<unsigned int>((n_copies + n_lanes - 1) / n_lanes);
+    return chaindrive::n_batches_of(n_copies);
   }
 
   unsigned int batch_of(const unsigned int copy) const { return copy % n_batches(); }
@@ -64,7 +65,7 @@ public:
   unsigned int end_of_owned_batches() const { return first_batch_[rank_ + 1]; }
 
   /// Numbers in one batch of a vector.
-  std::size_t stride() const { return std::size_t(3) * n_nodes() * n_lanes; }
+  std::size_t stride() const { return node_offset(n_nodes()); }
 
   /// Where the numbers of an owned batch begin in this rank's share of the vectors.
   std::size_t start_of(const unsigned int batch) const
@@ -72,17 +73,37 @@ public:
     return (batch - first_owned_batch()) * stride();
   }
 
-  /// Where the value of @p component at @p node of @p copy stands in this rank's share of the
-  /// vectors; the copy must be owned, or the node be a ghost.
-  std::size_t
-  index(const unsigned int copy, const unsigned int node, const unsigned int component) const
+  /// The index, for a NodeView, of @p node of @p copy in this rank's share of the vectors; the copy
+  /// must be owned, or the node be a ghost.
+  std::size_t index(const unsigned int copy, const unsigned int node) const
   {
     const unsigned int batch  = batch_of(copy);
-    const std::size_t  within = (3 * node + component) * n_lanes + lane_of(copy);
+    const std::size_t  within = node_offset(node) + lane_of(copy);
     if (batch >= first_owned_batch() && batch < end_of_owned_batches())
       return start_of(batch) + within;
     return position.get_partitioner()->global_to_local(batch * stride() + within);
   }
+
+  /// Where component @p d of that node stands.
+  std::size_t index(const unsigned int copy, const unsigned int node, const unsigned int d) const
+  {
+    return index(copy, node) + d * n_lanes;
+  }
+
+  /// Calls @p visit (copy, lane) for the bodies in @p batch.
+  template <typename Visit>
+  void for_each_copy_of(const unsigned int batch, const Visit &visit) const
+  {
+    for (unsigned int copy = batch; copy < n_copies(); copy += n_batches())
+      visit(copy, lane_of(copy));
+  }
+
+  /// Takes the forces along z from the nodes of a half part that stay in its middle plane.
+  void hold_middle_plane(unsigned int batch);
+
+  /// Position, and displacement since the start [m], at the present instant.
+  dealii::Tensor<1, 3> position_now(unsigned int copy, unsigned int node) const;
+  dealii::Tensor<1, 3> displacement_now(unsigned int copy, unsigned int node) const;
 
   /// Makes ghosts of these nodes of the batch that holds @p copy, unless this rank owns it. To be
   /// followed by make_ghosts().
@@ -109,9 +130,13 @@ public:
 
   std::vector<Frame> start; ///< per copy, its placement at the start
 
-  Vector position; ///< world axes, m
-  Vector velocity; ///< m/s; see element::Elastic for the instant
+  Vector position; ///< world axes, m; see ElasticBodies for the instants
+  Vector velocity; ///< m/s
   Vector force;    ///< of contacts, N
+
+  /// By how much positions are ahead of the present instant, s: they have moved on from it with the
+  /// velocities.
+  double ahead = 0.;
 
 private:
   MPI_Comm                  comm_;

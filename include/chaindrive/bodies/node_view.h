@@ -67,6 +67,13 @@ public:
     return v;
   }
 
+  /// Sets component @p d of a node to zero in all bodies of a batch; @p node is that of lane 0.
+  void clear_all_lanes(const std::size_t node, const unsigned int d) const
+  {
+    for (unsigned int lane = 0; lane < n_lanes; ++lane)
+      component(node + lane, d) = 0.;
+  }
+
 private:
   Number *numbers_;
 };

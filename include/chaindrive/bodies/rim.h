@@ -48,8 +48,7 @@ private:
   template <typename Visit>
   void for_each_pair(const BodyBatches &copies, const Visit &visit) const;
 
-  /// Where the x components of two nodes that are one stand in the vectors of the copies; y and z
-  /// follow at n_lanes. Of the second kind this rank owns the first node only.
+  /// Indices of two nodes that are one. Of the second kind this rank owns the first node only.
   std::vector<std::pair<std::size_t, std::size_t>> seam_, seam_with_others_;
 };
 } // namespace chaindrive

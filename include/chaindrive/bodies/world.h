@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/bodies/body_batches.h>
+#include <chaindrive/bodies/body_group.h>
 #include <chaindrive/bodies/ledger.h>
 #include <chaindrive/bodies/rim.h>
 #include <chaindrive/utilities/archive.h>
@@ -10,6 +11,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace chaindrive
@@ -64,15 +66,10 @@ public:
     unsigned int group = none, copy = none;
   };
 
-  /// Nodes on one side of a rigid body that nodes of an elastic one touch. They move with the body.
-  struct Follower
-  {
-    unsigned int              body;
-    Address                   place;
-    std::vector<unsigned int> nodes;
-  };
-
   explicit World(const scene::Scene &scene, MPI_Comm comm = MPI_COMM_SELF);
+  ~World();
+  World(const World &)            = delete;
+  World &operator=(const World &) = delete;
 
   /// Whether this is the rank that adds the share of everything that is not dealt out.
   bool is_first_rank() const { return rank_ == 0; }
@@ -92,7 +89,7 @@ public:
   /// Sets forces, moments and stored energies to zero, to be added anew.
   void clear_forces();
 
-  /// The same but for the forces on nodes, which element::Elastic uses up.
+  /// The same but for the forces on nodes, which elastic bodies use up.
   void clear_resultants();
 
   /// Sums what the ranks have added since clear_forces(): forces and moments on bodies, and the
@@ -131,24 +128,18 @@ public:
 
   /// The first groups of copies are elastic bodies; what comes after them are the meshes of rigid
   /// ones.
-  unsigned int n_elastic_groups() const
-  {
-    return static_cast<unsigned int>(copies.size()) - n_follower_groups_;
-  }
+  unsigned int n_elastic_groups() const { return n_elastic_groups_; }
+  bool         has_elastic_bodies() const { return n_elastic_groups_ > 0; }
 
-  /// Places the nodes of rigid bodies that elastic ones touch; their velocities are those of
-  /// velocity_at() at the instant @p earlier [s] before now.
-  void place_followers(double earlier);
-
-  /// Adds the moments of the forces on these nodes, which become zero, to those on their bodies.
-  /// The resultant forces are the contact's to add.
-  void take_moments_of_followers();
+  /// BodyGroup::place_surface() and gather_forces() of all groups.
+  void place_surfaces(double earlier);
+  void gather_forces();
 
   /// The rim of @p body; null when it has none.
   const Rim *rim_of(unsigned int body) const;
 
-  /// Kinetic energy [J] of every rigid or lumped body but a prescribed hub, from the present
-  /// velocities.
+  /// Kinetic energy [J] of all groups that have not booked theirs: of every rigid or lumped body
+  /// but a prescribed hub, from the present velocities.
   double kinetic_energy() const;
 
   /// The state between two steps, whose forces are those of the present time. Nodes that follow
@@ -176,8 +167,12 @@ public:
   std::vector<Rim>         rims;            ///< of elastic sprockets
 
   std::vector<Address>
-      node_address;                ///< per body, in copies: elastic_address, and those of followers
-  std::vector<Follower> followers; ///< of rigid bodies
+      node_address; ///< per body, in copies: elastic_address, and those of followers
+
+  /// How all of this moves: rigid bodies, hubs, then one group for each of the copies. A kind of
+  /// body that moves in another way is a class derived from BodyGroup, and a line where the
+  /// constructor makes the groups.
+  std::vector<std::unique_ptr<BodyGroup>> groups;
 
   double time = 0.; ///< s
   Ledger ledger;
@@ -205,6 +200,8 @@ public:
   }
 
 private:
+  void add_elastic_bodies(const scene::Scene &scene);
+
   /// Makes the elastic rim of the sprocket @p body and leaves its hub the inertia of the rest.
   void add_rim(const scene::Scene              &scene,
                unsigned int                     body,
@@ -213,7 +210,7 @@ private:
   /// Makes copies of the meshes of rigid bodies whose nodes touch. The first rank owns them.
   void add_followers(const scene::Scene &scene);
 
-  unsigned int        n_follower_groups_ = 0;
+  unsigned int        n_elastic_groups_ = 0;
   MPI_Comm            comm_;
   unsigned int        rank_, n_ranks_;
   Ledger              before_; ///< the ledger at clear_forces()

@@ -31,7 +31,7 @@ private:
 };
 
 /// Offsets [station][column] of the nodes of a side in the state of a batch of bodies, for
-/// JointArguments. @p vertex_of_node is element::Reference::vertex. Throws std::logic_error if a
+/// JointArguments. @p vertex_of_node is element::Hexahedra::vertex. Throws std::logic_error if a
 /// vertex of the side is no node.
 std::vector<unsigned int> node_offsets(const mesh::CylinderGrid        &grid,
                                        const std::vector<unsigned int> &vertex_of_node);

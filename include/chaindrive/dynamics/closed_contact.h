@@ -3,7 +3,6 @@
 
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/contacts.h>
-#include <chaindrive/element/elastic.h>
 
 namespace chaindrive::dynamics
 {
@@ -17,10 +16,7 @@ namespace chaindrive::dynamics
 /// which leaves each body alone with its elements and the springs of its nodes. The t of two bodies
 /// is that which makes their bounds equal (Weyl: the largest eigenvalues of elements and springs
 /// add up); so the slower body bears most.
-double closed_contact_step(const World             &world,
-                           const element::Elastic  &elastic,
-                           const contact::Contacts &contacts,
-                           double                   limit);
+double closed_contact_step(const World &world, const contact::Contacts &contacts, double limit);
 
 /// The stable step [s] of the nodes of @p family alone, held closed on otherwise free bodies;
 /// infinite if it has none.

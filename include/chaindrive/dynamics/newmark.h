@@ -2,7 +2,8 @@
 #pragma once
 
 #include <chaindrive/bodies/world.h>
-#include <chaindrive/load/programs.h>
+
+#include <vector>
 
 namespace chaindrive::dynamics
 {
@@ -12,17 +13,15 @@ namespace chaindrive::dynamics
 ///   first half    v_{n+1/2} = v_n + dt/2 a_n,   x_{n+1} = x_n + dt v_{n+1/2}
 ///   second half   v_{n+1}   = v_{n+1/2} + dt/2 a_{n+1}
 ///
-/// Rotations follow the same pattern for the angular momentum L; the orientation advances by the
-/// rotation dt w with w from L at half the step (the explicit midpoint rule), so that L is constant
-/// to round-off when no moment acts. A prescribed hub is placed exactly at every step.
 /// Frames hold the half-step velocities after the first half and the full-step ones after the
-/// second.
+/// second. What elastic bodies do instead is in bodies/elastic_bodies.h; system.cc has the whole
+/// step.
 
-/// Newmark's first half: from world.time to world.time + @p dt. Forces must be those of world.time.
-void first_half(World &world, const load::SpeedProgram *program, double dt, double new_time);
+/// Newmark's first half: from world.time to @p step's. Forces must be those of world.time.
+void first_half(World &world, const Step &step);
 
 /// Newmark's second half, with the forces of the new time.
-void second_half(World &world, const load::SpeedProgram *program, double dt);
+void second_half(World &world, const Step &step);
 
 /// Accelerations of the centres of mass from the present forces, three entries per body, m/s2.
 void accelerations(const World &world, std::vector<double> &result);

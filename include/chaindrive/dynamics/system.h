@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/bodies/bars.h>
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/contacts.h>
 #include <chaindrive/dynamics/stable_step.h>
-#include <chaindrive/element/bars.h>
-#include <chaindrive/element/elastic.h>
 #include <chaindrive/load/loads.h>
 #include <chaindrive/utilities/timing.h>
 
@@ -24,11 +23,15 @@ public:
   /// initial overlap (InputError).
   System(const scene::Scene &scene, bool search_every_step, MPI_Comm comm = MPI_COMM_SELF);
 
-  /// Evaluates all forces at the present state. @p dt is the time since the last call [s].
+  /// Evaluates all forces at the present state, and moves what moves while its numbers are in the
+  /// cache (see system.cc). @p dt is the time since the last call [s].
   void evaluate_forces(double dt);
 
   /// One Newmark step of @p dt to the time @p new_time.
   void advance(double dt, double new_time);
+
+  /// The step that advance() makes.
+  Step make_step(double dt, double new_time) const;
 
   /// The stable step of each kind of spring alone and of all together.
   std::vector<StepLimit> step_limits() const;
@@ -40,8 +43,7 @@ public:
   std::size_t memory_consumption() const;
 
   World             world;
-  element::Bars     bars;
-  element::Elastic  elastic;
+  Bars              bars;
   contact::Contacts contacts;
   load::Loads       loads;
   PhaseTimer        timer; ///< loads count as time integration
@@ -50,7 +52,7 @@ private:
   /// Books the kinetic energy of rigid and lumped bodies at full steps.
   void close_ledger();
 
-  bool elastic_started_ = false; ///< positions of elastic bodies are a step ahead
+  bool started_ = false; ///< BodyGroup::start() has been called
 
   PhaseTimer::Phase internal_force_ = PhaseTimer::rest, integration_ = PhaseTimer::rest,
                     contact_ = PhaseTimer::rest;

@@ -1,7 +1,34 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-// The formulas of doc/theory.md, section "Elastic bodies", for P::width copies at a time.
+// Forces of trilinear hexahedra and the step of their nodes, for P::width copies at a time. A
+// number of an element is the same for all copies; what varies from copy to copy is a pack.
+//
+// An element is the amplitudes x_m = h_m . x of seven modes of its eight vertices (shapes.h), not
+// the vertices: sums and differences find them, and most numbers of regular elements vanish. The
+// numbers (kernels.h) are G, the mean gradient in terms of modes; H_aj = h_a . X_j, what of the
+// hourglass vectors is linear; and K, the hourglass stiffness. Components of positions are i, axes
+// of the element j and k, hourglass modes a, and W is the energy (doc/theory.md, section 3).
+//
+// Mean gradient, add_mean_forces(), Formulation::one_point and enhanced:
+//
+//   x_im  = h_m . x_i                       amplitudes of positions                gather_modes()
+//   F_ij  = sum_m G_jm x_im                 deformation gradient, mean over the element
+//   q_ia  = x_ia - sum_j H_aj F_ij          hourglass amplitudes gamma_a . x_i: as
+//                                           gamma_a = h_a - sum_j H_aj B_j and F_ij = B_j . x_i
+//   E     = (F^T F - 1) / 2,  S = lambda tr(E) 1 + 2 mu E                              stress()
+//   one point: dW/dq_ia = K q_ia,  dW/dF = V F S
+//   enhanced:  p_ak = sum_i F_ik q_ia       amplitudes turned back into the element's axes
+//              s = K p                      12 of them, in the blocks of shapes.h
+//              dW/dq_ia = sum_k F_ik s_ak,  dW/dF_ik = (V F S)_ik + sum_a q_ia s_ak
+//   then back by the transposes of all that led here, T = dW/dF and r = dW/dx_m:
+//   T_ij -= sum_a H_aj dW/dq_ia             q depends on F
+//   r_im  = sum_j G_jm T_ij  (+ dW/dq_ia where m is an hourglass mode a)
+//   f_i  -= sum_m h_m r_im                                                        scatter_modes()
+//
+// Eight points, add_full_forces(): derivatives of x along the axes of the unit cell at the points
+// from the amplitudes, F with the inverse Jacobian of each point, its stress, and the same way
+// back.
 
 #include <chaindrive/element/kernels.h>
 

@@ -8,7 +8,7 @@
 
 namespace chaindrive::element
 {
-/// How regular all the elements of a part are, in axes of each element that Reference chooses (see
+/// How regular all the elements of a part are, in axes of each element that Hexahedra chooses (see
 /// there): the z axis along a prism, the x axis normal to its plane of symmetry.
 enum class Shape
 {
@@ -18,6 +18,16 @@ enum class Shape
 };
 constexpr int n_shapes = 3;
 
+/// Vertices are in deal.II's order: vertex v of the unit cell has the coordinates s_x, s_y, s_z = 1
+/// where bits 0, 1, 2 of v are set and -1 where they are not.
+///
+///        6---------7        z
+///       /|        /|        |  y
+///      4---------5 |        | /
+///      | 2-------|-3        |/
+///      |/        |/         +---- x
+///      0---------1
+///
 /// A trilinear field x is sum_m h_m x_m / 8 with the amplitudes x_m = h_m . x of eight modes; with
 /// the coordinates s_d = -1 or 1 of a vertex h_m is 1, then in this order s_x, s_y, s_z, s_x s_y,
 /// s_y s_z, s_z s_x, s_x s_y s_z. The constant one is left out: neither gradients nor forces have a
@@ -104,7 +114,8 @@ constexpr Amplitude amplitudes[12] = {{0, 0},
                                       {3, 1}}; // odd in both
 
 /// The lower triangle of the hourglass matrix, whose rows and columns are these amplitudes: the
-/// matrix of a regular element does not couple even ones with odd ones.
+/// matrix of a regular element does not couple even ones with odd ones. A general element has one
+/// block of 12 x 12, 78 numbers; a prism 5 + 7, 43; a symmetric prism 2 + 3 + 3 + 4, 25.
 constexpr NonZeros hourglass_entries(const Shape shape)
 {
   constexpr int block[n_shapes][12] = {{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},

@@ -41,18 +41,42 @@ Gradients mean_gradients(const mesh::Corners &corners);
 dealii::Tensor<2, 3> deformation_gradient(const Gradients                           &gradients,
                                           const std::array<dealii::Tensor<1, 3>, 8> &position);
 
-/// Strain and stress of every cell of a part, from the mean gradient over the cell. What bends
-/// through one layer of cells has its stress in their middle surface; see face_stress() for its
-/// sides.
-class CellStresses
+/// Finds strain and stress in cells of a part from the positions of its nodes.
+class StressRecovery
+{
+public:
+  virtual ~StressRecovery() = default;
+
+  /// Active cells of the part's mesh.
+  virtual unsigned int n_cells() const = 0;
+
+  /// Sets the entries of those cells in @p stresses, one per active cell of the mesh, that this
+  /// knows of. @p position of each node of one body [m], in world axes or any others.
+  virtual void recover(const std::vector<dealii::Tensor<1, 3>> &position,
+                       std::vector<Stress>                     &stresses) const = 0;
+
+  /// Of all cells; zero where this knows of none, as in a rigid zone.
+  std::vector<Stress> operator()(const std::vector<dealii::Tensor<1, 3>> &position) const
+  {
+    std::vector<Stress> stresses(n_cells());
+    recover(position, stresses);
+    return stresses;
+  }
+};
+
+/// Strain and stress of every hexahedron of a part, from the mean gradient over the cell. What
+/// bends through one layer of cells has its stress in their middle surface; see face_stress() for
+/// its sides.
+class CellStresses : public StressRecovery
 {
 public:
   /// @p nodes are those of @p part.
   CellStresses(const mesh::Part &part, const mesh::Nodes &nodes, const Material &material);
 
-  /// From the position of each node of one copy [m], in world axes or any others: one entry per
-  /// active cell of the mesh, zero in a rigid zone.
-  std::vector<Stress> operator()(const std::vector<dealii::Tensor<1, 3>> &position) const;
+  unsigned int n_cells() const override { return n_cells_; }
+
+  void recover(const std::vector<dealii::Tensor<1, 3>> &position,
+               std::vector<Stress>                     &stresses) const override;
 
 private:
   unsigned int                             n_cells_;

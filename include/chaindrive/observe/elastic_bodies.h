@@ -41,8 +41,9 @@ public:
   dealii::Tensor<1, 3> surface_velocity(const dynamics::System &system, unsigned int body) const;
 
 private:
-  std::map<unsigned int, element::CellStresses> cells_;         ///< by group of copies
-  std::map<unsigned int, PlateStress>           plates_;        ///< by group of copies
-  std::map<unsigned int, unsigned int>          surface_nodes_; ///< by body
+  std::map<unsigned int, std::vector<std::unique_ptr<const element::StressRecovery>>>
+                                       cells_;         ///< by group of copies
+  std::map<unsigned int, PlateStress>  plates_;        ///< by group of copies
+  std::map<unsigned int, unsigned int> surface_nodes_; ///< by body
 };
 } // namespace chaindrive::observe

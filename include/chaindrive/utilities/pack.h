@@ -11,6 +11,18 @@ namespace chaindrive
 /// How many copies of a number lie side by side in memory, on every machine.
 constexpr int n_lanes = 8;
 
+/// Batches of n_lanes copies that so many copies fill; the last one may have empty lanes.
+constexpr unsigned int n_batches_of(const unsigned long n_copies)
+{
+  return static_cast<unsigned int>((n_copies + n_lanes - 1) / n_lanes);
+}
+
+/// Copies that are computed for them, those in empty lanes included.
+constexpr unsigned int n_computed_of(const unsigned long n_copies)
+{
+  return n_batches_of(n_copies) * n_lanes;
+}
+
 /// The compiler's vector of @p width numbers; for one, the number itself.
 template <typename Number, int width>
 struct VectorOf;

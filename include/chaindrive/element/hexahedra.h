@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/element/element_block.h>
 #include <chaindrive/element/kernels.h>
 #include <chaindrive/material/material.h>
 #include <chaindrive/mesh/nodes.h>
 
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/sparse_matrix.h>
-
+#include <iterator>
+#include <memory>
 #include <vector>
 
 namespace chaindrive::element
 {
-/// What the kernels need of a part, made once for all its copies: gradients, volumes and hourglass
-/// stiffnesses of its elastic elements, lumped masses and positions of their nodes. A sprocket's
-/// rigid zone is left out; nodes on its border are there.
+/// Trilinear hexahedra, total Lagrangian, of St. Venant and Kirchhoff's material (doc/theory.md,
+/// section 3). What the kernels need of a part, made once for all its copies: gradients, volumes
+/// and hourglass stiffnesses of its elastic elements, lumped masses and positions of their nodes. A
+/// sprocket's rigid zone is left out; nodes on its border are there.
 ///
 /// Where all elements are prisms, as in every part swept along an axis, or even symmetric ones,
 /// much of this vanishes. Each element has axes of its own for that, and its vertices may be
 /// renumbered by a rotation: neither Green's strain nor an isotropic law sees in which axes the
 /// gradients are.
-class Reference
+class Hexahedra : public ElementBlock
 {
 public:
   /// @p nodes are those of @p part; @p hourglass_coefficient is that of Flanagan and Belytschko,
   /// used by Formulation::one_point. No shape beyond @p most_regular is looked for.
-  Reference(const mesh::Part  &part,
+  Hexahedra(const mesh::Part  &part,
             const mesh::Nodes &nodes,
             const Material    &material,
             Formulation        formulation,
@@ -33,33 +34,48 @@ public:
             Shape              most_regular          = Shape::symmetric_prism);
 
   /// The same with the nodes made for the occasion.
-  Reference(const mesh::Part &part,
+  Hexahedra(const mesh::Part &part,
             const Material   &material,
             Formulation       formulation,
             double            hourglass_coefficient = 0.1,
             Shape             most_regular          = Shape::symmetric_prism)
-      : Reference(
+      : Hexahedra(
             part, mesh::Nodes(part), material, formulation, hourglass_coefficient, most_regular)
   {
   }
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(mass.size()); }
-  unsigned int n_elements() const { return static_cast<unsigned int>(vertices.size()); }
+  unsigned int n_elements() const override { return static_cast<unsigned int>(vertices.size()); }
+
+  std::vector<unsigned int> nodes_of(const unsigned int e) const override
+  {
+    return {std::begin(vertices[e].node), std::end(vertices[e].node)};
+  }
+
+  void add_forces(const BatchState &batch) const override;
 
   /// Arguments of the force kernel but for the state.
   ForceArguments arguments() const;
 
   /// The stiffness matrix of small displacements, row 3 node + component, N/m.
-  void assemble(dealii::SparsityPattern &pattern, dealii::SparseMatrix<double> &matrix) const;
+  void assemble(dealii::SparsityPattern &pattern, dealii::SparseMatrix<double> &matrix) const
+  {
+    element::assemble({this}, n_nodes(), pattern, matrix);
+  }
 
   /// Stiffness matrix of element @p e, row 3 a + i for component i of vertex a of Vertices, N/m.
-  dealii::FullMatrix<double> element_stiffness(unsigned int e) const;
+  dealii::FullMatrix<double> element_stiffness(unsigned int e) const override;
 
-  /// Largest natural frequency [rad/s] of the free part at small amplitudes, from above, by
-  /// largest_eigenvalue(). @p springs [N/m], if not empty, hold each node in all directions.
-  double largest_frequency(const std::vector<double> &springs = {}) const;
+  /// Largest natural frequency [rad/s] of the free part, see element::largest_frequency().
+  double largest_frequency(const std::vector<double> &springs = {}) const
+  {
+    return element::largest_frequency({this}, mass, springs);
+  }
 
-  std::size_t memory_consumption() const;
+  std::unique_ptr<const StressRecovery> make_stress_recovery(
+      const mesh::Part &part, const mesh::Nodes &nodes, const Material &material) const override;
+
+  std::size_t memory_consumption() const override;
 
   Formulation                       formulation;
   Shape                             shape;      ///< of every element
@@ -69,5 +85,8 @@ public:
   std::vector<dealii::Tensor<2, 3>> axes;     ///< of each element: the rows are its unit vectors
   std::vector<double>               mass;     ///< per node, kg
   std::vector<dealii::Point<3>>     position; ///< per node, in the part's frame, m
+
+private:
+  const Kernels &kernels_;
 };
 } // namespace chaindrive::element

@@ -52,7 +52,7 @@ Whole whole_mesh(const scene::Scene         &scene,
 {
   const mesh::Part        &part = *scene.parts.at(scene::Kind::driver);
   const mesh::Nodes        nodes(part);
-  const element::Reference reference(part, nodes, scene.material, formulation);
+  const element::Hexahedra reference(part, nodes, scene.material, formulation);
   const auto               index = [](const unsigned int node, const unsigned int d) {
     return (3 * node + d) * n_lanes;
   };
@@ -89,11 +89,11 @@ void compare_forces(const std::string &name, const element::Formulation formulat
   const scene::Scene scene = make_scene(scene::Support::prescribed_hub, formulation);
   dynamics::System   system(scene, false);
   World             &world   = system.world;
-  element::Elastic  &elastic = system.elastic;
-  PhaseTimer        &timer   = system.timer;
-  const Rim         &rim     = world.rims[0];
-  BodyBatches       &copies  = world.copies[rim.group];
-  const Frame       &hub     = world.frames[0];
+  BodyGroup         &sectors = *world.groups.back();
+  const ForceTimer   timer{system.timer, PhaseTimer::rest};
+  const Rim         &rim    = world.rims[0];
+  BodyBatches       &copies = world.copies[rim.group];
+  const Frame       &hub    = world.frames[0];
 
   // 20 um at random: strains of some per cent, in which the round-off of positions is lost
   std::mt19937                           random(1);
@@ -112,8 +112,8 @@ void compare_forces(const std::string &name, const element::Formulation formulat
   const Whole whole = whole_mesh(scene, formulation, position);
 
   world.clear_forces();
-  elastic.add_rim_forces(world, timer);
-  elastic.advance(world, {0., 9.81, 0.}, timer);
+  sectors.add_forces(world, timer);
+  sectors.advance(world, {0., 0., 9.81, 0., {}}, timer);
   Vector3 reaction, moment;
   double  sum = 0.; // of forces on the hub
   for (const unsigned int n : rim.border)
@@ -138,7 +138,7 @@ void compare_forces(const std::string &name, const element::Formulation formulat
 
   // from rest, half a kick
   const double dt = 1e-8;
-  elastic.start(world, {dt, 0., 0.}, timer);
+  sectors.start(world, {dt, dt, 0., 0., {}}, timer);
   double error = 0., largest = 0.;
   bool   alike = true;
   for (unsigned int s = 0; s < teeth; ++s)
@@ -175,7 +175,7 @@ void compare_forces(const std::string &name, const element::Formulation formulat
           std::abs(world.ledger.strain - whole.strain) < 1e-12 * whole.strain &&
               std::abs(world.ledger.hourglass - whole.hourglass) <= 1e-12 * whole.strain);
   std::cout << "  stable step of a sector alone over that of the whole: " << std::fixed
-            << std::setprecision(3) << elastic.limits()[0].step / (2. / whole.largest_frequency)
+            << std::setprecision(3) << sectors.stable_step() / (2. / whole.largest_frequency)
             << std::defaultfloat << '\n';
 }
 
@@ -197,7 +197,7 @@ double serialize(const double dt)
     for (unsigned int s = 0; s < teeth; ++s)
       for (unsigned int n = 0; n < copies.n_nodes(); ++n)
         {
-          const Vector3 x = system.elastic.position(world, {0, s}, n) - world.frames[0].position;
+          const Vector3 x = copies.position_now(s, n) - world.frames[0].position;
           const double  u = copies.velocity.local_element(copies.index(s, n, 0)),
                        v  = copies.velocity.local_element(copies.index(s, n, 1));
           sum += copies.nodes.mass[n] * (x[0] * v - x[1] * u);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/element/hexahedra.h>
 #include <chaindrive/element/hexahedron_stiffness.h>
-#include <chaindrive/element/reference.h>
-
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <array>
 #include <cmath>
@@ -13,9 +11,23 @@ namespace chaindrive::element
 {
 using dealii::Tensor;
 
+// From a cell to what the kernels read of it:
+//
+//   place()               turns the unit cell, in six ways, and gives the element axes of its own
+//   shape_of()            what is regular in those axes; the way that is most so is taken
+//   geometry_of()         elements that are alike share their numbers
+//   mesh::gauss_points()  gradients and volumes at 2 x 2 x 2 points
+//   make_hexahedron()     mean gradient and linear parts of the hourglass modes, in terms of modes
+//   hourglass_stiffness_of(), condense()   what holds the hourglass amplitudes
+//   for_each_number()     writes down those numbers that do not vanish, in the kernels' order
+//
+// element_stiffness() goes the other way, from the numbers to a matrix: what it gives is what the
+// kernels compute with. Modes, amplitudes and which numbers vanish are in shapes.h, the formulas
+// above hexahedron_kernels.h.
+
 namespace
 {
-/// The modes of deal.II's vertices.
+/// h_m at a vertex: the modes of shapes.h.
 double h(const unsigned int mode, const unsigned int vertex)
 {
   const double x = (vertex & 1) ? 1. : -1., y = (vertex & 2) ? 1. : -1.,
@@ -50,7 +62,7 @@ unsigned int turned(const unsigned int vertex, const unsigned int axis, const bo
 struct Placed
 {
   std::array<unsigned int, 8> order; ///< vertex of the cell for each of the element's
-  Tensor<2, 3>                axes;  ///< see Reference
+  Tensor<2, 3>                axes;  ///< see Hexahedra
   mesh::Corners               corners;
 };
 
@@ -274,7 +286,9 @@ dealii::FullMatrix<double> hourglass_vectors(const Hexahedron &element)
 
 /// The part of @p k that acts on the hourglass amplitudes. An element that passes the patch test is
 /// K = V B^T C B + Gamma^T K_h Gamma. Displacements G_alpha with gamma_alpha . G_beta = 1 or 0 and
-/// no mean gradient, one for each amplitude, therefore give K_h = G K G^T.
+/// no mean gradient, one for each amplitude, therefore give K_h = G K G^T. They are found in two
+/// steps: G = (gamma gamma^T)^-1 gamma has the amplitudes, and what it has of mean gradient is
+/// taken away by a linear field, which has no amplitude.
 void condense(const dealii::FullMatrix<double> &k,
               const mesh::Corners              &corners,
               Hexahedron                       &element)
@@ -319,7 +333,7 @@ hourglass_stiffness_of(const Hexahedron &element, const double coefficient, cons
 }
 } // namespace
 
-Reference::Reference(const mesh::Part  &part,
+Hexahedra::Hexahedra(const mesh::Part  &part,
                      const mesh::Nodes &nodes,
                      const Material    &material,
                      const Formulation  formulation,
@@ -331,6 +345,7 @@ Reference::Reference(const mesh::Part  &part,
     , mu(material.mu())
     , mass(nodes.mass)
     , position(nodes.position)
+    , kernels_(best_kernels())
 {
   std::vector<std::pair<mesh::Corners, std::array<unsigned int, 8>>> cells;
   for (const auto &cell : part.mesh->active_cell_iterators())
@@ -389,7 +404,7 @@ Reference::Reference(const mesh::Part  &part,
     }
 }
 
-ForceArguments Reference::arguments() const
+ForceArguments Hexahedra::arguments() const
 {
   ForceArguments arg{};
   arg.n_elements = n_elements();
@@ -401,7 +416,7 @@ ForceArguments Reference::arguments() const
   return arg;
 }
 
-dealii::FullMatrix<double> Reference::element_stiffness(const unsigned int e) const
+dealii::FullMatrix<double> Hexahedra::element_stiffness(const unsigned int e) const
 {
   const Hexahedron element = unpack(shape, formulation, numbers.data() + vertices[e].numbers);
   dealii::FullMatrix<double> k(24, 24);
@@ -461,31 +476,25 @@ dealii::FullMatrix<double> Reference::element_stiffness(const unsigned int e) co
   return k;
 }
 
-void Reference::assemble(dealii::SparsityPattern      &pattern,
-                         dealii::SparseMatrix<double> &matrix) const
+void Hexahedra::add_forces(const BatchState &batch) const
 {
-  const auto unknowns = [](const Vertices &element) {
-    std::vector<dealii::types::global_dof_index> indices;
-    for (const unsigned int node : element.node)
-      for (unsigned int i = 0; i < 3; ++i)
-        indices.push_back(3 * node + i);
-    return indices;
-  };
-
-  dealii::DynamicSparsityPattern dynamic(3 * n_nodes());
-  for (const Vertices &element : vertices)
-    {
-      const auto indices = unknowns(element);
-      for (const auto row : indices)
-        dynamic.add_entries(row, indices.begin(), indices.end());
-    }
-  pattern.copy_from(dynamic);
-  matrix.reinit(pattern);
-  for (unsigned int e = 0; e < n_elements(); ++e)
-    matrix.add(unknowns(vertices[e]), element_stiffness(e));
+  ForceArguments internal   = arguments();
+  internal.position         = batch.position;
+  internal.force            = batch.force;
+  internal.strain_energy    = batch.strain_energy;
+  internal.hourglass_energy = batch.hourglass_energy;
+  internal.next             = batch.next;
+  internal.n_next           = batch.n_next;
+  kernels_.add_internal_forces[static_cast<int>(formulation)](internal);
 }
 
-std::size_t Reference::memory_consumption() const
+std::unique_ptr<const StressRecovery> Hexahedra::make_stress_recovery(
+    const mesh::Part &part, const mesh::Nodes &nodes, const Material &material) const
+{
+  return std::make_unique<CellStresses>(part, nodes, material);
+}
+
+std::size_t Hexahedra::memory_consumption() const
 {
   return vertices.size() * sizeof(Vertices) + numbers.size() * sizeof(double) +
          axes.size() * sizeof(Tensor<2, 3>) +

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/element/bars.h>
+#include <chaindrive/bodies/bars.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace chaindrive::element
+namespace chaindrive
 {
 Bars::Bars(const std::vector<scene::Bar> &bars)
     : bars_(bars), tension_(bars.size(), 0.), viscous_(bars.size(), 0.)
@@ -68,4 +68,4 @@ void Bars::add_springs(const World &world, std::vector<Spring> &springs) const
                          bar.damping});
     }
 }
-} // namespace chaindrive::element
+} // namespace chaindrive

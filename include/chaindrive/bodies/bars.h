@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace chaindrive::element
+namespace chaindrive
 {
 /// Massless elastic bars with dashpots between the centres of two bodies:
 ///
@@ -40,4 +40,4 @@ private:
   std::vector<double>     length_;  ///< at the last evaluation, m
   std::vector<double>     viscous_; ///< part of the tension, at the last evaluation, N
 };
-} // namespace chaindrive::element
+} // namespace chaindrive

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/element/element_block.h>
+#include <chaindrive/utilities/archive.h>
+#include <chaindrive/utilities/timing.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace chaindrive
+{
+class World;
+
+/// One step of time and what moves bodies in it besides forces that somebody adds.
+struct Step
+{
+  double dt      = 0.; ///< s
+  double time    = 0.; ///< at its end, s
+  double gravity = 0.; ///< along -y, m/s2, on nodes of elastic bodies
+  double drag    = 0.; ///< 1/s, likewise
+
+  /// Motion of the prescribed hub.
+  struct Program
+  {
+    double angle;      ///< at the end of the step, rad
+    double mean_speed; ///< in its middle, rad/s
+    double speed;      ///< at its end, rad/s
+  };
+  std::optional<Program> program; ///< without one it goes on as it moves
+};
+
+/// Where the time for internal forces is counted.
+struct ForceTimer
+{
+  PhaseTimer       &timer;
+  PhaseTimer::Phase phase;
+};
+
+/// How the bodies of one kind move. World holds what others read of all bodies: frames, velocities,
+/// resultant forces, and the nodes that touch. A group turns forces into motion; it may hold state
+/// of its own, such as modes, and lists that in serialize(). The calls of one step, in their order,
+/// are in dynamics/system.cc; they are virtual per group, never per body or node.
+class BodyGroup
+{
+public:
+  static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+  virtual ~BodyGroup() = default;
+
+  /// Brings what is to be a step ahead, or half a step behind, from the start to where advance()
+  /// expects it. The forces of the start are in @p world. Called once.
+  virtual void start(World & /*world*/, const Step & /*step*/, const ForceTimer & /*timer*/) {}
+
+  /// Newmark's kick: adds @p h [s] times the acceleration of the forces in @p world to velocities.
+  virtual void kick(World & /*world*/, double /*h*/) {}
+
+  /// Moves by a step with the velocities in its middle. Frames then hold positions at its end and
+  /// those velocities. What follows another body is placed.
+  virtual void drift(World & /*world*/, const Step & /*step*/) {}
+
+  /// Adds forces that must be there before those of contacts are. To be followed by
+  /// BodyBatches::send_forces(), with which they travel to other ranks.
+  virtual void add_forces(World & /*world*/, const ForceTimer & /*timer*/) {}
+
+  /// Places the nodes that contacts see, if they are not there anyway. Their velocities belong to
+  /// the instant @p earlier [s] before now, as in World::velocity_at().
+  virtual void place_surface(World & /*world*/, double /*earlier*/) {}
+
+  /// Takes the forces on those nodes to where the group needs them.
+  virtual void gather_forces(World & /*world*/) {}
+
+  /// For groups that move in one pass, while the numbers of a batch are in the cache: adds internal
+  /// forces, kicks by a whole step, drifts, and books energies and momenta of the present instant
+  /// and its centres of mass. With dt = 0 nothing moves.
+  virtual void advance(World & /*world*/, const Step & /*step*/, const ForceTimer & /*timer*/) {}
+
+  /// Frames take the velocities at the end of the step, after the second kick.
+  virtual void finish(World & /*world*/, const Step & /*step*/) {}
+
+  /// Kinetic energy [J] from the present velocities, if advance() has not booked it.
+  virtual double kinetic_energy(const World & /*world*/) const { return 0.; }
+
+  /// In World::copies, if its bodies have nodes that vibrate.
+  virtual unsigned int elastic_copies() const { return none; }
+
+  /// Stable step [s] of such bodies without contacts.
+  virtual double stable_step() const { return std::numeric_limits<double>::infinity(); }
+
+  /// Largest natural frequency [rad/s] of such a body when @p springs [N/m] hold each node.
+  virtual double largest_frequency(const std::vector<double> & /*springs*/) const { return 0.; }
+
+  /// What finds stresses in the cells of its part; empty for rigid bodies.
+  virtual std::vector<std::unique_ptr<const element::StressRecovery>>
+  stress_recoveries(const World & /*world*/) const
+  {
+    return {};
+  }
+
+  /// The state between two steps that is not in World.
+  virtual void serialize(const Archive & /*archive*/) {}
+
+  /// Bytes, without what World holds.
+  virtual std::size_t memory_consumption() const { return 0; }
+};
+} // namespace chaindrive

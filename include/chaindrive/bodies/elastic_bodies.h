@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/bodies/body_batches.h>
+#include <chaindrive/bodies/body_group.h>
+#include <chaindrive/element/elastic_part.h>
+#include <chaindrive/element/kernels.h>
+
+#include <vector>
+
+namespace chaindrive
+{
+/// The elastic bodies of one part: internal forces and the time integration, batch by batch while
+/// its numbers are in the cache.
+///
+/// Leapfrog, the scheme of RigidBodies in its one-pass form: with the forces of the instant n,
+/// v_{n+1/2} = v_{n-1/2} + dt a_n and x_{n+1} = x_n + dt v_{n+1/2} follow at once. Between two
+/// steps the nodes are therefore where they will be at the *next* instant, BodyBatches::ahead after
+/// the present one, and their velocities are those half a step before the present; frames, energies
+/// and the ledger belong to the present one.
+class ElasticBodies : public BodyGroup
+{
+public:
+  /// Moves the nodes of @p world's copies number @p group.
+  ElasticBodies(const scene::Scene &scene, const World &world, unsigned int group);
+
+  void start(World &world, const Step &step, const ForceTimer &timer) override;
+  void advance(World &world, const Step &step, const ForceTimer &timer) override;
+
+  unsigned int elastic_copies() const override { return group_; }
+  double       stable_step() const override { return stable_step_; }
+  double       largest_frequency(const std::vector<double> &springs) const override
+  {
+    return part_.largest_frequency(springs);
+  }
+  std::vector<std::unique_ptr<const element::StressRecovery>>
+  stress_recoveries(const World &world) const override;
+
+  std::size_t memory_consumption() const override { return part_.memory_consumption(); }
+
+protected:
+  /// Sums over the nodes of one batch, [lane] each; vectors [component][lane].
+  struct Sums
+  {
+    double strain[n_lanes], hourglass[n_lanes], kinetic[n_lanes], first_moment[3 * n_lanes],
+        momentum[3 * n_lanes];
+
+    dealii::Tensor<1, 3> vector(const double (&of)[3 * n_lanes], const unsigned int lane) const
+    {
+      dealii::Tensor<1, 3> v;
+      for (unsigned int d = 0; d < 3; ++d)
+        v[d] = of[d * n_lanes + lane];
+      return v;
+    }
+  };
+
+  /// Adds the internal forces of one batch to those of contacts, and takes those along z from the
+  /// nodes of a half part that stay in its middle plane.
+  void add_internal_forces(BodyBatches      &copies,
+                           unsigned int      batch,
+                           Sums             &sums,
+                           const ForceTimer &timer) const;
+
+  /// Moves one batch by its forces, which become zero: v += @p kick a, x += dt v. Sums belong to
+  /// the instant of the forces.
+  void
+  update(BodyBatches &copies, unsigned int batch, Sums &sums, const Step &step, double kick) const;
+
+  /// Moves all batches of this rank; @p booked: energies and what else belongs to the instant of
+  /// the forces are added to @p world.
+  virtual void
+  move(World &world, const Step &step, double kick, bool booked, const ForceTimer &timer) const;
+
+  unsigned int group_; ///< in World::copies
+
+private:
+  static void book(World             &world,
+                   const BodyBatches &copies,
+                   unsigned int       batch,
+                   const Sums        &sums,
+                   const Step        &step);
+
+  element::ElasticPart    part_;
+  Material                material_;
+  double                  stable_step_; ///< s
+  const element::Kernels &kernels_;
+};
+} // namespace chaindrive

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/elastic_bodies.h>
+#include <chaindrive/bodies/world.h>
+
+namespace chaindrive
+{
+ElasticBodies::ElasticBodies(const scene::Scene &scene,
+                             const World        &world,
+                             const unsigned int  group)
+    : group_(group)
+    , part_(*world.copies[group].part, world.copies[group].nodes, scene.material, scene.elements)
+    , material_(scene.material)
+    , stable_step_(2. / part_.largest_frequency())
+    , kernels_(element::best_kernels())
+{
+}
+
+void ElasticBodies::start(World &world, const Step &step, const ForceTimer &timer)
+{
+  world.copies[group_].ahead = step.dt;
+  move(world, step, 0.5 * step.dt, false, timer);
+}
+
+void ElasticBodies::advance(World &world, const Step &step, const ForceTimer &timer)
+{
+  BodyBatches &copies = world.copies[group_];
+  copies.ahead        = step.dt;
+  if (step.dt > 0.)
+    return move(world, step, step.dt, true, timer);
+  const BodyBatches::Vector of_contacts = copies.force; // which start() will need
+  move(world, step, step.dt, true, timer);
+  copies.force.copy_locally_owned_data_from(of_contacts);
+}
+
+void ElasticBodies::move(World            &world,
+                         const Step       &step,
+                         const double      kick,
+                         const bool        booked,
+                         const ForceTimer &timer) const
+{
+  BodyBatches &copies = world.copies[group_];
+  for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
+       ++batch)
+    {
+      alignas(64) Sums sums{};
+      add_internal_forces(copies, batch, sums, timer);
+      update(copies, batch, sums, step, kick);
+      if (booked)
+        book(world, copies, batch, sums, step);
+    }
+}
+
+void ElasticBodies::add_internal_forces(BodyBatches       &copies,
+                                        const unsigned int batch,
+                                        Sums              &sums,
+                                        const ForceTimer  &timer) const
+{
+  const std::size_t first = copies.start_of(batch);
+  {
+    const PhaseTimer::Scope scope(timer.timer, timer.phase);
+    part_.add_forces({copies.position.begin() + first,
+                      copies.force.begin() + first,
+                      sums.strain,
+                      sums.hourglass,
+                      copies.velocity.begin() + first,
+                      static_cast<unsigned int>(copies.stride())});
+  }
+  copies.hold_middle_plane(batch);
+}
+
+void ElasticBodies::update(BodyBatches       &copies,
+                           const unsigned int batch,
+                           Sums              &sums,
+                           const Step        &step,
+                           const double       kick) const
+{
+  const std::size_t first = copies.start_of(batch);
+  kernels_.update({copies.n_nodes(),
+                   kick,
+                   step.dt,
+                   {0., -step.gravity, 0.},
+                   step.drag,
+                   copies.nodes.mass.data(),
+                   copies.position.begin() + first,
+                   copies.velocity.begin() + first,
+                   copies.force.begin() + first,
+                   sums.kinetic,
+                   sums.first_moment,
+                   sums.momentum});
+}
+
+void ElasticBodies::book(World             &world,
+                         const BodyBatches &copies,
+                         const unsigned int batch,
+                         const Sums        &sums,
+                         const Step        &step)
+{
+  copies.for_each_copy_of(batch, [&](const unsigned int copy, const unsigned int lane) {
+    const unsigned int body  = copies.bodies[copy];
+    Frame             &frame = world.frames[body];
+    frame.position           = sums.vector(sums.first_moment, lane);
+    frame.velocity           = sums.vector(sums.momentum, lane);
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        frame.position[d] /= copies.mass;
+        frame.velocity[d] /= copies.mass;
+        if (d == 2 && copies.part->half) // of the whole body
+          frame.position[d] = frame.velocity[d] = 0.;
+        world.displacement.local_element(3 * body + d) = frame.position[d] - world.origin[body][d];
+        world.velocity.local_element(3 * body + d)     = frame.velocity[d];
+      }
+    // contacts have added their resultants: these complete the force on the centre of mass
+    world.force.local_element(3 * body + 1) -= copies.mass * step.gravity;
+    for (unsigned int d = 0; d < 3; ++d)
+      world.force.local_element(3 * body + d) -= copies.mass * step.drag * frame.velocity[d];
+    Ledger &ledger = world.ledger;
+    ledger.kinetic += sums.kinetic[lane];
+    ledger.strain += sums.strain[lane];
+    ledger.hourglass += sums.hourglass[lane];
+    ledger.potential += copies.mass * step.gravity * world.displacement.local_element(3 * body + 1);
+    ledger.drag += 2. * step.drag * sums.kinetic[lane] * step.dt;
+  });
+}
+
+std::vector<std::unique_ptr<const element::StressRecovery>>
+ElasticBodies::stress_recoveries(const World &world) const
+{
+  const BodyBatches                                          &copies = world.copies[group_];
+  std::vector<std::unique_ptr<const element::StressRecovery>> recoveries;
+  for (const auto &block : part_.blocks())
+    recoveries.push_back(block->make_stress_recovery(*copies.part, copies.nodes, material_));
+  return recoveries;
+}
+} // namespace chaindrive

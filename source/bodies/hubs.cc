@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/hubs.h>
+#include <chaindrive/bodies/world.h>
+
+namespace chaindrive
+{
+void Hubs::kick(World &world, const double h)
+{
+  const double *moment = world.moment.begin();
+  for (World::Hub &hub : world.hubs)
+    if (!hub.prescribed)
+      hub.speed += h / hub.inertia * moment[3 * hub.body + 2];
+}
+
+void Hubs::drift(World &world, const Step &step)
+{
+  for (World::Hub &hub : world.hubs)
+    {
+      if (hub.prescribed && step.program)
+        {
+          hub.angle = step.program->angle;
+          hub.speed = step.program->mean_speed;
+        }
+      else
+        hub.angle += step.dt * hub.speed;
+      Frame &frame              = world.frames[hub.body];
+      frame.rotation            = to_matrix(rotation_about_z(hub.start_angle + hub.angle));
+      frame.angular_velocity[2] = hub.speed;
+    }
+}
+
+void Hubs::finish(World &world, const Step &step)
+{
+  for (World::Hub &hub : world.hubs)
+    {
+      if (hub.prescribed && step.program)
+        hub.speed = step.program->speed;
+      world.frames[hub.body].angular_velocity[2] = hub.speed;
+    }
+}
+
+double Hubs::kinetic_energy(const World &world) const
+{
+  double energy = 0.;
+  for (const World::Hub &hub : world.hubs)
+    if (!hub.prescribed)
+      energy += 0.5 * hub.inertia * hub.speed * hub.speed;
+  return energy;
+}
+} // namespace chaindrive

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/body_batches.h>
+#include <chaindrive/bodies/partition.h>
+#include <chaindrive/mesh/sector.h>
+
+#include <algorithm>
+
+namespace chaindrive
+{
+namespace
+{
+/// Batches of one group of copies, to be dealt out to the ranks.
+struct Deal
+{
+  unsigned int n_batches;
+  double       cost;  ///< of each
+  bool         apart; ///< they touch few batches of other groups: any rank may have any of them
+};
+
+/// What a joint costs the owner of its bore, in elements: some 75 visits of a node, 37 ns each,
+/// beside 16 ns (doc/performance.md).
+constexpr double elements_per_joint = 170.;
+
+/// Deals the batches of each group out to @p n_ranks ranks in turn: equal shares, and what does not
+/// go up to those that have least so far, the last of them, since the first rank has results to
+/// take care of. Batches that may be apart even out the load. Returns per group the first batch of
+/// each rank, and the number of batches.
+std::vector<std::vector<unsigned int>> deal(const std::vector<Deal> &groups,
+                                            const unsigned int       n_ranks)
+{
+  std::vector<double>                    load(n_ranks, 0.);
+  std::vector<std::vector<unsigned int>> result;
+  for (const Deal &group : groups)
+    {
+      const unsigned int        share = group.apart ? 0 : group.n_batches / n_ranks;
+      std::vector<unsigned int> count(n_ranks, share);
+      for (double &l : load)
+        l += share * group.cost;
+      for (unsigned int i = n_ranks * share; i < group.n_batches; ++i)
+        {
+          const auto least = std::min_element(load.rbegin(), load.rend());
+          *least += group.cost;
+          ++count[load.rend() - least - 1];
+        }
+      std::vector<unsigned int> first = {0};
+      for (const unsigned int n : count)
+        first.push_back(first.back() + n);
+      result.push_back(first);
+    }
+  return result;
+}
+} // namespace
+
+std::map<scene::Kind, std::vector<unsigned int>> partition(const scene::Scene &scene,
+                                                           const unsigned int  n_ranks)
+{
+  std::map<scene::Kind, unsigned int> n_bodies;
+  for (const scene::Body &body : scene.bodies)
+    if (body.motion == scene::Motion::elastic)
+      ++n_bodies[body.kind];
+  std::map<scene::Kind, unsigned int> n_joints; // at bores of elastic bodies
+  for (const scene::BoreFamily &bores : scene.bores)
+    for (const scene::BorePair &pair : bores.pairs)
+      if (bores.elastic && scene.bodies[pair.master].motion == scene::Motion::elastic)
+        ++n_joints[scene.bodies[pair.master].kind];
+
+  std::vector<Deal> deals;
+  for (const auto &[kind, n] : n_bodies)
+    {
+      const auto  sector = scene.sectors.find(kind);
+      const bool  is_rim = sector != scene.sectors.end();
+      const auto &part   = is_rim ? *sector->second->part : *scene.parts.at(kind);
+      deals.push_back(
+          {BodyBatches::n_batches_of(is_rim ? sector->second->n_sectors : n),
+           part.mesh->n_active_cells() + elements_per_joint * n_joints[kind] / double(n),
+           is_rim});
+    }
+  const auto first_batches = deal(deals, n_ranks);
+
+  std::map<scene::Kind, std::vector<unsigned int>> result;
+  auto                                             first_batch = first_batches.begin();
+  for (const auto &entry : n_bodies)
+    result[entry.first] = *first_batch++;
+  return result;
+}
+} // namespace chaindrive

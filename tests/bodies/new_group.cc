@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A group of bodies that chaindrive does not have, made here and nowhere else: a mass on a spring
+// inside a lump. It must be called in the order that dynamics/system.cc says, vibrate with
+// w^2 = k (1/m + 1/M), keep the momentum, close the ledger to second order, and go through a
+// checkpoint without a bit changed.
+#include "../support/scenes.h"
+
+#include <map>
+#include <string>
+
+using namespace test;
+
+const double inner = 2e-3, outer = 5e-3, k = 1e6, w = std::sqrt(k * (1. / inner + 1. / outer));
+
+class InnerMass : public BodyGroup
+{
+public:
+  void start(World &, const Step &, const ForceTimer &) override { calls += "start "; }
+  void kick(World &, const double h) override
+  {
+    calls += "kick ";
+    speed += h * force / inner;
+  }
+  void drift(World &, const Step &step) override
+  {
+    calls += "drift ";
+    position += step.dt * speed;
+  }
+  void add_forces(World &world, const ForceTimer &) override
+  {
+    calls += "add_forces ";
+    force = k * (world.frames[0].position[0] - position);
+    world.force.local_element(0) -= force;
+    world.ledger.strain += 0.5 * force * force / k;
+  }
+  void   advance(World &, const Step &, const ForceTimer &) override { calls += "advance "; }
+  void   finish(World &, const Step &) override { calls += "finish "; }
+  double kinetic_energy(const World &) const override { return 0.5 * inner * speed * speed; }
+  void   serialize(const Archive &archive) override
+  {
+    archive("position", position);
+    archive("speed", speed);
+    archive("force", force);
+  }
+
+  double      position = 1e-6, speed = 0., force = 0.;
+  std::string calls;
+};
+
+struct Case
+{
+  Case() : system(scene(), false)
+  {
+    system.world.groups.push_back(std::make_unique<InnerMass>());
+    group = static_cast<InnerMass *>(system.world.groups.back().get());
+    system.evaluate_forces(0.);
+    system.world.ledger.initial = system.world.ledger.stored();
+    group->calls.clear();
+  }
+
+  static scene::Scene scene()
+  {
+    scene::Scene scene = empty_scene();
+    scene.bodies       = {lump(outer, Vector3())};
+    return scene;
+  }
+
+  double momentum() const
+  {
+    return inner * group->speed + outer * system.world.frames[0].velocity[0];
+  }
+
+  dynamics::System system;
+  InnerMass       *group;
+};
+
+int main()
+{
+  double before = 0.;
+  for (const unsigned int n : {100, 200})
+    {
+      Case         c;
+      const double dt = 2. * dealii::numbers::PI / w / n, energy = c.system.world.ledger.initial;
+      double       imbalance = 0., momentum = 0.;
+      advance(c.system, 10 * n, dt, [&]() {
+        imbalance = std::max(imbalance, std::abs(c.system.world.ledger.imbalance()) / energy);
+        momentum  = std::max(momentum, std::abs(c.momentum()));
+      });
+      if (n == 100)
+        std::cout << "the first step: " << c.group->calls.substr(0, c.group->calls.find("kick", 12))
+                  << "...\n";
+      else
+        ratio("ten periods later it is where it was", c.group->position, 1e-6, 3);
+      verdict("momentum is kept to 1e-12", momentum < 1e-12 * inner * w * 1e-6);
+      if (before > 0.)
+        std::cout << "order of the imbalance " << std::setprecision(2)
+                  << std::log2(before / imbalance) << '\n';
+      before = imbalance;
+    }
+
+  std::map<std::string, Archive::Bytes> items;
+  Case                                  first, second;
+  const double                          dt = 0.05 / w;
+  advance(first.system, 30, dt, []() {});
+  first.system.serialize(
+      Archive([&items](const std::string &name, const char *bytes, const std::size_t size) {
+        items.emplace(name, Archive::Bytes(bytes, bytes + size));
+      }));
+  second.system.serialize(Archive([&items](const std::string &name) {
+    const auto found = items.find(name);
+    return found == items.end() ? std::nullopt : std::make_optional(found->second);
+  }));
+  for (Case *c : {&first, &second})
+    advance(c->system, 30, dt, []() {});
+  verdict("it goes on from a checkpoint bit by bit",
+          first.group->position == second.group->position &&
+              first.group->speed == second.group->speed &&
+              first.system.world.frames[0].position[0] ==
+                  second.system.world.frames[0].position[0]);
+}
