@@ -56,14 +56,14 @@ void print_step(std::ostream &log, const dynamics::StepChoice &choice, const uns
 
 /// What a resumed run must find as it was: @p fixed (parameters::Input) and the contents of meshes.
 std::string with_contents(const std::string              &fixed,
-                          const parameters::Sprockets    &sprockets,
+                          const drive::Drive             &drive,
                           const std::vector<std::string> &folders)
 {
   std::string text = fixed;
-  for (const std::string &name : {sprockets.driver_mesh, sprockets.driven_mesh})
-    if (!name.empty())
-      text += "the checksum of the mesh '" + name +
-              "' = " + checksum(files::read_text(mesh::find_file(name, folders))) + "\n";
+  for (const drive::Sprocket &sprocket : drive.sprockets)
+    if (!sprocket.mesh.empty())
+      text += "the checksum of the mesh '" + sprocket.mesh +
+              "' = " + checksum(files::read_text(mesh::find_file(sprocket.mesh, folders))) + "\n";
   return text;
 }
 
@@ -99,7 +99,7 @@ bool simulate(const CommandLine &command_line, const MPI_Comm comm)
       std::filesystem::path(command_line.parameter_file).parent_path().string();
   const std::vector<std::string> folders = {folder.empty() ? "." : folder, "."};
   const scene::Scene             scene   = scene::build_scene(parameters, drive, folders);
-  const std::string fixed = with_contents(input.fixed, parameters.drive.sprockets, folders);
+  const std::string              fixed   = with_contents(input.fixed, drive, folders);
 
   if (!scene.has_elastic_bodies() && !is_first_rank)
     return true;

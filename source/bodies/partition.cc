@@ -51,18 +51,18 @@ std::vector<std::vector<unsigned int>> deal(const std::vector<Deal> &groups,
 }
 } // namespace
 
-std::map<scene::Kind, std::vector<unsigned int>> partition(const scene::Scene &scene,
+std::map<scene::PartOf, std::vector<unsigned int>> partition(const scene::Scene &scene,
                                                            const unsigned int  n_ranks)
 {
-  std::map<scene::Kind, unsigned int> n_bodies;
+  std::map<scene::PartOf, unsigned int> n_bodies;
   for (const scene::Body &body : scene.bodies)
     if (body.motion == scene::Motion::elastic)
-      ++n_bodies[body.kind];
-  std::map<scene::Kind, unsigned int> n_joints; // at bores of elastic bodies
+      ++n_bodies[body.part()];
+  std::map<scene::PartOf, unsigned int> n_joints; // at bores of elastic bodies
   for (const scene::BoreFamily &bores : scene.bores)
     for (const scene::BorePair &pair : bores.pairs)
       if (bores.elastic && scene.bodies[pair.master].motion == scene::Motion::elastic)
-        ++n_joints[scene.bodies[pair.master].kind];
+        ++n_joints[scene.bodies[pair.master].part()];
 
   std::vector<Deal> deals;
   for (const auto &[kind, n] : n_bodies)
@@ -77,7 +77,7 @@ std::map<scene::Kind, std::vector<unsigned int>> partition(const scene::Scene &s
     }
   const auto first_batches = deal(deals, n_ranks);
 
-  std::map<scene::Kind, std::vector<unsigned int>> result;
+  std::map<scene::PartOf, std::vector<unsigned int>> result;
   auto                                             first_batch = first_batches.begin();
   for (const auto &entry : n_bodies)
     result[entry.first] = *first_batch++;

@@ -84,10 +84,10 @@ World::~World() = default;
 
 void World::add_elastic_bodies(const scene::Scene &scene)
 {
-  std::map<scene::Kind, std::vector<unsigned int>> elastic;
+  std::map<scene::PartOf, std::vector<unsigned int>> elastic;
   for (unsigned int b = 0; b < n_bodies(); ++b)
     if (scene.bodies[b].motion == scene::Motion::elastic)
-      elastic[scene.bodies[b].kind].push_back(b);
+      elastic[scene.bodies[b].part()].push_back(b);
 
   auto first_batch = partition(scene, n_ranks_);
   elastic_address.resize(n_bodies());
@@ -113,7 +113,7 @@ void World::add_rim(const scene::Scene              &scene,
   Hub &hub =
       *std::find_if(hubs.begin(), hubs.end(), [body](const Hub &h) { return h.body == body; });
   const scene::Body &sprocket = scene.bodies[body];
-  const auto        &sector   = scene.sectors.at(sprocket.kind);
+  const auto        &sector   = scene.sectors.at(sprocket.part());
   std::vector<Frame> start;
   for (unsigned int s = 0; s < sector->n_sectors; ++s)
     start.push_back(sector->frame(sprocket.initial, s));
@@ -136,14 +136,14 @@ void World::add_rim(const scene::Scene              &scene,
 void World::add_followers(const scene::Scene &scene)
 {
   // the sides of rigid bodies that touch with their nodes
-  std::map<scene::Kind, std::map<unsigned int, std::set<unsigned int>>> sides;
+  std::map<scene::PartOf, std::map<unsigned int, std::set<unsigned int>>> sides;
   for (const scene::BoreFamily &bores : scene.bores)
     if (bores.elastic)
       for (const scene::BorePair &pair : bores.pairs)
         for (const auto &[body, side] : {std::make_pair(pair.master, pair.master_surface),
                                          std::make_pair(pair.slave.body, pair.slave_surface)})
           if (elastic_address[body].group == Address::none)
-            sides[scene.bodies[body].kind][body].insert(side);
+            sides[scene.bodies[body].part()][body].insert(side);
 
   n_elastic_groups_ = static_cast<unsigned int>(copies.size());
   for (const auto &[kind, of_bodies] : sides)

@@ -7,11 +7,13 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace chaindrive::drive
 {
 using parameters::CentreDistanceFrom;
+using parameters::Role;
 
 namespace
 {
@@ -64,27 +66,41 @@ void refuse_soft(const std::string &entry,
                      pull.entry + ".");
 }
 
-/// A bore of a third and a hub of six tenths of the root diameter: a plain disc on a stout shaft.
-void choose_hub(const std::string           &name,
-                const ToothForm             &form,
-                const std::optional<double> &given_bore,
-                const std::optional<double> &given_hub,
-                double                      &bore,
-                double                      &hub,
-                std::vector<std::string>    &notes)
+/// The sprocket of this @p role but for its solid. A bore of a third and a hub of six tenths of the
+/// root diameter: a plain disc on a stout shaft.
+Sprocket make_sprocket(const parameters::Role       role,
+                       const parameters::Sprockets &sprockets,
+                       const ChainDimensions       &chain)
 {
-  bore = given_bore.value_or(form.root_diameter / 3.);
-  hub  = given_hub.value_or(std::max(bore, 0.6 * form.root_diameter));
-  if (!given_bore)
+  const parameters::Sprocket &given = sprockets.with(role);
+  Sprocket                    sprocket;
+  sprocket.role         = role;
+  sprocket.form         = make_tooth_form(given.teeth, chain, sprockets, role);
+  sprocket.mesh         = given.mesh;
+  const double root     = sprocket.form.root_diameter;
+  sprocket.bore         = given.bore.value_or(root / 3.);
+  sprocket.hub_diameter = given.hub_diameter.value_or(std::max(sprocket.bore, 0.6 * root));
+  return sprocket;
+}
+
+/// Says what was chosen for the hub of @p sprocket; refuses one that cannot be.
+void check_hub(const Sprocket             &sprocket,
+               const parameters::Sprocket &given,
+               std::vector<std::string>   &notes)
+{
+  const std::string name = parameters::in_entries(sprocket.role);
+  const double      bore = sprocket.bore, hub = sprocket.hub_diameter,
+               root = sprocket.form.root_diameter;
+  if (!given.bore)
     notes.push_back(name + " bore " + in_mm(bore) + ", a third of the root diameter.");
-  if (!given_hub)
+  if (!given.hub_diameter)
     notes.push_back(name + " rigid zone up to the diameter " + in_mm(hub) + ".");
-  if (!(bore > 0. && bore <= hub && hub < form.root_diameter))
+  if (!(bore > 0. && bore <= hub && hub < root))
     throw InputError("Drive/Sprockets: " + name + " bore " + in_mm(bore) + " and hub diameter " +
                      in_mm(hub) +
                      " must be positive, the bore not larger than the hub, the hub "
                      "smaller than the root diameter " +
-                     in_mm(form.root_diameter) + ".");
+                     in_mm(root) + ".");
 }
 
 /// The acceleration that acts, m/s2.
@@ -123,6 +139,13 @@ void append(std::vector<std::string> &notes, const std::vector<std::string> &mor
 }
 } // namespace
 
+const Sprocket &Drive::with(const Role role) const
+{
+  return *std::find_if(sprockets.begin(), sprockets.end(), [role](const Sprocket &sprocket) {
+    return sprocket.role == role;
+  });
+}
+
 Drive make_drive(const Parameters &parameters)
 {
   const parameters::Sprockets   &sprockets = parameters.drive.sprockets;
@@ -130,12 +153,12 @@ Drive make_drive(const Parameters &parameters)
   const parameters::Capabilities model     = parameters.model.capabilities();
 
   Drive d;
-  d.chain  = make_chain(parameters.drive.chain);
-  d.driver = make_tooth_form(parameters.drive.driver_teeth, d.chain, sprockets, true);
-  d.driven = make_tooth_form(parameters.drive.driven_teeth, d.chain, sprockets, false);
+  d.chain = make_chain(parameters.drive.chain);
+  for (const auto &[role, name] : parameters::texts_of<Role>)
+    d.sprockets.push_back(make_sprocket(role, sprockets, d.chain));
   append(d.notes, d.chain.derived);
-  append(d.notes, d.driver.derived);
-  append(d.notes, d.driven.derived);
+  for (const Sprocket &sprocket : d.sprockets)
+    append(d.notes, sprocket.form.derived);
 
   d.sprocket_width = sprockets.width.value_or(tooth_width(d.chain));
   if (!sprockets.width)
@@ -144,30 +167,19 @@ Drive make_drive(const Parameters &parameters)
     throw InputError("Drive/Sprockets/Width = " + in_mm(d.sprocket_width) +
                      " must be positive and less than the " + in_mm(d.chain.inner_width) +
                      " between the inner plates.");
-  choose_hub("Driver",
-             d.driver,
-             sprockets.driver_bore,
-             sprockets.driver_hub_diameter,
-             d.driver_bore,
-             d.driver_hub_diameter,
-             d.notes);
-  choose_hub("Driven",
-             d.driven,
-             sprockets.driven_bore,
-             sprockets.driven_hub_diameter,
-             d.driven_bore,
-             d.driven_hub_diameter,
-             d.notes);
+  for (const Sprocket &sprocket : d.sprockets)
+    check_hub(sprocket, sprockets.with(sprocket.role), d.notes);
 
   d.roller_solid     = roller_solid(d.chain, steel.density);
   d.inner_link_solid = inner_link_solid(d.chain, steel.density);
   d.outer_link_solid = outer_link_solid(d.chain, steel.density);
-  d.driver_solid     = sprocket_solid(d.driver, d.driver_bore, d.sprocket_width, steel.density);
-  d.driven_solid     = sprocket_solid(d.driven, d.driven_bore, d.sprocket_width, steel.density);
+  for (Sprocket &sprocket : d.sprockets)
+    sprocket.solid = sprocket_solid(sprocket.form, sprocket.bore, d.sprocket_width, steel.density);
   d.mass_per_pitch =
       d.roller_solid.mass + 0.5 * (d.inner_link_solid.mass + d.outer_link_solid.mass);
 
-  d.nominal_tension = parameters.loads.resisting_torque / (0.5 * d.driven.pitch_diameter);
+  const ToothForm &driver = d.with(Role::driver).form, &driven = d.with(Role::driven).form;
+  d.nominal_tension = parameters.loads.resisting_torque / (0.5 * driven.pitch_diameter);
   // contact stiffness depends on the load: without one, a load that strains steel visibly
   const double reference_load = d.nominal_tension > 0. ?
                                     d.nominal_tension :
@@ -179,7 +191,7 @@ Drive make_drive(const Parameters &parameters)
   if (!model.is_elastic) // there the elastic bodies give way
     {
       const parameters::Contact &given = parameters.contact;
-      const Pull                 load  = hardest_pull(parameters, 0.5 * d.driven.pitch_diameter);
+      const Pull                 load  = hardest_pull(parameters, 0.5 * driven.pitch_diameter);
       refuse_soft("Contact/Roller-tooth stiffness in N/m",
                   given.roller_tooth_stiffness.value_or(d.roller_tooth_stiffness),
                   load,
@@ -205,8 +217,8 @@ Drive make_drive(const Parameters &parameters)
 
   d.layout                         = make_layout(parameters.drive,
                          d.chain,
-                         d.driver,
-                         d.driven,
+                         driver,
+                         driven,
                          model.has_clearances,
                          d.stiffness_per_pitch,
                          parameters.loads.driver_speed,
@@ -215,9 +227,9 @@ Drive make_drive(const Parameters &parameters)
   const parameters::Layout &layout = parameters.drive.layout;
   if (layout.centre_distance_from == CentreDistanceFrom::pretension && layout.pretension > 0. &&
       layout.start != parameters::Start::warm)
-    bring_to_rest(d.layout, resting_chain(parameters, d), d.driver, d.driven, layout.pretension);
+    bring_to_rest(d.layout, resting_chain(parameters, d), driver, driven, layout.pretension);
   if (layout.centre_distance_from != CentreDistanceFrom::given)
-    d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance * 1e3, 7) +
+    d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance() * 1e3, 7) +
                       " mm, from " + text_of(layout.centre_distance_from) + ".");
   return d;
 }

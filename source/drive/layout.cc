@@ -7,6 +7,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace chaindrive::drive
@@ -38,8 +39,8 @@ Fitter make_fitter(const parameters::Drive &drive,
 {
   const parameters::Layout &layout = drive.layout;
   Fitter                    fitter;
-  fitter.driver_teeth = drive.driver_teeth;
-  fitter.driven_teeth = drive.driven_teeth;
+  fitter.driver_teeth = drive.sprockets.driver.teeth;
+  fitter.driven_teeth = drive.sprockets.driven.teeth;
   fitter.n_links      = drive.n_links;
   fitter.phase        = layout.start_phase;
   // the tight span above: the slack one hangs away from it; below: it sags towards it
@@ -84,6 +85,15 @@ int modulo(const int a, const unsigned int n)
   return ((a % m) + m) % m;
 }
 
+/// Unit vector to the right of @p direction: outward for a chain that runs counter-clockwise.
+Tensor<1, 2> right_of(const Tensor<1, 2> &direction)
+{
+  Tensor<1, 2> normal;
+  normal[0] = direction[1];
+  normal[1] = -direction[0];
+  return normal;
+}
+
 /// The joints of @p fit and its hubs, both sprockets turning counter-clockwise.
 Layout lay(const Fit &fit, const Fitter &fitter)
 {
@@ -92,45 +102,45 @@ Layout lay(const Fit &fit, const Fitter &fitter)
   const unsigned int n     = fitter.n_links;
 
   Layout layout{};
-  layout.centre_distance = fit.centre_distance;
-  layout.sense           = 1;
-  layout.driver_angle    = tight.entry;
-  layout.driven_angle    = tight.exit - slack.driven_links * fit.driven.pitch_angle;
-  layout.slack           = slack.slack;
-  layout.sag             = fit.sag();
-  layout.tight_links     = tight.links;
-  layout.slack_links     = slack.links;
-  layout.driver_seats    = slack.driver_links + 1;
-  layout.driven_seats    = slack.driven_links + 1;
-
-  const auto wrap = [&](const Wheel         &wheel,
-                        const unsigned int   seats,
-                        const double         first,
-                        const Layout::Region region) {
+  layout.sense            = 1;
+  const auto add_sprocket = [&](const Wheel &wheel, const double angle, const unsigned int seats) {
+    const int number = static_cast<int>(layout.sprockets.size());
+    layout.sprockets.push_back({wheel.centre, angle, 0., seats});
     for (unsigned int i = 0; i < seats; ++i)
       {
-        const double       seat = first + i * wheel.pitch_angle;
+        const double       seat = angle + i * wheel.pitch_angle;
         const unsigned int k    = layout.joints.size();
         layout.joints.push_back({wheel.roller(seat),
                                  wheel.bush(seat, k),
                                  {},
-                                 region,
+                                 number,
                                  static_cast<int>(i % wheel.teeth)});
       }
   };
-  wrap(fit.driver, layout.driver_seats, layout.driver_angle, Layout::Region::driver);
-  for (const Point<2> &p : slack_joints(slack, fitter.slack))
-    layout.joints.push_back({p, p, {}, Layout::Region::slack, -1});
-  wrap(fit.driven, layout.driven_seats, layout.driven_angle, Layout::Region::driven);
-  const Tensor<1, 2> along = (tight.to - tight.from) / tight.from.distance(tight.to);
+  const auto add_span = [&](const Layout::Span &span, const std::vector<Point<2>> &joints) {
+    layout.spans.push_back(span);
+    layout.spans.back().first = static_cast<unsigned int>(layout.joints.size()) - 1;
+    for (const Point<2> &p : joints)
+      layout.joints.push_back({p, p, {}, -1, -1});
+  };
+
+  add_sprocket(fit.driver, tight.entry, slack.driver_links + 1);
+  const Tensor<1, 2> to_driven = (slack.to - slack.from) / slack.from.distance(slack.to);
+  add_span({false,
+            0,
+            static_cast<unsigned int>(slack.links),
+            slack.slack,
+            fit.sag(),
+            to_driven,
+            right_of(to_driven)},
+           slack_joints(slack, fitter.slack));
+  add_sprocket(
+      fit.driven, tight.exit - slack.driven_links * fit.driven.pitch_angle, slack.driven_links + 1);
+  const Tensor<1, 2>    along = (tight.to - tight.from) / tight.from.distance(tight.to);
+  std::vector<Point<2>> straight;
   for (unsigned int i = 1; i < tight.links; ++i)
-    {
-      const Point<2> p = tight.from + fitter.tight.sum(n - tight.links, i) * along;
-      layout.joints.push_back({p, p, {}, Layout::Region::tight, -1});
-    }
-  layout.tight_direction = along;
-  layout.tight_normal[0] = along[1];
-  layout.tight_normal[1] = -along[0];
+    straight.push_back(tight.from + fitter.tight.sum(n - tight.links, i) * along);
+  add_span({true, 0, tight.links, 0., 0., along, right_of(along)}, straight);
   return layout;
 }
 
@@ -140,51 +150,52 @@ void set_in_motion(Layout &layout, const double driver_speed)
   const auto cross = [](const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
     return a[0] * b[1] - a[1] * b[0];
   };
-  const unsigned int n = layout.joints.size();
-  const Point<2>     driven_centre(layout.centre_distance, 0.);
-  const Point<2>    &to = layout.joints[0].bush, &from = layout.joints[n - layout.tight_links].bush;
-  layout.driver_speed = driver_speed;
-  layout.driven_speed =
-      driver_speed * cross(to, to - from) / cross(from - driven_centre, to - from);
+  const unsigned int n      = layout.joints.size();
+  Layout::Sprocket  &driver = layout.sprockets[0], &driven = layout.sprockets[1];
+  const Point<2> &to = layout.joints[0].bush, &from = layout.joints[layout.span(true).first].bush;
+  driver.speed = driver_speed;
+  driven.speed = driver_speed * cross(to, to - from) / cross(from - driven.centre, to - from);
 
   for (Layout::Joint &joint : layout.joints)
-    if (joint.tooth_gap >= 0)
+    if (joint.sprocket >= 0)
       {
-        const bool         driver = joint.region == Layout::Region::driver;
-        const double       speed  = driver ? layout.driver_speed : layout.driven_speed;
-        const Tensor<1, 2> arm = driver ? Tensor<1, 2>(joint.roller) : joint.roller - driven_centre;
-        joint.velocity[0]      = -speed * arm[1];
-        joint.velocity[1]      = speed * arm[0];
+        const Layout::Sprocket &sprocket = layout.sprockets[joint.sprocket];
+        const Tensor<1, 2>      arm      = joint.roller - sprocket.centre;
+        joint.velocity[0]                = -sprocket.speed * arm[1];
+        joint.velocity[1]                = sprocket.speed * arm[0];
       }
-  const auto interpolate = [&](const unsigned int first, const unsigned int links) {
-    const Tensor<1, 2> a = layout.joints[first].velocity;
-    const Tensor<1, 2> b = layout.joints[(first + links) % n].velocity;
-    for (unsigned int i = 1; i < links; ++i)
-      layout.joints[first + i].velocity = a + static_cast<double>(i) / links * (b - a);
-  };
-  interpolate(layout.driver_seats - 1, layout.slack_links);
-  interpolate(n - layout.tight_links, layout.tight_links);
+  for (const Layout::Span &span : layout.spans)
+    {
+      const Tensor<1, 2> a = layout.joints[span.first].velocity;
+      const Tensor<1, 2> b = layout.joints[(span.first + span.links) % n].velocity;
+      for (unsigned int i = 1; i < span.links; ++i)
+        layout.joints[span.first + i].velocity = a + static_cast<double>(i) / span.links * (b - a);
+    }
 }
 
-/// y -> -y: the lower span is tight, both sprockets turn clockwise.
-void mirror(Layout &layout, const Wheel &driver, const Wheel &driven)
+/// y -> -y: the lower span is tight, all sprockets turn clockwise. @p teeth are those of the
+/// sprockets.
+void mirror(Layout &layout, const std::vector<unsigned int> &teeth)
 {
   layout.sense = -1;
-  for (double *value : {&layout.driver_angle,
-                        &layout.driven_angle,
-                        &layout.driver_speed,
-                        &layout.driven_speed,
-                        &layout.tight_direction[1],
-                        &layout.tight_normal[1]})
-    *value = -*value;
+  for (Layout::Sprocket &sprocket : layout.sprockets)
+    {
+      sprocket.centre[1] = 0. - sprocket.centre[1]; // and no negative zero
+      sprocket.angle     = -sprocket.angle;
+      sprocket.speed     = -sprocket.speed;
+    }
+  for (Layout::Span &span : layout.spans)
+    {
+      span.direction[1] = -span.direction[1];
+      span.normal[1]    = -span.normal[1];
+    }
   for (Layout::Joint &joint : layout.joints)
     {
       joint.roller[1]   = -joint.roller[1];
       joint.bush[1]     = -joint.bush[1];
       joint.velocity[1] = -joint.velocity[1];
-      if (joint.tooth_gap >= 0)
-        joint.tooth_gap = modulo(
-            -joint.tooth_gap, joint.region == Layout::Region::driver ? driver.teeth : driven.teeth);
+      if (joint.sprocket >= 0)
+        joint.tooth_gap = modulo(-joint.tooth_gap, teeth[joint.sprocket]);
     }
 }
 
@@ -195,15 +206,16 @@ std::string find_overlap(const Layout          &layout,
                          const ToothForm       &driven,
                          const bool             clearances)
 {
-  const double radius = 0.5 * chain.roller_diameter;
+  const std::array<const ToothForm *, 2> forms  = {{&driver, &driven}};
+  const double                           radius = 0.5 * chain.roller_diameter;
   for (unsigned int k = 0; k < layout.joints.size(); ++k)
     {
       const Layout::Joint &joint = layout.joints[k];
-      for (const bool first : {true, false})
+      for (unsigned int i = 0; i < layout.sprockets.size(); ++i)
         {
-          const ToothForm   &form  = first ? driver : driven;
-          const double       angle = first ? layout.driver_angle : layout.driven_angle;
-          const Tensor<1, 2> arm = joint.roller - Point<2>(first ? 0. : layout.centre_distance, 0.);
+          const ToothForm   &form  = *forms[i];
+          const double       angle = layout.sprockets[i].angle;
+          const Tensor<1, 2> arm   = joint.roller - layout.sprockets[i].centre;
           if (arm.norm() > 0.5 * form.outside_diameter + radius)
             continue;
           const double c = std::cos(angle), s = std::sin(angle);
@@ -212,8 +224,8 @@ std::string find_overlap(const Layout          &layout,
           if (const double gap = nearest.distance - radius; gap < -overlap_tolerance)
             return "roller " + std::to_string(k) + " overlaps gap " +
                    std::to_string(nearest.tooth_gap) + " of the " +
-                   (first ? "driver" : "driven sprocket") + " by " + in_mm(-gap) +
-                   " at the start: chain and sprocket do not fit (loaded pitch " +
+                   in_words(i == 0 ? parameters::Role::driver : parameters::Role::driven) + " by " +
+                   in_mm(-gap) + " at the start: chain and sprocket do not fit (loaded pitch " +
                    in_mm(chain.loaded_pitch()) + ", bottom diameter " + in_mm(form.root_diameter) +
                    ").";
         }
@@ -297,6 +309,12 @@ std::string no_route(const parameters::Layout &layout,
 }
 } // namespace
 
+const Layout::Span &Layout::span(const bool tight) const
+{
+  return *std::find_if(
+      spans.begin(), spans.end(), [tight](const Span &span) { return span.tight == tight; });
+}
+
 void set_links(Layout &layout)
 {
   const unsigned int n = layout.joints.size();
@@ -341,12 +359,12 @@ Layout make_layout(const parameters::Drive &drive,
       if (drive.layout.start == parameters::Start::warm)
         set_in_motion(layout, std::abs(driver_speed));
       if (drive.layout.tight_span == parameters::TightSide::lower)
-        mirror(layout, fit.driver, fit.driven);
+        mirror(layout, {fit.driver.teeth, fit.driven.teeth});
       const std::string overlap = find_overlap(layout, chain, driver, driven, clearances);
       if (overlap.empty())
         {
-          layout.driver_angle = std::remainder(layout.driver_angle, 2. * PI);
-          layout.driven_angle = std::remainder(layout.driven_angle, 2. * PI);
+          for (Layout::Sprocket &sprocket : layout.sprockets)
+            sprocket.angle = std::remainder(sprocket.angle, 2. * PI);
           set_links(layout);
           return layout;
         }

@@ -14,8 +14,10 @@ using dealii::Tensor;
 
 namespace
 {
-using Vector = Tensor<1, 2>;
-using Matrix = Tensor<2, 2>;
+using Vector                    = Tensor<1, 2>;
+using Matrix                    = Tensor<2, 2>;
+constexpr unsigned int free_one = 1; // the sprocket that turns freely
+
 /// What a joint has in common with joint 0 and the driven hub, the unknowns without neighbours on
 /// one side.
 using Border = std::array<Vector, 3>;
@@ -61,10 +63,10 @@ public:
   /// Moves the driven shaft, and the chain with it, as if all of it were stretched alike.
   void move_shaft(const double by)
   {
-    const double centres = layout_.centre_distance;
+    double &shaft = layout_.sprockets[free_one].centre[0];
     for (Point<2> &p : at_)
-      p[0] += std::clamp(p[0] / centres, 0., 1.) * by;
-    layout_.centre_distance += by;
+      p[0] += std::clamp(p[0] / shaft, 0., 1.) * by;
+    shaft += by;
   }
 
   /// Finds the equilibrium to @p tolerance [N]; false if there seems to be none.
@@ -121,7 +123,7 @@ public:
         layout_.joints[k].bush   = at_[k];
         layout_.joints[k].roller = roller(at_[k]);
       }
-    layout_.driven_angle += turned_;
+    layout_.sprockets[free_one].angle += turned_;
   }
 
 private:
@@ -133,16 +135,17 @@ private:
     return k % 2 == 0 ? chain_.inner_stiffness : chain_.outer_stiffness;
   }
 
-  /// By how much the point of joint @p k at @p p overlaps a sprocket, the driven one turned on by
+  /// By how much a joint's point at @p p overlaps sprocket @p i, the driven one turned on by
   /// @p turn; very negative where it is far from it. @p normal points away from the tooth.
-  double overlap(const bool driver, const Point<2> &p, const double turn, Vector &normal) const
+  double overlap(const unsigned int i, const Point<2> &p, const double turn, Vector &normal) const
   {
-    const ToothForm &form = *forms_[driver ? 0 : 1];
-    const Vector     arm  = p - Point<2>(driver ? 0. : layout_.centre_distance, 0.);
-    normal                = Vector();
+    const ToothForm        &form     = *forms_[i];
+    const Layout::Sprocket &sprocket = layout_.sprockets[i];
+    const Vector            arm      = p - sprocket.centre;
+    normal                           = Vector();
     if (arm.norm() > 0.5 * form.outside_diameter + chain_.roller_radius)
       return -1.;
-    const double angle = driver ? layout_.driver_angle : layout_.driven_angle + turned_ + turn;
+    const double angle = i == free_one ? sprocket.angle + turned_ + turn : sprocket.angle;
     const double c = std::cos(angle), s = std::sin(angle);
     const auto   nearest =
         form.closest_point(Point<2>(c * arm[0] + s * arm[1], c * arm[1] - s * arm[0]));
@@ -162,9 +165,9 @@ private:
     Vector   normal;
     Point<2> at   = bush;
     bool     free = true;
-    for (const bool driver : {true, false})
+    for (unsigned int i = 0; i < forms_.size(); ++i)
       {
-        const double depth = overlap(driver, bush, 0., normal);
+        const double depth = overlap(i, bush, 0., normal);
         if (depth > -clearance)
           at += (depth > 0. ? clearance + depth * contact_stiffness_ / chain_.bush_stiffness :
                               clearance + depth) *
@@ -174,8 +177,8 @@ private:
     if (free && chain_.weight > 0.)
       {
         at[1] -= clearance;
-        for (const bool driver : {true, false})
-          if (overlap(driver, at, 0., normal) > -clearance)
+        for (unsigned int i = 0; i < forms_.size(); ++i)
+          if (overlap(i, at, 0., normal) > -clearance)
             return bush;
       }
     return at;
@@ -183,25 +186,26 @@ private:
 
   /// Derivatives of a contact's energy by the joint's position and the driven hub's way at its
   /// pitch radius; returns the energy.
-  double contact(const bool             driver,
+  double contact(const unsigned int     i,
                  const Point<2>        &p,
                  const double           turn,
                  std::array<double, 3> &gradient) const
   {
     Vector       normal;
-    const double depth = std::max(0., overlap(driver, p, turn, normal));
+    const double depth = std::max(0., overlap(i, p, turn, normal));
     const double force = contact_stiffness_ * depth;
-    const Vector arm   = p - Point<2>(layout_.centre_distance, 0.);
-    gradient           = {{-force * normal[0],
-                           -force * normal[1],
-                 driver ? 0. : force * (normal[1] * arm[0] - normal[0] * arm[1]) / hub_radius_}};
+    const Vector arm   = p - layout_.sprockets[free_one].centre;
+    gradient           = {
+                  {-force * normal[0],
+                   -force * normal[1],
+         i != free_one ? 0. : force * (normal[1] * arm[0] - normal[0] * arm[1]) / hub_radius_}};
     return 0.5 * force * depth;
   }
 
-  void add_contact(const unsigned int k, const bool driver)
+  void add_contact(const unsigned int k, const unsigned int sprocket)
   {
     std::array<double, 3> here, there;
-    energy_ += contact(driver, at_[k], 0., here);
+    energy_ += contact(sprocket, at_[k], 0., here);
     gradient_[k][0] += here[0];
     gradient_[k][1] += here[1];
     hub_gradient_ += here[2];
@@ -212,9 +216,9 @@ private:
         Point<2> moved = at_[k];
         if (j < 2)
           moved[j] += nudge;
-        else if (driver)
+        else if (sprocket != free_one)
           break;
-        contact(driver, moved, j < 2 ? 0. : nudge / hub_radius_, there);
+        contact(sprocket, moved, j < 2 ? 0. : nudge / hub_radius_, there);
         for (unsigned int i = 0; i < 3; ++i)
           {
             const double second = (there[i] - here[i]) / nudge;
@@ -255,8 +259,8 @@ private:
         diagonal_[k] += along;
         diagonal_[next] += along;
         to_next_[k] -= along;
-        for (const bool driver : {true, false})
-          add_contact(k, driver);
+        for (unsigned int i = 0; i < forms_.size(); ++i)
+          add_contact(k, i);
       }
     for (Matrix &m : diagonal_)
       m[0][1] = m[1][0] = 0.5 * (m[0][1] + m[1][0]);
@@ -376,22 +380,20 @@ void bring_to_rest(Layout             &layout,
                    const ToothForm    &driven,
                    const double        tension)
 {
-  const unsigned int n     = layout.joints.size();
-  const unsigned int tight = n - layout.tight_links + layout.tight_links / 2;
-  const unsigned int slack = layout.driver_seats - 1 + layout.slack_links / 2;
+  const Layout::Span &tight = layout.span(true), &slack = layout.span(false);
 
   Equilibrium  equilibrium(layout, chain, driver, driven);
   const double tolerance = 1e-6 * tension + 1e-3;
   // tension over the shaft's way: first that of two straight spans, then secants
-  double slope =
-      2. / (1. / chain.inner_stiffness + 1. / chain.outer_stiffness) / layout.tight_links;
+  double slope  = 2. / (1. / chain.inner_stiffness + 1. / chain.outer_stiffness) / tight.links;
   double before = 0., moved = 0.;
   bool   found = false;
   for (unsigned int iteration = 0; iteration < 60 && !found; ++iteration)
     {
       if (!equilibrium.solve(tolerance))
         break;
-      const double now = 0.5 * (equilibrium.tension(tight) + equilibrium.tension(slack));
+      const double now = 0.5 * (equilibrium.tension(tight.first + tight.links / 2) +
+                                equilibrium.tension(slack.first + slack.links / 2));
       found            = std::abs(now - tension) < 1e-3 * tension;
       if (found)
         break;
@@ -405,13 +407,17 @@ void bring_to_rest(Layout             &layout,
     throw InputError("Drive/Layout/Pretension in N = " + to_text(tension) +
                      ": no state of rest with this tension in both spans is found; choose another "
                      "one that is well above the weight of a span, " +
-                     to_text(chain.weight * layout.tight_links, 3) +
+                     to_text(chain.weight * tight.links, 3) +
                      " N, and below the working tension, or Centre distance from = slack or sag.");
   equilibrium.store();
-  const Point<2> &from = layout.joints[n - layout.tight_links].bush, &to = layout.joints[0].bush;
-  layout.tight_direction = (to - from) / to.distance(from);
-  layout.tight_normal[0] = layout.sense * layout.tight_direction[1];
-  layout.tight_normal[1] = -layout.sense * layout.tight_direction[0];
+  for (Layout::Span &span : layout.spans)
+    {
+      const Point<2> &from = layout.joints[span.first].bush,
+                     &to   = layout.joints[(span.first + span.links) % layout.joints.size()].bush;
+      span.direction       = (to - from) / to.distance(from);
+      span.normal[0]       = layout.sense * span.direction[1];
+      span.normal[1]       = -layout.sense * span.direction[0];
+    }
   set_links(layout);
 }
 } // namespace chaindrive::drive

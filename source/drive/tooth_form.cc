@@ -162,9 +162,10 @@ double diameter_for_land(const std::vector<Segment> &flank,
 ToothForm make_tooth_form(const unsigned int           teeth,
                           const ChainDimensions       &chain,
                           const parameters::Sprockets &sprockets,
-                          const bool                   driver)
+                          const parameters::Role       role)
 {
-  const std::string name = driver ? "Driver" : "Driven";
+  const parameters::Sprocket &given = sprockets.with(role);
+  const std::string           name  = parameters::in_entries(role);
   if (teeth < 9)
     throw InputError("Drive/" + name + " teeth = " + std::to_string(teeth) +
                      ": the tooth forms of the standards begin at 9 teeth.");
@@ -184,13 +185,11 @@ ToothForm make_tooth_form(const unsigned int           teeth,
       0.5 * t.pitch_diameter; // `pitch`, and what ANSI means by a standard sprocket
   if (centre == SeatCentre::bottom_diameter)
     {
-      const auto &bottom =
-          driver ? sprockets.driver_bottom_diameter : sprockets.driven_bottom_diameter;
-      if (!bottom)
+      if (!given.bottom_diameter)
         throw InputError("Drive/Sprockets/" + name +
                          " bottom diameter must be given, because Seat "
                          "centre = bottom diameter.");
-      seat_centre = 0.5 * *bottom + t.seat_radius;
+      seat_centre = 0.5 * *given.bottom_diameter + t.seat_radius;
     }
   else if (centre == SeatCentre::iso && !ansi)
     seat_centre = 0.5 * (t.pitch_diameter - d1) + t.seat_radius;
@@ -206,10 +205,8 @@ ToothForm make_tooth_form(const unsigned int           teeth,
   t.pointed_diameter = 2. * largest_radius(flank, PI / z);
 
   const double least = 2. * flank.front().end.norm();
-  const auto  &given =
-      driver ? sprockets.driver_outside_diameter : sprockets.driven_outside_diameter;
-  if (given)
-    t.outside_diameter = *given;
+  if (given.outside_diameter)
+    t.outside_diameter = *given.outside_diameter;
   else
     {
       const double least_iso = t.pitch_diameter + p * (1. - 1.6 / z) - d1;

@@ -18,23 +18,6 @@ using Vector3 = dealii::Tensor<1, 3>;
 using contact::Family;
 using contact::Record;
 
-std::string name_of(const scene::Body &body)
-{
-  switch (body.kind)
-    {
-    case scene::Kind::roller:
-      return "roller " + std::to_string(body.number);
-    case scene::Kind::inner_link:
-      return "inner link " + std::to_string(body.number);
-    case scene::Kind::outer_link:
-      return "outer link " + std::to_string(body.number);
-    case scene::Kind::driver:
-      return "driver";
-    default:
-      return "driven sprocket";
-    }
-}
-
 std::string text_of(const Vector3 &v, const double unit)
 {
   return "(" + to_text(v[0] / unit, 3) + ", " + to_text(v[1] / unit, 3) + ", " +
@@ -44,13 +27,12 @@ std::string text_of(const Vector3 &v, const double unit)
 std::string text_of(const scene::Scene &scene, const Family &family, const Record &record)
 {
   return "interface " + family.name() + " at joint " + std::to_string(record.joint) + " (" +
-         name_of(scene.bodies[record.slave]) + " on " + name_of(scene.bodies[record.master]) + ")";
+         scene.name_of(record.slave) + " on " + scene.name_of(record.master) + ")";
 }
 
 std::string text_of(const scene::Scene &scene, const scene::Bar &bar)
 {
-  return "bar between " + name_of(scene.bodies[bar.first]) + " and " +
-         name_of(scene.bodies[bar.second]);
+  return "bar between " + scene.name_of(bar.first) + " and " + scene.name_of(bar.second);
 }
 
 /// Node @p node of @p copy of a group; of a rim, copies are teeth.
@@ -62,7 +44,7 @@ std::string text_of(const scene::Scene &scene,
 {
   const BodyBatches &copies = world.copies[group];
   const unsigned int body   = copies.bodies[copy];
-  return "node " + std::to_string(node) + " of " + name_of(scene.bodies[body]) +
+  return "node " + std::to_string(node) + " of " + scene.name_of(body) +
          (world.rim_of(body) != nullptr ? ", tooth " + std::to_string(copy) : "") + ", at " +
          text_of(dealii::Tensor<1, 3>(copies.nodes.position[node]), 1e-3) +
          " mm in the part's axes";
@@ -233,19 +215,19 @@ std::vector<FaultSite> faults_not_finite(const scene::Scene &scene, System &syst
         if (world.elastic_address[b].group == World::Address::none)
           {
             if (!finite(value(world.displacement, b)))
-              places.push_back({4., name_of(scene.bodies[b]) + " (position)"});
+              places.push_back({4., scene.name_of(b) + " (position)"});
             else if (!finite(value(world.velocity, b)))
-              places.push_back({1., name_of(scene.bodies[b]) + " (velocity)"});
+              places.push_back({1., scene.name_of(b) + " (velocity)"});
           }
       for (const World::Rotation &rotation : world.rotations)
         if (!finite(rotation.momentum))
-          places.push_back({4., name_of(scene.bodies[rotation.body]) + " (spin)"});
+          places.push_back({4., scene.name_of(rotation.body) + " (spin)"});
       for (const World::Spin &spin : world.spins)
         if (!std::isfinite(spin.speed))
-          places.push_back({4., name_of(scene.bodies[spin.body]) + " (spin)"});
+          places.push_back({4., scene.name_of(spin.body) + " (spin)"});
       for (const World::Hub &hub : world.hubs)
         if (!std::isfinite(hub.angle + hub.speed))
-          places.push_back({4., name_of(scene.bodies[hub.body]) + " (rotation)"});
+          places.push_back({4., scene.name_of(hub.body) + " (rotation)"});
       for_each_record(system, [&](const Family &family, const Record &record, unsigned int) {
         if (!std::isfinite(record.gap) || !finite(record.force))
           places.push_back({3., text_of(scene, family, record)});
@@ -288,11 +270,11 @@ faults_of_balance(const scene::Scene &scene, System &system, const LastStep *las
           // drag belongs to half a step before
           if (rest.norm() > (1e-6 + drag * dt) * size)
             places.push_back({rest.norm(),
-                              name_of(scene.bodies[b]) + ": the force on it differs by " +
+                              scene.name_of(b) + ": the force on it differs by " +
                                   text_of(rest, 1.) +
                                   " N from what contacts, bars and loads report" +
                                   explanation(reported, b, rest),
-                              name_of(scene.bodies[b])});
+                              scene.name_of(b)});
         }
     }
   for_each_own_copy(world, [&](const unsigned int g, const unsigned int copy) {
@@ -314,10 +296,10 @@ faults_of_balance(const scene::Scene &scene, System &system, const LastStep *las
       }
     if (rest.norm() > (1e-6 + drag * dt) * size)
       places.push_back({rest.norm(),
-                        name_of(scene.bodies[body]) + ": its momentum changes by " +
-                            text_of(rest, 1.) + " N more than the forces on it; fastest is " +
+                        scene.name_of(body) + ": its momentum changes by " + text_of(rest, 1.) +
+                            " N more than the forces on it; fastest is " +
                             text_of(scene, world, g, copy, fastest_node(world, g, copy).first),
-                        name_of(scene.bodies[body])});
+                        scene.name_of(body)});
   });
   return gather(places, world);
 }
@@ -357,7 +339,7 @@ std::vector<FaultSite> extremes(const scene::Scene &scene, System &system)
           {
             const double a = world.inverse_mass[b] * value(world.force, b).norm();
             bodies.push_back(
-                {a, name_of(scene.bodies[b]) + " is accelerated by " + to_text(a, 3) + " m/s2"});
+                {a, scene.name_of(b) + " is accelerated by " + to_text(a, 3) + " m/s2"});
           }
       for (unsigned int i = 0; i < system.bars.size(); ++i)
         bars.push_back({std::abs(system.bars.tension()[i]),

@@ -62,9 +62,10 @@ void Recorder::add_channels()
 
 void Recorder::add_hub_channels()
 {
-  for (const std::string name : {"driver", "driven"})
+  for (const scene::Sprocket &sprocket : scene_.sprockets)
     {
-      const unsigned int body = name == "driver" ? scene_.driver : scene_.driven;
+      const std::string  name = sprocket.name();
+      const unsigned int body = sprocket.body;
       const auto         hub  = [body](const dynamics::System &s) -> const World::Hub          &{
         return *std::find_if(s.world.hubs.begin(), s.world.hubs.end(), [body](const World::Hub &h) {
           return h.body == body;

@@ -39,8 +39,8 @@ Engagements::Engagements(const scene::Scene &scene, const dynamics::System &syst
              std::vector<int>(scene.n_joints, -1),
              std::vector<double>(scene.n_joints, 0.)});
   };
-  add("driver", scene.driver, scene.driver_teeth, scene.span_normal);
-  add("driven", scene.driven, scene.driven_teeth, -scene.span_normal);
+  for (const scene::Sprocket &sprocket : scene.sprockets)
+    add(sprocket.name(), sprocket.body, sprocket.teeth, sprocket.entry_normal);
 }
 
 void Engagements::observe(const dynamics::System &system, const double dt)

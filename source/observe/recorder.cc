@@ -86,10 +86,10 @@ Recorder::Recorder(const scene::Scene     &scene,
   for (const scene::ToothFamily &teeth : scene.teeth)
     if (named.insert(teeth.name).second)
       {
-        const unsigned int n_gaps =
-            teeth.sprocket == scene.driver ? scene.driver_teeth : scene.driven_teeth;
+        const scene::Sprocket &sprocket = scene.sprockets.at(scene.bodies[teeth.sprocket].number);
+        const unsigned int     n_gaps   = sprocket.teeth;
         teeth_.push_back({{},
-                          teeth.sprocket == scene.driver ? "driver" : "driven",
+                          sprocket.name(),
                           std::vector<double>(scene.n_joints, 0.),
                           std::vector<double>(scene.n_joints, 0.),
                           std::vector<double>(n_gaps, 0.),
@@ -238,7 +238,7 @@ void Recorder::keep_means(const dynamics::System &system, const double dt)
   // values at the end of the step stand for the step that led there
   const double from = system.world.time - dt;
   for (const World::Hub &hub : system.world.hubs)
-    if (hub.body == scene_.driven)
+    if (hub.body == scene_.with(parameters::Role::driven).body)
       driven_speed_.add(from, dt, scene_.sense * hub.speed);
   driver_torque_.add(from, dt, system.loads.driver_torque());
   tight_tension_.add(from, dt, spans_.tight_tension);
@@ -286,9 +286,9 @@ void Recorder::write_fields(const dynamics::System &system)
   std::vector<BodySnapshot> bodies;
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     if (world.owns(b))
-      bodies.push_back({&patches_.at(scene_.bodies[b].kind),
+      bodies.push_back({&patches_.at(scene_.bodies[b].part()),
                         b,
-                        static_cast<int>(scene_.bodies[b].kind),
+                        scene_.bodies[b].number_in_pictures(),
                         scene_.bodies[b].initial,
                         world.frames[b],
                         contact_force[b],
@@ -308,7 +308,7 @@ void Recorder::write_fields(const dynamics::System &system)
             sector                  = elastic_->snapshot(system, {rim.group, s});
             bodies.push_back({&sector_patches_.at(rim.group),
                               rim.body,
-                              static_cast<int>(scene_.bodies[rim.body].kind),
+                              scene_.bodies[rim.body].number_in_pictures(),
                               copies.start[s],
                               world.frames[rim.body],
                               contact_force[rim.body],
@@ -359,7 +359,7 @@ files::Json Recorder::summary(const dynamics::System             &system,
       dealii::Utilities::MPI::sum(system.contacts.n_missed(), system.world.communicator());
   files::Json json;
   for (const World::Hub &hub : system.world.hubs)
-    if (hub.body == scene_.driven)
+    if (hub.body == scene_.with(parameters::Role::driven).body)
       json["driven_angle_end"] = scene_.sense * hub.angle;
   json["driven_speed_mean"] = driven_speed_.mean();
   json["span_speed_mean"]   = span_speed_.mean();

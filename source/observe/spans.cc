@@ -16,8 +16,8 @@ Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
   const auto pitch_radius = [&](const unsigned int teeth) {
     return 0.5 * scene.pitch / std::sin(dealii::numbers::PI / teeth);
   };
-  const double r1   = pitch_radius(scene.driver_teeth);
-  const double r2   = pitch_radius(scene.driven_teeth);
+  const double r1   = pitch_radius(scene.sprockets[0].teeth);
+  const double r2   = pitch_radius(scene.sprockets[1].teeth);
   const double sine = (r1 - r2) / scene.centre_distance;
   const double from = r1 * sine, to = scene.centre_distance + r2 * sine;
   middle_ = 0.5 * (from + to);

@@ -97,10 +97,10 @@ void check_chain(const Parameters &p, Findings &findings)
                     "tell from the others.");
 
   findings.contradiction(
-      bottoms && !(sprockets.driver_bottom_diameter && sprockets.driven_bottom_diameter),
+      bottoms && !(sprockets.driver.bottom_diameter && sprockets.driven.bottom_diameter),
       "Drive/Sprockets/Seat centre = bottom diameter needs both Driver bottom diameter in mm and "
       "Driven bottom diameter in mm; give them, or choose iso or pitch.");
-  findings.note(!bottoms && (sprockets.driver_bottom_diameter || sprockets.driven_bottom_diameter),
+  findings.note(!bottoms && (sprockets.driver.bottom_diameter || sprockets.driven.bottom_diameter),
                 "The bottom diameters of Drive/Sprockets have no effect, since Seat centre is " +
                     text_of(sprockets.seat_centre) + ".");
   findings.contradiction(
@@ -116,10 +116,10 @@ void check_chain(const Parameters &p, Findings &findings)
       "Drive/Chain/Pitch set = nominal: the loaded chain is a radial clearance per pitch longer "
       "than its sprockets are cut for, and rides up their flanks like a worn chain.");
 
-  for (const bool driver : {true, false})
+  for (const auto &[role, name] : texts_of<Role>)
     findings.note(
-        !(driver ? sprockets.driver_mesh : sprockets.driven_mesh).empty(),
-        std::string("The ") + (driver ? "driver" : "driven sprocket") +
+        !sprockets.with(role).mesh.empty(),
+        "The " + in_words(role) +
             " touches with the flanks of its mesh; Drive/Sprockets/Tooth form serves only to lay "
             "the chain on it.");
 

@@ -4,6 +4,13 @@
 
 namespace chaindrive::parameters
 {
+std::string in_words(const Role role)
+{
+  return role == Role::driver ? "driver" : text_of(role) + " sprocket";
+}
+
+std::string in_entries(const Role role) { return role == Role::driver ? "Driver" : "Driven"; }
+
 void Chain::declare(Declarations &declarations)
 {
   const Subsection section(declarations, "Chain");
@@ -138,28 +145,28 @@ void Sprockets::declare(Declarations &declarations)
   const std::string tips = " teeth. auto: the middle of the range of ISO 606 as far as the tooth "
                            "keeps a tip land, or the value of ANSI B29.1. A value that leaves no "
                            "tip land is refused.";
-  length("Driver outside diameter in mm", driver_outside_diameter, outside + "driver's" + tips);
+  length("Driver outside diameter in mm", driver.outside_diameter, outside + "driver's" + tips);
   length("Driven outside diameter in mm",
-         driven_outside_diameter,
+         driven.outside_diameter,
          outside + "driven sprocket's" + tips);
   const std::string bottom = ", used with Seat centre = bottom diameter only. Measure it with "
                              "pins, since it decides where the rollers sit.";
   length("Driver bottom diameter in mm",
-         driver_bottom_diameter,
+         driver.bottom_diameter,
          "Diameter at the bottom of the driver's gaps" + bottom);
   length("Driven bottom diameter in mm",
-         driven_bottom_diameter,
+         driven.bottom_diameter,
          "Diameter at the bottom of the driven sprocket's gaps" + bottom);
   const std::string bore =
       " shaft. It counts for the inertia and the pictures only. auto: a third of the root "
       "diameter.";
-  length("Driver bore in mm", driver_bore, "Bore for the driver's" + bore);
-  length("Driven bore in mm", driven_bore, "Bore for the driven sprocket's" + bore);
+  length("Driver bore in mm", driver.bore, "Bore for the driver's" + bore);
+  length("Driven bore in mm", driven.bore, "Bore for the driven sprocket's" + bore);
   const std::string hub = " rigid zone, which the mesh joins to the shaft. auto: six tenths of "
                           "the root diameter.";
-  length("Driver hub diameter in mm", driver_hub_diameter, "Diameter of the driver's" + hub);
+  length("Driver hub diameter in mm", driver.hub_diameter, "Diameter of the driver's" + hub);
   length(
-      "Driven hub diameter in mm", driven_hub_diameter, "Diameter of the driven sprocket's" + hub);
+      "Driven hub diameter in mm", driven.hub_diameter, "Diameter of the driven sprocket's" + hub);
   length("Width in mm",
          width,
          "Width of the teeth of both sprockets. auto: 0.93 of the chain's inner width up to a "
@@ -171,12 +178,12 @@ void Sprockets::declare(Declarations &declarations)
       "Default: the mesh is made from the tooth form.";
   add_text(declarations,
            "Driver mesh",
-           driver_mesh,
+           driver.mesh,
            "a file name or nothing",
            "Mesh of the driver" + meshed);
   add_text(declarations,
            "Driven mesh",
-           driven_mesh,
+           driven.mesh,
            "a file name or nothing",
            "Mesh of the driven sprocket" + meshed);
 }
@@ -255,14 +262,14 @@ void Drive::declare(Declarations &declarations)
       "the drive in prm/paper.");
   add(declarations,
       "Driver teeth",
-      driver_teeth,
+      sprockets.driver.teeth,
       9,
       500,
       "Teeth of the sprocket whose speed is prescribed. Below 17 the polygonal motion grows "
       "quickly; the standards' tooth forms end at 9. Default: the drive in prm/paper.");
   add(declarations,
       "Driven teeth",
-      driven_teeth,
+      sprockets.driven.teeth,
       9,
       500,
       "Teeth of the sprocket that carries the load torque. Default: the drive in prm/paper.");

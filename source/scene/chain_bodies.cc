@@ -57,10 +57,8 @@ double link_spin(const drive::Layout &layout, const unsigned int k)
 
 double roller_spin(const drive::Layout &layout, const unsigned int k)
 {
-  const drive::Layout::Region region = layout.joints[k].region;
-  return region == drive::Layout::Region::driver ? layout.driver_speed :
-         region == drive::Layout::Region::driven ? layout.driven_speed :
-                                                   link_spin(layout, k - k % 2);
+  const int sprocket = layout.joints[k].sprocket;
+  return sprocket >= 0 ? layout.sprockets[sprocket].speed : link_spin(layout, k - k % 2);
 }
 
 void add_chain_bodies(const Parameters        &parameters,

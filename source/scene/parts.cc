@@ -45,14 +45,13 @@ make_link_part(const Parameters &parameters, const drive::Drive &drive, const bo
                         mesh::make_outer_link(drive.chain, density, grid));
 }
 
-std::shared_ptr<const mesh::Part>
-make_sprocket_part(const Parameters &parameters, const drive::Drive &drive, const bool driver)
+std::shared_ptr<const mesh::Part> make_sprocket_part(const Parameters      &parameters,
+                                                     const drive::Drive    &drive,
+                                                     const drive::Sprocket &sprocket)
 {
-  const mesh::SprocketShape shape{driver ? drive.driver_bore : drive.driven_bore,
-                                  driver ? drive.driver_hub_diameter : drive.driven_hub_diameter,
-                                  drive.sprocket_width};
+  const mesh::SprocketShape shape{sprocket.bore, sprocket.hub_diameter, drive.sprocket_width};
   return shared(
-      mesh::make_sprocket(driver ? drive.driver : drive.driven,
+      mesh::make_sprocket(sprocket.form,
                           shape,
                           parameters.material.density,
                           parameters.mesh.sprocket_refinement.value_or(parameters.mesh.refinement),

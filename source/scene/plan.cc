@@ -26,9 +26,9 @@ constexpr double cost_of_element = 40e-9;
 // share of a tooth family's pairs that the search leaves near the sprocket, roughly the wrap
 constexpr double near_share = 0.25;
 
-const char *name_of(const Kind kind)
+std::string name_of(const Scene &scene, const Body &body)
 {
-  switch (kind)
+  switch (body.kind)
     {
     case Kind::roller:
       return "rollers";
@@ -36,10 +36,8 @@ const char *name_of(const Kind kind)
       return "inner links";
     case Kind::outer_link:
       return "outer links";
-    case Kind::driver:
-      return "driver sprocket";
-    case Kind::driven:
-      return "driven sprocket";
+    case Kind::sprocket:
+      return scene.sprockets.at(body.number).name() + " sprocket";
     }
   return "";
 }
@@ -64,20 +62,20 @@ std::string motion_of(const Body &body)
 }
 
 /// Elements and nodes of an elastic body; of a sprocket, those of its sectors.
-std::pair<unsigned int, unsigned int> size_of(const Scene &scene, const Kind kind)
+std::pair<unsigned int, unsigned int> size_of(const Scene &scene, const Body &body)
 {
-  const auto         sector = scene.sectors.find(kind);
+  const auto         sector = scene.sectors.find(body.part());
   const bool         is_rim = sector != scene.sectors.end();
-  const mesh::Part  &part   = is_rim ? *sector->second->part : *scene.parts.at(kind);
+  const mesh::Part  &part   = is_rim ? *sector->second->part : *scene.parts.at(body.part());
   const unsigned int n      = is_rim ? sector->second->n_sectors : 1;
   return {n * part.mesh->n_active_cells(), n * part.mesh->n_used_vertices()};
 }
 
 /// Lanes that are computed for each copy of the sector of a sprocket, those left empty included; 1
 /// for other bodies, which are many.
-double lanes_per_copy(const Scene &scene, const Kind kind)
+double lanes_per_copy(const Scene &scene, const Body &body)
 {
-  const auto sector = scene.sectors.find(kind);
+  const auto sector = scene.sectors.find(body.part());
   if (sector == scene.sectors.end())
     return 1.;
   const unsigned int n = sector->second->n_sectors;
@@ -107,8 +105,7 @@ double step_cost(const Scene &scene)
         cost += cost_of_rigid;
         break;
       case Motion::elastic:
-        cost +=
-            cost_of_element * lanes_per_copy(scene, body.kind) * size_of(scene, body.kind).first;
+        cost += cost_of_element * lanes_per_copy(scene, body) * size_of(scene, body).first;
         break;
       }
   for (const BoreFamily &bores : scene.bores)
@@ -126,20 +123,19 @@ void print_plan(std::ostream       &out,
                 const unsigned long n_steps)
 {
   out << "Bodies\n";
-  std::map<std::pair<Kind, Motion>, unsigned int> count;
+  std::map<std::pair<PartOf, Motion>, std::vector<const Body *>> alike;
   for (const Body &body : scene.bodies)
-    ++count[{body.kind, body.motion}];
-  for (const auto &[sort, n] : count)
-    for (const Body &body : scene.bodies)
-      if (const Kind kind = body.kind; std::make_pair(kind, body.motion) == sort)
-        {
-          out << "  " << std::setw(4) << n << ' ' << name_of(kind) << ": " << motion_of(body);
-          if (body.motion == Motion::elastic)
-            out << ", " << size_of(scene, kind).first << " elements and "
-                << size_of(scene, kind).second << " nodes each";
-          out << '\n';
-          break;
-        }
+    alike[{body.part(), body.motion}].push_back(&body);
+  for (const auto &[sort, bodies] : alike)
+    {
+      const Body &body = *bodies.front();
+      out << "  " << std::setw(4) << bodies.size() << ' ' << name_of(scene, body) << ": "
+          << motion_of(body);
+      if (body.motion == Motion::elastic)
+        out << ", " << size_of(scene, body).first << " elements and " << size_of(scene, body).second
+            << " nodes each";
+      out << '\n';
+    }
 
   out << "Interfaces\n";
   for (const BoreFamily &bores : scene.bores)

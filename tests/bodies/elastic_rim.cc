@@ -23,16 +23,17 @@ scene::Scene make_scene(const scene::Support support, const element::Formulation
   scene::Scene scene         = empty_scene();
   scene.elements.formulation = formulation;
   const auto chain           = drive::make_chain(parameters::Chain());
-  const auto form            = drive::make_tooth_form(teeth, chain, parameters::Sprockets(), true);
-  const auto whole           = std::make_shared<const mesh::Part>(mesh::make_sprocket(
+  const auto form =
+      drive::make_tooth_form(teeth, chain, parameters::Sprockets(), parameters::Role::driver);
+  const auto whole = std::make_shared<const mesh::Part>(mesh::make_sprocket(
       form, {15e-3, 0.6 * form.root_diameter, 7e-3}, scene.material.density, 1));
 
-  scene.parts[scene::Kind::driver]   = whole;
-  scene.sectors[scene::Kind::driver] = std::make_shared<const mesh::Sector>(*whole);
+  scene.parts[scene::Kind::sprocket]   = whole;
+  scene.sectors[scene::Kind::sprocket] = std::make_shared<const mesh::Sector>(*whole);
 
   scene::Body sprocket =
       body(scene::Motion::elastic, support, 1., vector(1., 1., 6e-5), vector(0., 0.));
-  sprocket.kind             = scene::Kind::driver;
+  sprocket.kind             = scene::Kind::sprocket;
   sprocket.initial.rotation = to_matrix(rotation_about_z(0.3));
   scene.bodies              = {sprocket};
   return scene;
@@ -50,7 +51,7 @@ Whole whole_mesh(const scene::Scene         &scene,
                  const element::Formulation  formulation,
                  const std::vector<Vector3> &position)
 {
-  const mesh::Part        &part = *scene.parts.at(scene::Kind::driver);
+  const mesh::Part        &part = *scene.parts.at(scene::Kind::sprocket);
   const mesh::Nodes        nodes(part);
   const element::Hexahedra reference(part, nodes, scene.material, formulation);
   const auto               index = [](const unsigned int node, const unsigned int d) {
@@ -99,7 +100,7 @@ void compare_forces(const std::string &name, const element::Formulation formulat
   std::mt19937                           random(1);
   std::uniform_real_distribution<double> within(-20e-6, 20e-6);
   std::vector<Vector3>                   position;
-  for (const dealii::Point<3> &vertex : scene.parts.at(scene::Kind::driver)->mesh->get_vertices())
+  for (const dealii::Point<3> &vertex : scene.parts.at(scene::Kind::sprocket)->mesh->get_vertices())
     position.push_back(hub.position + hub.rotation * Vector3(vertex) +
                        vector(within(random), within(random), within(random)));
   const auto vertex_of = [&](const unsigned int s, const unsigned int node) {

@@ -34,12 +34,12 @@ Pressed press(Tooth c, const double angle, const double approach)
   teeth.search(world, 1e-3);
 
   const mesh::Part &roller = *scene.parts.at(scene::Kind::roller),
-                   &whole  = *scene.parts.at(scene::Kind::driver);
+                   &whole  = *scene.parts.at(scene::Kind::sprocket);
   const mesh::Nodes nodes(whole);
   const Hexahedra   roller_elements(roller, scene.material, Formulation::enhanced),
       teeth_elements(whole, nodes, scene.material, Formulation::enhanced);
   Statics            statics({&roller_elements, &teeth_elements});
-  const auto        &sector  = *scene.sectors.at(scene::Kind::driver);
+  const auto        &sector  = *scene.sectors.at(scene::Kind::sprocket);
   BodyBatches       &rim     = world.copies[world.rims[0].group];
   const BodyBatches &rollers = world.copies[world.elastic_address[0].group];
 

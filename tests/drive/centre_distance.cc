@@ -24,14 +24,14 @@ struct Case
     if (pitch_set == parameters::PitchSet::paper_literal)
       {
         s.seat_centre            = parameters::SeatCentre::bottom_diameter;
-        s.driver_bottom_diameter = 66.28e-3;
-        s.driven_bottom_diameter = 202.82e-3;
+        s.driver.bottom_diameter = 66.28e-3;
+        s.driven.bottom_diameter = 202.82e-3;
       }
-    s.driver_outside_diameter = 81.8e-3;
-    s.driven_outside_diameter = 219.0e-3;
+    s.driver.outside_diameter = 81.8e-3;
+    s.driven.outside_diameter = 219.0e-3;
     chain                     = drive::make_chain(drive.chain);
-    driver                    = drive::make_tooth_form(15, chain, s, true);
-    driven                    = drive::make_tooth_form(42, chain, s, false);
+    driver                    = drive::make_tooth_form(15, chain, s, parameters::Role::driver);
+    driven                    = drive::make_tooth_form(42, chain, s, parameters::Role::driven);
   }
 
   drive::Layout layout(const double phase, const bool clearances)
@@ -46,7 +46,7 @@ struct Case
     std::array<double, 3> result{{1e9, 0., 0.}};
     for (int i = 0; i < n; ++i)
       {
-        const double c = layout(static_cast<double>(i) / n, clearances).centre_distance * 1e3;
+        const double c = layout(static_cast<double>(i) / n, clearances).centre_distance() * 1e3;
         result[0]      = std::min(result[0], c);
         result[1] += c / n;
         result[2] = std::max(result[2], c);
@@ -108,13 +108,14 @@ int main()
         const auto c           = standard.layout(phase, clearances);
         // the slack span's ends are seats: sag is that of the circle through its joints
         verdict("slack 0.5 mm, pre-tension 300 N straight",
-                std::abs(a.slack - 0.5e-3) < 1e-12 && std::abs(c.slack) < 1e-12);
-        const double chord = b.joints[b.driver_seats - 1].bush.distance(
-            b.joints[b.driver_seats - 1 + b.slack_links].bush);
-        compare("sag over chord", b.sag / chord, 0.02, 9);
+                std::abs(a.span(false).slack - 0.5e-3) < 1e-12 &&
+                    std::abs(c.span(false).slack) < 1e-12);
+        const double chord = b.joints[b.span(false).first].bush.distance(
+            b.joints[b.span(false).first + b.span(false).links].bush);
+        compare("sag over chord", b.span(false).sag / chord, 0.02, 9);
         // 1 N stretches a pitch by 1/3e8 m
         const auto        &j = c.joints;
-        const unsigned int k = c.driver_seats + 3;
+        const unsigned int k = c.sprockets[0].seats + 3;
         compare("stretch of two links, um",
                 (j[k].bush.distance(j[k + 1].bush) + j[k + 1].bush.distance(j[k + 2].bush) -
                  2. * standard.chain.loaded_pitch()) *

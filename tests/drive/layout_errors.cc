@@ -14,14 +14,17 @@ void refuse(const std::string &what, const parameters::Drive &drive, const bool 
 {
   expect_refusal(what, [&] {
     const auto chain = drive::make_chain(drive.chain);
-    drive::make_layout(drive,
-                       chain,
-                       drive::make_tooth_form(drive.driver_teeth, chain, drive.sprockets, true),
-                       drive::make_tooth_form(drive.driven_teeth, chain, drive.sprockets, false),
-                       clearances,
-                       3e8,
-                       0.,
-                       0.);
+    drive::make_layout(
+        drive,
+        chain,
+        drive::make_tooth_form(
+            drive.sprockets.driver.teeth, chain, drive.sprockets, parameters::Role::driver),
+        drive::make_tooth_form(
+            drive.sprockets.driven.teeth, chain, drive.sprockets, parameters::Role::driven),
+        clearances,
+        3e8,
+        0.,
+        0.);
   });
 }
 } // namespace
@@ -53,16 +56,16 @@ int main()
 
   d                                  = Drive();
   d.sprockets.seat_centre            = parameters::SeatCentre::bottom_diameter;
-  d.sprockets.driver_bottom_diameter = 66.28e-3;
-  d.sprockets.driven_bottom_diameter = 202.82e-3;
+  d.sprockets.driver.bottom_diameter = 66.28e-3;
+  d.sprockets.driven.bottom_diameter = 202.82e-3;
   refuse("bottom diameters too large for the chain", d);
   refuse("bottom diameters too large for the chain, clearances", d, true);
 
-  d              = Drive();
-  d.driver_teeth = d.driven_teeth = 9;
-  d.layout.tight_span             = parameters::TightSide::lower;
-  d.layout.centre_distance_from   = parameters::CentreDistanceFrom::sag;
-  d.layout.sag                    = 0.1;
+  d                        = Drive();
+  d.sprockets.driver.teeth = d.sprockets.driven.teeth = 9;
+  d.layout.tight_span                                 = parameters::TightSide::lower;
+  d.layout.centre_distance_from                       = parameters::CentreDistanceFrom::sag;
+  d.layout.sag                                        = 0.1;
   refuse("slack span that would lie on the tight one", d);
   d                             = Drive();
   d.layout.start                = parameters::Start::concentric;

@@ -19,8 +19,10 @@ make(const parameters::Drive &drive, const bool clearances, const bool weightles
   return drive::make_layout(
       drive,
       chain,
-      drive::make_tooth_form(drive.driver_teeth, chain, drive.sprockets, true),
-      drive::make_tooth_form(drive.driven_teeth, chain, drive.sprockets, false),
+      drive::make_tooth_form(
+          drive.sprockets.driver.teeth, chain, drive.sprockets, parameters::Role::driver),
+      drive::make_tooth_form(
+          drive.sprockets.driven.teeth, chain, drive.sprockets, parameters::Role::driven),
       clearances,
       3e8,
       120.74,
@@ -33,16 +35,18 @@ int main()
 {
   parameters::Drive drive;
   const auto        upper = make(drive, true);
-  std::cout << "links: tight " << upper.tight_links << ", slack " << upper.slack_links
-            << "; seats: driver " << upper.driver_seats << ", driven " << upper.driven_seats
-            << '\n';
-  compare(
-      "direction of the tight span, x", upper.tight_direction[0], -std::cos(6.0714 / 57.29578), 3);
+  std::cout << "links: tight " << upper.span(true).links << ", slack " << upper.span(false).links
+            << "; seats: driver " << upper.sprockets[0].seats << ", driven "
+            << upper.sprockets[1].seats << '\n';
+  compare("direction of the tight span, x",
+          upper.span(true).direction[0],
+          -std::cos(6.0714 / 57.29578),
+          3);
   verdict("its normal is outward, to the right of the travel",
-          upper.tight_normal[1] > 0.99 &&
-              std::abs(upper.tight_normal * upper.tight_direction) < 1e-15);
+          upper.span(true).normal[1] > 0.99 &&
+              std::abs(upper.span(true).normal * upper.span(true).direction) < 1e-15);
   verdict("even links are inner links", upper.links[0].inner && !upper.links[1].inner);
-  verdict("nothing moves", upper.driver_speed == 0. && upper.joints[3].velocity.norm() == 0.);
+  verdict("nothing moves", upper.sprockets[0].speed == 0. && upper.joints[3].velocity.norm() == 0.);
 
   std::cout << "== lower span tight, no gravity: the mirror image\n";
   drive.layout.slack      = 2e-3;
@@ -56,8 +60,25 @@ int main()
                               std::abs(lower.joints[k].bush[1] + straight.joints[k].bush[1]));
   verdict("joints mirrored to 1e-8 m", difference < 1e-8);
   verdict("clockwise, travel of the tight span to the driver",
-          lower.sense == -1 && lower.tight_direction[0] < -0.99 && lower.tight_normal[1] < -0.99);
-  verdict("driver gap angles follow", std::abs(lower.driver_angle + straight.driver_angle) < 1e-12);
+          lower.sense == -1 && lower.span(true).direction[0] < -0.99 &&
+              lower.span(true).normal[1] < -0.99);
+  verdict("both spans: outward normals stand on the directions of travel", [&] {
+    double worst = 0.;
+    for (const auto &layout : {upper, lower})
+      for (const auto &span : layout.spans)
+        {
+          const auto &from = layout.joints[span.first].bush,
+                     &to   = layout.joints[(span.first + span.links) % layout.joints.size()].bush;
+          const dealii::Point<2> middle(0.5 * layout.centre_distance(), 0.);
+          worst = std::max({worst,
+                            std::abs(span.normal * span.direction),
+                            (span.direction - (to - from) / to.distance(from)).norm(),
+                            (from - middle) * span.normal > 0. ? 0. : 1.});
+        }
+    return worst < 1e-12;
+  }());
+  verdict("driver gap angles follow",
+          std::abs(lower.sprockets[0].angle + straight.sprockets[0].angle) < 1e-12);
 
   std::cout << "== the slack span hangs down, whichever it is\n";
   drive.layout.centre_distance_from = parameters::CentreDistanceFrom::sag;
@@ -65,12 +86,12 @@ int main()
     {
       drive.layout.tight_span = tight;
       const auto         l    = make(drive, true);
-      const unsigned int a = l.driver_seats - 1, n = l.slack_links;
+      const unsigned int a = l.span(false).first, n = l.span(false).links;
       const auto        &first = l.joints[a].bush, &last = l.joints[a + n].bush;
       const auto        &middle = l.joints[a + n / 2].bush;
       const double       t      = (middle[0] - first[0]) / (last[0] - first[0]);
       compare(text_of(tight) + ": middle below the chord, over the sag",
-              (first[1] + t * (last[1] - first[1]) - middle[1]) / l.sag,
+              (first[1] + t * (last[1] - first[1]) - middle[1]) / l.span(false).sag,
               1.,
               1);
     }
@@ -83,26 +104,26 @@ int main()
     {
       const auto warm = make(drive, clearances);
       compare("driven over driver speed, over the four-bar's",
-              warm.driven_speed / warm.driver_speed /
-                  drive::four_bar_ratio(warm.centre_distance, 15.875e-3, 15, 42, 0.4),
+              warm.sprockets[1].speed / warm.sprockets[0].speed /
+                  drive::four_bar_ratio(warm.centre_distance(), 15.875e-3, 15, 42, 0.4),
               1.,
               3);
       const auto        &j = warm.joints;
-      const unsigned int n = drive.n_links, exit = n - warm.tight_links;
+      const unsigned int n = drive.n_links, exit = warm.span(true).first;
       compare("both ends of the tight span move alike along it, m/s",
-              j[exit].velocity * warm.tight_direction,
-              j[0].velocity * warm.tight_direction,
+              j[exit].velocity * warm.span(true).direction,
+              j[0].velocity * warm.span(true).direction,
               3);
       double jump = 0.;
       for (unsigned int k = 0; k < n; ++k)
         jump = std::max(jump, (j[k].velocity - j[(k + 1) % n].velocity).norm());
       verdict("neighbours differ by no more than p w1", jump < 15.9e-3 * 120.74);
-      const auto &mid = j[exit + warm.tight_links / 2];
+      const auto &mid = j[exit + warm.span(true).links / 2];
       compare(
           "chain speed within the polygon's range 4.509 ... 4.610", mid.velocity.norm(), 4.56, 1);
     }
   drive.layout.tight_span = parameters::TightSide::lower;
   const auto clockwise    = make(drive, true);
   verdict("mirrored: both speeds negative",
-          clockwise.driver_speed == -120.74 && clockwise.driven_speed < 0.);
+          clockwise.sprockets[0].speed == -120.74 && clockwise.sprockets[1].speed < 0.);
 }

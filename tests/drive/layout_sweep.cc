@@ -22,8 +22,10 @@ struct Worst
 void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
 {
   const auto chain  = drive::make_chain(drive.chain);
-  const auto driver = drive::make_tooth_form(drive.driver_teeth, chain, drive.sprockets, true);
-  const auto driven = drive::make_tooth_form(drive.driven_teeth, chain, drive.sprockets, false);
+  const auto driver = drive::make_tooth_form(
+      drive.sprockets.driver.teeth, chain, drive.sprockets, parameters::Role::driver);
+  const auto driven = drive::make_tooth_form(
+      drive.sprockets.driven.teeth, chain, drive.sprockets, parameters::Role::driven);
   ++worst.drives;
   drive::Layout layout;
   try
@@ -33,15 +35,17 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
   catch (const InputError &error)
     {
       if (++worst.refused <= 3)
-        std::cout << drive.driver_teeth << '/' << drive.driven_teeth << ' ' << drive.n_links << ' '
-                  << text_of(drive.layout.centre_distance_from) << ' ' << drive.layout.start_phase
-                  << ": " << error.what() << '\n';
+        std::cout << drive.sprockets.driver.teeth << '/' << drive.sprockets.driven.teeth << ' '
+                  << drive.n_links << ' ' << text_of(drive.layout.centre_distance_from) << ' '
+                  << drive.layout.start_phase << ": " << error.what() << '\n';
       return;
     }
   const auto        &joints = layout.joints;
   const unsigned int n      = drive.n_links;
   if (joints.size() != n || layout.links.size() != n ||
-      layout.driver_seats + layout.driven_seats + layout.tight_links + layout.slack_links != n + 2)
+      layout.sprockets[0].seats + layout.sprockets[1].seats + layout.span(true).links +
+              layout.span(false).links !=
+          n + 2)
     ++worst.disordered;
 
   const bool   concentric = clearances && drive.layout.start == parameters::Start::concentric;
@@ -50,12 +54,14 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
   for (unsigned int k = 0; k < n; ++k)
     {
       const auto &a = joints[k], &b = joints[(k + 1) % n];
-      if (static_cast<int>(a.region) < region)
+      // sprocket 0, span 0, sprocket 1, span 1
+      const int place = a.sprocket >= 0 ? 2 * a.sprocket : k < layout.span(true).first ? 1 : 3;
+      if (place < region)
         ++worst.disordered;
-      region = static_cast<int>(a.region);
+      region = place;
 
-      const bool seated   = a.tooth_gap >= 0 && b.tooth_gap >= 0 && a.region == b.region;
-      const bool in_tight = k >= n - layout.tight_links;
+      const bool seated   = a.tooth_gap >= 0 && b.tooth_gap >= 0 && a.sprocket == b.sprocket;
+      const bool in_tight = k >= layout.span(true).first;
       double     expected = chain.loaded_pitch();
       if (clearances)
         expected = k % 2 == 0 ? chain.loaded_inner_pitch() : chain.loaded_outer_pitch();
@@ -70,16 +76,16 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
                                          std::cos(layout.links[k].angle) * (b.bush - a.bush)[1]));
       worst.bush    = std::max(worst.bush, a.bush.distance(a.roller) - chain.roller_clearance());
 
-      for (const bool first : {true, false})
+      for (const int i : {0, 1})
         {
-          const auto  &form  = first ? driver : driven;
-          const double angle = first ? layout.driver_angle : layout.driven_angle;
-          const auto   arm   = a.roller - dealii::Point<2>(first ? 0. : layout.centre_distance, 0.);
+          const auto            &form  = i == 0 ? driver : driven;
+          const double           angle = layout.sprockets[i].angle;
+          const auto             arm   = a.roller - layout.sprockets[i].centre;
           const dealii::Point<2> local(std::cos(angle) * arm[0] + std::sin(angle) * arm[1],
                                        std::cos(angle) * arm[1] - std::sin(angle) * arm[0]);
           const auto             nearest = form.closest_point(local);
           worst.overlap = std::max(worst.overlap, 0.5 * chain.roller_diameter - nearest.distance);
-          if (a.tooth_gap >= 0 && (a.region == drive::Layout::Region::driver) == first)
+          if (a.sprocket == i)
             {
               const double seat = a.tooth_gap * form.pitch_angle();
               const double r    = 0.5 * chain.loaded_pitch() / std::sin(0.5 * form.pitch_angle());
@@ -137,8 +143,8 @@ int main()
                     if (spans < 30 && z1 + z2 > 2 * spans)
                       continue;
                     parameters::Drive drive;
-                    drive.driver_teeth                = z1;
-                    drive.driven_teeth                = z2;
+                    drive.sprockets.driver.teeth      = z1;
+                    drive.sprockets.driven.teeth      = z2;
                     drive.n_links                     = links(z1, z2, spans);
                     drive.layout.centre_distance_from = from;
                     drive.layout.slack                = 1e-3;
@@ -168,8 +174,8 @@ int main()
       parameters::Drive drive;
       drive.chain.pitch_set                  = parameters::PitchSet::paper_literal;
       drive.sprockets.seat_centre            = parameters::SeatCentre::bottom_diameter;
-      drive.sprockets.driver_bottom_diameter = 66.28e-3;
-      drive.sprockets.driven_bottom_diameter = 202.82e-3;
+      drive.sprockets.driver.bottom_diameter = 66.28e-3;
+      drive.sprockets.driven.bottom_diameter = 202.82e-3;
       drive.layout.start_phase               = 0.02 * i;
       check(drive, i % 2 == 0, worst);
     }
@@ -179,9 +185,9 @@ int main()
   for (const unsigned int n : {20u, 21u, 75u, 111u, 600u})
     {
       parameters::Drive drive;
-      drive.driver_teeth = n < 50 ? 9 : 17;
-      drive.driven_teeth = n < 50 ? 9 : 21;
-      drive.n_links      = n;
+      drive.sprockets.driver.teeth = n < 50 ? 9 : 17;
+      drive.sprockets.driven.teeth = n < 50 ? 9 : 21;
+      drive.n_links                = n;
       check(drive, false, worst);
     }
   report("odd and extreme numbers of links", worst);

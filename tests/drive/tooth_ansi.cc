@@ -48,8 +48,9 @@ int main()
                                      202.1442,
                                      221.3622}})
     {
-      const drive::ToothForm f    = drive::make_tooth_form(e.z, chain, sprockets, true);
-      const drive::Segment  &seat = f.half_profile[0], &work = f.half_profile[1],
+      const drive::ToothForm f =
+          drive::make_tooth_form(e.z, chain, sprockets, parameters::Role::driver);
+      const drive::Segment &seat = f.half_profile[0], &work = f.half_profile[1],
                            &straight = f.half_profile[2], &top = f.half_profile[3];
       const double a = seat.centre[0]; // the standard's origin, its y axis along our x, its x to -y
       const double half = dealii::numbers::PI / e.z, p = chain.pitch;
@@ -85,8 +86,8 @@ int main()
 
   std::cout << "== bottom diameter given: the gullet moves as a whole\n";
   sprockets.seat_centre            = parameters::SeatCentre::bottom_diameter;
-  sprockets.driver_bottom_diameter = 66.2e-3;
-  const drive::ToothForm f         = drive::make_tooth_form(15, chain, sprockets, true);
+  sprockets.driver.bottom_diameter = 66.2e-3;
+  const drive::ToothForm f = drive::make_tooth_form(15, chain, sprockets, parameters::Role::driver);
   compare("bottom diameter", f.root_diameter * 1e3, 66.2, 4);
   compare("lowest point", 2e3 * f.half_profile.front().begin.norm(), 66.2, 4);
 }

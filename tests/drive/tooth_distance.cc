@@ -38,8 +38,8 @@ void check(const parameters::StandardForm form,
            const drive::ChainDimensions  &chain)
 {
   parameters::Sprockets sprockets;
-  sprockets.tooth_form              = form;
-  const drive::ToothForm      f     = drive::make_tooth_form(z, chain, sprockets, true);
+  sprockets.tooth_form     = form;
+  const drive::ToothForm f = drive::make_tooth_form(z, chain, sprockets, parameters::Role::driver);
   const std::vector<Point<2>> line  = f.polyline(60);
   const double                outer = 0.5 * f.outside_diameter, root = 0.5 * f.root_diameter;
 

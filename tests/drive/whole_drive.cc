@@ -56,16 +56,16 @@ int main()
     for (const auto fidelity : {parameters::Fidelity::simple, parameters::Fidelity::layered})
       {
         Parameters p;
-        p.drive.chain.designation = name;
-        p.drive.driver_teeth      = z1;
-        p.drive.driven_teeth      = z2;
-        p.drive.n_links           = n;
-        p.model.fidelity          = fidelity;
+        p.drive.chain.designation      = name;
+        p.drive.sprockets.driver.teeth = z1;
+        p.drive.sprockets.driven.teeth = z2;
+        p.drive.n_links                = n;
+        p.model.fidelity               = fidelity;
         if (n == 90) // the default load would press its rollers through the teeth
           p.loads.resisting_torque = 5.;
         const drive::Drive other = drive::make_drive(p);
         std::cout << name << ' ' << z1 << '/' << z2 << ' ' << text_of(fidelity) << ' '
-                  << std::setprecision(4) << other.layout.centre_distance * 1e3 << ' '
+                  << std::setprecision(4) << other.layout.centre_distance() * 1e3 << ' '
                   << std::setprecision(3) << other.stiffness_per_pitch * 1e-6 << '\n';
       }
 
@@ -77,8 +77,8 @@ int main()
   });
   expect_refusal("bore larger than the hub", [] {
     Parameters p;
-    p.drive.sprockets.driver_bore         = 40e-3;
-    p.drive.sprockets.driver_hub_diameter = 33e-3;
+    p.drive.sprockets.driver.bore         = 40e-3;
+    p.drive.sprockets.driver.hub_diameter = 33e-3;
     drive::make_drive(p);
   });
 }

@@ -86,11 +86,11 @@ int main()
             }
           report(text_of(fidelity) + ", " + name, phases);
         }
-      Parameters small              = p;
-      small.drive.driver_teeth      = 19;
-      small.drive.driven_teeth      = 11;
-      small.drive.n_links           = 60;
-      small.drive.layout.tight_span = parameters::TightSide::upper;
+      Parameters small                   = p;
+      small.drive.sprockets.driver.teeth = 19;
+      small.drive.sprockets.driven.teeth = 11;
+      small.drive.n_links                = 60;
+      small.drive.layout.tight_span      = parameters::TightSide::upper;
       report(text_of(fidelity) + ", 19/11", {small});
     }
 }

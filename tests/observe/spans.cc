@@ -30,13 +30,13 @@ int main()
           for (double phase = 0.05; phase < 1.; phase += 0.1)
             {
               Parameters p;
-              p.drive.driver_teeth       = driver;
-              p.drive.driven_teeth       = driven;
-              p.drive.n_links            = links;
-              p.drive.layout.tight_span  = side;
-              p.drive.layout.start       = parameters::Start::warm;
-              p.drive.layout.start_phase = phase;
-              p.drive.layout.slack       = 0.;
+              p.drive.sprockets.driver.teeth = driver;
+              p.drive.sprockets.driven.teeth = driven;
+              p.drive.n_links                = links;
+              p.drive.layout.tight_span      = side;
+              p.drive.layout.start           = parameters::Start::warm;
+              p.drive.layout.start_phase     = phase;
+              p.drive.layout.slack           = 0.;
               // has room for a chain that is laid taut
               p.drive.sprockets.tooth_form = parameters::StandardForm::iso_mid;
               p.loads.resisting_torque     = 20.;
@@ -51,7 +51,7 @@ int main()
               spans.update(system);
 
               const double tension = drive.nominal_tension;
-              const double radius  = 0.5 * drive.driver.pitch_diameter;
+              const double radius  = 0.5 * drive.sprockets[0].form.pitch_diameter;
               const double note[5] = {spans.tight_tension / tension - 1.,
                                       spans.slack_tension / tension,
                                       spans.tight_speed / (30. * radius) - 1.,

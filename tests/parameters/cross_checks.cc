@@ -51,18 +51,18 @@ int main()
   check([](Parameters &p) { p.drive.n_links = 111; });
   check([](Parameters &p) {
     p.drive.sprockets.seat_centre            = SeatCentre::bottom_diameter;
-    p.drive.sprockets.driver_bottom_diameter = 66.28e-3;
+    p.drive.sprockets.driver.bottom_diameter = 66.28e-3;
   });
-  check([](Parameters &p) { p.drive.sprockets.driven_bottom_diameter = 202.82e-3; });
+  check([](Parameters &p) { p.drive.sprockets.driven.bottom_diameter = 202.82e-3; });
   check([](Parameters &p) { p.drive.chain.pitch_set = PitchSet::paper_literal; });
   check([](Parameters &p) {
     p.drive.chain.pitch_set                  = PitchSet::paper_literal;
     p.drive.sprockets.seat_centre            = SeatCentre::bottom_diameter;
-    p.drive.sprockets.driver_bottom_diameter = 66.28e-3;
-    p.drive.sprockets.driven_bottom_diameter = 202.82e-3;
+    p.drive.sprockets.driver.bottom_diameter = 66.28e-3;
+    p.drive.sprockets.driven.bottom_diameter = 202.82e-3;
   });
   check([](Parameters &p) { p.drive.chain.pitch_set = PitchSet::nominal; });
-  check([](Parameters &p) { p.drive.sprockets.driver_mesh = "driver.msh"; });
+  check([](Parameters &p) { p.drive.sprockets.driver.mesh = "driver.msh"; });
   check([](Parameters &p) { p.output.rollers = {0, 109, 110}; });
 
   std::cout << "fidelity and start" << std::endl;

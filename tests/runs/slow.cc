@@ -25,7 +25,7 @@ int main()
       links("results/histories_links.csv");
   const std::vector<double> &driver = hubs["driver_angle"], &driven = hubs["driven_angle"];
   const std::size_t          last        = driver.size() - 1;
-  const double               pitch_angle = drive.driver.pitch_angle();
+  const double               pitch_angle = drive.sprockets[0].form.pitch_angle();
 
   // the last ten whole pitches; the sample where they begin lies between two
   const double begin = driver[last] - 10. * pitch_angle;
@@ -66,8 +66,8 @@ int main()
   const unsigned int   n     = 360;
   std::complex<double> rigid = 0.;
   unsigned int         k     = 0;
-  for (const double ratio :
-       drive::four_bar_ratios(drive.layout.centre_distance, drive.chain.loaded_pitch(), 15, 42, n))
+  for (const double ratio : drive::four_bar_ratios(
+           drive.layout.centre_distance(), drive.chain.loaded_pitch(), 15, 42, n))
     rigid += ratio * std::polar(1., -2. * M_PI * k++ / n);
   test::range("first pitch harmonic / that of the rigid four-bar",
               measured / (2. * std::abs(rigid) / n),
@@ -84,10 +84,10 @@ int main()
         if (force == 0.)
           continue;
         const dealii::Point<2> at(rollers["position_x" + name][i], rollers["position_y" + name][i]);
-        const double           turned = drive.layout.driver_angle + driver[i];
+        const double           turned = drive.layout.sprockets[0].angle + driver[i];
         const dealii::Point<2> local(std::cos(turned) * at[0] + std::sin(turned) * at[1],
                                      -std::sin(turned) * at[0] + std::cos(turned) * at[1]);
-        const auto             contact = drive.driver.closest_point(local);
+        const auto             contact = drive.sprockets[0].form.closest_point(local);
         dealii::Tensor<1, 2>   normal;
         normal[0] = std::cos(turned) * contact.normal[0] - std::sin(turned) * contact.normal[1];
         normal[1] = std::sin(turned) * contact.normal[0] + std::cos(turned) * contact.normal[1];

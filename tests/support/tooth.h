@@ -39,8 +39,8 @@ struct Tooth
 inline drive::ToothForm tooth_form(const drive::ChainDimensions &chain)
 {
   parameters::Sprockets sprockets;
-  sprockets.driver_outside_diameter = 81.8e-3;
-  return drive::make_tooth_form(15, chain, sprockets, true);
+  sprockets.driver.outside_diameter = 81.8e-3;
+  return drive::make_tooth_form(15, chain, sprockets, parameters::Role::driver);
 }
 
 /// Mesh of the sprocket, its sector and the facets of an imported one; each made once.
@@ -90,10 +90,10 @@ inline scene::Scene make_scene(const Tooth &c)
   const auto &[whole, sector, facets]      = sprocket_mesh(c, *form, scene.material.density);
   if (c.elastic)
     {
-      scene.parts[scene::Kind::driver]   = whole;
-      scene.sectors[scene::Kind::driver] = sector;
-      scene.bodies[1].kind               = scene::Kind::driver;
-      scene.bodies[1].motion             = scene::Motion::elastic;
+      scene.parts[scene::Kind::sprocket]   = whole;
+      scene.sectors[scene::Kind::sprocket] = sector;
+      scene.bodies[1].kind                 = scene::Kind::sprocket;
+      scene.bodies[1].motion               = scene::Motion::elastic;
     }
   const double      wall = 0.5 * (chain.roller_diameter - chain.roller_bore);
   scene::ContactLaw law;

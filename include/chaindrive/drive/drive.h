@@ -12,18 +12,26 @@
 
 namespace chaindrive::drive
 {
+/// A sprocket of the drive.
+struct Sprocket
+{
+  parameters::Role role;
+  ToothForm        form;
+  double           bore;         ///< diameter
+  double           hub_diameter; ///< of the rigid zone
+  MassProperties   solid;
+  std::string      mesh; ///< a Gmsh file that takes the place of the form; empty: none
+};
+
 /// The geometry of a whole drive with what follows from it. SI units.
 struct Drive
 {
-  ChainDimensions chain;
-  ToothForm       driver, driven;
-  double          sprocket_width;
-  double          driver_bore, driven_bore;                 ///< diameters
-  double          driver_hub_diameter, driven_hub_diameter; ///< of the rigid zones
-  Layout          layout;
+  ChainDimensions       chain;
+  std::vector<Sprocket> sprockets; ///< in the order in which the chain runs over them
+  double                sprocket_width;
+  Layout                layout;
 
   MassProperties roller_solid, inner_link_solid, outer_link_solid;
-  MassProperties driver_solid, driven_solid;
   double         mass_per_pitch; ///< of the solids: a roller and half of either link, kg
 
   double stiffness_per_pitch;    ///< of the chain, given or estimated, N/m
@@ -32,6 +40,8 @@ struct Drive
   double nominal_tension;        ///< of the tight span: resisting torque / driven pitch radius, N
 
   std::vector<std::string> notes; ///< sentences for the log: choices made and values derived
+
+  const Sprocket &with(parameters::Role role) const;
 };
 
 /// @throws InputError as make_chain(), make_tooth_form() and make_layout() do, and for a bore, hub

@@ -12,26 +12,39 @@
 
 namespace chaindrive::drive
 {
-/// Where everything is at the start: the driver's axis at the origin, the driven one's at
-/// (centre_distance, 0). Upper span tight: both sprockets turn counter-clockwise. Lower span tight:
-/// the mirror image, both turn clockwise. SI units.
+/// Where everything is at the start. The chain's path leads round the sprockets in turn: span i
+/// leads from sprocket i to the next one, the last span back to sprocket 0.
+///
+/// Today there are two: the driver (0) with its axis at the origin, and the driven sprocket (1) at
+/// (centre distance, 0). Upper span tight: both turn counter-clockwise. Lower span tight: the
+/// mirror image, both turn clockwise. SI units.
 struct Layout
 {
-  /// What a joint is part of. A joint on a sprocket sits in one of its gaps.
-  enum class Region
+  struct Sprocket
   {
-    driver,
-    slack,
-    driven,
-    tight
+    dealii::Point<2> centre;
+    double           angle; ///< of gap 0 from +x, rad
+    double           speed; ///< rad/s, counter-clockwise positive; zero unless the start is warm
+    unsigned int     seats; ///< joints that sit on it
+  };
+
+  struct Span
+  {
+    bool         tight;
+    unsigned int first; ///< joint at which it begins: the last seat of the sprocket before it
+    unsigned int links;
+    double       slack;             ///< length of its links less the distance that they bridge, m
+    double       sag;               ///< from the straight line between its ends, m
+    dealii::Tensor<1, 2> direction; ///< unit, of travel
+    dealii::Tensor<1, 2> normal;    ///< unit, outward
   };
 
   struct Joint
   {
-    dealii::Point<2>     roller;   ///< centre
-    dealii::Point<2>     bush;     ///< centre
-    dealii::Tensor<1, 2> velocity; ///< zero unless the start is warm
-    Region               region;
+    dealii::Point<2>     roller;    ///< centre
+    dealii::Point<2>     bush;      ///< centre
+    dealii::Tensor<1, 2> velocity;  ///< zero unless the start is warm
+    int                  sprocket;  ///< it sits on, -1 in a span
     int                  tooth_gap; ///< of the sprocket it sits in, -1 in a span
   };
 
@@ -43,24 +56,17 @@ struct Layout
     bool             inner;
   };
 
-  double centre_distance;
-  int    sense;        ///< +1: counter-clockwise, -1: clockwise
-  double driver_angle; ///< of gap 0 from +x, rad
-  double driven_angle;
-  double driver_speed; ///< rad/s, counter-clockwise positive; zero unless the start is warm
-  double driven_speed;
+  int                   sense; ///< +1: counter-clockwise, -1: clockwise
+  std::vector<Sprocket> sprockets;
+  std::vector<Span>     spans;
+  std::vector<Joint>    joints; ///< in the direction of travel; joint 0 enters sprocket 0
+  std::vector<Link>     links;
 
-  std::vector<Joint> joints; ///< in the direction of travel; joint 0 enters the driver
-  std::vector<Link>  links;
+  /// The tight span, and the slack one.
+  const Span &span(bool tight) const;
 
-  double slack; ///< length of the slack span's links less the distance that they bridge, m
-  double sag;   ///< of the slack span from the straight line between its ends, m
-
-  unsigned int tight_links, slack_links;   ///< in the spans
-  unsigned int driver_seats, driven_seats; ///< joints on the sprockets
-
-  dealii::Tensor<1, 2> tight_direction; ///< unit, of travel of the tight span
-  dealii::Tensor<1, 2> tight_normal;    ///< unit, outward
+  /// Of sprockets 0 and 1, m.
+  double centre_distance() const { return sprockets[0].centre.distance(sprockets[1].centre); }
 };
 
 /// Lays the chain on the sprockets.

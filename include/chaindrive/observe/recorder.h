@@ -105,10 +105,10 @@ private:
   const Parameters   &parameters_;
   PhaseTimer::Phase   phase_;
 
-  std::unique_ptr<files::Histories>  histories_; ///< on the first rank
-  std::vector<Source>                sources_;
-  std::unique_ptr<Fields>            fields_;
-  std::map<scene::Kind, PartPatches> patches_; ///< of a sprocket with a rim: its rigid zone
+  std::unique_ptr<files::Histories>    histories_; ///< on the first rank
+  std::vector<Source>                  sources_;
+  std::unique_ptr<Fields>              fields_;
+  std::map<scene::PartOf, PartPatches> patches_; ///< of a sprocket with a rim: its rigid zone
 
   std::map<unsigned int, PartPatches> sector_patches_; ///< of rims, by group of copies
   std::unique_ptr<Progress>           progress_;       ///< on the first rank, until close()

@@ -109,21 +109,46 @@ struct Chain
   void declare(Declarations &declarations);
 };
 
+/// What a sprocket does; in the order in which the chain runs over them.
+enum class Role
+{
+  driver, ///< turns as the speed program says
+  driven  ///< turns as the chain pulls it against the load
+};
+
+template <>
+inline constexpr Texts<Role, 2> texts_of<Role>{
+    {{Role::driver, "driver"}, {Role::driven, "driven"}}};
+
+/// What sentences call the sprocket of this role.
+std::string in_words(Role role);
+
+/// What names of entries call it.
+std::string in_entries(Role role);
+
+/// What the user says of one sprocket.
+struct Sprocket
+{
+  unsigned int          teeth;
+  std::optional<double> outside_diameter; ///< m
+  std::optional<double> bottom_diameter;  ///< m, for SeatCentre::bottom_diameter
+  std::optional<double> bore;             ///< m
+  std::optional<double> hub_diameter;     ///< m, of the rigid zone
+  std::string           mesh;             ///< a Gmsh file; empty: generated
+};
+
 /// Section `Drive/Sprockets`.
 struct Sprockets
 {
   StandardForm          tooth_form  = StandardForm::iso_min;
   SeatCentre            seat_centre = SeatCentre::iso;
-  std::optional<double> driver_outside_diameter, driven_outside_diameter; ///< m
-  std::optional<double> driver_bottom_diameter,
-      driven_bottom_diameter;                                     ///< m, for `bottom diameter`
-  std::optional<double> driver_bore, driven_bore;                 ///< m
-  std::optional<double> driver_hub_diameter, driven_hub_diameter; ///< m, rigid zone
-  std::optional<double> width;                                    ///< m
-  std::string           driver_mesh, driven_mesh;                 ///< Gmsh files; empty: generated
+  std::optional<double> width; ///< m
+  Sprocket              driver{15, {}, {}, {}, {}, {}}, driven{42, {}, {}, {}, {}, {}};
 
-  /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p declarations.
+  const Sprocket &with(const Role role) const { return role == Role::driver ? driver : driven; }
+
+  /// Declares an entry for each member but the numbers of teeth, which takes every value that is
+  /// set. The object must outlive @p declarations.
   void declare(Declarations &declarations);
 };
 
@@ -147,9 +172,7 @@ struct Layout
 /// Section `Drive`: the geometry of the whole drive.
 struct Drive
 {
-  unsigned int n_links      = 110;
-  unsigned int driver_teeth = 15;
-  unsigned int driven_teeth = 42;
+  unsigned int n_links = 110;
   Chain        chain;
   Sprockets    sprockets;
   Layout       layout;

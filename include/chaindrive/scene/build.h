@@ -56,7 +56,7 @@ struct Joint
 /// Joint @p k of a chain of @p n whose bodies are those of add_chain_bodies().
 Joint joint_of(unsigned int k, const drive::Drive &drive, unsigned int n);
 
-/// Both sprockets and the interfaces of the rollers, which must be there, with their teeth.
+/// The sprockets and the interfaces of the rollers, which must be there, with their teeth.
 void add_sprockets(const Parameters               &parameters,
                    const drive::Drive             &drive,
                    const std::vector<std::string> &folders,
@@ -74,7 +74,7 @@ std::shared_ptr<const mesh::Part> make_roller_part(const Parameters &, const dri
 std::shared_ptr<const mesh::Part>
 make_link_part(const Parameters &, const drive::Drive &, bool inner);
 std::shared_ptr<const mesh::Part>
-make_sprocket_part(const Parameters &, const drive::Drive &, bool driver);
+make_sprocket_part(const Parameters &, const drive::Drive &, const drive::Sprocket &);
 
 /// A penalty law for an interface of stiffness @p k [N/m] between bodies whose reduced mass is
 /// @p mass [kg]: damping and tangential terms from section Contact, zero where effects are off.

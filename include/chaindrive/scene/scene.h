@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace chaindrive::mesh
@@ -25,8 +26,22 @@ enum class Kind
   roller,
   inner_link,
   outer_link,
-  driver,
-  driven
+  sprocket
+};
+
+/// Which part a body is an instance of: all rollers, inner and outer links share one each, every
+/// sprocket has its own.
+struct PartOf
+{
+  PartOf(const Kind of, const unsigned int number = 0) : kind(of), sprocket(number) {}
+
+  Kind         kind;
+  unsigned int sprocket; ///< its number in Scene::sprockets, 0 for others
+
+  bool operator<(const PartOf &other) const
+  {
+    return std::make_pair(kind, sprocket) < std::make_pair(other.kind, other.sprocket);
+  }
 };
 
 /// How a body may move.
@@ -49,12 +64,31 @@ enum class Support
 struct Body
 {
   Kind                 kind;
-  unsigned int         number; ///< of the roller's joint or of the link; 0 for sprockets
+  unsigned int         number; ///< of the roller's joint, the link, or in Scene::sprockets
   Motion               motion;
   Support              support;
   double               mass;    ///< kg
   dealii::Tensor<1, 3> inertia; ///< principal moments about the body's axes, kg m2
   Frame                initial; ///< at the start time
+
+  PartOf part() const { return {kind, kind == Kind::sprocket ? number : 0}; }
+
+  /// What pictures tell bodies apart by: the number of the kind, on which sprockets count.
+  int number_in_pictures() const
+  {
+    return static_cast<int>(kind) + static_cast<int>(part().sprocket);
+  }
+};
+
+/// A sprocket, in the order in which the chain runs over them.
+struct Sprocket
+{
+  parameters::Role     role;
+  unsigned int         body;
+  unsigned int         teeth;
+  dealii::Tensor<1, 3> entry_normal; ///< unit, outward, of the side on which the chain arrives
+
+  std::string name() const { return text_of(role); }
 };
 
 /// Who is there, what touches what, what pulls: a pure description, from which a World is made.
@@ -73,27 +107,30 @@ struct Scene
   bool   half                = false; ///< elastic bodies are halves, see mesh::Part::half
   bool   at_speed            = false; ///< the drive starts at full speed
   int    sense               = 1;     ///< +1: counter-clockwise drive
-  std::map<Kind, std::shared_ptr<const mesh::Part>>   parts;   ///< those that somebody needs
-  std::map<Kind, std::shared_ptr<const mesh::Sector>> sectors; ///< of elastic sprockets
-  Material                                            material;
-  parameters::Elements                                elements;
-  std::vector<Effect>                                 effects;
+  std::map<PartOf, std::shared_ptr<const mesh::Part>>   parts;   ///< those that somebody needs
+  std::map<PartOf, std::shared_ptr<const mesh::Sector>> sectors; ///< of elastic sprockets
+  Material                                              material;
+  parameters::Elements                                  elements;
+  std::vector<Effect>                                   effects;
   std::vector<std::string> notes; ///< what the log must say about choices made
 
-  std::vector<char>    seated; ///< per joint: it starts on a sprocket, not in a span
-  unsigned int         n_joints        = 0;
-  unsigned int         driver          = 0; ///< body numbers of the sprockets
-  unsigned int         driven          = 0;
-  unsigned int         driver_teeth    = 0;
-  unsigned int         driven_teeth    = 0;
-  double               centre_distance = 0.;     ///< m
-  double               pitch           = 0.;     ///< loaded, mean, m
-  dealii::Tensor<1, 3> span_direction;           ///< of travel of the tight span, unit
-  dealii::Tensor<1, 3> span_normal;              ///< outward, unit
-  double               mass_per_pitch      = 0.; ///< kg
-  double               stiffness_per_pitch = 0.; ///< N/m
+  std::vector<char>     seated; ///< per joint: it starts on a sprocket, not in a span
+  unsigned int          n_joints = 0;
+  std::vector<Sprocket> sprockets;
+  double                centre_distance = 0.;     ///< of the first two sprockets, m
+  double                pitch           = 0.;     ///< loaded, mean, m
+  dealii::Tensor<1, 3>  span_direction;           ///< of travel of the tight span, unit
+  dealii::Tensor<1, 3>  span_normal;              ///< outward, unit
+  double                mass_per_pitch      = 0.; ///< kg
+  double                stiffness_per_pitch = 0.; ///< N/m
 
   bool has_elastic_bodies() const;
+
+  /// The sprocket of this role, which must be there.
+  const Sprocket &with(parameters::Role role) const;
+
+  /// What sentences call body @p b, such as "roller 5".
+  std::string name_of(unsigned int b) const;
 
   /// Kinetic energy of the chain at the full speed of the drive, J: the scale of all energies.
   double nominal_energy() const;

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/mesh/import/import.h>
+#include <chaindrive/mesh/sector.h>
+#include <chaindrive/mesh/surface/facet_surface.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
+#include <chaindrive/scene/build.h>
+#include <chaindrive/scene/placement.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace chaindrive::scene
+{
+using parameters::Role;
+
+namespace
+{
+/// The mesh of a sprocket: from its file, or generated where somebody needs it, else null.
+std::shared_ptr<const mesh::Part> sprocket_part(const Parameters               &parameters,
+                                                const drive::Drive             &drive,
+                                                const drive::Sprocket          &sprocket,
+                                                const std::vector<std::string> &folders,
+                                                const Scene                    &scene)
+{
+  const bool         elastic = is_on(scene.effects, "elastic sprockets");
+  const std::string &file    = sprocket.mesh;
+  if (!file.empty())
+    {
+      auto part = std::make_shared<const mesh::Part>(
+          mesh::import_sprocket(mesh::find_file(file, folders),
+                                sprocket.form,
+                                parameters.material.density,
+                                parameters.model.half && elastic));
+      if (const double width = mesh::flank_width(*part); width >= drive.chain.inner_width)
+        throw InputError(
+            "Drive/Sprockets/" + in_entries(sprocket.role) + " mesh = " + file + " has teeth " +
+            to_text(width * 1e3, 4) + " mm wide; they must be narrower than the " +
+            to_text(drive.chain.inner_width * 1e3, 4) + " mm between the inner plates.");
+      return part;
+    }
+  if (is_on(scene.effects, "fields") || elastic)
+    return make_sprocket_part(parameters, drive, sprocket);
+  return nullptr;
+}
+
+/// Sprocket number @p i of the drive as a body, with its mesh in @p part if it has one.
+Body sprocket_body(const Parameters   &parameters,
+                   const drive::Drive &drive,
+                   const unsigned int  i,
+                   const mesh::Part   *part,
+                   Scene              &scene)
+{
+  const drive::Sprocket         &sprocket = drive.sprockets[i];
+  const drive::Layout::Sprocket &start    = drive.layout.sprockets[i];
+  const drive::MassProperties   &solid    = sprocket.mesh.empty() ? sprocket.solid : part->meshed;
+  const bool                     rim      = is_on(scene.effects, "elastic sprockets");
+
+  Body body;
+  body.kind    = Kind::sprocket;
+  body.number  = i;
+  body.motion  = rim ? Motion::elastic : Motion::rigid;
+  body.support = sprocket.role == Role::driver ? Support::prescribed_hub : Support::loaded_hub;
+  body.mass    = solid.mass;
+  for (unsigned int d = 0; d < 3; ++d)
+    body.inertia[d] = solid.inertia[d][d];
+  if (sprocket.role == Role::driven)
+    {
+      body.inertia[2] = parameters.model.driven_inertia.value_or(solid.inertia[2][2]);
+      scene.notes.push_back(
+          "Driven inertia " + to_text(body.inertia[2], 4) + " kg m2 (" +
+          (parameters.model.driven_inertia ? "given" : "auto: the sprocket alone") + ")");
+    }
+  body.initial = placed(start.centre, start.angle, dealii::Tensor<1, 2>(), start.speed);
+  return body;
+}
+
+/// The outward side on which the chain arrives at sprocket number @p i: where a slack span does, it
+/// is opposite the tight one's.
+Tensor3 entry_normal(const drive::Layout &layout, const unsigned int i, const Scene &scene)
+{
+  const std::size_t n = layout.spans.size();
+  return layout.spans[(i + n - 1) % n].tight ? scene.span_normal : -scene.span_normal;
+}
+
+/// The flanks of @p sprocket, which is in the scene as @p body with its mesh in @p part if it has
+/// one; no rollers yet.
+ToothFamily make_flanks(const drive::Drive    &drive,
+                        const drive::Sprocket &sprocket,
+                        const unsigned int     body,
+                        const mesh::Part      *part,
+                        Scene                 &scene)
+{
+  const bool  imported = !sprocket.mesh.empty();
+  ToothFamily teeth;
+  teeth.name         = "roller-" + text_of(sprocket.role);
+  teeth.sprocket     = body;
+  teeth.form         = std::make_shared<const drive::ToothForm>(sprocket.form);
+  teeth.teeth        = sprocket.form.teeth;
+  teeth.outer_radius = 0.5 * sprocket.form.outside_diameter;
+  teeth.half_width   = 0.5 * (imported ? mesh::flank_width(*part) : drive.sprocket_width);
+  if (imported)
+    {
+      const auto sector = scene.sectors.find(scene.bodies[body].part());
+      teeth.facets      = std::make_shared<const mesh::FacetSurface>(
+          sector != scene.sectors.end() ? *sector->second->part : *part, mesh::tooth_flanks);
+      for (const dealii::Point<3> &vertex : part->mesh->get_vertices())
+        teeth.outer_radius = std::max(teeth.outer_radius, std::hypot(vertex[0], vertex[1]));
+      scene.notes.push_back(teeth.name + ": flanks of the imported mesh " + sprocket.mesh);
+    }
+  return teeth;
+}
+
+/// The family of the elastic rollers, whose nodes meet the flanks of @p flanks.
+ToothFamily with_elastic_rollers(const Parameters   &parameters,
+                                 const drive::Drive &drive,
+                                 const Scene        &scene,
+                                 const ToothFamily  &flanks)
+{
+  ToothFamily              teeth  = flanks;
+  const mesh::Part        &roller = *scene.parts.at(Kind::roller);
+  const mesh::SurfaceNodes outside(roller, mesh::Nodes(roller), mesh::roller_outside);
+  double                   thickness = outside.thickness;
+  const auto               sector    = scene.sectors.find(scene.bodies[teeth.sprocket].part());
+  if (sector != scene.sectors.end()) // the softer of two surfaces decides how far they may overlap
+    {
+      const mesh::Part &part = *sector->second->part;
+      thickness              = std::max(
+          thickness, mesh::SurfaceNodes(part, mesh::Nodes(part), mesh::tooth_flanks).thickness);
+    }
+  teeth.law =
+      make_area_law(parameters, scene.effects, thickness, parameters.contact.roller_tooth_friction);
+  teeth.elastic       = true;
+  teeth.slave_surface = mesh::roller_outside;
+  for (unsigned int k = 0; k < scene.n_joints; ++k)
+    if (scene.bodies[k].motion == Motion::elastic)
+      teeth.slaves.push_back({k, dealii::Point<3>(), 0.5 * drive.chain.roller_diameter, k});
+  return teeth;
+}
+
+/// The family of the other rollers, which touch at points of their axes; @p stiffness is that of a
+/// roller, N/m.
+ToothFamily with_rigid_rollers(const Parameters   &parameters,
+                               const drive::Drive &drive,
+                               const double        stiffness,
+                               const Scene        &scene,
+                               const ToothFamily  &flanks)
+{
+  const Body &roller = scene.bodies.front();
+  // A lumped roller touches in its middle plane. A rigid one touches at two points that give its
+  // line of contact the same moment of resistance against tilting.
+  const std::vector<double> stations =
+      roller.motion == Motion::lumped ?
+          std::vector<double>{0.} :
+          line_stations(std::min(drive.chain.roller_length, 2. * flanks.half_width));
+  ToothFamily teeth = flanks;
+  teeth.law         = make_law(parameters,
+                       scene.effects,
+                       stiffness,
+                       roller.mass,
+                       parameters.contact.roller_tooth_friction)
+                  .shared_by(static_cast<unsigned int>(stations.size()));
+  for (unsigned int k = 0; k < scene.n_joints; ++k)
+    for (const double z : stations)
+      if (scene.bodies[k].motion != Motion::elastic)
+        teeth.slaves.push_back(
+            {k, dealii::Point<3>(0., 0., z), 0.5 * drive.chain.roller_diameter, k});
+  return teeth;
+}
+} // namespace
+
+void add_sprockets(const Parameters               &parameters,
+                   const drive::Drive             &drive,
+                   const std::vector<std::string> &folders,
+                   Scene                          &scene)
+{
+  const std::optional<double> &given     = parameters.contact.roller_tooth_stiffness;
+  const double                 stiffness = given.value_or(drive.roller_tooth_stiffness);
+  const auto                   n_elastic =
+      std::count_if(scene.bodies.begin(),
+                    scene.bodies.begin() + scene.n_joints,
+                    [](const Body &roller) { return roller.motion == Motion::elastic; });
+  if (n_elastic < scene.n_joints)
+    scene.notes.push_back(
+        "Roller-tooth stiffness " + to_text(stiffness, 4) + " N/m (" +
+        (given ? "given" : "auto: ring and line contact in series") +
+        "); a smaller value lowers impact peaks in proportion to its square root");
+
+  for (unsigned int i = 0; i < drive.sprockets.size(); ++i)
+    {
+      const drive::Sprocket &sprocket = drive.sprockets[i];
+      const auto             part     = sprocket_part(parameters, drive, sprocket, folders, scene);
+      const Body             body     = sprocket_body(parameters, drive, i, part.get(), scene);
+      const auto             number   = static_cast<unsigned int>(scene.bodies.size());
+      scene.bodies.push_back(body);
+      scene.sprockets.push_back(
+          {sprocket.role, number, sprocket.form.teeth, entry_normal(drive.layout, i, scene)});
+      if (part)
+        scene.parts[body.part()] = part;
+      if (body.motion == Motion::elastic)
+        scene.sectors[body.part()] = std::make_shared<const mesh::Sector>(*part);
+
+      const ToothFamily flanks = make_flanks(drive, sprocket, number, part.get(), scene);
+      if (n_elastic > 0)
+        scene.teeth.push_back(with_elastic_rollers(parameters, drive, scene, flanks));
+      if (n_elastic < scene.n_joints)
+        scene.teeth.push_back(with_rigid_rollers(parameters, drive, stiffness, scene, flanks));
+    }
+}
+} // namespace chaindrive::scene
