@@ -52,7 +52,7 @@ std::vector<std::vector<unsigned int>> deal(const std::vector<Deal> &groups,
 } // namespace
 
 std::map<scene::PartOf, std::vector<unsigned int>> partition(const scene::Scene &scene,
-                                                           const unsigned int  n_ranks)
+                                                             const unsigned int  n_ranks)
 {
   std::map<scene::PartOf, unsigned int> n_bodies;
   for (const scene::Body &body : scene.bodies)
@@ -78,7 +78,7 @@ std::map<scene::PartOf, std::vector<unsigned int>> partition(const scene::Scene 
   const auto first_batches = deal(deals, n_ranks);
 
   std::map<scene::PartOf, std::vector<unsigned int>> result;
-  auto                                             first_batch = first_batches.begin();
+  auto                                               first_batch = first_batches.begin();
   for (const auto &entry : n_bodies)
     result[entry.first] = *first_batch++;
   return result;
