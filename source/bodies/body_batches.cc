@@ -60,7 +60,7 @@ BodyBatches::BodyBatches(std::shared_ptr<const mesh::Part> the_part,
       if (nodes.position[node][2] == 0.)
         on_middle_plane.push_back(node);
 
-  for (unsigned int slot = 0; slot < n_batches() * n_lanes; ++slot)
+  for (unsigned int slot = 0; slot < n_computed_of(n_copies()); ++slot)
     if (owns(slot))
       {
         const bool   empty = slot >= n_copies();

@@ -98,8 +98,8 @@ void ElasticBodies::book(World             &world,
   copies.for_each_copy_of(batch, [&](const unsigned int copy, const unsigned int lane) {
     const unsigned int body  = copies.bodies[copy];
     Frame             &frame = world.frames[body];
-    frame.position           = sums.vector(sums.first_moment, lane);
-    frame.velocity           = sums.vector(sums.momentum, lane);
+    frame.position           = Sums::of_lane(sums.first_moment, lane);
+    frame.velocity           = Sums::of_lane(sums.momentum, lane);
     for (unsigned int d = 0; d < 3; ++d)
       {
         frame.position[d] /= copies.mass;

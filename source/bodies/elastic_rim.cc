@@ -10,8 +10,8 @@ namespace
 /// Adds @p sums over the nodes of each sector of @p batch to @p to.
 void add_sectors(const BodyBatches &copies,
                  const unsigned int batch,
-                 const double (&sums)[n_lanes],
-                 double &to)
+                 const double      *sums,
+                 double            &to)
 {
   copies.for_each_copy_of(batch, [&](unsigned int, const unsigned int lane) { to += sums[lane]; });
 }
@@ -74,7 +74,7 @@ void ElasticRim::move(World       &world,
         continue;
       add_sectors(copies, batch, sums.kinetic, world.ledger.kinetic);
       copies.for_each_copy_of(batch, [&](unsigned int, const unsigned int lane) {
-        rim.momentum += sums.vector(sums.momentum, lane);
+        rim.momentum += Sums::of_lane(sums.momentum, lane);
       });
     }
 }

@@ -63,7 +63,7 @@ ArcFlanks::ArcFlanks(const scene::ToothFamily &family, const World &world, const
     }
   for (unsigned int s = 0; s < copies.n_copies(); ++s)
     for (const unsigned int n : nodes_)
-      place_.push_back(copies.index(s, n, 0));
+      place_.push_back(copies.index(s, n));
   Assert(column_.size() * z_.size() == nodes_.size(), dealii::ExcInternalError());
 }
 

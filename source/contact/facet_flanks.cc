@@ -17,7 +17,7 @@ FacetFlanks::FacetFlanks(const scene::ToothFamily &family, const World &world, c
     for (const unsigned int v : family.facets->vertices(f))
       {
         const unsigned int node = copies.nodes.of_vertex[v];
-        place_[v]               = copies.index(0, node, 0);
+        place_[v]               = copies.index(0, node);
         position_[v]            = copies.nodes.position[node];
       }
 }

@@ -70,7 +70,7 @@ body_at(BodyBatches &copies, const std::size_t first, const std::vector<unsigned
 JointBody
 own_body(BodyBatches &copies, const unsigned int copy, const std::vector<unsigned int> &nodes)
 {
-  return body_at(copies, copies.index(copy, 0, 0), nodes);
+  return body_at(copies, copies.index(copy, 0), nodes);
 }
 
 /// A body of another rank, of which the nodes @p offsets are ghosts: @p nodes become their places.
@@ -83,7 +83,7 @@ JointBody ghost_body(BodyBatches                     &copies,
   if (nodes.empty())
     for (const unsigned int offset : offsets)
       nodes.push_back(
-          static_cast<unsigned int>(copies.index(copy, offset / (3 * n_lanes), 0) - lane));
+          static_cast<unsigned int>(copies.index(copy, offset / numbers_per_node) - lane));
   return body_at(copies, lane, nodes);
 }
 } // namespace

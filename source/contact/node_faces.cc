@@ -126,9 +126,9 @@ NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool se
           const Faces &faces = sides.faces[f];
           FaceContact  contact{i, entry->second, f, {}, {}, {}, {}, {}};
           for (const unsigned int n : faces.masters->nodes())
-            contact.masters.push_back(masters.index(master.copy, n, 0));
+            contact.masters.push_back(masters.index(master.copy, n));
           for (const unsigned int s : faces.taking_part)
-            contact.slaves.push_back(slaves.index(slave.copy, faces.slaves->nodes()[s], 0));
+            contact.slaves.push_back(slaves.index(slave.copy, faces.slaves->nodes()[s]));
           contact.nodes.resize(faces.taking_part.size());
           contacts_.push_back(std::move(contact));
         }

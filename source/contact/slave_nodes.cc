@@ -48,7 +48,7 @@ SlaveNodes::SlaveNodes(const World                     &world,
   for (const unsigned int body : bodies)
     {
       copy_.push_back(world.elastic_address[body].copy);
-      first_.push_back(copies.owns(copy_.back()) ? copies.index(copy_.back(), 0, 0) : 0);
+      first_.push_back(copies.owns(copy_.back()) ? copies.index(copy_.back(), 0) : 0);
     }
 }
 

@@ -32,45 +32,52 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
   world.ledger.initial = world.ledger.stored();
 }
 
-// THE STEP. Between two steps the world belongs to the instant n: frames, velocities, forces,
-// moments and the ledger. Nodes of elastic bodies are ahead: positions at n+1, velocities at n-1/2.
+// THE STEP from the instant n to n+1, line by line. What stands at which instant afterwards:
+// x of frames, v of bodies and frames, x and v of the nodes of elastic bodies, forces and moments.
 //
-// What                                  frames, v    nodes x, v     forces
-// ----------------------------------------------------------------------------------------------
-// advance(): from n to n+1              n    n       n+1  n-1/2     of n
-//   start, before the first step only: nodes get half a kick and a whole drift
-//                                       0    0       1    1/2       of 0; nodes': used up
-//   kick by dt/2, rigid and hubs        n    n+1/2   n+1  n+1/2 (*) of n
-//   drift by dt, rigid and hubs         n+1  n+1/2   n+1  n+1/2     of n
-//     nodes that a hub holds follow it; centres of mass of elastic bodies coast
-//   evaluate_forces(dt)                 n+1  n+1/2   n+2  n+3/2 (*) of n+1; nodes': used up
-//   kick by dt/2, rigid and hubs        n+1  n+1     n+2  n+3/2     of n+1
-//   finish: frames take the velocities of the full step; kinetic energies are booked
+//                                                     frames       nodes
+//                                                     x    v       x    v      forces of
+//   between two steps                                 n    n       n+1  n+1/2  n
+//   advance()
+//     start, once: nodes, from x and v of 0, get
+//       half a kick and a whole drift                 0    0       1    1/2    0
+//     kick by dt/2: rigid bodies, hubs                n    n+1/2   n+1  n+1/2  n
+//     drift by dt: rigid bodies, hubs                 n+1  n+1/2   n+1  n+1/2  n
+//       and nodes follow the hub that holds them; centres of mass of elastic bodies coast
+//     evaluate_forces(): all agree now, positions of n+1 and velocities half a step before;
+//       when the forces on nodes are complete they
+//       are used up at once, by a kick and a drift    n+1  n+1/2   n+2  n+3/2  n+1
+//     kick by dt/2: rigid bodies, hubs                n+1  n+1     n+2  n+3/2  n+1
+//     finish: frames take these velocities; close_ledger: and the energies theirs
 //
-// (*) the velocities of nodes were moved to n+1/2 by evaluate_forces() of the step before.
+// Frames of elastic bodies are booked by evaluate_forces(): their centres of mass at n+1, with the
+// mean of the velocities before and after. Observers and the guard look between two steps;
+// BodyBatches::position_now() gives them nodes at n.
 //
-// evaluate_forces(): positions at n+1, velocities half a step before, on all sides of a contact.
-// "Ranks" says who adds: every rank for the batches that it owns, or the first one for all.
+// ONE EVALUATION OF THE FORCES, in this order. "Owners" are the ranks that own a batch, "first" is
+// the first rank, which does for all what is not dealt out.
 //
-//   who                     adds to                                                       ranks
-//   ----------------------------------------------------------------------------------------------
-//   World::clear_resultants  force, moment, rim momenta, stored energies become zero;       all
-//                            forces on nodes are zero already: advance() has used them up
-//   Loads::add_forces        gravity and drag of rigid bodies, and their energies           first
-//   Bars::add_forces         tension, on both bodies                                        first
-//   group add_forces         nodes of rims: internal forces; hubs: what rims pull           owners
-//   group place_surface      places nodes that follow rigid bodies                          first
-//   fetch_ghosts             positions and velocities of nodes that others touch            message
-//   contact families         nodes: contact; bodies: force and moment, of elastic ones       owners
-//                            as well, where nothing but results and the guard reads it
-//   send_forces              forces on ghosts go home                                       message
-//   group gather_forces      moments of nodes that follow rigid bodies, on those            first
-//   group advance            elastic bodies: internal forces, then nodes move to n+2, n+3/2; owners
-//                            books energies, momenta and centres of mass of n+1
-//   World::sum_over_ranks    sums force, moment, what was booked, frames of elastic bodies message
-//   Loads::add_work          the load torque, and the work of both hubs                      all
+//   clear_resultants     force, moment, momenta of rims and stored energies become zero. Forces on
+//                        nodes are zero: whoever used them up has cleared them              all
+//   Loads::add_forces    gravity and drag of rigid bodies, and their energies               first
+//   Bars::add_forces     pulls on both bodies, and energies                                 first
+//   groups: add_forces   rims: internal forces of nodes and their energies; the forces on
+//                        held nodes go to the hub, those between sectors become means       owners
+//   Contacts::add_forces
+//     groups: place_surface   nodes that follow rigid bodies                                first
+//     fetch_ghosts            positions and velocities of nodes that other ranks touch      message
+//     search, if it is due
+//     families                forces on nodes of both sides; resultants on bodies, of
+//                             elastic ones too, for results and the guard; energies         owners
+//     send_forces             forces on nodes of other ranks, and halves of rims' means     message
+//     groups: gather_forces   nodes that follow rigid bodies: moments on those              first
+//   groups: advance      elastic bodies: internal forces, then kick and drift of the nodes;
+//                        energies, momenta, centres of mass                                 owners
+//   sum_over_ranks       forces, moments, energies, what ranks ask of each other, frames of
+//                        elastic bodies; with halves all of it doubled                      message
+//   Loads::add_work      load torque on the hub, work of both hubs                          all
 //
-// A step waits for other ranks three times: fetch_ghosts, send_forces and sum_over_ranks.
+// A step waits for other ranks at the three messages.
 
 void System::evaluate_forces(const double dt)
 {

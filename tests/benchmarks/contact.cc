@@ -219,7 +219,7 @@ void measure_teeth(const std::shared_ptr<const mesh::Part> &roller,
       {
         dealii::Tensor<1, 3> x;
         for (unsigned int d = 0; d < 3; ++d)
-          x[d] = copies.position.local_element(copies.index(copy, node, d));
+          x[d] = NodeView(copies.position).component(copies.index(copy, node), d);
         const double gap =
             rollers.surface->project(world, x, 0., 2. * within, hint, projection).gap;
         visited += gap < within;

@@ -109,7 +109,7 @@ void compare_forces(const std::string &name, const element::Formulation formulat
   for (unsigned int s = 0; s < teeth; ++s)
     for (unsigned int n = 0; n < copies.n_nodes(); ++n)
       for (unsigned int d = 0; d < 3; ++d)
-        copies.position.local_element(copies.index(s, n, d)) = position[vertex_of(s, n)][d];
+        NodeView(copies.position).component(copies.index(s, n), d) = position[vertex_of(s, n)][d];
   const Whole whole = whole_mesh(scene, formulation, position);
 
   world.clear_forces();
@@ -149,7 +149,7 @@ void compare_forces(const std::string &name, const element::Formulation formulat
         const bool         held = std::binary_search(rim.border.begin(), rim.border.end(), n);
         for (unsigned int d = 0; d < 3; ++d)
           {
-            const double speed    = copies.velocity.local_element(copies.index(s, n, d));
+            const double speed    = NodeView(copies.velocity).component(copies.index(s, n), d);
             const double expected = held ? 0. : 0.5 * dt * whole.force[v][d] / whole.mass[v];
             error                 = std::max(error, std::abs(speed - expected));
             largest               = std::max(largest, std::abs(expected));
@@ -159,8 +159,9 @@ void compare_forces(const std::string &name, const element::Formulation formulat
     for (unsigned int s = 0; s < teeth; ++s)
       for (unsigned int d = 0; d < 3; ++d)
         {
-          const auto i = copies.index(s, copies.nodes.of_vertex[v], d);
-          const auto j = copies.index((s + 1) % teeth, copies.nodes.of_vertex[w], d);
+          const auto i = copies.index(s, copies.nodes.of_vertex[v]) + component_offset(d);
+          const auto j =
+              copies.index((s + 1) % teeth, copies.nodes.of_vertex[w]) + component_offset(d);
           alike = alike && copies.velocity.local_element(i) == copies.velocity.local_element(j) &&
                   copies.position.local_element(i) == copies.position.local_element(j);
         }
@@ -199,8 +200,8 @@ double serialize(const double dt)
       for (unsigned int n = 0; n < copies.n_nodes(); ++n)
         {
           const Vector3 x = copies.position_now(s, n) - world.frames[0].position;
-          const double  u = copies.velocity.local_element(copies.index(s, n, 0)),
-                       v  = copies.velocity.local_element(copies.index(s, n, 1));
+          const double  u = NodeView(copies.velocity).component(copies.index(s, n), 0),
+                       v  = NodeView(copies.velocity).component(copies.index(s, n), 1);
           sum += copies.nodes.mass[n] * (x[0] * v - x[1] * u);
         }
     drift   = std::max(drift, std::abs(sum - momentum));

@@ -87,8 +87,8 @@ int main()
         momentum  = std::max(momentum, std::abs(c.momentum()));
       });
       if (n == 100)
-        std::cout << "the first step: " << c.group->calls.substr(0, c.group->calls.find("kick", 12))
-                  << "...\n";
+        std::cout << "the first step: "
+                  << c.group->calls.substr(0, c.group->calls.find("kick drift", 12)) << "...\n";
       else
         ratio("ten periods later it is where it was", c.group->position, 1e-6, 3);
       verdict("momentum is kept to 1e-12", momentum < 1e-12 * inner * w * 1e-6);

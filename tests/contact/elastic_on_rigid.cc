@@ -73,8 +73,8 @@ Result run(const bool bush_is_elastic, const double friction, const double share
         Vector3 x, v;
         for (unsigned int d = 0; d < 3; ++d)
           {
-            x[d] = nodes.position.local_element(nodes.index(0, node, d));
-            v[d] = nodes.velocity.local_element(nodes.index(0, node, d));
+            x[d] = NodeView(nodes.position).component(nodes.index(0, node), d);
+            v[d] = NodeView(nodes.velocity).component(nodes.index(0, node), d);
           }
         p += nodes.nodes.mass[node] * v;
         l += nodes.nodes.mass[node] * cross_product_3d(x, v);

@@ -37,14 +37,14 @@ void check_between_sectors()
   for (unsigned int s = 0; s < copies.n_copies(); ++s)
     for (unsigned int node = 0; node < copies.n_nodes(); ++node)
       for (unsigned int d = 0; d < 3; ++d)
-        sum[d] += copies.force.local_element(copies.index(s, node, d));
+        sum[d] += NodeView(copies.force).component(copies.index(s, node), d);
   bool         alike    = true;
   unsigned int n_pushed = 0;
   for (const auto &[v, w] : rim.sector->seam)
     for (unsigned int s = 0; s < copies.n_copies(); ++s)
       {
-        const auto   i = copies.index(s, copies.nodes.of_vertex[v], 0);
-        const auto   j = copies.index((s + 1) % copies.n_copies(), copies.nodes.of_vertex[w], 0);
+        const auto   i = copies.index(s, copies.nodes.of_vertex[v]);
+        const auto   j = copies.index((s + 1) % copies.n_copies(), copies.nodes.of_vertex[w]);
         const double a = copies.force.local_element(i), b = copies.force.local_element(j);
         alike = alike && a == b;
         n_pushed += a != 0. ? 1 : 0;

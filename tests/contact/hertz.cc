@@ -81,11 +81,11 @@ double load_of(const double approach, const double h, const double stiffness_fac
   const auto contact = [&](const Vector<double> &u, Vector<double> &c) {
     copies.force = 0.;
     for (unsigned int i = 0; i < u.size(); ++i)
-      copies.position.local_element(copies.index(0, i / 3, i % 3)) =
+      NodeView(copies.position).component(copies.index(0, i / 3), i % 3) =
           reference.position[i / 3][i % 3] + u[i];
     flat.add_forces(world, 0.);
     for (unsigned int i = 0; i < u.size(); ++i)
-      c[i] = copies.force.local_element(copies.index(0, i / 3, i % 3));
+      c[i] = NodeView(copies.force).component(copies.index(0, i / 3), i % 3);
   };
 
   Statics                   statics({&reference});

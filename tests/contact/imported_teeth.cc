@@ -48,14 +48,16 @@ Pressed press(Tooth c, const double angle, const double approach)
   const auto          visit = [&](const auto &exchange) {
     for (unsigned int n = 0; n < rollers.n_nodes(); ++n)
       for (unsigned int d = 0; d < 3; ++d)
-        serialize(3 * n + d, world.copies[world.elastic_address[0].group], rollers.index(0, n, d));
+        serialize(3 * n + d,
+                  world.copies[world.elastic_address[0].group],
+                  rollers.index(0, n) + component_offset(d));
     for (unsigned int s = 0; s < rim.n_copies(); ++s)
       for (unsigned int n = 0; n < rim.n_nodes(); ++n)
         for (unsigned int d = 0; d < 3; ++d)
           serialize(statics.first[1] +
                         3 * nodes.of_vertex[sector.whole_vertex[s][rim.nodes.vertex[n]]] + d,
                     rim,
-                    rim.index(s, n, d));
+                    rim.index(s, n) + component_offset(d));
   };
   visit([&](const unsigned int i, BodyBatches &copies, const std::size_t at) {
     start[i] = copies.position.local_element(at);
@@ -151,7 +153,7 @@ std::vector<double> force_with_depth(const Sprocket sprocket, const bool elastic
   for (double depth = -5e-6; depth + step <= teeth.senseless_overlap(); depth += step)
     {
       for (unsigned int n = 0; n < rollers.n_nodes(); ++n)
-        rollers.position.local_element(rollers.index(0, n, 0)) -= step;
+        NodeView(rollers.position).component(rollers.index(0, n), 0) -= step;
       world.frames[0].position[0] -= step;
       world.clear_forces();
       teeth.search(world, 1e-3);

@@ -22,7 +22,7 @@ void for_each_value(World &world, const unsigned int body, const Visit &visit)
   const World::Address &place  = world.elastic_address[body];
   BodyBatches          &copies = world.copies[place.group];
   for (unsigned int i = 0; i < 3 * copies.n_nodes(); ++i)
-    visit(i, copies, copies.index(place.copy, i / 3, i % 3));
+    visit(i, copies, copies.index(place.copy, i / 3) + component_offset(i % 3));
 }
 
 /// A bar with the square of 1 mm between z and z + L, whose side @p surface is at z = 2 L.

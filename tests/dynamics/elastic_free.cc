@@ -49,7 +49,7 @@ Vector3 angular_momentum(const dynamics::System &system, const unsigned int copy
       // x_n+1/2 and v_n+1/2: with forces between nodes only, their moment of momentum is constant
       Vector3 v, x = copies.position_now(copy, node);
       for (unsigned int d = 0; d < 3; ++d)
-        v[d] = copies.velocity.local_element(copies.index(copy, node, d));
+        v[d] = NodeView(copies.velocity).component(copies.index(copy, node), d);
       x += 0.5 * dt * v;
       sum += copies.nodes.mass[node] *
              dealii::cross_product_3d(x - frame.position - 0.5 * dt * frame.velocity,

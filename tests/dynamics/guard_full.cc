@@ -20,9 +20,7 @@ void push_node(System            &system,
   BodyBatches          &copies = system.world.copies[place.group];
   if (!copies.owns(place.copy))
     return;
-  const std::size_t first = copies.index(place.copy, node, 0);
-  for (unsigned int d = 0; d < 3; ++d)
-    copies.force.local_element(first + d * n_lanes) += force[d];
+  NodeView(copies.force).add(copies.index(place.copy, node), force);
 }
 
 Vector3 along_x(const double size)
@@ -69,7 +67,7 @@ int main(int argc, char **argv)
       const World::Address &place  = drive.system.world.elastic_address[body];
       BodyBatches          &copies = drive.system.world.copies[place.group];
       if (copies.owns(place.copy))
-        copies.velocity.local_element(copies.index(place.copy, 12, 1)) =
+        NodeView(copies.velocity).component(copies.index(place.copy, 12), 1) =
             std::numeric_limits<double>::quiet_NaN();
       drive.expect_stop("one lane is not a number, body " + std::to_string(body),
                         {"not a number",

@@ -90,7 +90,7 @@ int main()
                   frame.position +
                   frame.rotation * vector((1. + strain) * x[0], side * x[1], side * x[2]);
               for (unsigned int d = 0; d < 3; ++d)
-                copies.position.local_element(copies.index(place.copy, node, d)) = scaled[d];
+                NodeView(copies.position).component(copies.index(place.copy, node), d) = scaled[d];
             }
           const observe::ElasticSnapshot snapshot = elastic.snapshot(system, place);
           for (const element::Stress &cell : snapshot.stress)

@@ -155,10 +155,10 @@ inline void displace(World &world, const Field &u)
       {
         Vector3 x;
         for (unsigned int d = 0; d < 3; ++d)
-          x[d] = copies.position.local_element(copies.index(s, n, d));
+          x[d] = NodeView(copies.position).component(copies.index(s, n), d);
         const Vector3 add = u(x - world.frames[1].position);
         for (unsigned int d = 0; d < 3; ++d)
-          copies.position.local_element(copies.index(s, n, d)) += add[d];
+          NodeView(copies.position).component(copies.index(s, n), d) += add[d];
       }
 }
 
@@ -249,8 +249,8 @@ inline void check_balance(const Sprocket sprocket)
               Vector3 at, x;
               for (unsigned int d = 0; d < 3; ++d)
                 {
-                  at[d] = copies.force.local_element(copies.index(k, n, d));
-                  x[d]  = copies.position.local_element(copies.index(k, n, d));
+                  at[d] = NodeView(copies.force).component(copies.index(k, n), d);
+                  x[d]  = NodeView(copies.position).component(copies.index(k, n), d);
                 }
               f += at;
               m += cross_product_3d(x, at);

@@ -84,12 +84,6 @@ public:
     return position.get_partitioner()->global_to_local(batch * stride() + within);
   }
 
-  /// Where component @p d of that node stands.
-  std::size_t index(const unsigned int copy, const unsigned int node, const unsigned int d) const
-  {
-    return index(copy, node) + d * n_lanes;
-  }
-
   /// Calls @p visit (copy, lane) for the bodies in @p batch.
   template <typename Visit>
   void for_each_copy_of(const unsigned int batch, const Visit &visit) const

@@ -14,10 +14,10 @@ namespace chaindrive
 /// its numbers are in the cache.
 ///
 /// Leapfrog, the scheme of RigidBodies in its one-pass form: with the forces of the instant n,
-/// v_{n+1/2} = v_{n-1/2} + dt a_n and x_{n+1} = x_n + dt v_{n+1/2} follow at once. Between two
-/// steps the nodes are therefore where they will be at the *next* instant, BodyBatches::ahead after
-/// the present one, and their velocities are those half a step before the present; frames, energies
-/// and the ledger belong to the present one.
+/// v_{n+1/2} = v_{n-1/2} + dt a_n and x_{n+1} = x_n + dt v_{n+1/2} follow at once.
+/// Between two steps the nodes are therefore where they will be at the *next* instant,
+/// BodyBatches::ahead after the present one, with the velocities between the two; frames, energies
+/// and the ledger belong to the present.
 class ElasticBodies : public BodyGroup
 {
 public:
@@ -39,20 +39,7 @@ public:
   std::size_t memory_consumption() const override { return part_.memory_consumption(); }
 
 protected:
-  /// Sums over the nodes of one batch, [lane] each; vectors [component][lane].
-  struct Sums
-  {
-    double strain[n_lanes], hourglass[n_lanes], kinetic[n_lanes], first_moment[3 * n_lanes],
-        momentum[3 * n_lanes];
-
-    dealii::Tensor<1, 3> vector(const double (&of)[3 * n_lanes], const unsigned int lane) const
-    {
-      dealii::Tensor<1, 3> v;
-      for (unsigned int d = 0; d < 3; ++d)
-        v[d] = of[d * n_lanes + lane];
-      return v;
-    }
-  };
+  using Sums = element::BatchSums;
 
   /// Adds the internal forces of one batch to those of contacts, and takes those along z from the
   /// nodes of a half part that stay in its middle plane.

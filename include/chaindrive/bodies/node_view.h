@@ -20,6 +20,9 @@ constexpr std::size_t numbers_per_node = 3 * n_lanes;
 /// From the index of a body's first node to that of its node number @p node.
 constexpr std::size_t node_offset(const std::size_t node) { return numbers_per_node * node; }
 
+/// From the index of a node to where its component @p d stands.
+constexpr std::size_t component_offset(const unsigned int d) { return d * n_lanes; }
+
 /// One nodal field, such as velocities, seen as one vector per node. The view does not own the
 /// numbers. Number is double, or const double to read only.
 template <typename Number>
@@ -36,7 +39,7 @@ public:
 
   Number &component(const std::size_t node, const unsigned int d) const
   {
-    return numbers_[node + d * n_lanes];
+    return numbers_[node + component_offset(d)];
   }
 
   dealii::Tensor<1, 3> operator[](const std::size_t node) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/element/stress.h>
+#include <chaindrive/utilities/pack.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -20,6 +21,24 @@ struct BatchState
   double       *hourglass_energy; ///< [lane], to which is added, J
   const double *next   = nullptr; ///< what is read afterwards, fetched into the cache meanwhile
   unsigned int  n_next = 0;       ///< numbers there
+};
+
+/// Sums over the nodes of one batch, [lane] each; vectors are [component][lane].
+struct BatchSums
+{
+  using Vector = double[3 * n_lanes];
+
+  double strain[n_lanes], hourglass[n_lanes], kinetic[n_lanes]; ///< energies, J
+  Vector first_moment, momentum;                                ///< m x, kg m; m v, kg m/s
+
+  /// One of the vectors of one body.
+  static dealii::Tensor<1, 3> of_lane(const Vector &sums, const unsigned int lane)
+  {
+    dealii::Tensor<1, 3> v;
+    for (unsigned int d = 0; d < 3; ++d)
+      v[d] = sums[d * n_lanes + lane];
+    return v;
+  }
 };
 
 /// The elements of one kind in a part, for all bodies that are copies of it. A part is a list of
