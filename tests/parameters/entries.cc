@@ -66,7 +66,8 @@ void check_choices()
                                          check_choice<Formulation>("formulation"),
                                          check_choice<PlateFaces>("plate faces"),
                                          check_choice<Search>("search"),
-                                         check_choice<SpeedRamp>("speed ramp")};
+                                         check_choice<SpeedRamp>("speed ramp"),
+                                         check_choice<Role>("role")};
 
   // entries that are no choice take a number, any text, true or false
   const std::string      documentation = parameter_documentation();
