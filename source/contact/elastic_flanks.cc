@@ -72,24 +72,28 @@ std::array<dealii::Tensor<1, 3>, 4> ElasticFlanks::complete(const World         
   return u;
 }
 
-dealii::Tensor<1, 3> ElasticFlanks::velocity(const World &world,
-                                             const dealii::Tensor<1, 3> &,
-                                             const Projection &projection,
-                                             const double) const
+dealii::Tensor<1, 3> ElasticFlanks::relative_velocity(const World &world,
+                                                      const dealii::Tensor<1, 3> &,
+                                                      const Projection           &projection,
+                                                      const dealii::Tensor<1, 3> &v,
+                                                      const double) const
 {
   const NodeView       velocity(world.copies[group_].velocity);
-  dealii::Tensor<1, 3> v = cross_product_3d(world.frames[body()].angular_velocity, projection.arm);
+  dealii::Tensor<1, 3> of_flank =
+      cross_product_3d(world.frames[body()].angular_velocity, projection.arm);
   for (unsigned int i = 0; i < 4; ++i)
-    v += projection.weights[i] * velocity[projection.nodes[i]];
-  return v;
+    of_flank += projection.weights[i] * velocity[projection.nodes[i]];
+  return v - of_flank;
 }
 
-void ElasticFlanks::add_force(World &world,
-                              const dealii::Tensor<1, 3> &,
-                              const Projection           &projection,
-                              const dealii::Tensor<1, 3> &f) const
+void ElasticFlanks::add_opposite(World &world,
+                                 const dealii::Tensor<1, 3> &,
+                                 const Touch &,
+                                 const Projection &projection,
+                                 const PointForce &on_slave) const
 {
-  const NodeView force(world.copies[group_].force);
+  const dealii::Tensor<1, 3> f = -on_slave.total;
+  const NodeView             force(world.copies[group_].force);
   for (unsigned int i = 0; i < 4; ++i)
     {
       const dealii::Tensor<1, 3> half = 0.5 * projection.weights[i] * f;

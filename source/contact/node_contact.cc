@@ -84,11 +84,12 @@ void NodeContact::add_body_forces(World &world, const unsigned int i, const doub
   Record &record = records_[i];
   record.gap     = std::numeric_limits<double>::max();
   record.force   = dealii::Tensor<1, 3>();
-  Resultant sum;
+  Resultant           sum;
+  Surface::Projection projection; // once for all, since not every surface has one
   for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
     {
       if (every_step_ || node(i, s).cadence.is_due(clock_))
-        add_node_force(world, i, s, dt, sum);
+        add_node_force(world, i, s, dt, projection, sum);
       record.gap = std::min(record.gap, node(i, s).gap);
     }
 
@@ -103,8 +104,12 @@ void NodeContact::add_body_forces(World &world, const unsigned int i, const doub
     }
 }
 
-void NodeContact::add_node_force(
-    World &world, const unsigned int i, const unsigned int s, const double dt, Resultant &sum)
+void NodeContact::add_node_force(World               &world,
+                                 const unsigned int   i,
+                                 const unsigned int   s,
+                                 const double         dt,
+                                 Surface::Projection &projection,
+                                 Resultant           &sum)
 {
   Node                      &node   = this->node(i, s);
   Record                    &record = records_[i];
@@ -117,11 +122,10 @@ void NodeContact::add_node_force(
 
   // what overlaps is looked for as deep as it may be, and deeper
   const double far = node.touch.overlap > 0. ? std::max(within, 2. * senseless_overlap()) : within;
-  Surface::Projection projection;
-  const Touch         touch    = surface_->project(world, x, 0., far, node.hint, projection);
-  const bool          found    = touch.gap != std::numeric_limits<double>::max();
-  const auto          relative = [&]() {
-    return slaves_.velocity(world, i, s) - surface_->velocity(world, x, projection, dt);
+  const Touch  touch    = surface_->project(world, x, 0., far, node.hint, projection);
+  const bool   found    = touch.gap != std::numeric_limits<double>::max();
+  const auto   relative = [&]() {
+    return surface_->relative_velocity(world, x, projection, slaves_.velocity(world, i, s), dt);
   };
 
   node.gap = area > 0. ? touch.gap : std::numeric_limits<double>::max();
@@ -140,11 +144,17 @@ void NodeContact::add_node_force(
   node.cadence.restart(clock_, 0.);
 
   const dealii::Tensor<1, 3> v     = relative();
-  const dealii::Tensor<1, 3> force = press(law, touch, v, v, dt, node.touch, world.ledger).total;
-  slaves_.add_force(world, i, s, force);
-  surface_->add_force(world, x, projection, -force);
+  const PointForce           force = press(law,
+                                 touch,
+                                 v,
+                                 surface_->slip_velocity(world, touch, projection, v),
+                                 dt,
+                                 node.touch,
+                                 world.ledger);
+  slaves_.add_force(world, i, s, force.total);
+  surface_->add_opposite(world, x, touch, projection, force);
 
-  record.force += force;
+  record.force += force.total;
   record.feature = touch.feature;
   sum.normal += node.touch.normal * touch.normal;
   sum.normal_force += node.touch.normal;

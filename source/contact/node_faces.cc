@@ -123,55 +123,56 @@ NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool se
       const SidePair &sides = side_pairs_[entry->second];
       for (unsigned int f = 0; f < sides.faces.size(); ++f)
         {
-          const Faces &faces = sides.faces[f];
-          FaceContact  contact{i, entry->second, f, {}, {}, {}, {}, {}};
+          const Faces             &faces = sides.faces[f];
+          std::vector<std::size_t> of_master, of_slave;
           for (const unsigned int n : faces.masters->nodes())
-            contact.masters.push_back(masters.index(master.copy, n));
+            of_master.push_back(masters.index(master.copy, n));
           for (const unsigned int s : faces.taking_part)
-            contact.slaves.push_back(slaves.index(slave.copy, faces.slaves->nodes()[s]));
-          contact.nodes.resize(faces.taking_part.size());
+            of_slave.push_back(slaves.index(slave.copy, faces.slaves->nodes()[s]));
+          FaceContact contact{i,
+                              entry->second,
+                              f,
+                              {pair.master, master.group, *faces.masters, std::move(of_master)},
+                              std::move(of_slave),
+                              std::vector<Node>(faces.taking_part.size()),
+                              {},
+                              {}};
           contacts_.push_back(std::move(contact));
         }
     }
   states_.resize(records_.size());
 }
 
-void NodeFaces::search_nodes(World &world, FaceContact &contact)
+void NodeFaces::search_nodes(const World &world, FaceContact &contact)
 {
-  const SidePair     &sides   = side_pairs_[contact.sides];
-  const MovingFacets &facets  = *sides.faces[contact.face].masters;
-  BodyBatches        &masters = world.copies[sides.master_group],
-              &slaves         = world.copies[sides.slave_group];
-  const NodeValues x{NodeView(slaves.position), contact.slaves},
-      v{NodeView(slaves.velocity), contact.slaves},
-      x_master{NodeView(masters.position), contact.masters},
-      v_master{NodeView(masters.velocity), contact.masters};
+  const BodyBatches &slaves = world.copies[side_pairs_[contact.sides].slave_group];
+  const NodeValues   x{NodeView(slaves.position), contact.slaves},
+      v{NodeView(slaves.velocity), contact.slaves};
 
+  Surface::Projection       projection;
   std::vector<unsigned int> found;
   double                    nearest = std::numeric_limits<double>::max(), fastest = 0.;
   for (unsigned int s = 0; s < contact.nodes.size(); ++s)
     {
-      const MovingFacets::Projection projection =
-          facets.project(x_master, x(s), contact.nodes[s].facet);
-      contact.nodes[s].facet = projection.facet;
-      const bool holds       = contact.nodes[s].touch.overlap > 0.; // its spring has to let go
-      if (projection.facet == MovingFacets::none)
+      Node       &node  = contact.nodes[s];
+      const Touch touch = contact.surface.project(world, x(s), 0., reach, node.facet, projection);
+      const bool  holds = node.touch.overlap > 0.; // its spring has to let go
+      if (node.facet == MovingFacets::none)
         {
           if (holds)
             found.push_back(s);
           continue;
         }
-      dealii::Tensor<1, 3> relative = v(s);
-      for (unsigned int a = 0; a < 4; ++a)
-        relative -= projection.weight[a] * v_master(projection.node[a]);
-      fastest = std::max(fastest, -(relative * projection.normal));
-      if (projection.gap < 0. && contact.cadence.left_alone() &&
+      const dealii::Tensor<1, 3> relative =
+          contact.surface.relative_velocity(world, x(s), projection, v(s), 0.);
+      fastest = std::max(fastest, -(relative * touch.normal));
+      if (touch.gap < 0. && contact.cadence.left_alone() &&
           !std::binary_search(contact.active.begin(), contact.active.end(), s))
         ++n_missed_;
-      if (projection.gap < reach || holds)
+      if (touch.gap < reach || holds)
         found.push_back(s);
       else
-        nearest = std::min(nearest, projection.gap);
+        nearest = std::min(nearest, touch.gap);
     }
   contact.active.swap(found);
   contact.cadence.restart(holding_time(std::min(nearest, 1.), fastest, unforeseen_speed(world)));
@@ -199,68 +200,50 @@ void NodeFaces::add_forces(World &world, const double dt)
 
 void NodeFaces::add_face_forces(World &world, FaceContact &contact, const double dt)
 {
-  const SidePair &sides   = side_pairs_[contact.sides];
-  const Faces    &faces   = sides.faces[contact.face];
-  BodyBatches    &masters = world.copies[sides.master_group],
-              &slaves     = world.copies[sides.slave_group];
-  const NodeValues x{NodeView(slaves.position), contact.slaves},
-      v{NodeView(slaves.velocity), contact.slaves}, f{NodeView(slaves.force), contact.slaves},
-      x_master{NodeView(masters.position), contact.masters},
-      v_master{NodeView(masters.velocity), contact.masters},
-      f_master{NodeView(masters.force), contact.masters};
-
-  // two nodes of the master tell a direction that turns with it
-  const unsigned int         last  = static_cast<unsigned int>(contact.masters.size()) - 1;
-  const dealii::Tensor<1, 3> fixed = x_master(last) - x_master(0);
+  const SidePair    &sides  = side_pairs_[contact.sides];
+  const Faces       &faces  = sides.faces[contact.face];
+  const BodyBatches &slaves = world.copies[sides.slave_group];
+  const NodeValues   x{NodeView(slaves.position), contact.slaves},
+      v{NodeView(slaves.velocity), contact.slaves};
+  const NodeView f(world.copies[sides.slave_group].force);
 
   Record              &record = records_[contact.pair];
+  Surface::Projection  projection;
   dealii::Tensor<1, 3> resultant, normals;
   double               normal_force = 0.;
   for (const unsigned int s : contact.active)
     {
-      Node                          &node = contact.nodes[s];
-      const MovingFacets::Projection projection =
-          faces.masters->project(x_master, x(s), node.facet);
-      node.facet                  = projection.facet;
+      Node                      &node = contact.nodes[s];
+      const dealii::Tensor<1, 3> at   = x(s);
+      const Touch touch = contact.surface.project(world, at, 0., reach, node.facet, projection);
       const scene::ContactLaw law = law_.times(faces.slaves->areas()[faces.taking_part[s]]);
-      if (projection.facet == MovingFacets::none)
+      if (node.facet == MovingFacets::none)
         {
           lose_touch(law, node.touch, world.ledger);
           continue;
         }
-      const double gap = projection.gap;
-      record.gap       = std::min(record.gap, gap);
-      if (gap >= 0.)
+      record.gap = std::min(record.gap, touch.gap);
+      if (touch.gap >= 0.)
         {
           come_apart(law, dt, node.touch, world.ledger);
           continue;
         }
 
-      const dealii::Tensor<1, 3> &n = projection.normal;
-      Touch                       touch;
-      touch.gap    = gap;
-      touch.normal = n;
-      touch.along  = fixed - (fixed * n) * n;
-      touch.along /= touch.along.norm();
-      touch.across = cross_product_3d(n, touch.along);
-
-      dealii::Tensor<1, 3> relative = v(s), turning;
-      for (unsigned int a = 0; a < 4; ++a)
-        {
-          const dealii::Tensor<1, 3> v_a = v_master(projection.node[a]);
-          relative -= projection.weight[a] * v_a;
-          turning += (n * v_a) * projection.gradient[a];
-        }
+      const dealii::Tensor<1, 3> relative =
+          contact.surface.relative_velocity(world, at, projection, v(s), dt);
       const PointForce force =
-          press(law, touch, relative, relative + gap * turning, dt, node.touch, world.ledger);
-      f.add(s, force.total);
-      for (unsigned int a = 0; a < 4; ++a)
-        f_master.add(projection.node[a],
-                     -projection.weight[a] * force.total +
-                         gap * (force.tangential * projection.gradient[a]) * n);
+          press(law,
+                touch,
+                relative,
+                contact.surface.slip_velocity(world, touch, projection, relative),
+                dt,
+                node.touch,
+                world.ledger);
+      f.add(contact.slaves[s], force.total);
+      contact.surface.add_opposite(world, at, touch, projection, force);
       resultant += force.total;
-      normals += node.touch.normal * n;
-      normal_force += node.touch.normal;
+      normals += force.normal * touch.normal;
+      normal_force += force.normal;
     }
 
   record.force += world.of_whole(resultant);

@@ -48,11 +48,15 @@ void PointContact::serialize(const Archive &archive, const unsigned int rank)
 
 void PointContact::add_forces(World &world, const double dt)
 {
+  Surface::Projection projection; // once for all, since not every surface has one
   for (const unsigned int i : near_)
-    add_force(world, i, dt);
+    add_force(world, i, dt, projection);
 }
 
-void PointContact::add_force(World &world, const unsigned int i, const double dt)
+void PointContact::add_force(World               &world,
+                             const unsigned int   i,
+                             const double         dt,
+                             Surface::Projection &projection)
 {
   const scene::SlavePoint   &slave   = pairs_[i].slave;
   const Surface             &surface = *pairs_[i].surface;
@@ -60,8 +64,7 @@ void PointContact::add_force(World &world, const unsigned int i, const double dt
   Record                    &record  = records_[i];
   TouchState                &state   = states_[i];
 
-  Surface::Projection projection;
-  Touch               touch;
+  Touch touch;
   if (!surface.is_beside(world, centre))
     touch = surface.project(world, centre, slave.radius, 2. * slave.radius, hints_[i], projection);
   record.gap = touch.gap;
@@ -72,16 +75,23 @@ void PointContact::add_force(World &world, const unsigned int i, const double dt
       return;
     }
 
-  const dealii::Tensor<1, 3> relative = world.velocity_at(slave.body, touch.point, 0.5 * dt) -
-                                        surface.velocity(world, touch.point, projection, dt);
-  record.force        = press(law_, touch, relative, relative, dt, state, world.ledger).total;
-  record.feature      = touch.feature;
-  record.normal       = touch.normal;
-  record.normal_speed = -(relative * touch.normal);
+  const dealii::Tensor<1, 3> relative = surface.relative_velocity(
+      world, touch.point, projection, world.velocity_at(slave.body, touch.point, 0.5 * dt), dt);
+  const PointForce force = press(law_,
+                                 touch,
+                                 relative,
+                                 surface.slip_velocity(world, touch, projection, relative),
+                                 dt,
+                                 state,
+                                 world.ledger);
+  record.force           = force.total;
+  record.feature         = touch.feature;
+  record.normal          = touch.normal;
+  record.normal_speed    = -(relative * touch.normal);
 
   // equal and opposite at one point: neither momentum nor moment of momentum is made
   world.add_force(slave.body, record.force, touch.point);
-  surface.add_force(world, touch.point, projection, -record.force);
+  surface.add_opposite(world, touch.point, touch, projection, force);
 }
 
 void PointContact::add_springs(const World &world, std::vector<Spring> &springs) const

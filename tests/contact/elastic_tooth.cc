@@ -8,30 +8,31 @@
 // rigid roller is near however far along the axis it is.
 #include "../support/tooth.h"
 
+#include <chaindrive/contact/point_contact.h>
+
 using namespace test;
 
 namespace
 {
 void check_between_sectors()
 {
-  const scene::Scene          scene = make_scene(Tooth());
-  dynamics::System            system(scene, false);
-  World                      &world  = system.world;
-  const Rim                  &rim    = world.rims[0];
-  BodyBatches                &copies = world.copies[rim.group];
-  const double                angle  = dealii::numbers::PI / scene.teeth[0].teeth;
-  const double                radius = scene.teeth[0].outer_radius;
-  const auto                  flanks = contact::make_flanks(scene.teeth[0], world, rim);
-  contact::Flanks::Projection projection;
-  unsigned int                hint = 0;
-  flanks->touch(world,
-                vector(radius * std::cos(angle), radius * std::sin(angle), 1e-3),
-                1e-3,
-                hint,
-                projection);
+  const scene::Scene scene = make_scene(Tooth());
+  dynamics::System   system(scene, false);
+  World             &world  = system.world;
+  const Rim         &rim    = world.rims[0];
+  BodyBatches       &copies = world.copies[rim.group];
+  const double       angle  = dealii::numbers::PI / scene.teeth[0].teeth;
+  const double       radius = scene.teeth[0].outer_radius;
+  const auto         flanks = contact::make_flanks(scene.teeth[0], world);
+  const Vector3      tip    = vector(radius * std::cos(angle), radius * std::sin(angle), 1e-3);
+  contact::Surface::Projection projection;
+  unsigned int                 hint  = 0;
+  const contact::Touch         touch = flanks->project(world, tip, 0., 1e-3, hint, projection);
   world.clear_forces();
-  const Vector3 push = vector(-3., 2., 1.);
-  flanks->add_force(world, projection, push);
+  const Vector3       push = vector(-3., 2., 1.);
+  contact::PointForce on_slave{};
+  on_slave.total = -push;
+  flanks->add_opposite(world, tip, touch, projection, on_slave);
 
   Vector3 sum;
   for (unsigned int s = 0; s < copies.n_copies(); ++s)

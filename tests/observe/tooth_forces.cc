@@ -3,7 +3,8 @@
 // another: the force moves with it. What the histories say of the first gap is no longer true.
 #include "../support/scenes.h"
 
-#include <chaindrive/contact/family.h>
+#include <chaindrive/contact/elastic_flanks.h>
+#include <chaindrive/contact/point_contact.h>
 #include <chaindrive/observe/tooth_forces.h>
 
 using namespace test;
@@ -29,7 +30,7 @@ int main()
   family.slaves       = {{0, dealii::Point<3>(), radius, 0}};
 
   World                world(scene);
-  contact::Teeth       teeth(family);
+  contact::PointContact teeth(contact::on_flanks(family, world));
   observe::ToothForces forces{{&teeth},
                               "driver",
                               std::vector<double>(1, 0.),

@@ -29,15 +29,17 @@ public:
                 Projection                 &projection) const override;
 
   /// Nodal velocities are the secants of the step.
-  dealii::Tensor<1, 3> velocity(const World                &world,
-                                const dealii::Tensor<1, 3> &x,
-                                const Projection           &projection,
-                                double                      dt) const override;
+  dealii::Tensor<1, 3> relative_velocity(const World                &world,
+                                         const dealii::Tensor<1, 3> &x,
+                                         const Projection           &projection,
+                                         const dealii::Tensor<1, 3> &v,
+                                         double                      dt) const override;
 
-  void add_force(World                      &world,
-                 const dealii::Tensor<1, 3> &x,
-                 const Projection           &projection,
-                 const dealii::Tensor<1, 3> &f) const override;
+  void add_opposite(World                      &world,
+                    const dealii::Tensor<1, 3> &x,
+                    const Touch                &touch,
+                    const Projection           &projection,
+                    const PointForce           &f) const override;
 
 protected:
   ElasticFlanks(const scene::ToothFamily &family, const Rim &rim)

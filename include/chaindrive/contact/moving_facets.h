@@ -14,15 +14,13 @@
 
 namespace chaindrive::contact
 {
-/// Vectors of some nodes of one body: positions, velocities or forces.
+/// Vectors of some nodes of one body: positions or velocities.
 struct NodeValues
 {
-  NodeView<double>                field; ///< all of this rank's
+  NodeView<const double>          field; ///< all of this rank's
   const std::vector<std::size_t> &index; ///< per node, in the field
 
   dealii::Tensor<1, 3> operator()(const unsigned int i) const { return field[index[i]]; }
-
-  void add(const unsigned int i, const dealii::Tensor<1, 3> &v) const { field.add(index[i], v); }
 };
 
 /// The facets of a nearly flat side of an elastic part: bilinear through its nodes, wherever these

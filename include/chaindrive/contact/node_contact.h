@@ -66,7 +66,12 @@ private:
   void add_body_forces(World &world, unsigned int i, double dt);
 
   /// Contact of its node @p s, which is due.
-  void add_node_force(World &world, unsigned int i, unsigned int s, double dt, Resultant &sum);
+  void add_node_force(World               &world,
+                      unsigned int         i,
+                      unsigned int         s,
+                      double               dt,
+                      Surface::Projection &projection,
+                      Resultant           &sum);
 
   Node &node(const unsigned int i, const unsigned int s)
   {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/contact/face_surface.h>
 #include <chaindrive/contact/family.h>
-#include <chaindrive/contact/moving_facets.h>
 #include <chaindrive/contact/search_cadence.h>
 
 #include <memory>
@@ -16,10 +16,6 @@ namespace chaindrive::contact
 ///
 /// Only slaves within a radius of the axis take part, where the master's face is a full ring
 /// however the two are turned: no node passes its rim.
-///
-/// A slave at x = P + g n, with the point P of a facet and its normal n, gets the force
-/// F = N n + T; the facet's nodes, whose weights are w_i, get -w_i F + g (T . grad w_i) n: forces
-/// and moments cancel to round-off. The slip's velocity is the one on which T does their work.
 ///
 /// A pair is left alone until the gap of the nodes that do not touch may have closed, see
 /// holding_time().
@@ -70,14 +66,15 @@ private:
   struct FaceContact
   {
     unsigned int              pair, sides, face; ///< in records(), side_pairs_, its faces
-    std::vector<std::size_t>  masters, slaves;   ///< of the nodes, see NodeView
-    std::vector<Node>         nodes;             ///< per slave that takes part
+    FaceSurface               surface;           ///< of the master
+    std::vector<std::size_t>  slaves;            ///< nodes that take part, see NodeView
+    std::vector<Node>         nodes;             ///< likewise
     std::vector<unsigned int> active;            ///< of these: closer than a reach
     SearchCadence             cadence;           ///< s, of active
   };
 
   /// Lists the slaves of @p contact that are closer than a reach.
-  void search_nodes(World &world, FaceContact &contact);
+  void search_nodes(const World &world, FaceContact &contact);
 
   /// Contact of these, added to the record of their pair.
   void add_face_forces(World &world, FaceContact &contact, double dt);

@@ -25,7 +25,7 @@ private:
   PointContact(const std::string &name, const scene::ContactLaw &law, std::vector<Pair> pairs);
 
   /// Contact of pair @p i with its record.
-  void add_force(World &world, unsigned int i, double dt);
+  void add_force(World &world, unsigned int i, double dt, Surface::Projection &projection);
 
   /// Springs that are no softer than pair @p i, closed along any normal across the master's z axis:
   /// @p centre [m, world] is the slave's axis, @p radius [m] how far from it friction acts; @p

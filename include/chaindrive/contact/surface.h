@@ -3,7 +3,7 @@
 
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/closed_pair.h>
-#include <chaindrive/contact/geometry.h>
+#include <chaindrive/contact/point_force.h>
 #include <chaindrive/mesh/surface/surface_nodes.h>
 
 #include <array>
@@ -28,14 +28,16 @@ public:
     std::array<std::size_t, 4> nodes{}; ///< see NodeView
     std::array<std::size_t, 4> twins{}; ///< the same in the next sector, for nodes between two, see
                                         ///< Rim; else as nodes
-    std::array<double, 4> weights{};
-    dealii::Tensor<1, 3>  displacement; ///< relative to the hub, world axes, m
-    dealii::Tensor<1, 3>  arm;          ///< from the mean of the nodes to the slave, m
+    std::array<double, 4>               weights{};
+    std::array<dealii::Tensor<1, 3>, 4> gradients;    ///< of the weights along a facet, 1/m
+    dealii::Tensor<1, 3>                displacement; ///< of flanks: relative to the hub, m
+    dealii::Tensor<1, 3>                arm; ///< of flanks: from the mean of the nodes to x, m
   };
 
   /// Where the point @p x [m, world], which carries a sphere of @p radius [m], is nearest to the
-  /// surface. Only a gap that is negative has a normal and tangents. Surfaces that must look for it
-  /// do so @p within a distance [m] of x and begin with @p hint, the facet found last time, if any.
+  /// surface. Only where it overlaps need there be a normal and tangents. Surfaces that must look
+  /// for it do so @p within a distance [m] of x and begin with @p hint, the facet found last time,
+  /// if any.
   virtual Touch project(const World                &world,
                         const dealii::Tensor<1, 3> &x,
                         double                      radius,
@@ -43,18 +45,31 @@ public:
                         unsigned int               &hint,
                         Projection                 &projection) const = 0;
 
-  /// Velocity [m/s] of the surface's material at @p x [m, world], whose projection this is, half a
-  /// step @p dt [s] before now, as the velocities of bodies are while forces are evaluated.
-  virtual dealii::Tensor<1, 3> velocity(const World                &world,
-                                        const dealii::Tensor<1, 3> &x,
-                                        const Projection           &projection,
-                                        double                      dt) const;
+  /// Velocity [m/s] of a slave against the surface: its material at @p x [m, world], whose
+  /// projection this is, moves at @p v [m/s], half a step @p dt [s] before now, as all velocities
+  /// do while forces are evaluated.
+  virtual dealii::Tensor<1, 3> relative_velocity(const World                &world,
+                                                 const dealii::Tensor<1, 3> &x,
+                                                 const Projection           &projection,
+                                                 const dealii::Tensor<1, 3> &v,
+                                                 double                      dt) const;
 
-  /// Adds the force @p f [N] that acts on the surface there.
-  virtual void add_force(World                      &world,
-                         const dealii::Tensor<1, 3> &x,
-                         const Projection           &projection,
-                         const dealii::Tensor<1, 3> &f) const;
+  /// The velocity on which friction works, given that @p relative one: not the same where the
+  /// surface turns under the slave and takes friction elsewhere than at x.
+  virtual dealii::Tensor<1, 3> slip_velocity(const World &,
+                                             const Touch &,
+                                             const Projection &,
+                                             const dealii::Tensor<1, 3> &relative) const
+  {
+    return relative;
+  }
+
+  /// Adds the opposite of the force @p f on a slave that touches at @p x [m, world].
+  virtual void add_opposite(World                      &world,
+                            const dealii::Tensor<1, 3> &x,
+                            const Touch                &touch,
+                            const Projection           &projection,
+                            const PointForce           &f) const;
 
   /// Whether there are places far away from the surface, so that a search for slaves near it pays.
   virtual bool needs_search() const { return false; }
@@ -92,20 +107,22 @@ private:
   unsigned int body_;
 };
 
-inline dealii::Tensor<1, 3> Surface::velocity(const World                &world,
-                                              const dealii::Tensor<1, 3> &x,
-                                              const Projection &,
-                                              const double dt) const
+inline dealii::Tensor<1, 3> Surface::relative_velocity(const World                &world,
+                                                       const dealii::Tensor<1, 3> &x,
+                                                       const Projection &,
+                                                       const dealii::Tensor<1, 3> &v,
+                                                       const double                dt) const
 {
-  return world.velocity_at(body_, x, 0.5 * dt);
+  return v - world.velocity_at(body_, x, 0.5 * dt);
 }
 
-inline void Surface::add_force(World                      &world,
-                               const dealii::Tensor<1, 3> &x,
-                               const Projection &,
-                               const dealii::Tensor<1, 3> &f) const
+inline void Surface::add_opposite(World                      &world,
+                                  const dealii::Tensor<1, 3> &x,
+                                  const Touch &,
+                                  const Projection &,
+                                  const PointForce &f) const
 {
-  world.add_force(body_, f, x);
+  world.add_force(body_, -f.total, x);
 }
 
 inline dealii::Tensor<1, 3>
