@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/command_line.h>
+#include <chaindrive/commands.h>
 #include <chaindrive/files/console.h>
 #include <chaindrive/parameters/reader.h>
-#include <chaindrive/simulation.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/signals.h>
 
@@ -30,8 +30,9 @@ int run(const int argc, char **argv, const bool is_first_rank)
   switch (command_line.command)
     {
     case Command::run:
+      return run_command(command_line, MPI_COMM_WORLD) ? 0 : 4;
     case Command::plan:
-      return simulate(command_line, MPI_COMM_WORLD) ? 0 : 4;
+      return plan_command(command_line, MPI_COMM_WORLD) ? 0 : 4;
     case Command::template_file:
       if (is_first_rank)
         parameters::write_template(std::cout);

@@ -117,7 +117,7 @@ Guard::Guard(const scene::Scene &scene,
   largest_momentum_ = std::max(largest_momentum_, std::sqrt(2. * total_mass_ * least_energy_));
 }
 
-void Guard::serialize(const Archive &archive)
+void Guard::serialize(const Archive &archive, const System &)
 {
   energy_.serialize(archive / "energy");
   archive("calls", calls_);
@@ -290,8 +290,10 @@ std::optional<Guard::Finding> Guard::look(System &system, const double dt)
   return finding;
 }
 
-void Guard::check(System &system, const unsigned long step, const double dt)
+bool Guard::observe(System &system, const unsigned long step, const double dt)
 {
+  if (step == 0)
+    return true; // what the start is like the constructor has seen
   const World           &world = system.world;
   std::optional<Finding> finding;
   if (world.alarm > 0.)
@@ -319,7 +321,7 @@ void Guard::check(System &system, const unsigned long step, const double dt)
         }
     }
   if (!finding)
-    return;
+    return true;
 
   throw Fault(finding->what + ", at " + to_text(world.time * 1e3, 8) + " ms, step " +
                   std::to_string(step) + ". Where: " + list_of(finding->places, 4) + ". " +

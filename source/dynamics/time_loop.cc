@@ -20,22 +20,26 @@ unsigned long n_steps(const double start, const double end, const double dt)
   return static_cast<unsigned long>(n);
 }
 
-unsigned long run(System       &system,
-                  Observer     &observer,
-                  Guard        &guard,
-                  const double  start,
-                  const double  end,
-                  const double  dt,
-                  unsigned long done)
+unsigned long run(System                        &system,
+                  const std::vector<Observer *> &observers,
+                  const double                   start,
+                  const double                   end,
+                  const double                   dt,
+                  unsigned long                  done)
 {
+  const auto goes_on = [&](const unsigned long step, const double led_here) {
+    bool all = true;
+    for (Observer *observer : observers)
+      all = observer->observe(system, step, led_here) && all;
+    return all;
+  };
   const unsigned long last  = n_steps(start, end, dt);
-  bool                going = done > 0 || observer.observe(system, 0, 0.);
+  bool                going = done > 0 || goes_on(0, 0.);
   while (going && done < last)
     {
       ++done;
       system.advance(dt, start + done * dt);
-      guard.check(system, done, dt);
-      going = observer.observe(system, done, dt);
+      going = goes_on(done, dt);
     }
   return done;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/checkpoints.h>
+#include <chaindrive/observe/recorder.h>
+#include <chaindrive/observe/summary.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/signals.h>
 #include <chaindrive/utilities/text.h>
@@ -25,21 +27,19 @@ double seconds_since(const std::chrono::steady_clock::time_point begin)
 }
 } // namespace
 
-Checkpoints::Checkpoints(const Parameters   &parameters,
-                         std::string         directory,
-                         std::string         fixed,
-                         const unsigned long n_steps,
-                         const double        dt,
-                         Recorder           &recorder,
-                         dynamics::Guard    &guard,
-                         files::Log         &log)
+Checkpoints::Checkpoints(const Parameters                 &parameters,
+                         std::string                       directory,
+                         std::string                       fixed,
+                         const unsigned long               n_steps,
+                         const double                      dt,
+                         std::vector<dynamics::Observer *> observers,
+                         files::Log                       &log)
     : parameters_(parameters)
     , directory_(std::move(directory))
     , fixed_(std::move(fixed))
     , n_steps_(n_steps)
     , dt_(dt)
-    , recorder_(recorder)
-    , guard_(guard)
+    , observers_(std::move(observers))
     , log_(log)
     , schedule_(parameters.time.start, parameters.output.checkpoint_interval)
     , began_(Clock::now())
@@ -47,9 +47,8 @@ Checkpoints::Checkpoints(const Parameters   &parameters,
 {
 }
 
-bool Checkpoints::observe(dynamics::System &system, const unsigned long step, const double dt)
+bool Checkpoints::observe(dynamics::System &system, const unsigned long step, const double)
 {
-  recorder_.observe(system, step, dt);
   const bool stopped = system.world.requests[stop] > 0.;
   const bool due     = schedule_.due(system.world.time);
   const bool ended   = step == n_steps_ && (parameters_.output.checkpoint_interval > 0. ||
@@ -96,12 +95,17 @@ void Checkpoints::say_why(const double time)
        << " To go on, start it again as before with --resume auto." << std::endl;
 }
 
-void Checkpoints::serialize(const Archive &archive, dynamics::System &system)
+void Checkpoints::serialize(const Archive &archive, const dynamics::System &system)
+{
+  schedule_.serialize(archive, system.world.time);
+}
+
+void Checkpoints::serialize_all(const Archive &archive, dynamics::System &system)
 {
   system.serialize(archive / "system");
-  guard_.serialize(archive / "guard");
-  recorder_.serialize(archive / "recorder", system);
-  schedule_.serialize(archive / "checkpoints", system.world.time);
+  for (dynamics::Observer *observer : observers_)
+    observer->serialize(archive / observer->name(), system);
+  serialize(archive / name(), system);
 
   std::vector<double> cpu_seconds;
   for (const auto &row : rows_of_all_ranks(system.timer, system.world.communicator()))
@@ -117,7 +121,7 @@ void Checkpoints::write(dynamics::System &system, const unsigned long step)
 {
   const PhaseTimer::Scope scope(system.timer, system.timer.add("Output"));
   files::CheckpointItems  items(system.world.communicator());
-  serialize(items.archive(), system);
+  serialize_all(items.archive(), system);
   last_ = files::checkpoint_path(directory_, step);
   items.write(last_, {step, system.world.time, dt_}, fixed_);
   written_ = Clock::now();
@@ -142,7 +146,7 @@ unsigned long Checkpoints::resume(dynamics::System &system, const files::Checkpo
         " ms, after Time/End time in ms = " + to_text(parameters_.time.end * 1e3) + ".");
   try
     {
-      serialize(file.archive(), system);
+      serialize_all(file.archive(), system);
     }
   catch (const InputError &error)
     {

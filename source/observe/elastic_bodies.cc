@@ -2,6 +2,7 @@
 #include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/observe/elastic_bodies.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace chaindrive::observe
@@ -30,31 +31,34 @@ unsigned int farthest_node(const BodyBatches &copies, const dealii::Tensor<1, 3>
       best = node;
   return best;
 }
+
+/// What the elastic bodies of @p group are.
+scene::Kind
+kind_of(const scene::Scene &scene, const dynamics::System &system, const unsigned int group)
+{
+  return scene.bodies[system.world.copies[group].bodies.front()].kind;
+}
 } // namespace
 
-ElasticBodies::ElasticBodies(const scene::Scene     &scene,
-                             const dynamics::System &system,
-                             const bool              cells)
+bool has_elastic(const scene::Scene             &scene,
+                 const dynamics::System         &system,
+                 const std::vector<scene::Kind> &kinds)
 {
   for (unsigned int g = 0; g < system.world.n_elastic_groups(); ++g)
-    {
-      const BodyBatches &copies = system.world.copies[g];
-      const scene::Kind  kind   = scene.bodies[copies.bodies.front()].kind;
-      if (kind == scene::Kind::inner_link || kind == scene::Kind::outer_link)
-        plates_.try_emplace(g, *copies.part, copies.nodes, scene.material);
-      if (kind == scene::Kind::roller)
-        for (const unsigned int body : copies.bodies)
-          surface_nodes_[body] = farthest_node(
-              copies, transpose(scene.bodies[body].initial.rotation) * scene.span_normal);
-    }
-  if (cells)
-    for (const auto &group : system.world.groups)
-      if (group->elastic_copies() != BodyGroup::none)
-        cells_[group->elastic_copies()] = group->stress_recoveries(system.world);
+    if (std::find(kinds.begin(), kinds.end(), kind_of(scene, system, g)) != kinds.end())
+      return true;
+  return false;
 }
 
-ElasticSnapshot ElasticBodies::snapshot(const dynamics::System &system,
-                                        const World::Address   &place) const
+ElasticSnapshots::ElasticSnapshots(const dynamics::System &system)
+{
+  for (const auto &group : system.world.groups)
+    if (group->elastic_copies() != BodyGroup::none)
+      cells_[group->elastic_copies()] = group->stress_recoveries(system.world);
+}
+
+ElasticSnapshot ElasticSnapshots::of(const dynamics::System &system,
+                                     const World::Address   &place) const
 {
   const BodyBatches &copies = system.world.copies[place.group];
   const std::size_t  n      = copies.nodes.of_vertex.size();
@@ -79,7 +83,18 @@ ElasticSnapshot ElasticBodies::snapshot(const dynamics::System &system,
   return snapshot;
 }
 
-WaistStress ElasticBodies::waist(const dynamics::System &system, const unsigned int body) const
+Waists::Waists(const scene::Scene &scene, const dynamics::System &system)
+{
+  for (unsigned int g = 0; g < system.world.n_elastic_groups(); ++g)
+    {
+      const BodyBatches &copies = system.world.copies[g];
+      const scene::Kind  kind   = kind_of(scene, system, g);
+      if (kind == scene::Kind::inner_link || kind == scene::Kind::outer_link)
+        plates_.try_emplace(g, *copies.part, copies.nodes, scene.material);
+    }
+}
+
+WaistStress Waists::stress(const dynamics::System &system, const unsigned int body) const
 {
   const World::Address             &place  = system.world.elastic_address[body];
   const PlateStress                &plates = plates_.at(place.group);
@@ -90,10 +105,20 @@ WaistStress ElasticBodies::waist(const dynamics::System &system, const unsigned 
   return plates(position);
 }
 
-dealii::Tensor<1, 3> ElasticBodies::surface_velocity(const dynamics::System &system,
-                                                     const unsigned int      body) const
+RollerSurfaces::RollerSurfaces(const scene::Scene &scene, const dynamics::System &system)
+{
+  for (unsigned int g = 0; g < system.world.n_elastic_groups(); ++g)
+    if (kind_of(scene, system, g) == scene::Kind::roller)
+      for (const unsigned int body : system.world.copies[g].bodies)
+        nodes_[body] =
+            farthest_node(system.world.copies[g],
+                          transpose(scene.bodies[body].initial.rotation) * scene.span_normal);
+}
+
+dealii::Tensor<1, 3> RollerSurfaces::velocity(const dynamics::System &system,
+                                              const unsigned int      body) const
 {
   const World::Address &place = system.world.elastic_address[body];
-  return velocity_of(system.world.copies[place.group], place.copy, surface_nodes_.at(body));
+  return velocity_of(system.world.copies[place.group], place.copy, nodes_.at(body));
 }
 } // namespace chaindrive::observe

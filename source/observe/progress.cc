@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/dynamics/system.h>
 #include <chaindrive/observe/progress.h>
 
 #include <cmath>
@@ -45,10 +46,19 @@ Progress::Progress(files::Log &log, const double start, const double end, const 
 {
 }
 
-void Progress::begin_at(const double time)
+bool Progress::observe(dynamics::System &system, const unsigned long, const double)
 {
-  first_    = time;
-  reported_ = static_cast<int>((time - start_) / (end_ - start_) * steps + 1e-9);
+  if (system.world.is_first_rank())
+    update(system.world.time);
+  return true;
+}
+
+void Progress::serialize(const Archive &archive, const dynamics::System &system)
+{
+  if (!archive.reads())
+    return;
+  first_    = system.world.time;
+  reported_ = static_cast<int>((first_ - start_) / (end_ - start_) * steps + 1e-9);
 }
 
 Progress::~Progress() { log_.show_status(""); }

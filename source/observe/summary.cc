@@ -9,6 +9,54 @@
 
 namespace chaindrive::observe
 {
+namespace
+{
+/// What a reader looks for first, the machine, and the longest list.
+constexpr const char *first_members[] = {"driven_angle_end",
+                                         "driven_speed_mean",
+                                         "span_speed_mean",
+                                         "pitch_time_mean",
+                                         "tight_tension_mean",
+                                         "slack_tension_mean",
+                                         "tight_tension_max_start",
+                                         "driver_torque_mean",
+                                         "contacts_missed",
+                                         "drive_work",
+                                         "resisting_work",
+                                         "energy_turned_over",
+                                         "energy_imbalance_max",
+                                         "momentum_imbalance_max",
+                                         "energy_jump_max",
+                                         "overlap_max",
+                                         "energy"};
+constexpr const char *last_members[]  = {"stable_step",
+                                         "step",
+                                         "steps",
+                                         "searches",
+                                         "window",
+                                         "ranks",
+                                         "wall_seconds",
+                                         "cpu_seconds",
+                                         "engagements"};
+} // namespace
+
+files::Json in_order(const files::Json &values)
+{
+  files::Json rest = values, ordered = files::Json::object(), end = files::Json::object();
+  const auto  move = [&rest](const char *name, files::Json &to) {
+    if (rest.contains(name))
+      to[name] = rest[name];
+    rest.erase(name);
+  };
+  for (const char *name : first_members)
+    move(name, ordered);
+  for (const char *name : last_members)
+    move(name, end);
+  ordered.update(rest);
+  ordered.update(end);
+  return ordered;
+}
+
 files::Json cpu_seconds(const std::vector<PhaseTimer::Row> &rows)
 {
   files::Json result = files::Json::object();

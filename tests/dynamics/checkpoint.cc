@@ -2,6 +2,7 @@
 // The state of a system goes through an archive in the middle of a run, and a new system goes on
 // from there: the motion, the energies and the searches are bit by bit those of the run that went
 // on, for each fidelity. One written by two ranks and read by one: tests/runs/resume.py.
+#include "../support/archive.h"
 #include "../support/scenes.h"
 
 #include <chaindrive/scene/build.h>
@@ -12,24 +13,6 @@
 #include <optional>
 
 using namespace test;
-
-using Items = std::map<std::string, Archive::Bytes>;
-
-Archive writer(Items &items)
-{
-  return Archive([&items](const std::string &name, const char *bytes, const std::size_t n) {
-    if (!items.emplace(name, Archive::Bytes(bytes, bytes + n)).second)
-      std::cout << "two items are called " << name << '\n';
-  });
-}
-
-Archive reader(const Items &items)
-{
-  return Archive([&items](const std::string &name) {
-    const auto found = items.find(name);
-    return found == items.end() ? std::nullopt : std::make_optional(found->second);
-  });
-}
 
 /// Every number that moves: of the world, of nodes, of the ledger.
 std::vector<double> numbers_of(const dynamics::System &system)

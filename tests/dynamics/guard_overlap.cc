@@ -33,7 +33,7 @@ unsigned int stopped_at(const scene::Scene &scene, const unsigned int n, std::st
     try
       {
         system.advance(dt, i * dt);
-        guard.check(system, i, dt);
+        guard.observe(system, i, dt);
       }
     catch (const dynamics::Fault &fault)
       {

@@ -74,7 +74,7 @@ Outcome run(const bool layered, const bool stiff_link)
   unsigned long   step = 0;
   advance(system, static_cast<unsigned long>((layered ? 4e-3 : 1e-3) / dt), dt, [&]() {
     outcome.worst = std::max(outcome.worst, std::abs(world.ledger.imbalance()));
-    guard.check(system, ++step, dt);
+    guard.observe(system, ++step, dt);
     if (layered)
       outcome.bent = std::max(outcome.bent, std::abs(bend(world) - start));
   });

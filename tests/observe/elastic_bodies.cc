@@ -53,16 +53,18 @@ double largest(const observe::WaistStress &s)
 
 int main()
 {
-  const scene::Scene           scene = make_scene();
-  dynamics::System             system(scene, false);
-  const observe::ElasticBodies elastic(scene, system, true);
-  const double                 E = scene.material.youngs_modulus, radius = 5.08e-3;
+  const scene::Scene              scene = make_scene();
+  dynamics::System                system(scene, false);
+  const observe::ElasticSnapshots snapshots(system);
+  const observe::RollerSurfaces   surfaces(scene, system);
+  const observe::Waists           waists(scene, system);
+  const double                    E = scene.material.youngs_modulus, radius = 5.08e-3;
 
   double speed = 0., across = 0., angle = 0.;
   for (unsigned int b = 0; b < 4; ++b)
     {
       const Frame  &frame = scene.bodies[b].initial;
-      const Vector3 v     = elastic.surface_velocity(system, b) - frame.velocity;
+      const Vector3 v     = surfaces.velocity(system, b) - frame.velocity;
       // the point of the surface that has this velocity
       const Vector3 arm = cross_product_3d(v, vector(0., 0., 1.)) / frame.angular_velocity[2];
       speed             = std::max(speed, std::abs(arm.norm() / radius - 1.));
@@ -92,7 +94,7 @@ int main()
               for (unsigned int d = 0; d < 3; ++d)
                 NodeView(copies.position).component(copies.index(place.copy, node), d) = scaled[d];
             }
-          const observe::ElasticSnapshot snapshot = elastic.snapshot(system, place);
+          const observe::ElasticSnapshot snapshot = snapshots.of(system, place);
           for (const element::Stress &cell : snapshot.stress)
             error = std::max({error,
                               std::abs(cell.piola[0][0] - stretched * stress) / stress,
@@ -109,7 +111,7 @@ int main()
             }
           if (b >= 4)
             {
-              const observe::WaistStress s = elastic.waist(system, b);
+              const observe::WaistStress s = waists.stress(system, b);
               waist                        = std::max(waist, largest(s) / stress);
               pull                         = std::max({pull,
                                                        std::abs(s.principal_1 / stress - 1.),

@@ -29,14 +29,10 @@ int main()
   family.law          = {1e8, 0., 0., 0., 0.};
   family.slaves       = {{0, dealii::Point<3>(), radius, 0}};
 
-  World                world(scene);
+  World                 world(scene);
   contact::PointContact teeth(contact::on_flanks(family, world));
-  observe::ToothForces forces{{&teeth},
-                              "driver",
-                              std::vector<double>(1, 0.),
-                              std::vector<double>(1, 0.),
-                              std::vector<double>(15, 0.),
-                              std::vector<double>(15, 0.)};
+  observe::ToothForces  forces("driver", 1, 15);
+  forces.families = {&teeth};
   for (const unsigned int gap : {0U, 1U})
     {
       const double angle       = gap * form->pitch_angle();
@@ -47,9 +43,9 @@ int main()
       forces.look();
       std::cout << "pressed into gap " << gap << ": forces / N in the first three gaps";
       for (unsigned int g = 0; g < 3; ++g)
-        std::cout << ' ' << std::fixed << std::setprecision(3) << forces.gap[g];
+        std::cout << ' ' << std::fixed << std::setprecision(3) << forces.in_gap[g];
       std::cout << ", on the roller " << forces.roller[0] << '\n';
     }
-  std::cout << "largest since the sample before " << forces.gap_peak[0] << ' ' << forces.gap_peak[1]
-            << ' ' << forces.gap_peak[2] << '\n';
+  std::cout << "largest since the sample before " << forces.in_gap_peak[0] << ' '
+            << forces.in_gap_peak[1] << ' ' << forces.in_gap_peak[2] << '\n';
 }

@@ -89,7 +89,7 @@ public:
     for (unsigned int i = 0; i < n_sound; ++i)
       {
         system.advance(dt, system.world.time + dt);
-        guard.check(system, ++step_, dt);
+        guard.observe(system, ++step_, dt);
       }
   }
 
@@ -142,7 +142,7 @@ public:
             advance(times * dt, on_nodes, on_bodies);
           else
             system.advance(times * dt, system.world.time + times * dt);
-          guard.check(system, ++step_, times * dt);
+          guard.observe(system, ++step_, times * dt);
         }
       catch (const dynamics::Fault &stopped)
         {

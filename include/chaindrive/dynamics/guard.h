@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/dynamics/fault_diagnosis.h>
+#include <chaindrive/dynamics/observer.h>
 #include <chaindrive/dynamics/system.h>
 #include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/errors.h>
@@ -89,7 +90,7 @@ private:
 /// contact/forces_cancel, joint_forces_cancel and plate_faces look at moments.
 ///
 /// The limits and what sound runs come to are at the top of guard.cc.
-class Guard
+class Guard : public Observer
 {
 public:
   /// @p limit as in EnergyGuard; @p stable_step [s] is that of @p system. When not @p on, the
@@ -100,9 +101,11 @@ public:
         double              stable_step,
         bool                on = true);
 
-  /// To be called after each step: @p step counts from 0, @p dt [s] is the step that led here.
-  /// Throws Fault. Collective.
-  void check(System &system, unsigned long step, double dt);
+  /// Checks the state after a step; throws Fault. Collective.
+  bool observe(System &system, unsigned long step, double dt) override;
+
+  std::string name() const override { return "guard"; }
+  void        serialize(const Archive &archive, const System &system) override;
 
   const EnergyGuard &energy() const { return energy_; }
 
@@ -114,8 +117,6 @@ public:
   /// The largest jump of the imbalance from one look to the next, or fall of a loss, or energy
   /// below zero, over the energy of springs.
   double largest_energy_jump() const { return largest_jump_; }
-
-  void serialize(const Archive &archive);
 
 private:
   using Vector3 = dealii::Tensor<1, 3>;

@@ -1,36 +1,42 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/dynamics/observer.h>
+#include <chaindrive/dynamics/system.h>
 #include <chaindrive/files/checkpoint_file.h>
 #include <chaindrive/files/log.h>
-#include <chaindrive/observe/recorder.h>
+#include <chaindrive/observe/schedule.h>
+#include <chaindrive/parameters/parameters.h>
 
 #include <chrono>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace chaindrive::observe
 {
-/// Watches a run through its recorder, writes checkpoints, and stops the run when it is asked to:
-/// by a signal (utilities/signals.h) or by the wall-clock limit. Two checkpoints are kept.
+/// Writes checkpoints, and stops the run when it is asked to: by a signal (utilities/signals.h) or
+/// by the wall-clock limit. Two checkpoints are kept. It must be the last of a run's observers:
+/// those before it have looked at the step that a checkpoint holds.
 ///
 /// Ranks agree on a checkpoint at no cost: their requests ride on the sum that they form at every
 /// step (World::requests), so that it comes one step later.
 class Checkpoints : public dynamics::Observer
 {
 public:
-  /// Checkpoints go to @p directory and belong to the parameters @p fixed (parameters::Input). The
-  /// run has @p n_steps steps of @p dt [s].
-  Checkpoints(const Parameters &parameters,
-              std::string       directory,
-              std::string       fixed,
-              unsigned long     n_steps,
-              double            dt,
-              Recorder         &recorder,
-              dynamics::Guard  &guard,
-              files::Log       &log);
+  /// Checkpoints hold the system and the @p observers. They go to @p directory and belong to the
+  /// parameters @p fixed (parameters::Input). The run has @p n_steps steps of @p dt [s].
+  Checkpoints(const Parameters                 &parameters,
+              std::string                       directory,
+              std::string                       fixed,
+              unsigned long                     n_steps,
+              double                            dt,
+              std::vector<dynamics::Observer *> observers,
+              files::Log                       &log);
 
-  bool observe(dynamics::System &system, unsigned long step, double dt) override;
+  bool        observe(dynamics::System &system, unsigned long step, double dt) override;
+  std::string name() const override { return "checkpoints"; }
+  void        serialize(const Archive &archive, const dynamics::System &system) override;
 
   /// Takes over the state of @p file, and removes what was written after it. Returns the number of
   /// steps done. InputError when it does not fit. Collective.
@@ -46,22 +52,21 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  void serialize(const Archive &archive, dynamics::System &system);
+  void serialize_all(const Archive &archive, dynamics::System &system);
   void write(dynamics::System &system, unsigned long step);
   void ask(World &world) const;
   bool past_wall_clock_limit() const;
   void say_why(double time);
 
-  const Parameters &parameters_;
-  std::string       directory_, fixed_;
-  unsigned long     n_steps_;
-  double            dt_;
-  Recorder         &recorder_;
-  dynamics::Guard  &guard_;
-  files::Log       &log_;
-  Schedule          schedule_;
-  Clock::time_point began_, written_;
-  std::string       last_;
+  const Parameters                 &parameters_;
+  std::string                       directory_, fixed_;
+  unsigned long                     n_steps_;
+  double                            dt_;
+  std::vector<dynamics::Observer *> observers_;
+  files::Log                       &log_;
+  Schedule                          schedule_;
+  Clock::time_point                 began_, written_;
+  std::string                       last_;
 };
 
 /// The checkpoint that @p resume asks for: `auto` or a file, which must lie in @p directory; null

@@ -6,6 +6,7 @@
 #include <chaindrive/scene/scene.h>
 
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace chaindrive::observe
@@ -18,32 +19,50 @@ struct ElasticSnapshot
   std::vector<element::Stress>      stress;       ///< per cell
 };
 
-/// What results take from elastic bodies, one body at a time.
-class ElasticBodies
+/// Whether elastic bodies of one of these @p kinds are in the scene.
+bool has_elastic(const scene::Scene             &scene,
+                 const dynamics::System         &system,
+                 const std::vector<scene::Kind> &kinds);
+
+/// Displacement, velocity and stress everywhere in elastic bodies.
+class ElasticSnapshots
 {
 public:
-  /// @p cells: the stresses of cells will be asked for.
-  ElasticBodies(const scene::Scene &scene, const dynamics::System &system, bool cells);
+  explicit ElasticSnapshots(const dynamics::System &system);
 
-  bool has_rollers() const { return !surface_nodes_.empty(); } ///< elastic ones
-  bool has_links() const { return !plates_.empty(); }          ///< elastic ones
+  /// Of an elastic body, or of a sector of a rim, that this rank owns.
+  ElasticSnapshot of(const dynamics::System &system, const World::Address &place) const;
 
-  /// Displacement, velocity and stress everywhere in an elastic body, or in a sector of a rim, that
-  /// this rank owns.
-  ElasticSnapshot snapshot(const dynamics::System &system, const World::Address &place) const;
+private:
+  /// By group of copies.
+  std::map<unsigned int, std::vector<std::unique_ptr<const element::StressRecovery>>> cells_;
+};
 
-  /// Stresses at the waist of the side plate of an elastic link @p body.
-  WaistStress waist(const dynamics::System &system, unsigned int body) const;
+/// The waists of the side plates of elastic links.
+class Waists
+{
+public:
+  Waists(const scene::Scene &scene, const dynamics::System &system);
+
+  /// Stresses in an elastic link @p body that this rank owns.
+  WaistStress stress(const dynamics::System &system, unsigned int body) const;
+
+private:
+  std::map<unsigned int, PlateStress> plates_; ///< by group of copies
+};
+
+/// The outsides of elastic rollers.
+class RollerSurfaces
+{
+public:
+  RollerSurfaces(const scene::Scene &scene, const dynamics::System &system);
 
   /// Velocity [m/s] of the surface node of an elastic roller @p body, half a step before: of the
   /// node in the chain's middle plane that lies farthest along the tight span's normal at the
   /// start.
-  dealii::Tensor<1, 3> surface_velocity(const dynamics::System &system, unsigned int body) const;
+  dealii::Tensor<1, 3> velocity(const dynamics::System &system, unsigned int body) const;
 
 private:
-  std::map<unsigned int, std::vector<std::unique_ptr<const element::StressRecovery>>>
-                                       cells_;         ///< by group of copies
-  std::map<unsigned int, PlateStress>  plates_;        ///< by group of copies
-  std::map<unsigned int, unsigned int> surface_nodes_; ///< by body
+  std::map<unsigned int, unsigned int> nodes_; ///< by body
 };
 } // namespace chaindrive::observe

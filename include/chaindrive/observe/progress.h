@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/dynamics/observer.h>
 #include <chaindrive/files/log.h>
 
 #include <chrono>
@@ -10,17 +11,21 @@ namespace chaindrive::observe
 {
 /// How far a run has come and how long it will still take: one line that is rewritten on a
 /// terminal, plain lines every 5 % in a log.
-class Progress
+class Progress : public dynamics::Observer
 {
 public:
   /// From @p start to @p end [s of simulated time]. @p terminal: the console can rewrite a line.
   Progress(files::Log &log, double start, double end, bool terminal = console_is_terminal());
 
-  /// The run begins at @p time: what comes before has been computed earlier.
-  void begin_at(double time);
-
   /// Takes the rewritten line away.
-  ~Progress();
+  ~Progress() override;
+
+  /// Says it on the first rank.
+  bool        observe(dynamics::System &system, unsigned long step, double dt) override;
+  std::string name() const override { return "progress"; }
+
+  /// A run that comes out of a checkpoint begins there: what is before has been computed earlier.
+  void serialize(const Archive &archive, const dynamics::System &system) override;
 
   /// To be called as often as convenient, every sample for example: mostly there is nothing to say.
   void update(double time);

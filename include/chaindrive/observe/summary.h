@@ -11,6 +11,17 @@
 
 namespace chaindrive::observe
 {
+/// What a run comes to.
+struct Summary
+{
+  files::Json                  values; ///< of summary.json; their definitions are in doc/output.md
+  std::vector<PhaseTimer::Row> phases; ///< where the CPU time went, of all ranks together
+};
+
+/// The members of @p values in the order in which summary.json has them. Those that have no
+/// place in it stand between the results and the figures of the computation.
+files::Json in_order(const files::Json &values);
+
 /// CPU seconds by phase and `total`. Names become members in snake_case: "Internal force" ->
 /// `internal_force`.
 files::Json cpu_seconds(const std::vector<PhaseTimer::Row> &rows);

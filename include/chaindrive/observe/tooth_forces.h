@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace chaindrive::observe
@@ -12,8 +13,17 @@ namespace chaindrive::observe
 /// Normal forces on the teeth of one sprocket, now and their peaks since the last sample, N.
 struct ToothForces
 {
+  ToothForces(std::string name, const unsigned int n_joints, const unsigned int n_gaps)
+      : name(std::move(name))
+      , roller(n_joints, 0.)
+      , roller_peak(n_joints, 0.)
+      , in_gap(n_gaps, 0.)
+      , in_gap_peak(n_gaps, 0.)
+  {
+  }
+
+  std::string                                  name;     ///< driver | driven
   std::vector<const contact::SurfaceContact *> families; ///< of rigid and of elastic rollers
-  std::string                                  name;
   std::vector<double>                          roller, roller_peak; ///< per joint
   std::vector<double>                          in_gap, in_gap_peak; ///< per gap of the sprocket
   double                                       overlap = 0.;        ///< largest so far, m

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/command_line.h>
+
+#include <mpi.h>
+
+namespace chaindrive
+{
+/// Runs the .prm file named on the command line: a Simulation with its files, its checkpoints, the
+/// log and the console. Throws InputError for input that cannot be run and RunError for a run that
+/// failed. Returns whether the run came to its end: false when a signal or the wall-clock limit
+/// stopped it, after a checkpoint was written. Collective.
+bool run_command(const CommandLine &command_line, MPI_Comm comm);
+
+/// Prints what that run would compute and what it costs. Returns and throws as run_command().
+bool plan_command(const CommandLine &command_line, MPI_Comm comm);
+} // namespace chaindrive

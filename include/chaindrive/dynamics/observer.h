@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/utilities/archive.h>
+
+#include <string>
+
+namespace chaindrive::dynamics
+{
+class System;
+
+/// Something that looks at the system after every step and never changes its motion.
+class Observer
+{
+public:
+  virtual ~Observer() = default;
+
+  /// Called once before the first step and then after each; @p step counts from 0, @p dt is the
+  /// step that led here [s], zero at the first call. All of the system belongs to
+  /// system.world.time. Returns whether the run is to go on, on all ranks the same.
+  virtual bool observe(System &system, unsigned long step, double dt) = 0;
+
+  /// What it is called in checkpoints.
+  virtual std::string name() const = 0;
+
+  /// What it remembers from step to step. Collective.
+  virtual void serialize(const Archive &, const System &) {}
+};
+} // namespace chaindrive::dynamics

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/dynamics/system.h>
+#include <chaindrive/observe/spans.h>
+#include <chaindrive/parameters/parameters.h>
+#include <chaindrive/scene/scene.h>
+
+#include <vector>
+
+namespace chaindrive::observe
+{
+/// What quantities look at: the system after a step, and what several of them need of it, found
+/// once.
+class Observation
+{
+public:
+  Observation(const scene::Scene     &scene,
+              const Parameters       &parameters,
+              const dynamics::System &system);
+  Observation(const Observation &)            = delete;
+  Observation &operator=(const Observation &) = delete;
+
+  /// The system has gone a step of @p dt [s].
+  void next(const double dt)
+  {
+    dt_          = dt;
+    spans_known_ = false;
+  }
+
+  double time() const { return system.world.time; } ///< s
+  double dt() const { return dt_; }                 ///< the step that led here, 0 at the start, s
+
+  /// Tensions of links and the state of the two spans. First rank only, which has all records of
+  /// contacts.
+  const Spans &spans() const;
+
+  const scene::Scene       &scene;
+  const Parameters         &parameters;
+  const dynamics::System   &system;
+  std::vector<unsigned int> rollers; ///< that histories are asked for: joints, and bodies
+
+private:
+  double        dt_ = 0.;
+  mutable Spans spans_;
+  mutable bool  spans_known_ = false;
+};
+} // namespace chaindrive::observe

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/dynamics/observer.h>
+#include <chaindrive/dynamics/system.h>
+#include <chaindrive/observe/elastic_bodies.h>
+#include <chaindrive/observe/fields.h>
+#include <chaindrive/observe/schedule.h>
+#include <chaindrive/parameters/parameters.h>
+#include <chaindrive/scene/scene.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace chaindrive::observe
+{
+/// Writes pictures of a run, every Output/Field interval.
+class Pictures : public dynamics::Observer
+{
+public:
+  /// Pictures go to @p directory. @p scene must outlive this.
+  Pictures(const scene::Scene     &scene,
+           const Parameters       &parameters,
+           const dynamics::System &system,
+           const std::string      &directory,
+           PhaseTimer             &timer);
+
+  bool        observe(dynamics::System &system, unsigned long step, double dt) override;
+  std::string name() const override { return "pictures"; }
+
+  /// A resumed run may have another interval.
+  void serialize(const Archive &archive, const dynamics::System &system) override;
+
+private:
+  /// What is drawn of each part and kept between pictures.
+  struct Drawing
+  {
+    Drawing(const scene::Scene     &scene,
+            const dynamics::System &system,
+            const std::string      &directory);
+
+    Fields                               fields;
+    std::map<scene::PartOf, PartPatches> parts;   ///< of a sprocket with a rim: its rigid zone
+    std::map<unsigned int, PartPatches>  sectors; ///< of rims, by group of copies
+    ElasticSnapshots                     elastic;
+  };
+
+  void write(const dynamics::System &system);
+
+  const scene::Scene      &scene_;
+  PhaseTimer::Phase        phase_;
+  Schedule                 schedule_;
+  std::unique_ptr<Drawing> drawing_; ///< none without an interval
+};
+} // namespace chaindrive::observe

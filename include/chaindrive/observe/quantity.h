@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/files/histories.h>
+#include <chaindrive/files/json.h>
+#include <chaindrive/observe/observation.h>
+#include <chaindrive/utilities/archive.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace chaindrive::observe
+{
+/// The histories of all quantities: each channel with the function that fills its row.
+class Channels
+{
+public:
+  using Row  = dealii::ArrayView<double>;
+  using Fill = std::function<void(Row)>;
+
+  explicit Channels(files::Histories &histories) : histories_(histories) {}
+
+  /// The group must be one of files::is_history_group(). Rows begin as NaN.
+  void add(const files::Channel &channel, Fill fill);
+
+  /// Writes a sample at @p time [s].
+  void sample(double time);
+
+private:
+  struct Source
+  {
+    files::Histories::Handle handle;
+    Fill                     fill;
+  };
+  files::Histories   &histories_;
+  std::vector<Source> sources_;
+};
+
+/// Something that is observed of a run: its channels in the histories, its members of the summary.
+/// A new one is one file in source/observe/quantities, which ends with its registration:
+///
+///     class Speed : public Quantity
+///     {
+///     public:
+///       using Quantity::Quantity;
+///       static bool exists(const Observation &start);
+///       void add_channels(Channels &channels) override;
+///       ...
+///     };
+///     const Registered<Speed> registration("speed", 45);
+///
+/// Every rank has all quantities of its scene. Functions do nothing unless overridden.
+class Quantity
+{
+public:
+  explicit Quantity(const Observation &now) : now_(now) {}
+  virtual ~Quantity()                   = default;
+  Quantity(const Quantity &)            = delete;
+  Quantity &operator=(const Quantity &) = delete;
+
+  /// Declares the histories. First rank only, before the first sample.
+  virtual void add_channels(Channels &) {}
+
+  /// Looks at the system before the first step and after each. First rank only.
+  virtual void update() {}
+
+  /// Brings together for a sample what is dealt out to the ranks. Collective.
+  virtual void gather() {}
+
+  /// A sample has been taken: what counts since the last one begins anew. First rank only.
+  virtual void begin_interval() {}
+
+  /// Adds to the summary of the run up to now. Collective.
+  virtual void summarize(files::Json &) const {}
+
+  /// What it remembers from step to step. InputError when a run with other intervals or windows
+  /// cannot go on with it. Collective.
+  virtual void serialize(const Archive &) {}
+
+protected:
+  const Observation &now_; ///< the present one
+};
+
+/// A kind of quantity that the program knows.
+class Registration
+{
+public:
+  /// Makes the quantity; null when the scene has nothing of the kind, which then costs nothing.
+  using Make = std::function<std::unique_ptr<Quantity>(const Observation &start)>;
+
+  /// Quantities follow each other by @p order, in histories as in checkpoints, where each has its
+  /// @p name; both must differ from those of all others.
+  Registration(const std::string &name, int order, Make make);
+};
+
+/// Registers T, which says with T::exists(start) whether a scene has it.
+template <typename T>
+struct Registered : Registration
+{
+  Registered(const std::string &name, const int order)
+      : Registration(name, order, [](const Observation &start) -> std::unique_ptr<Quantity> {
+        return T::exists(start) ? std::make_unique<T>(start) : nullptr;
+      })
+  {
+  }
+};
+
+/// A quantity of a run.
+struct NamedQuantity
+{
+  std::string               name;
+  std::unique_ptr<Quantity> quantity;
+};
+
+/// All registered quantities that the scene of @p start has, in their order. They keep a reference
+/// to @p start.
+std::vector<NamedQuantity> make_quantities(const Observation &start);
+} // namespace chaindrive::observe

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/observation.h>
+
+#include <numeric>
+
+namespace chaindrive::observe
+{
+Observation::Observation(const scene::Scene     &scene,
+                         const Parameters       &parameters,
+                         const dynamics::System &system)
+    : scene(scene)
+    , parameters(parameters)
+    , system(system)
+    , rollers(parameters.output.rollers)
+    , spans_(scene, system)
+{
+  if (rollers.empty())
+    {
+      rollers.resize(scene.n_joints);
+      std::iota(rollers.begin(), rollers.end(), 0U);
+    }
+}
+
+const Spans &Observation::spans() const
+{
+  if (!spans_known_)
+    spans_.update(system);
+  spans_known_ = true;
+  return spans_;
+}
+} // namespace chaindrive::observe

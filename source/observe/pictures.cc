@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/mesh/part.h>
+#include <chaindrive/observe/pictures.h>
+#include <chaindrive/utilities/ranks.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace chaindrive::observe
+{
+Pictures::Drawing::Drawing(const scene::Scene     &scene,
+                           const dynamics::System &system,
+                           const std::string      &directory)
+    : fields(directory, system.world.communicator()), elastic(system)
+{
+  for (const auto &[kind, part] : scene.parts)
+    parts.emplace(kind, PartPatches(*part->mesh, scene.sectors.count(kind) != 0));
+  for (const Rim &rim : system.world.rims)
+    sectors.emplace(rim.group, PartPatches(*rim.sector->part->mesh));
+}
+
+Pictures::Pictures(const scene::Scene     &scene,
+                   const Parameters       &parameters,
+                   const dynamics::System &system,
+                   const std::string      &directory,
+                   PhaseTimer             &timer)
+    : scene_(scene)
+    , phase_(timer.add("Output"))
+    , schedule_(parameters.time.start, parameters.output.field_interval)
+{
+  if (parameters.output.field_interval > 0.)
+    drawing_ = std::make_unique<Drawing>(scene, system, directory);
+}
+
+bool Pictures::observe(dynamics::System &system, const unsigned long, const double)
+{
+  const PhaseTimer::Scope scope(system.timer, phase_);
+  if (!schedule_.due(system.world.time))
+    return true;
+  system.contacts.gather_records(system.world);
+  write(system);
+  return true;
+}
+
+void Pictures::serialize(const Archive &archive, const dynamics::System &system)
+{
+  schedule_.serialize(archive / "schedule", system.world.time);
+  bool has_fields = drawing_ != nullptr;
+  archive("has fields", has_fields);
+  if (has_fields && drawing_ != nullptr)
+    drawing_->fields.serialize(archive / "fields");
+}
+
+namespace
+{
+/// Resultant [N] on each body, on all ranks.
+std::vector<dealii::Tensor<1, 3>> contact_forces(const dynamics::System &system)
+{
+  const World                      &world = system.world;
+  std::vector<dealii::Tensor<1, 3>> contact_force(world.n_bodies());
+  for (const auto &family : system.contacts.families())
+    for (const contact::Record &record : family->records())
+      {
+        contact_force[record.slave] += record.force;
+        contact_force[record.master] -= record.force;
+      }
+  if (n_ranks_in(world.communicator()) > 1) // the first rank has all records
+    contact_force = dealii::Utilities::MPI::broadcast(world.communicator(), contact_force);
+  return contact_force;
+}
+
+std::vector<BarSnapshot> snapshots_of_bars(const dynamics::System &system)
+{
+  const World             &world = system.world;
+  std::vector<BarSnapshot> bars;
+  for (unsigned int i = 0; i < system.bars.size(); ++i)
+    {
+      const scene::Bar &bar = system.bars.bars()[i];
+      BarSnapshot       snapshot;
+      snapshot.id = i;
+      for (const unsigned int end : {0U, 1U})
+        {
+          const unsigned int body    = end == 0 ? bar.first : bar.second;
+          const Frame       &now     = world.frames[body];
+          snapshot.position[end]     = dealii::Point<3>(now.position);
+          snapshot.displacement[end] = now.position - world.origin[body];
+          snapshot.velocity[end]     = now.velocity;
+        }
+      snapshot.tension = system.bars.tension()[i];
+      bars.push_back(snapshot);
+    }
+  return bars;
+}
+} // namespace
+
+void Pictures::write(const dynamics::System &system)
+{
+  const World &world = system.world;
+
+  const std::vector<dealii::Tensor<1, 3>> contact_force = contact_forces(system);
+
+  std::vector<ElasticSnapshot> elastic(world.n_bodies());
+  for (unsigned int b = 0; b < world.n_bodies(); ++b)
+    if (world.elastic_address[b].group != World::Address::none && world.owns(b))
+      elastic[b] = drawing_->elastic.of(system, world.elastic_address[b]);
+
+  std::vector<BodySnapshot> bodies;
+  for (unsigned int b = 0; b < world.n_bodies(); ++b)
+    if (world.owns(b))
+      bodies.push_back({&drawing_->parts.at(scene_.bodies[b].part()),
+                        b,
+                        scene_.bodies[b].number_in_pictures(),
+                        scene_.bodies[b].initial,
+                        world.frames[b],
+                        contact_force[b],
+                        make_array_view(elastic[b].displacement),
+                        make_array_view(elastic[b].velocity),
+                        {elastic[b].stress.data(), elastic[b].stress.size()}});
+
+  std::vector<std::vector<ElasticSnapshot>> sectors;
+  for (const Rim &rim : world.rims)
+    {
+      const BodyBatches &copies = world.copies[rim.group];
+      sectors.emplace_back(copies.n_copies());
+      for (unsigned int s = 0; s < copies.n_copies(); ++s)
+        if (copies.owns(s))
+          {
+            ElasticSnapshot &sector = sectors.back()[s];
+            sector                  = drawing_->elastic.of(system, {rim.group, s});
+            bodies.push_back({&drawing_->sectors.at(rim.group),
+                              rim.body,
+                              scene_.bodies[rim.body].number_in_pictures(),
+                              copies.start[s],
+                              world.frames[rim.body],
+                              contact_force[rim.body],
+                              make_array_view(sector.displacement),
+                              make_array_view(sector.velocity),
+                              {sector.stress.data(), sector.stress.size()}});
+          }
+    }
+
+  drawing_->fields.write(world.time, bodies, snapshots_of_bars(system));
+}
+} // namespace chaindrive::observe

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/quantity.h>
+#include <chaindrive/scene/effects.h>
+
+// The ledger. Histories have the lines that the scene's effects can fill, the summary has all.
+
+namespace chaindrive::observe
+{
+namespace
+{
+struct Line
+{
+  const char *name;
+  double Ledger::*term;
+  const char     *effect; ///< that fills the line; null: always there
+  const char     *description;
+};
+
+constexpr Line lines[] = {
+    {"kinetic", &Ledger::kinetic, nullptr, "Of all bodies but the prescribed hub"},
+    {"potential", &Ledger::potential, "gravity", "Of gravity, zero at the start"},
+    {"bar", &Ledger::bar, "chain bars", "Strain energy of the bars"},
+    {"strain", &Ledger::strain, "elastic bodies", "Strain energy of elastic bodies"},
+    {"hourglass",
+     &Ledger::hourglass,
+     "elastic bodies",
+     "In the hourglass stiffness of elastic bodies; physical bending for the enhanced elements"},
+    {"contact", &Ledger::contact, nullptr, "Stored in the contact springs"},
+    {"friction_loss", &Ledger::friction, "friction", "Lost by friction since the start"},
+    {"contact_damping_loss",
+     &Ledger::contact_damping,
+     "contact damping",
+     "Lost by contact damping since the start"},
+    {"chain_damping_loss",
+     &Ledger::chain_damping,
+     "chain damping",
+     "Lost in the bars' dashpots since the start"},
+    {"drag_loss", &Ledger::drag, "drag", "Lost by drag since the start"}};
+
+class Energy : public Quantity
+{
+public:
+  using Quantity::Quantity;
+
+  static bool exists(const Observation &) { return true; }
+
+  void add_channels(Channels &channels) override
+  {
+    const Ledger &ledger = now_.system.world.ledger;
+    const auto    term =
+        [&](const std::string &name, const std::string &description, double Ledger::*value) {
+          channels.add({"energy", name, "J", description},
+                       [&ledger, value](const Channels::Row row) { row[0] = ledger.*value; });
+        };
+    for (const Line &line : lines)
+      if (line.effect == nullptr || scene::is_on(now_.scene.effects, line.effect))
+        term(line.name, line.description, line.term);
+    term("drive_work", "Of the driver on the chain since the start", &Ledger::drive_work);
+    term("resisting_work", "Against the load torque since the start", &Ledger::resisting_work);
+    channels.add(
+        {"energy", "imbalance", "J", "Stored and lost less supplied: the error of the balance"},
+        [&ledger](const Channels::Row row) { row[0] = ledger.imbalance(); });
+  }
+
+  void summarize(files::Json &summary) const override
+  {
+    const Ledger &ledger      = now_.system.world.ledger;
+    summary["drive_work"]     = ledger.drive_work;
+    summary["resisting_work"] = ledger.resisting_work;
+    for (const Line &line : lines)
+      summary["energy"][line.name] = ledger.*line.term;
+  }
+};
+
+const Registered<Energy> registration("energy", 80);
+} // namespace
+} // namespace chaindrive::observe

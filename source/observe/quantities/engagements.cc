@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/surface_contact.h>
+#include <chaindrive/observe/quantity.h>
+
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// How rollers meet the sprockets.
+
+namespace chaindrive::observe
+{
+namespace
+{
+/// The first touch of a roller that arrives at a sprocket from the span.
+struct Engagement
+{
+  std::string  sprocket;        ///< driver | driven
+  unsigned int roller;          ///< joint number
+  double       time;            ///< of the first touch, s
+  double       relative_speed;  ///< of the roller's centre and the sprocket's material there, m/s
+  double       normal_speed;    ///< its part along the contact normal, m/s
+  double       peak_force = 0.; ///< largest normal force within 1 ms, N
+  double       impulse    = 0.; ///< of the normal force in the first 0.3 ms, N s
+  bool         complete   = false; ///< the run went on for 1 ms after the touch
+
+  template <typename BoostArchive>
+  void serialize(BoostArchive &archive, unsigned int)
+  {
+    archive &sprocket &roller &time &relative_speed &normal_speed &peak_force &impulse &complete;
+  }
+};
+
+constexpr double free_time    = 1e-3;   // without contact before a touch counts as an arrival
+constexpr double peak_time    = 1e-3;   // after the touch, in which the peak is looked for
+constexpr double impulse_time = 0.3e-3; // after the touch, over which the impulse is summed
+
+/// Finds engagements while the run goes on. A roller arrives when it has been farther than 0.15
+/// pitches outside the pitch circle and without contact for at least 1 ms, and touches on the side
+/// of the sprocket where the chain comes in: a roller that bounces in its seat, or meets a tooth
+/// once more as it leaves, does not engage again.
+class Engagements : public Quantity
+{
+public:
+  explicit Engagements(const Observation &now) : Quantity(now)
+  {
+    const scene::Scene     &scene  = now.scene;
+    const dynamics::System &system = now.system;
+    std::vector<char>       not_seated; // at the start: these will arrive from a span
+    for (const char seated : scene.seated)
+      not_seated.push_back(!seated);
+
+    const auto add = [&](const std::string          &name,
+                         const unsigned int          body,
+                         const unsigned int          teeth,
+                         const dealii::Tensor<1, 3> &entry_side) {
+      const double pitch_radius = 0.5 * scene.pitch / std::sin(dealii::numbers::PI / teeth);
+      for (const auto &family : system.contacts.families())
+        if (const auto *found = dynamic_cast<const contact::SurfaceContact *>(family.get());
+            found != nullptr && found->master() == body)
+          sprockets_.push_back(
+              {name,
+               found,
+               pitch_radius + 0.15 * scene.pitch,
+               entry_side,
+               std::vector<double>(scene.n_joints, -std::numeric_limits<double>::infinity()),
+               not_seated,
+               std::vector<int>(scene.n_joints, -1),
+               std::vector<double>(scene.n_joints, 0.)});
+    };
+    for (const scene::Sprocket &sprocket : scene.sprockets)
+      add(sprocket.name(), sprocket.body, sprocket.teeth, sprocket.entry_normal);
+  }
+
+  static bool exists(const Observation &start) { return !start.scene.teeth.empty(); }
+
+  void update() override
+  {
+    for (Sprocket &sprocket : sprockets_)
+      look(sprocket, now_.system.world, now_.dt());
+  }
+
+  void summarize(files::Json &summary) const override
+  {
+    summary["pitch_time_mean"] = mean_pitch_time();
+    files::Json list           = files::Json::array();
+    for (const Engagement &e : found_)
+      list.push_back({{"sprocket", e.sprocket},
+                      {"roller", e.roller},
+                      {"time", e.time},
+                      {"relative_speed", e.relative_speed},
+                      {"normal_speed", e.normal_speed},
+                      {"peak_force", e.peak_force},
+                      {"impulse", e.impulse},
+                      {"complete", e.complete}});
+    summary["engagements"] = list;
+  }
+
+  void serialize(const Archive &archive) override
+  {
+    archive("found", found_);
+    for (unsigned int s = 0; s < sprockets_.size(); ++s)
+      {
+        const Archive part = archive / std::to_string(s);
+        part.numbers("last touch", sprockets_[s].last_touch);
+        part.numbers("was far", sprockets_[s].was_far);
+        part.numbers("open", sprockets_[s].open);
+        part.numbers("force", sprockets_[s].force);
+      }
+  }
+
+private:
+  struct Sprocket
+  {
+    std::string                    name;
+    const contact::SurfaceContact *teeth;
+    double                         far_radius; ///< m
+    dealii::Tensor<1, 3>           entry_side; ///< from the axis, where rollers arrive
+    std::vector<double>            last_touch; ///< per joint, s
+    std::vector<char>              was_far;    ///< per joint, since it last engaged
+    std::vector<int>               open;       ///< per joint, engagement still watched or -1
+    std::vector<double>            force;      ///< per joint, this step, N
+  };
+
+  void look(Sprocket &sprocket, const World &world, const double dt)
+  {
+    const std::vector<contact::Record> &records = sprocket.teeth->records();
+    const Frame                        &hub     = world.frames[sprocket.teeth->master()];
+
+    // a roller may have several contact points: its force is their sum, booked at the first point
+    // that touches
+    for (const unsigned int i : sprocket.teeth->near())
+      sprocket.force[records[i].joint] = 0.;
+    for (const unsigned int i : sprocket.teeth->near())
+      sprocket.force[records[i].joint] += records[i].force * records[i].normal;
+
+    for (const unsigned int i : sprocket.teeth->near())
+      {
+        const contact::Record &record = records[i];
+        const unsigned int     joint  = record.joint;
+        const Frame           &roller = world.frames[record.slave];
+        int                   &open   = sprocket.open[joint];
+        const double           force  = sprocket.force[joint];
+        if (force > 0. && record.force * record.normal <= 0.)
+          continue; // another of its points touches
+
+        if ((roller.position - hub.position).norm_square() >
+            sprocket.far_radius * sprocket.far_radius)
+          sprocket.was_far[joint] = 1;
+
+        if (force > 0.)
+          {
+            if (open < 0 && sprocket.was_far[joint] &&
+                world.time - sprocket.last_touch[joint] >= free_time &&
+                (roller.position - hub.position) * sprocket.entry_side > 0.)
+              {
+                const dealii::Tensor<1, 3> relative =
+                    roller.velocity - world.velocity_at(record.master, roller.position, 0.);
+                open = static_cast<int>(found_.size());
+                found_.push_back({sprocket.name,
+                                  joint,
+                                  world.time,
+                                  relative.norm(),
+                                  -(relative * record.normal)});
+                sprocket.was_far[joint] = 0;
+              }
+            sprocket.last_touch[joint] = world.time;
+          }
+
+        if (open >= 0)
+          {
+            Engagement  &engagement = found_[open];
+            const double age        = world.time - engagement.time;
+            engagement.peak_force   = std::max(engagement.peak_force, force);
+            if (age <= impulse_time)
+              engagement.impulse += force * dt;
+            if (age >= peak_time)
+              {
+                engagement.complete = true;
+                open                = -1;
+              }
+          }
+        // what is left of this joint's points in the list must not count its force again
+        sprocket.force[joint] = 0.;
+      }
+  }
+
+  /// Mean time between consecutive engagements of the driver that began in the window, s; not a
+  /// number with fewer than two.
+  double mean_pitch_time() const
+  {
+    const double start = now_.parameters.output.window_start;
+    const double end   = now_.parameters.output.window_end.value_or(now_.parameters.time.end);
+    double       first = 0., last = 0.;
+    unsigned int n = 0;
+    for (const Engagement &engagement : found_)
+      if (engagement.sprocket == "driver" && engagement.time >= start && engagement.time <= end)
+        {
+          if (n++ == 0)
+            first = engagement.time;
+          last = engagement.time;
+        }
+    return n > 1 ? (last - first) / (n - 1) : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  std::vector<Sprocket>   sprockets_;
+  std::vector<Engagement> found_;
+};
+
+const Registered<Engagements> registration("engagements", 110);
+} // namespace
+} // namespace chaindrive::observe

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/quantity.h>
+#include <chaindrive/observe/window_means.h>
+
+#include <algorithm>
+
+// How the two hubs turn, and the torques on them.
+
+namespace chaindrive::observe
+{
+namespace
+{
+class Hubs : public Quantity
+{
+public:
+  explicit Hubs(const Observation &now)
+      : Quantity(now), means_(now, {"driven_speed", "driver_torque"})
+  {
+  }
+
+  static bool exists(const Observation &start) { return !start.scene.sprockets.empty(); }
+
+  void add_channels(Channels &channels) override
+  {
+    for (const scene::Sprocket &sprocket : now_.scene.sprockets)
+      {
+        const std::string  name  = sprocket.name();
+        const unsigned int body  = sprocket.body;
+        const int          sense = now_.scene.sense;
+        channels.add(
+            {"hubs",
+             name + "_angle",
+             "rad",
+             "Rotation since the start, positive in the sense of the drive"},
+            [this, body, sense](const Channels::Row row) { row[0] = sense * hub_of(body).angle; });
+        channels.add(
+            {"hubs", name + "_speed", "rad/s", "Angular velocity in the sense of the drive"},
+            [this, body, sense](const Channels::Row row) { row[0] = sense * hub_of(body).speed; });
+      }
+    const load::Loads &loads = now_.system.loads;
+    channels.add({"hubs",
+                  "driver_torque",
+                  "N m",
+                  "Torque that the drive supplies, the driver's own inertia excluded"},
+                 [&loads](const Channels::Row row) { row[0] = loads.driver_torque(); });
+    channels.add({"hubs", "load_torque", "N m", "Torque of the load against the driven hub"},
+                 [&loads](const Channels::Row row) { row[0] = loads.load_torque(); });
+  }
+
+  void update() override
+  {
+    means_.add({now_.scene.sense * hub_of(now_.scene.with(parameters::Role::driven).body).speed,
+                now_.system.loads.driver_torque()});
+  }
+
+  void summarize(files::Json &summary) const override
+  {
+    summary["driven_angle_end"] =
+        now_.scene.sense * hub_of(now_.scene.with(parameters::Role::driven).body).angle;
+    means_.summarize(summary);
+  }
+
+  void serialize(const Archive &archive) override { means_.serialize(archive / "means"); }
+
+private:
+  const World::Hub &hub_of(const unsigned int body) const
+  {
+    return *std::find_if(now_.system.world.hubs.begin(),
+                         now_.system.world.hubs.end(),
+                         [body](const World::Hub &hub) { return hub.body == body; });
+  }
+
+  WindowMeans means_;
+};
+
+const Registered<Hubs> registration("hubs", 10);
+} // namespace
+} // namespace chaindrive::observe

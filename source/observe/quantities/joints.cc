@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/quantity.h>
+#include <chaindrive/observe/rows.h>
+
+#include <algorithm>
+#include <set>
+
+// What the parts of a joint do to each other: pins in bushes, bushes in rollers.
+
+namespace chaindrive::observe
+{
+namespace
+{
+class Joints : public Quantity
+{
+public:
+  explicit Joints(const Observation &now) : Quantity(now)
+  {
+    std::set<std::string> named; // families of rigid and of elastic bodies share a name
+    for (const scene::BoreFamily &bores : now.scene.bores)
+      if (named.insert(bores.name).second)
+        kinds_.push_back({bores.name,
+                          now.system.contacts.find(bores.name),
+                          std::vector<double>(now.scene.n_joints, 0.),
+                          std::vector<double>(now.scene.n_joints, 0.)});
+  }
+
+  static bool exists(const Observation &start) { return !start.scene.bores.empty(); }
+
+  void add_channels(Channels &channels) override
+  {
+    const unsigned int n = now_.scene.n_joints;
+    for (const Kind &kind : kinds_)
+      {
+        std::string name = kind.name;
+        std::replace(name.begin(), name.end(), '-', '_');
+        channels.add(
+            {"joints", name + "_force", "N", "Normal force in the joint", n, labels_up_to(n)},
+            copy_of(kind.force));
+        channels.add({"joints",
+                      name + "_force_peak",
+                      "N",
+                      "Its largest value since the last sample",
+                      n,
+                      labels_up_to(n)},
+                     copy_of(kind.peak));
+        channels.add({"joints",
+                      name + "_gap",
+                      "m",
+                      "Smallest gap in the joint, negative: overlap",
+                      n,
+                      labels_up_to(n)},
+                     smallest_gaps_of(kind.families));
+      }
+  }
+
+  void update() override
+  {
+    for (Kind &kind : kinds_)
+      {
+        std::fill(kind.force.begin(), kind.force.end(), 0.);
+        for (const contact::Family *family : kind.families)
+          for (const contact::Record &record : family->records())
+            {
+              kind.force[record.joint] += record.force * record.normal;
+              kind.overlap = std::max(kind.overlap, -record.gap);
+            }
+        for (unsigned int k = 0; k < kind.force.size(); ++k)
+          kind.peak[k] = std::max(kind.peak[k], kind.force[k]);
+      }
+  }
+
+  void begin_interval() override
+  {
+    for (Kind &kind : kinds_)
+      std::fill(kind.peak.begin(), kind.peak.end(), 0.);
+  }
+
+  void summarize(files::Json &summary) const override
+  {
+    for (const Kind &kind : kinds_)
+      summary["overlap_max"][kind.name] = kind.overlap;
+  }
+
+  void serialize(const Archive &archive) override
+  {
+    for (Kind &kind : kinds_)
+      {
+        const Archive part = archive / kind.name;
+        part.numbers("peak", kind.peak);
+        part("overlap", kind.overlap);
+      }
+  }
+
+private:
+  struct Kind
+  {
+    std::string                          name;
+    std::vector<const contact::Family *> families;     ///< of rigid and of elastic bodies
+    std::vector<double>                  force, peak;  ///< per joint, N
+    double                               overlap = 0.; ///< largest so far, m
+  };
+  std::vector<Kind> kinds_;
+};
+
+const Registered<Joints> registration("joints", 60);
+} // namespace
+} // namespace chaindrive::observe

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/quantity.h>
+#include <chaindrive/observe/rows.h>
+
+#include <algorithm>
+#include <limits>
+
+// What the links pull.
+
+namespace chaindrive::observe
+{
+namespace
+{
+class Links : public Quantity
+{
+public:
+  explicit Links(const Observation &now) : Quantity(now), peak_(now.scene.n_joints, 0.) {}
+
+  static bool exists(const Observation &start) { return start.scene.n_joints > 0; }
+
+  void add_channels(Channels &channels) override
+  {
+    const unsigned int n = now_.scene.n_joints;
+    channels.add({"links",
+                  "tension",
+                  "N",
+                  "Tension of the bar or link from joint k to joint k+1",
+                  n,
+                  labels_up_to(n)},
+                 [this](const Channels::Row row) {
+                   const std::vector<double> &tension = now_.spans().link_tension();
+                   std::copy(tension.begin(), tension.end(), row.begin());
+                 });
+    channels.add(
+        {"links", "tension_peak", "N", "Largest tension since the last sample", n, labels_up_to(n)},
+        copy_of(peak_));
+  }
+
+  void update() override
+  {
+    const std::vector<double> &tension = now_.spans().link_tension();
+    for (unsigned int k = 0; k < tension.size(); ++k)
+      peak_[k] = std::max(peak_[k], tension[k]);
+  }
+
+  void begin_interval() override
+  {
+    std::fill(peak_.begin(), peak_.end(), -std::numeric_limits<double>::max());
+  }
+
+  void serialize(const Archive &archive) override { archive.numbers("peak", peak_); }
+
+private:
+  std::vector<double> peak_; ///< since the last sample, N
+};
+
+const Registered<Links> registration("links", 30);
+} // namespace
+} // namespace chaindrive::observe

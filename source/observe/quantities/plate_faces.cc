@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/quantity.h>
+
+#include <algorithm>
+
+// How deep faces of plates have been in each other.
+
+namespace chaindrive::observe
+{
+namespace
+{
+class PlateFaces : public Quantity
+{
+public:
+  explicit PlateFaces(const Observation &now) : Quantity(now)
+  {
+    for (const scene::FaceFamily &faces : now.scene.faces)
+      kinds_.push_back({faces.name, now.system.contacts.find(faces.name)});
+  }
+
+  static bool exists(const Observation &start) { return !start.scene.faces.empty(); }
+
+  void update() override
+  {
+    for (Kind &kind : kinds_)
+      for (const contact::Family *family : kind.families)
+        for (const contact::Record &record : family->records())
+          kind.overlap = std::max(kind.overlap, -record.gap);
+  }
+
+  void summarize(files::Json &summary) const override
+  {
+    for (const Kind &kind : kinds_)
+      summary["overlap_max"][kind.name] = kind.overlap;
+  }
+
+  void serialize(const Archive &archive) override
+  {
+    for (Kind &kind : kinds_)
+      (archive / kind.name)("overlap", kind.overlap);
+  }
+
+private:
+  struct Kind
+  {
+    std::string                          name;
+    std::vector<const contact::Family *> families;
+    double                               overlap = 0.; ///< largest so far, m
+  };
+  std::vector<Kind> kinds_;
+};
+
+const Registered<PlateFaces> registration("plate faces", 70);
+} // namespace
+} // namespace chaindrive::observe

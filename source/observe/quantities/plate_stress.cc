@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/elastic_bodies.h>
+#include <chaindrive/observe/quantity.h>
+#include <chaindrive/observe/rows.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <limits>
+
+// Stresses at the waists of the side plates of elastic links.
+
+namespace chaindrive::observe
+{
+namespace
+{
+constexpr double WaistStress::*components[] = {&WaistStress::axial,
+                                               &WaistStress::in_plane,
+                                               &WaistStress::out_of_plane,
+                                               &WaistStress::principal_1,
+                                               &WaistStress::principal_2};
+constexpr unsigned int         n_components = 5;
+
+class PlateStressQuantity : public Quantity
+{
+public:
+  explicit PlateStressQuantity(const Observation &now)
+      : Quantity(now), waists_(now.scene, now.system), stress_(now.scene.n_joints)
+  {
+  }
+
+  static bool exists(const Observation &start)
+  {
+    return has_elastic(
+        start.scene, start.system, {scene::Kind::inner_link, scene::Kind::outer_link});
+  }
+
+  void add_channels(Channels &channels) override
+  {
+    const unsigned int n   = now_.scene.n_joints;
+    const auto         add = [&](const std::string &name,
+                         const std::string &description,
+                         double WaistStress::*value,
+                         const double         sign = 1.) {
+      channels.add({"plates", name, "Pa", description, n, labels_up_to(n)},
+                   [this, value, sign](const Channels::Row row) {
+                     for (unsigned int k = 0; k < stress_.size(); ++k)
+                       row[k] = sign * (stress_[k].*value);
+                   });
+    };
+    add("axial_stress",
+        "Stress along the link at the waist of a side plate, mean over the section",
+        &WaistStress::axial);
+    add("bending_in_plane",
+        "Half of that at the outer edge less that at the edge towards the chain's inside",
+        &WaistStress::in_plane,
+        now_.scene.sense);
+    add("bending_out_of_plane",
+        "Half of that in the outer face less that in the face towards the middle plane",
+        &WaistStress::out_of_plane);
+    add("principal_1",
+        "Larger in-plane principal stress in the middle of the plate",
+        &WaistStress::principal_1);
+    add("principal_2", "The smaller one", &WaistStress::principal_2);
+  }
+
+  /// Every rank looks at its own links and leaves zeros where others do.
+  void gather() override
+  {
+    constexpr double    nan   = std::numeric_limits<double>::quiet_NaN();
+    const World        &world = now_.system.world;
+    std::vector<double> numbers(n_components * stress_.size(), 0.);
+    for (unsigned int b = 0; b < now_.scene.bodies.size(); ++b)
+      {
+        const scene::Body &body = now_.scene.bodies[b];
+        if (!world.owns(b) ||
+            (body.kind != scene::Kind::inner_link && body.kind != scene::Kind::outer_link))
+          continue;
+        const bool        is_elastic = world.elastic_address[b].group != World::Address::none;
+        const WaistStress stress =
+            is_elastic ? waists_.stress(now_.system, b) : WaistStress{nan, nan, nan, nan, nan};
+        for (unsigned int c = 0; c < n_components; ++c)
+          numbers[n_components * body.number + c] = stress.*components[c];
+      }
+    dealii::Utilities::MPI::sum(numbers, world.communicator(), numbers);
+    for (unsigned int k = 0; k < stress_.size(); ++k)
+      for (unsigned int c = 0; c < n_components; ++c)
+        stress_[k].*components[c] = numbers[n_components * k + c];
+  }
+
+private:
+  Waists                   waists_;
+  std::vector<WaistStress> stress_; ///< per link, at the present sample
+};
+
+const Registered<PlateStressQuantity> registration("plate stress", 100);
+} // namespace
+} // namespace chaindrive::observe

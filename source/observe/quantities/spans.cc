@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/quantity.h>
+#include <chaindrive/observe/window_means.h>
+
+#include <algorithm>
+
+// The two spans between the sprockets: what they pull, how fast they run, where they lie.
+
+namespace chaindrive::observe
+{
+namespace
+{
+/// How long the largest tension of the start is looked for, s.
+constexpr double start_time = 10e-3;
+
+class SpansQuantity : public Quantity
+{
+public:
+  explicit SpansQuantity(const Observation &now)
+      : Quantity(now), means_(now, {"span_speed", "tight_tension", "slack_tension"})
+  {
+  }
+
+  static bool exists(const Observation &start) { return start.scene.n_joints > 0; }
+
+  void add_channels(Channels &channels) override
+  {
+    const auto add = [&](const std::string &name,
+                         const std::string &unit,
+                         const std::string &description,
+                         double Spans::*value) {
+      channels.add({"spans", name, unit, description},
+                   [this, value](const Channels::Row row) { row[0] = now_.spans().*value; });
+    };
+    add("tight_tension",
+        "N",
+        "Mean tension of the links in the middle of the tight span",
+        &Spans::tight_tension);
+    add("slack_tension",
+        "N",
+        "Mean tension of the links in the middle of the slack span",
+        &Spans::slack_tension);
+    add("tight_speed", "m/s", "Mean velocity of the tight span along itself", &Spans::tight_speed);
+    add("tight_offset",
+        "m",
+        "Mean distance of the tight span's middle from the driver's axis along the span normal",
+        &Spans::tight_offset);
+    add("slack_offset",
+        "m",
+        "The same of the slack span, along its own normal and towards the tight span",
+        &Spans::slack_offset);
+  }
+
+  void update() override
+  {
+    const Spans &spans = now_.spans();
+    if (now_.time() - now_.parameters.time.start <= start_time)
+      tight_tension_start_ = std::max(tight_tension_start_, spans.tight_tension);
+    means_.add({spans.tight_speed, spans.tight_tension, spans.slack_tension});
+  }
+
+  void summarize(files::Json &summary) const override
+  {
+    means_.summarize(summary);
+    summary["tight_tension_max_start"] = tight_tension_start_;
+  }
+
+  void serialize(const Archive &archive) override
+  {
+    archive("tight tension of the start", tight_tension_start_);
+    means_.serialize(archive / "means");
+  }
+
+private:
+  WindowMeans means_;
+  double      tight_tension_start_ = 0.; ///< largest, N
+};
+
+const Registered<SpansQuantity> registration("spans", 40);
+} // namespace
+} // namespace chaindrive::observe

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/elastic_bodies.h>
+#include <chaindrive/observe/quantity.h>
+#include <chaindrive/observe/rows.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <limits>
+
+// How the outside of elastic rollers moves.
+
+namespace chaindrive::observe
+{
+namespace
+{
+class SurfaceVelocity : public Quantity
+{
+public:
+  explicit SurfaceVelocity(const Observation &now)
+      : Quantity(now), surfaces_(now.scene, now.system), velocity_(now.rollers.size())
+  {
+  }
+
+  static bool exists(const Observation &start)
+  {
+    return has_elastic(start.scene, start.system, {scene::Kind::roller});
+  }
+
+  void add_channels(Channels &channels) override
+  {
+    const auto add = [&](const std::string          &name,
+                         const std::string          &direction,
+                         const dealii::Tensor<1, 3> &axis) {
+      channels.add({"rollers",
+                    "surface_velocity_" + name,
+                    "m/s",
+                    "Of a node of the surface, along the tight span's " + direction,
+                    static_cast<unsigned int>(now_.rollers.size()),
+                    labels_of(now_.rollers)},
+                   [this, axis](const Channels::Row row) {
+                     for (unsigned int i = 0; i < velocity_.size(); ++i)
+                       row[i] = velocity_[i] * axis;
+                   });
+    };
+    add("tangential", "direction of travel", now_.scene.span_direction);
+    add("normal", "outward normal", now_.scene.span_normal);
+  }
+
+  /// Every rank looks at its own rollers and leaves zeros where others do.
+  void gather() override
+  {
+    constexpr double    nan   = std::numeric_limits<double>::quiet_NaN();
+    const World        &world = now_.system.world;
+    std::vector<double> numbers(3 * velocity_.size(), 0.);
+    for (unsigned int i = 0; i < now_.rollers.size(); ++i)
+      if (const unsigned int body = now_.rollers[i]; world.owns(body))
+        {
+          const bool is_elastic = world.elastic_address[body].group != World::Address::none;
+          const dealii::Tensor<1, 3> v =
+              is_elastic ? surfaces_.velocity(now_.system, body) : nan * now_.scene.span_normal;
+          for (unsigned int d = 0; d < 3; ++d)
+            numbers[3 * i + d] = v[d];
+        }
+    dealii::Utilities::MPI::sum(numbers, world.communicator(), numbers);
+    for (unsigned int i = 0; i < velocity_.size(); ++i)
+      for (unsigned int d = 0; d < 3; ++d)
+        velocity_[i][d] = numbers[3 * i + d];
+  }
+
+private:
+  RollerSurfaces                    surfaces_;
+  std::vector<dealii::Tensor<1, 3>> velocity_; ///< of now_.rollers at the present sample, m/s
+};
+
+const Registered<SurfaceVelocity> registration("surface velocity", 90);
+} // namespace
+} // namespace chaindrive::observe

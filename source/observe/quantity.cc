@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/files/directory.h>
+#include <chaindrive/observe/quantity.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <map>
+#include <utility>
+
+namespace chaindrive::observe
+{
+namespace
+{
+struct Known
+{
+  std::string        name;
+  Registration::Make make;
+};
+
+/// By their order. A function, so that it exists before the registrations of other sources.
+std::map<int, Known> &all_known()
+{
+  static std::map<int, Known> known;
+  return known;
+}
+} // namespace
+
+Registration::Registration(const std::string &name, const int order, Make make)
+{
+  for (const auto &[other_order, other] : all_known())
+    AssertThrow(other_order != order && other.name != name,
+                dealii::ExcMessage("The quantities " + name + " and " + other.name +
+                                   " have the same name or order"));
+  all_known()[order] = {name, std::move(make)};
+}
+
+std::vector<NamedQuantity> make_quantities(const Observation &start)
+{
+  std::vector<NamedQuantity> quantities;
+  for (const auto &[order, known] : all_known())
+    if (auto quantity = known.make(start))
+      quantities.push_back({known.name, std::move(quantity)});
+  return quantities;
+}
+
+void Channels::add(const files::Channel &channel, Fill fill)
+{
+  AssertThrow(files::is_history_group(channel.group),
+              dealii::ExcMessage("Histories of '" + channel.group + "' would never be removed"));
+  sources_.push_back({histories_.add(channel), std::move(fill)});
+}
+
+void Channels::sample(const double time)
+{
+  histories_.begin_sample(time);
+  for (const Source &source : sources_)
+    source.fill(histories_.values(source.handle));
+  histories_.end_sample();
+}
+} // namespace chaindrive::observe

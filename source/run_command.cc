@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/commands.h>
+#include <chaindrive/element/part_report.h>
+#include <chaindrive/files/console.h>
+#include <chaindrive/files/directory.h>
+#include <chaindrive/files/file.h>
+#include <chaindrive/mesh/import/import.h>
+#include <chaindrive/observe/checkpoints.h>
+#include <chaindrive/observe/pictures.h>
+#include <chaindrive/observe/progress.h>
+#include <chaindrive/parameters/reader.h>
+#include <chaindrive/scene/plan.h>
+#include <chaindrive/simulation.h>
+#include <chaindrive/utilities/checksum.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/first_rank.h>
+#include <chaindrive/utilities/ranks.h>
+#include <chaindrive/utilities/signals.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+// A simulation with all that surrounds it: the .prm file, the output directory and what goes there,
+// what was there before, the console, signals.
+
+namespace chaindrive
+{
+namespace
+{
+std::string output_directory(const CommandLine &command_line, const Parameters &parameters)
+{
+  if (!command_line.output_directory.empty())
+    return command_line.output_directory;
+  if (!parameters.output.directory.empty())
+    return parameters.output.directory;
+  return "results/" + std::filesystem::path(command_line.parameter_file).stem().string();
+}
+
+/// Where meshes are looked for.
+std::vector<std::string> mesh_folders(const std::string &parameter_file)
+{
+  const std::string folder = std::filesystem::path(parameter_file).parent_path().string();
+  return {folder.empty() ? "." : folder, "."};
+}
+
+/// A .prm file that can be run, and a log that says so.
+struct Prepared
+{
+  Prepared(const CommandLine &command_line, const MPI_Comm comm)
+      : out(STDOUT_FILENO)
+      , err(STDERR_FILENO)
+      , log(command_line.quiet || rank_in(comm) != 0 ? nullptr : &out,
+            rank_in(comm) == 0 ? &err : nullptr)
+      , input(parameters::read_parameters(command_line.parameter_file, command_line.overrides))
+      , folders(mesh_folders(command_line.parameter_file))
+      , simulation(input.parameters, folders, comm)
+      , resume(command_line.resume.empty() ? input.parameters.output.resume : command_line.resume)
+      , directory(output_directory(command_line, input.parameters))
+  {
+  }
+
+  files::Console                 out, err;
+  files::Log                     log;
+  const parameters::Input        input;
+  const std::vector<std::string> folders;
+  Simulation                     simulation;
+  const std::string              resume; ///< from what the run is to go on, if from anything
+  files::Directory               directory;
+};
+
+/// Whether a signal came to any rank while the run was prepared; says so. Collective.
+bool stopped_before_first_step(Prepared &prepared)
+{
+  const int number = dealii::Utilities::MPI::max(stop_signal(), prepared.simulation.communicator());
+  if (number != 0)
+    prepared.log << "Stopped by " << name_of_stop_signal(number)
+                 << " before the first step. Nothing was computed or written." << std::endl;
+  return number != 0;
+}
+
+/// What a resumed run must find as it was: parameters::Input::fixed and the contents of meshes.
+std::string fixed_text(const Prepared &prepared)
+{
+  std::string text = prepared.input.fixed;
+  for (const drive::Sprocket &sprocket : prepared.simulation.drive.sprockets)
+    if (!sprocket.mesh.empty())
+      text += "the checksum of the mesh '" + sprocket.mesh + "' = " +
+              checksum(files::read_text(mesh::find_file(sprocket.mesh, prepared.folders))) + "\n";
+  return text;
+}
+
+/// The checkpoint that the run goes on from, if any, whose step it then has: the same to the last
+/// bit on any machine.
+std::unique_ptr<files::CheckpointFile> find_checkpoint(Prepared &prepared)
+{
+  auto checkpoint = observe::find_checkpoint(
+      prepared.resume, prepared.directory.path(), fixed_text(prepared), prepared.log);
+  if (checkpoint != nullptr)
+    prepared.simulation.step.step = checkpoint->header().dt;
+  return checkpoint;
+}
+
+void print_step(std::ostream &log, const dynamics::StepChoice &choice, const unsigned long n)
+{
+  log << "Stable step (us): ";
+  for (const dynamics::StepLimit &limit : choice.step_limits)
+    log << limit.source << " " << to_text(limit.limit * 1e6, 4) << ", ";
+  log << "all coupled " << to_text(choice.limit * 1e6, 4) << '\n'
+      << "Step: " << to_text(choice.step * 1e6, 4) << " us (" << choice.reason << "), " << n
+      << " steps\n";
+}
+
+/// Notes, warnings, and what will be computed.
+void print_plan(Prepared &prepared)
+{
+  Simulation         &simulation = prepared.simulation;
+  const Parameters   &parameters = simulation.parameters;
+  files::Log         &log        = prepared.log;
+  const double        step       = simulation.step.step;
+  const unsigned long n_steps    = simulation.n_steps();
+  for (const std::string &note : prepared.input.notes)
+    log << note << '\n';
+  for (const std::string &warning : prepared.input.warnings)
+    log.warn(warning);
+  if (parameters.output.history_interval < step)
+    log.warn(
+        "Output/History interval in us = " + to_text(parameters.output.history_interval * 1e6) +
+        " is shorter than the step of " + to_text(step * 1e6, 4) + " us: every step is a sample, " +
+        std::to_string(n_steps + 1) + " in all.");
+  scene::print_plan(log, simulation.scene, simulation.system().memory_consumption(), n_steps);
+  for (const auto &[kind, part] : simulation.scene.parts)
+    element::print(log, element::make_report(*part, parameters.material));
+  print_step(log, simulation.step, n_steps);
+}
+
+void warn(files::Log &log, const std::string &sentence)
+{
+  if (!sentence.empty())
+    log.warn(sentence);
+}
+
+/// Nothing is refused any more: from here on what an earlier run has left is replaced. Collective.
+void begin_files(Prepared &prepared, const bool resumes)
+{
+  files::Directory        &directory = prepared.directory;
+  const parameters::Input &input     = prepared.input;
+  on_first_rank(prepared.simulation.communicator(), [&] {
+    warn(prepared.log, directory.take_over(resumes, input.parameters.output.csv));
+    prepared.log.open(directory.path() + "/log.txt", resumes);
+    files::write_text(directory.path() + "/input.prm", input.text);
+    files::write_text(directory.path() + "/parameters.prm", input.resolved);
+  });
+  for (files::Console *console : {&prepared.out, &prepared.err})
+    console->give_up_after(std::chrono::seconds(2)); // it is all in the file
+}
+
+/// Writes summary.json and the end of the log. Collective.
+void end_files(Prepared &prepared)
+{
+  const observe::Summary summary = prepared.simulation.summary();
+  if (!prepared.simulation.system().world.is_first_rank())
+    return;
+  files::Log &log = prepared.log;
+  files::write_json(prepared.directory.path() + "/summary.json", summary.values);
+  observe::print_summary(log, summary.values);
+  PhaseTimer::print(log, summary.phases);
+  log << "Results: " << prepared.directory.path() << '\n';
+  log.close();
+}
+} // namespace
+
+bool plan_command(const CommandLine &command_line, const MPI_Comm comm)
+{
+  Prepared prepared(command_line, comm);
+  if (prepared.simulation.is_idle())
+    return true;
+  if (stopped_before_first_step(prepared))
+    return false;
+  find_checkpoint(prepared);
+  print_plan(prepared);
+  return true;
+}
+
+bool run_command(const CommandLine &command_line, const MPI_Comm comm)
+{
+  Prepared    prepared(command_line, comm);
+  Simulation &simulation = prepared.simulation;
+  if (simulation.is_idle())
+    return true;
+  if (stopped_before_first_step(prepared))
+    return false;
+  on_first_rank(simulation.communicator(), [&] { warn(prepared.log, prepared.directory.claim()); });
+  const auto checkpoint = find_checkpoint(prepared);
+  print_plan(prepared);
+
+  const Parameters  &parameters = simulation.parameters;
+  dynamics::System  &system     = simulation.system();
+  observe::Recorder &recorder   = simulation.recorder();
+  files::Log        &log        = prepared.log;
+  const std::string &path       = prepared.directory.path();
+  recorder.write_histories(path, prepared.input.resolved, simulation.n_steps());
+  observe::Pictures pictures(simulation.scene, parameters, system, path, system.timer);
+  observe::Progress progress(log, parameters.time.start, parameters.time.end);
+
+  std::vector<dynamics::Observer *> others = {&pictures, &progress}, saved = simulation.observers();
+  saved.insert(saved.end(), others.begin(), others.end());
+  observe::Checkpoints checkpoints(parameters,
+                                   path,
+                                   fixed_text(prepared),
+                                   simulation.n_steps(),
+                                   simulation.step.step,
+                                   saved,
+                                   log);
+  others.push_back(&checkpoints);
+  unsigned long done = checkpoint != nullptr ? checkpoints.resume(system, *checkpoint) : 0;
+  begin_files(prepared, checkpoint != nullptr);
+
+  try
+    {
+      done = simulation.run(others, done);
+    }
+  catch (const dynamics::Fault &fault)
+    {
+      recorder.close(false);
+      throw RunError(log.end_with(fault.what() + checkpoints.last_sound(fault.sound_until())));
+    }
+  catch (const RunError &error)
+    {
+      throw RunError(log.end_with(error.what() + checkpoints.last()));
+    }
+  const bool finished = done == simulation.n_steps();
+  recorder.close(finished);
+  if (finished)
+    end_files(prepared);
+  else
+    log.close();
+  return finished;
+}
+} // namespace chaindrive
