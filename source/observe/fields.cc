@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/files/file.h>
-#include <chaindrive/files/vtu.h>
 #include <chaindrive/observe/fields.h>
-#include <chaindrive/utilities/errors.h>
-#include <chaindrive/utilities/ranks.h>
 
-#include <deal.II/base/data_out_base.h>
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
 
 namespace chaindrive::observe
 {
@@ -161,56 +154,7 @@ files::VtuGrid grid_of(const std::vector<BarSnapshot> &bars)
     }
   return grid;
 }
-
-std::string file_name(const std::string &name, const std::size_t number, const std::string &ending)
-{
-  char file[64];
-  std::snprintf(file, sizeof(file), "%s_%06zu%s", name.c_str(), number, ending.c_str());
-  return file;
-}
 } // namespace
-
-Fields::Fields(const std::string &directory, const MPI_Comm comm)
-    : directory_(directory), comm_(comm)
-{
-}
-
-void Fields::write_next(const std::string    &name,
-                        const files::VtuGrid &grid,
-                        const double          time,
-                        Record               &record)
-{
-  const unsigned int rank    = rank_in(comm_);
-  const unsigned int n_ranks = n_ranks_in(comm_);
-  const std::size_t  number  = record.size();
-  const auto         piece   = [&](const unsigned int r) {
-    return file_name(name, number, n_ranks > 1 ? "." + std::to_string(r) + ".vtu" : ".vtu");
-  };
-  std::error_code error;
-  std::filesystem::create_directories(directory_ + "/fields", error);
-  if (error)
-    throw RunError(files::write_failure(directory_ + "/fields", error.value()));
-  files::write_file(directory_ + "/fields/" + piece(rank),
-                    [&](std::ostream &out) { files::write_vtu(out, grid, time); });
-  std::string file = piece(0);
-  if (n_ranks > 1)
-    {
-      MPI_Barrier(comm_);
-      file = file_name(name, number, ".pvtu");
-      std::vector<std::string> pieces;
-      for (unsigned int r = 0; r < n_ranks; ++r)
-        pieces.push_back(piece(r));
-      if (rank == 0)
-        files::write_file(directory_ + "/fields/" + file,
-                          [&](std::ostream &out) { files::write_pvtu(out, grid, pieces); });
-    }
-  // what the list names exists
-  record.emplace_back(time, "fields/" + file);
-  if (rank == 0)
-    files::write_file(directory_ + "/" + name + ".pvd", [&](std::ostream &out) {
-      dealii::DataOutBase::write_pvd_record(out, record);
-    });
-}
 
 void Fields::write(const double                     time,
                    const std::vector<BodySnapshot> &bodies,
@@ -218,8 +162,8 @@ void Fields::write(const double                     time,
 {
   // all pieces of a picture have the same fields: those of any rank
   const int with_stress = dealii::Utilities::MPI::max(int(have_stress(bodies)), comm_);
-  write_next("bodies", grid_of(bodies, with_stress != 0), time, bodies_);
+  bodies_.write(grid_of(bodies, with_stress != 0), time);
   if (!bars.empty())
-    write_next("bars", grid_of(bars), time, bars_);
+    bars_.write(grid_of(bars), time);
 }
 } // namespace chaindrive::observe

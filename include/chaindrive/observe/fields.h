@@ -2,7 +2,7 @@
 #pragma once
 
 #include <chaindrive/element/stress.h>
-#include <chaindrive/files/vtu.h>
+#include <chaindrive/files/vtu_series.h>
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/rotation.h>
@@ -12,13 +12,8 @@
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
-#include <boost/serialization/string.hpp>
-#include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
-
 #include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace chaindrive::observe
@@ -59,21 +54,22 @@ struct BarSnapshot
   double                              tension;      ///< N
 };
 
-/// Pictures of the moving chain for ParaView: `bodies.pvd` and, when there are bars, `bars.pvd`,
-/// with one VTU file for each instant in the folder `fields` beside them; with several ranks, one
-/// of each rank and a PVTU file that names them.
+/// Pictures of the moving chain for ParaView: the series `bodies` and, when there are bars, `bars`
+/// (files::VtuSeries).
 ///
 /// Points lie where they are now and carry displacement and velocity, cells carry the body's
 /// number, the kind of its part and its contact force. Where bodies have stresses, cells carry them
 /// too: von Mises' of Cauchy's stress, Green's strain and the second Piola-Kirchhoff stress in body
 /// axes (xx, yy, zz, xy, yz, xz), zero in other bodies. Numbers are stored in single precision:
-/// 0.06 micrometres at 1 m. Every failure to write is a RunError; earlier instants stay readable.
+/// 0.06 micrometres at 1 m.
 class Fields
 {
 public:
-  /// Pictures go to the folder `fields` in @p directory. Each rank of @p comm writes its own
-  /// bodies.
-  explicit Fields(const std::string &directory, MPI_Comm comm = MPI_COMM_SELF);
+  /// Each rank of @p comm writes its own bodies to @p directory.
+  explicit Fields(const std::string &directory, MPI_Comm comm = MPI_COMM_SELF)
+      : comm_(comm), bodies_(directory, "bodies", comm), bars_(directory, "bars", comm)
+  {
+  }
 
   /// Collective; bars are the first rank's.
   void write(double                           time,
@@ -83,18 +79,12 @@ public:
   /// The lists of instants.
   void serialize(const Archive &archive)
   {
-    archive("bodies", bodies_);
-    archive("bars", bars_);
+    bodies_.serialize(archive);
+    bars_.serialize(archive);
   }
 
 private:
-  using Record = std::vector<std::pair<double, std::string>>; // time, file
-
-  /// Writes the next instant of a series.
-  void write_next(const std::string &name, const files::VtuGrid &grid, double time, Record &record);
-
-  const std::string directory_;
-  MPI_Comm          comm_;
-  Record            bodies_, bars_;
+  MPI_Comm         comm_;
+  files::VtuSeries bodies_, bars_;
 };
 } // namespace chaindrive::observe
