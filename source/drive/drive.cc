@@ -178,8 +178,8 @@ Drive make_drive(const Parameters &parameters)
   d.mass_per_pitch =
       d.roller_solid.mass + 0.5 * (d.inner_link_solid.mass + d.outer_link_solid.mass);
 
-  const ToothForm &driver = d.with(Role::driver).form, &driven = d.with(Role::driven).form;
-  d.nominal_tension = parameters.loads.resisting_torque / (0.5 * driven.pitch_diameter);
+  const ToothForm &driven = d.with(Role::driven).form;
+  d.nominal_tension       = parameters.loads.resisting_torque / (0.5 * driven.pitch_diameter);
   // contact stiffness depends on the load: without one, a load that strains steel visibly
   const double reference_load = d.nominal_tension > 0. ?
                                     d.nominal_tension :
@@ -215,10 +215,12 @@ Drive make_drive(const Parameters &parameters)
                          "auto: plates and joint contact at " + to_text(reference_load, 4) + " N") +
                     ")");
 
+  std::vector<ToothForm> forms;
+  for (const Sprocket &sprocket : d.sprockets)
+    forms.push_back(sprocket.form);
   d.layout                         = make_layout(parameters.drive,
                          d.chain,
-                         driver,
-                         driven,
+                         forms,
                          model.has_clearances,
                          d.stiffness_per_pitch,
                          parameters.loads.driver_speed,
@@ -227,7 +229,7 @@ Drive make_drive(const Parameters &parameters)
   const parameters::Layout &layout = parameters.drive.layout;
   if (layout.centre_distance_from == CentreDistanceFrom::pretension && layout.pretension > 0. &&
       layout.start != parameters::Start::warm)
-    bring_to_rest(d.layout, resting_chain(parameters, d), driver, driven, layout.pretension);
+    bring_to_rest(d.layout, resting_chain(parameters, d), forms, layout.pretension);
   if (layout.centre_distance_from != CentreDistanceFrom::given)
     d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance() * 1e3, 7) +
                       " mm, from " + text_of(layout.centre_distance_from) + ".");

@@ -7,7 +7,6 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace chaindrive::drive
@@ -173,9 +172,8 @@ void set_in_motion(Layout &layout, const double driver_speed)
     }
 }
 
-/// y -> -y: the lower span is tight, all sprockets turn clockwise. @p teeth are those of the
-/// sprockets.
-void mirror(Layout &layout, const std::vector<unsigned int> &teeth)
+/// y -> -y: the lower span is tight, all sprockets turn clockwise.
+void mirror(Layout &layout, const std::vector<ToothForm> &forms)
 {
   layout.sense = -1;
   for (Layout::Sprocket &sprocket : layout.sprockets)
@@ -195,25 +193,23 @@ void mirror(Layout &layout, const std::vector<unsigned int> &teeth)
       joint.bush[1]     = -joint.bush[1];
       joint.velocity[1] = -joint.velocity[1];
       if (joint.sprocket >= 0)
-        joint.tooth_gap = modulo(-joint.tooth_gap, teeth[joint.sprocket]);
+        joint.tooth_gap = modulo(-joint.tooth_gap, forms[joint.sprocket].teeth);
     }
 }
 
 /// What is wrong with the layout, in a sentence; empty if nothing is.
-std::string find_overlap(const Layout          &layout,
-                         const ChainDimensions &chain,
-                         const ToothForm       &driver,
-                         const ToothForm       &driven,
-                         const bool             clearances)
+std::string find_overlap(const Layout                 &layout,
+                         const ChainDimensions        &chain,
+                         const std::vector<ToothForm> &forms,
+                         const bool                    clearances)
 {
-  const std::array<const ToothForm *, 2> forms  = {{&driver, &driven}};
-  const double                           radius = 0.5 * chain.roller_diameter;
+  const double radius = 0.5 * chain.roller_diameter;
   for (unsigned int k = 0; k < layout.joints.size(); ++k)
     {
       const Layout::Joint &joint = layout.joints[k];
       for (unsigned int i = 0; i < layout.sprockets.size(); ++i)
         {
-          const ToothForm   &form  = *forms[i];
+          const ToothForm   &form  = forms[i];
           const double       angle = layout.sprockets[i].angle;
           const Tensor<1, 2> arm   = joint.roller - layout.sprockets[i].centre;
           if (arm.norm() > 0.5 * form.outside_diameter + radius)
@@ -224,8 +220,8 @@ std::string find_overlap(const Layout          &layout,
           if (const double gap = nearest.distance - radius; gap < -overlap_tolerance)
             return "roller " + std::to_string(k) + " overlaps gap " +
                    std::to_string(nearest.tooth_gap) + " of the " +
-                   in_words(i == 0 ? parameters::Role::driver : parameters::Role::driven) + " by " +
-                   in_mm(-gap) + " at the start: chain and sprocket do not fit (loaded pitch " +
+                   in_words(static_cast<parameters::Role>(i)) + " by " + in_mm(-gap) +
+                   " at the start: chain and sprocket do not fit (loaded pitch " +
                    in_mm(chain.loaded_pitch()) + ", bottom diameter " + in_mm(form.root_diameter) +
                    ").";
         }
@@ -327,20 +323,19 @@ void set_links(Layout &layout)
     }
 }
 
-Layout make_layout(const parameters::Drive &drive,
-                   const ChainDimensions   &chain,
-                   const ToothForm         &driver,
-                   const ToothForm         &driven,
-                   const bool               clearances,
-                   const double             stiffness_per_pitch,
-                   const double             driver_speed,
-                   const double             tight_tension,
-                   const bool               weightless)
+Layout make_layout(const parameters::Drive      &drive,
+                   const ChainDimensions        &chain,
+                   const std::vector<ToothForm> &forms,
+                   const bool                    clearances,
+                   const double                  stiffness_per_pitch,
+                   const double                  driver_speed,
+                   const double                  tight_tension,
+                   const bool                    weightless)
 {
   check_entries(drive, clearances);
   const Fitter fitter =
       make_fitter(drive, chain, clearances, stiffness_per_pitch, tight_tension, weightless);
-  const double   least    = 0.5 * (driver.outside_diameter + driven.outside_diameter);
+  const double   least    = 0.5 * (forms[0].outside_diameter + forms[1].outside_diameter);
   const Proposal proposal = propose(fitter, drive.layout, least, clearances);
 
   // The best route may leave a roller just short of its seat, touching a flank: then it belongs on
@@ -359,8 +354,8 @@ Layout make_layout(const parameters::Drive &drive,
       if (drive.layout.start == parameters::Start::warm)
         set_in_motion(layout, std::abs(driver_speed));
       if (drive.layout.tight_span == parameters::TightSide::lower)
-        mirror(layout, {fit.driver.teeth, fit.driven.teeth});
-      const std::string overlap = find_overlap(layout, chain, driver, driven, clearances);
+        mirror(layout, forms);
+      const std::string overlap = find_overlap(layout, chain, forms, clearances);
       if (overlap.empty())
         {
           for (Layout::Sprocket &sprocket : layout.sprockets)

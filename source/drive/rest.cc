@@ -14,9 +14,10 @@ using dealii::Tensor;
 
 namespace
 {
-using Vector                    = Tensor<1, 2>;
-using Matrix                    = Tensor<2, 2>;
-constexpr unsigned int free_one = 1; // the sprocket that turns freely
+using Vector = Tensor<1, 2>;
+using Matrix = Tensor<2, 2>;
+
+constexpr unsigned int free_sprocket = 1; // the driven one
 
 /// What a joint has in common with joint 0 and the driven hub, the unknowns without neighbours on
 /// one side.
@@ -44,12 +45,12 @@ bool positive_definite(const Matrix &m) { return m[0][0] > 0. && determinant(m) 
 class Equilibrium
 {
 public:
-  Equilibrium(Layout &layout, const RestingChain &chain, const ToothForm &a, const ToothForm &b)
+  Equilibrium(Layout &layout, const RestingChain &chain, const std::vector<ToothForm> &forms)
       : layout_(layout)
       , chain_(chain)
-      , forms_{{&a, &b}}
+      , forms_(forms)
       , n_(layout.joints.size())
-      , hub_radius_(0.5 * b.pitch_diameter)
+      , hub_radius_(0.5 * forms[free_sprocket].pitch_diameter)
       , contact_radius_(chain.roller_radius - chain.bush_clearance)
       , contact_stiffness_(chain.bush_clearance > 0. ?
                                chain.tooth_stiffness * chain.bush_stiffness /
@@ -63,7 +64,7 @@ public:
   /// Moves the driven shaft, and the chain with it, as if all of it were stretched alike.
   void move_shaft(const double by)
   {
-    double &shaft = layout_.sprockets[free_one].centre[0];
+    double &shaft = layout_.sprockets[free_sprocket].centre[0];
     for (Point<2> &p : at_)
       p[0] += std::clamp(p[0] / shaft, 0., 1.) * by;
     shaft += by;
@@ -123,7 +124,7 @@ public:
         layout_.joints[k].bush   = at_[k];
         layout_.joints[k].roller = roller(at_[k]);
       }
-    layout_.sprockets[free_one].angle += turned_;
+    layout_.sprockets[free_sprocket].angle += turned_;
   }
 
 private:
@@ -139,13 +140,13 @@ private:
   /// @p turn; very negative where it is far from it. @p normal points away from the tooth.
   double overlap(const unsigned int i, const Point<2> &p, const double turn, Vector &normal) const
   {
-    const ToothForm        &form     = *forms_[i];
+    const ToothForm        &form     = forms_[i];
     const Layout::Sprocket &sprocket = layout_.sprockets[i];
     const Vector            arm      = p - sprocket.centre;
     normal                           = Vector();
     if (arm.norm() > 0.5 * form.outside_diameter + chain_.roller_radius)
       return -1.;
-    const double angle = i == free_one ? sprocket.angle + turned_ + turn : sprocket.angle;
+    const double angle = i == free_sprocket ? sprocket.angle + turned_ + turn : sprocket.angle;
     const double c = std::cos(angle), s = std::sin(angle);
     const auto   nearest =
         form.closest_point(Point<2>(c * arm[0] + s * arm[1], c * arm[1] - s * arm[0]));
@@ -194,11 +195,12 @@ private:
     Vector       normal;
     const double depth = std::max(0., overlap(i, p, turn, normal));
     const double force = contact_stiffness_ * depth;
-    const Vector arm   = p - layout_.sprockets[free_one].centre;
-    gradient           = {
-                  {-force * normal[0],
-                   -force * normal[1],
-         i != free_one ? 0. : force * (normal[1] * arm[0] - normal[0] * arm[1]) / hub_radius_}};
+    const Vector arm   = p - layout_.sprockets[free_sprocket].centre;
+    gradient           = {{-force * normal[0],
+                           -force * normal[1],
+                 i != free_sprocket ?
+                               0. :
+                               force * (normal[1] * arm[0] - normal[0] * arm[1]) / hub_radius_}};
     return 0.5 * force * depth;
   }
 
@@ -216,7 +218,7 @@ private:
         Point<2> moved = at_[k];
         if (j < 2)
           moved[j] += nudge;
-        else if (sprocket != free_one)
+        else if (sprocket != free_sprocket)
           break;
         contact(sprocket, moved, j < 2 ? 0. : nudge / hub_radius_, there);
         for (unsigned int i = 0; i < 3; ++i)
@@ -356,11 +358,11 @@ private:
     return true;
   }
 
-  Layout                          &layout_;
-  const RestingChain              &chain_;
-  std::array<const ToothForm *, 2> forms_;
-  const unsigned int               n_;
-  const double                     hub_radius_, contact_radius_, contact_stiffness_;
+  Layout                       &layout_;
+  const RestingChain           &chain_;
+  const std::vector<ToothForm> &forms_;
+  const unsigned int            n_;
+  const double                  hub_radius_, contact_radius_, contact_stiffness_;
 
   std::vector<Point<2>> at_;          ///< of the joints, m
   double                turned_ = 0.; ///< the driven hub, rad
@@ -374,15 +376,14 @@ private:
 };
 } // namespace
 
-void bring_to_rest(Layout             &layout,
-                   const RestingChain &chain,
-                   const ToothForm    &driver,
-                   const ToothForm    &driven,
-                   const double        tension)
+void bring_to_rest(Layout                       &layout,
+                   const RestingChain           &chain,
+                   const std::vector<ToothForm> &forms,
+                   const double                  tension)
 {
   const Layout::Span &tight = layout.span(true), &slack = layout.span(false);
 
-  Equilibrium  equilibrium(layout, chain, driver, driven);
+  Equilibrium  equilibrium(layout, chain, forms);
   const double tolerance = 1e-6 * tension + 1e-3;
   // tension over the shaft's way: first that of two straight spans, then secants
   double slope  = 2. / (1. / chain.inner_stiffness + 1. / chain.outer_stiffness) / tight.links;

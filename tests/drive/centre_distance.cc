@@ -37,7 +37,7 @@ struct Case
   drive::Layout layout(const double phase, const bool clearances)
   {
     drive.layout.start_phase = phase;
-    return drive::make_layout(drive, chain, driver, driven, clearances, 3e8, 0., 0.);
+    return drive::make_layout(drive, chain, {driver, driven}, clearances, 3e8, 0., 0.);
   }
 
   /// Least, mean and greatest centre distance over the start phase.

@@ -17,10 +17,10 @@ void refuse(const std::string &what, const parameters::Drive &drive, const bool 
     drive::make_layout(
         drive,
         chain,
-        drive::make_tooth_form(
-            drive.sprockets.driver.teeth, chain, drive.sprockets, parameters::Role::driver),
-        drive::make_tooth_form(
-            drive.sprockets.driven.teeth, chain, drive.sprockets, parameters::Role::driven),
+        {drive::make_tooth_form(
+             drive.sprockets.driver.teeth, chain, drive.sprockets, parameters::Role::driver),
+         drive::make_tooth_form(
+             drive.sprockets.driven.teeth, chain, drive.sprockets, parameters::Role::driven)},
         clearances,
         3e8,
         0.,

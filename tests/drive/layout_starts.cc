@@ -19,10 +19,10 @@ make(const parameters::Drive &drive, const bool clearances, const bool weightles
   return drive::make_layout(
       drive,
       chain,
-      drive::make_tooth_form(
-          drive.sprockets.driver.teeth, chain, drive.sprockets, parameters::Role::driver),
-      drive::make_tooth_form(
-          drive.sprockets.driven.teeth, chain, drive.sprockets, parameters::Role::driven),
+      {drive::make_tooth_form(
+           drive.sprockets.driver.teeth, chain, drive.sprockets, parameters::Role::driver),
+       drive::make_tooth_form(
+           drive.sprockets.driven.teeth, chain, drive.sprockets, parameters::Role::driven)},
       clearances,
       3e8,
       120.74,

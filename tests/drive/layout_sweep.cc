@@ -30,7 +30,7 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
   drive::Layout layout;
   try
     {
-      layout = drive::make_layout(drive, chain, driver, driven, clearances, 3e8, 100., 1000.);
+      layout = drive::make_layout(drive, chain, {driver, driven}, clearances, 3e8, 100., 1000.);
     }
   catch (const InputError &error)
     {

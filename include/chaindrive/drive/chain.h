@@ -48,9 +48,10 @@ struct ChainDimensions
 /// derived ones, each of which is stated in ChainDimensions::derived.
 ///
 /// Hole pitches by pitch set, for the pitch p and the radial pin clearance c:
-///   standard              inner p, outer p - 2 c: a chain under load measures p from roller to
-///   roller paper literal/nominal inner p, outer p: under load p and p + 2 c alternate, p + c in
-///   the mean
+/// - standard: inner p, outer p - 2 c; a chain under load measures p from roller to roller;
+/// - paper literal and nominal: inner p, outer p; under load p and p + 2 c alternate, p + c in the
+///   mean.
+///
 /// Elongation lengthens both loaded pitches by the same factor.
 ///
 /// @throws InputError for an unknown designation (names the nearest one and all others), a

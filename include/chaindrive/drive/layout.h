@@ -75,14 +75,13 @@ struct Layout
 /// middle of their gaps. The tight span is straight. The slack span is a polygon with equal angles
 /// between its links that bulges along gravity (-y), or outwards where there is none.
 ///
-/// @param clearances  false: the simple model, one lump per joint, all links of the loaded mean
-/// pitch.
-///   true: distances of bushes are exactly the chain's loaded pitches (in the spans, for start
-///   `concentric`, its hole pitches), inner and outer alternating; bush and roller are concentric
-///   in the spans, and on the sprockets where both loaded pitches are equal.
-/// @param stiffness_per_pitch  of the chain, N/m: turns pre-tension into stretch. With clearances
-/// all
-///   stretch is in the outer links, whose joints carry the compliance.
+/// @param forms  of the sprockets, in the order of the path: driver and driven sprocket
+/// @param clearances  Without them, in the simple model, a joint is one lump and all links have the
+/// loaded mean pitch. With them distances of bushes are exactly the chain's loaded pitches (in the
+/// spans, for start `concentric`, its hole pitches), inner and outer alternating; bush and roller
+/// are concentric in the spans, and on the sprockets where both loaded pitches are equal.
+/// @param stiffness_per_pitch  Of the chain, N/m: it turns pre-tension into stretch. With
+/// clearances all stretch is in the outer links, whose joints carry the compliance.
 /// @param driver_speed   magnitude, rad/s, for start `warm`
 /// @param tight_tension  N, for start `warm`
 /// @param weightless     no gravity acts
@@ -90,15 +89,14 @@ struct Layout
 /// @throws InputError when the chain does not fit (states what would), when a roller overlaps a
 /// tooth or a bush its roller (states where and by how much), for an odd number of links with
 /// clearances, or sprockets that overlap.
-Layout make_layout(const parameters::Drive &drive,
-                   const ChainDimensions   &chain,
-                   const ToothForm         &driver,
-                   const ToothForm         &driven,
-                   bool                     clearances,
-                   double                   stiffness_per_pitch,
-                   double                   driver_speed,
-                   double                   tight_tension,
-                   bool                     weightless = false);
+Layout make_layout(const parameters::Drive      &drive,
+                   const ChainDimensions        &chain,
+                   const std::vector<ToothForm> &forms,
+                   bool                          clearances,
+                   double                        stiffness_per_pitch,
+                   double                        driver_speed,
+                   double                        tight_tension,
+                   bool                          weightless = false);
 
 /// Centre and direction of every link of @p layout from the bushes of its two joints.
 void set_links(Layout &layout);

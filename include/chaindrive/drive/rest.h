@@ -28,9 +28,8 @@ struct RestingChain
 /// secants. Without friction, which holds what has been laid so.
 ///
 /// @throws InputError, naming Drive/Layout/Pretension in N, when there is no such state.
-void bring_to_rest(Layout             &layout,
-                   const RestingChain &chain,
-                   const ToothForm    &driver,
-                   const ToothForm    &driven,
-                   double              tension);
+void bring_to_rest(Layout                       &layout,
+                   const RestingChain           &chain,
+                   const std::vector<ToothForm> &forms,
+                   double                        tension);
 } // namespace chaindrive::drive
