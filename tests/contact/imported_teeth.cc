@@ -45,19 +45,19 @@ Pressed press(Tooth c, const double angle, const double approach)
 
   // positions and forces of both, whose numbers are those of the statics
   std::vector<double> start(statics.size, 0.);
-  const auto          visit = [&](const auto &exchange) {
+  const auto          visit = [&](const auto &take) {
     for (unsigned int n = 0; n < rollers.n_nodes(); ++n)
       for (unsigned int d = 0; d < 3; ++d)
-        serialize(3 * n + d,
-                  world.copies[world.elastic_address[0].group],
-                  rollers.index(0, n) + component_offset(d));
+        take(3 * n + d,
+             world.copies[world.elastic_address[0].group],
+             rollers.index(0, n) + component_offset(d));
     for (unsigned int s = 0; s < rim.n_copies(); ++s)
       for (unsigned int n = 0; n < rim.n_nodes(); ++n)
         for (unsigned int d = 0; d < 3; ++d)
-          serialize(statics.first[1] +
-                        3 * nodes.of_vertex[sector.whole_vertex[s][rim.nodes.vertex[n]]] + d,
-                    rim,
-                    rim.index(s, n) + component_offset(d));
+          take(statics.first[1] + 3 * nodes.of_vertex[sector.whole_vertex[s][rim.nodes.vertex[n]]] +
+                   d,
+               rim,
+               rim.index(s, n) + component_offset(d));
   };
   visit([&](const unsigned int i, BodyBatches &copies, const std::size_t at) {
     start[i] = copies.position.local_element(at);

@@ -144,7 +144,7 @@ int main(int argc, char *argv[])
   dealii::Tensor<2, 3> F = dealii::unit_symmetric_tensor<3>();
   F[0][0]                = 1.5;
   F[1][2]                = 0.2;
-  const parameters::Material         material;
+  const Material                     material;
   const element::Stress              held = element::stress(F, material);
   const std::vector<element::Stress> stresses(6, held);
   elastic.stress = {stresses.data(), stresses.size()};

@@ -192,12 +192,13 @@ private:
   /// number with fewer than two.
   double mean_pitch_time() const
   {
-    const double start = now_.parameters.output.window_start;
-    const double end   = now_.parameters.output.window_end.value_or(now_.parameters.time.end);
-    double       first = 0., last = 0.;
-    unsigned int n = 0;
+    const double      start  = now_.parameters.output.window_start;
+    const double      end    = now_.parameters.output.window_end.value_or(now_.parameters.time.end);
+    const std::string driver = text_of(parameters::Role::driver);
+    double            first = 0., last = 0.;
+    unsigned int      n = 0;
     for (const Engagement &engagement : found_)
-      if (engagement.sprocket == "driver" && engagement.time >= start && engagement.time <= end)
+      if (engagement.sprocket == driver && engagement.time >= start && engagement.time <= end)
         {
           if (n++ == 0)
             first = engagement.time;
