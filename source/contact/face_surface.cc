@@ -25,7 +25,10 @@ Touch FaceSurface::project(const World                &world,
   const MovingFacets::Projection found = facets_.project(position, x, hint);
   hint                                 = found.facet;
   if (found.facet == MovingFacets::none)
-    return {};
+    {
+      projection = Projection(); // of a point beside it, the velocity against a side at rest
+      return {};
+    }
   for (unsigned int a = 0; a < 4; ++a)
     projection.nodes[a] = nodes_[found.node[a]];
   projection.weights   = found.weight;
