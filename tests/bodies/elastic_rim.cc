@@ -5,6 +5,7 @@
 // momentum and keep the sum; energy is kept to second order in the step.
 #include "../support/scenes.h"
 
+#include <chaindrive/element/hexahedra.h>
 #include <chaindrive/mesh/generate/sprocket.h>
 #include <chaindrive/mesh/sector.h>
 

@@ -88,7 +88,9 @@ int main()
       });
       if (n == 100)
         std::cout << "the first step: "
-                  << c.group->calls.substr(0, c.group->calls.find("kick drift", 12)) << "...\n";
+                  << c.group->calls.substr(
+                         0, std::min<std::size_t>(c.group->calls.find("kick drift", 12), 100))
+                  << "...\n";
       else
         ratio("ten periods later it is where it was", c.group->position, 1e-6, 3);
       verdict("momentum is kept to 1e-12", momentum < 1e-12 * inner * w * 1e-6);
