@@ -13,11 +13,12 @@ namespace
 {
 std::vector<SurfaceContact::Pair> pairs_in(const std::vector<scene::BorePair> &bores)
 {
-  std::vector<SurfaceContact::Pair> pairs;
-  pairs.reserve(bores.size());
+  const auto surfaces = std::make_shared<std::vector<Bore>>(); // side by side in memory
   for (const scene::BorePair &bore : bores)
-    pairs.push_back(
-        {std::make_shared<const Bore>(bore.master, bore.axis, bore.radius), bore.slave});
+    surfaces->emplace_back(bore.master, bore.axis, bore.radius);
+  std::vector<SurfaceContact::Pair> pairs;
+  for (unsigned int i = 0; i < bores.size(); ++i)
+    pairs.push_back({std::shared_ptr<const Surface>(surfaces, &(*surfaces)[i]), bores[i].slave});
   return pairs;
 }
 } // namespace
@@ -38,6 +39,7 @@ PointContact::PointContact(const scene::SurfaceFamily &scene)
 PointContact::PointContact(const scene::BoreFamily &scene)
     : PointContact(scene.name, scene.law, pairs_in(scene.pairs))
 {
+  add_forces_ = &PointContact::add_forces_of<Bore>;
 }
 
 void PointContact::serialize(const Archive &archive, const unsigned int rank)
@@ -46,27 +48,68 @@ void PointContact::serialize(const Archive &archive, const unsigned int rank)
   archive.numbers("hints", hints_);
 }
 
-void PointContact::add_forces(World &world, const double dt)
+void PointContact::add_forces(World &world, const double dt) { (this->*add_forces_)(world, dt); }
+
+namespace
 {
-  Surface::Projection projection; // once for all, since not every surface has one
-  for (const unsigned int i : near_)
-    add_force(world, i, dt, projection);
+void project(const Surface              &surface,
+             const World                &world,
+             const dealii::Tensor<1, 3> &x,
+             const double                radius,
+             unsigned int               &hint,
+             Surface::Projection        &projection,
+             Touch                      &touch)
+{
+  touch = surface.is_beside(world, x) ?
+              Touch() :
+              surface.project(world, x, radius, 2. * radius, hint, projection);
 }
 
-void PointContact::add_force(World               &world,
-                             const unsigned int   i,
-                             const double         dt,
-                             Surface::Projection &projection)
+void project(const Bore                 &bore,
+             const World                &world,
+             const dealii::Tensor<1, 3> &x,
+             const double                radius,
+             unsigned int &,
+             Surface::Projection &,
+             Touch &touch)
 {
-  const scene::SlavePoint   &slave   = pairs_[i].slave;
-  const Surface             &surface = *pairs_[i].surface;
-  const dealii::Tensor<1, 3> centre  = to_world(world.frames[slave.body], slave.point);
-  Record                    &record  = records_[i];
-  TouchState                &state   = states_[i];
+  bore.project(world, x, radius, touch);
+}
+} // namespace
 
-  Touch touch;
-  if (!surface.is_beside(world, centre))
-    touch = surface.project(world, centre, slave.radius, 2. * slave.radius, hints_[i], projection);
+template <typename SurfaceType>
+void PointContact::add_forces_of(World &world, const double dt)
+{
+  // once for all
+  Surface::Projection projection;
+  Touch               touch;
+  for (const unsigned int i : near_)
+    {
+      const scene::SlavePoint &slave   = pairs_[i].slave;
+      const auto              &surface = static_cast<const SurfaceType &>(*pairs_[i].surface);
+      project(surface,
+              world,
+              to_world(world.frames[slave.body], slave.point),
+              slave.radius,
+              hints_[i],
+              projection,
+              touch);
+      add_force(world, i, surface, projection, touch, dt);
+    }
+}
+
+template <typename SurfaceType>
+void PointContact::add_force(World                     &world,
+                             const unsigned int         i,
+                             const SurfaceType         &surface,
+                             const Surface::Projection &projection,
+                             const Touch               &touch,
+                             const double               dt)
+{
+  const scene::SlavePoint &slave  = pairs_[i].slave;
+  Record                  &record = records_[i];
+  TouchState              &state  = states_[i];
+
   record.gap = touch.gap;
   if (touch.gap >= 0.)
     {

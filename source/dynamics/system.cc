@@ -164,8 +164,8 @@ std::vector<StepLimit> System::step_limits() const
           std::min(stable_step(world, springs), closed_contact_step(world, *family));
       // families of rigid and of elastic bodies share a name
       const auto same =
-          std::find_if(step_limits.begin(), step_limits.end(), [&](const StepLimit &vote) {
-            return vote.source == family->name();
+          std::find_if(step_limits.begin(), step_limits.end(), [&](const StepLimit &other) {
+            return other.source == family->name();
           });
       if (same == step_limits.end())
         step_limits.push_back({family->name(), limit});

@@ -309,8 +309,8 @@ Machine measure_machine()
 
 void measure(const mesh::RollerGrid &grid, const Options &options, const Machine &machine)
 {
-  const parameters::Material material;
-  const mesh::Part           part =
+  const Material   material;
+  const mesh::Part part =
       mesh::make_roller(drive::make_chain(parameters::Chain()), material.density, grid);
   std::printf("\nroller %u x %u x %u, %u elements, %u copies; ns per element and copy\n",
               grid.wall,

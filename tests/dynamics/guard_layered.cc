@@ -3,6 +3,8 @@
 // 100 steps, and the message must name the place.
 #include "../support/faults.h"
 
+#include <chaindrive/contact/geometry.h>
+
 #include <limits>
 
 using namespace test;

@@ -4,6 +4,7 @@
 // the energy closes.
 #include "../support/scenes.h"
 
+#include <chaindrive/contact/surface_contact.h>
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/mesh/generate/links.h>
 

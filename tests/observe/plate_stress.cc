@@ -13,8 +13,8 @@ using namespace test;
 
 namespace
 {
-const parameters::Material material;
-const double               E = material.youngs_modulus, nu = material.poissons_ratio;
+const Material material;
+const double   E = material.youngs_modulus, nu = material.poissons_ratio;
 
 observe::WaistStress at(const mesh::Part                                                  &part,
                         const std::function<Tensor<1, 3>(const Point<3> &, unsigned int)> &place)

@@ -4,7 +4,7 @@
 // Whole drives are chaotic in their digits: their tests print each range and whether the value is
 // in it. The digits themselves go to the file `digits` in the run's directory.
 
-#include <chaindrive/simulation.h>
+#include <chaindrive/commands.h>
 
 #include <nlohmann/json.hpp>
 
@@ -24,7 +24,7 @@ inline nlohmann::json run(const std::string &file, const std::vector<std::string
   command_line.overrides        = overrides;
   command_line.output_directory = "results";
   command_line.quiet            = true;
-  chaindrive::simulate(command_line, MPI_COMM_SELF);
+  chaindrive::run_command(command_line, MPI_COMM_SELF);
   return nlohmann::json::parse(std::ifstream("results/summary.json"));
 }
 

@@ -10,7 +10,7 @@ namespace chaindrive::contact
 /// The inside of a cylinder round the z direction of a rigid body. A slave of radius r whose axis
 /// passes at the distance e from the bore's axis has the gap R - r - e: cylinder in cylinder, exact
 /// for parallel axes.
-class Bore : public Surface
+class Bore final : public Surface
 {
 public:
   /// @p axis is a point of the bore's axis in the frame of @p body, @p radius R that of the bore,
@@ -27,6 +27,18 @@ public:
                 unsigned int & /*hint*/,
                 Projection & /*projection*/) const override
   {
+    Touch touch;
+    project(world, x, radius, touch);
+    return touch;
+  }
+
+  /// The same into @p touch, of which only the gap is set where there is no overlap: a Touch that
+  /// is made anew for each slave costs as much as the rest.
+  void project(const World                &world,
+               const dealii::Tensor<1, 3> &x,
+               const double                radius,
+               Touch                      &touch) const
+  {
     const Frame               &master = world.frames[body()];
     const dealii::Tensor<1, 3> z      = axis_of(master, 2);
     dealii::Tensor<1, 3>       offset = x - to_world(master, axis_);
@@ -34,7 +46,6 @@ public:
     const double square    = offset.norm_square();
     const double clearance = radius_ - radius;
 
-    Touch touch;
     touch.gap = clearance - std::sqrt(square);
     if (touch.gap < 0. && square > 0.)
       {
@@ -42,7 +53,6 @@ public:
         touch.point  = x - radius * touch.normal;
         set_tangents(touch, master);
       }
-    return touch;
   }
 
   /// Along the slave, which is a link of the chain or one of its rollers: most of the force is.
