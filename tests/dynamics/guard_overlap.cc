@@ -59,8 +59,8 @@ int main()
     }
 
   // the balance closes, since what it gives is booked
-  scene::Scene feeds         = impact(radius, mass, speed, 0.1 * radius);
-  feeds.teeth[0].law.damping = -0.2 * std::sqrt(feeds.teeth[0].law.stiffness * mass);
+  scene::Scene feeds            = impact(radius, mass, speed, 0.1 * radius);
+  feeds.surfaces[0].law.damping = -0.2 * std::sqrt(feeds.surfaces[0].law.stiffness * mass);
   std::string message;
   stopped_at(feeds, 2000, message);
   verdict("a contact that feeds energy: stopped, and the message says so",
