@@ -22,6 +22,7 @@ constexpr double overlap_tolerance = 1e-9; // m
 
 std::string in_mm(const double length) { return to_text(length * 1e3, 7) + " mm"; }
 
+/// @p lengths under a tension that stretches the chain by @p stretch [m] per pitch.
 LinkLengths stretched(const LinkLengths &lengths, const bool clearances, const double stretch)
 {
   // per pitch; rigid links with clearances stretch in the two joints of every outer link
@@ -29,6 +30,9 @@ LinkLengths stretched(const LinkLengths &lengths, const bool clearances, const d
                       LinkLengths{lengths.inner + stretch, lengths.outer + stretch};
 }
 
+/// What the chain is to be fitted with: the distances of bushes on the sprockets and in either
+/// span, all from the loaded pitches of the chain, longer by the tension of the start over the
+/// stiffness of a pitch. On the sprockets they are never stretched: seats decide there.
 Fitter make_fitter(const parameters::Drive &drive,
                    const ChainDimensions   &chain,
                    const bool               clearances,
@@ -93,7 +97,11 @@ Tensor<1, 2> right_of(const Tensor<1, 2> &direction)
   return normal;
 }
 
-/// The joints of @p fit and its hubs, both sprockets turning counter-clockwise.
+/// The joints of @p fit and its hubs, both sprockets turning counter-clockwise. Joints are laid in
+/// the direction of travel, so that one follows the other from joint 0, where the tight span enters
+/// the driver: seats of the driver, slack span, seats of the driven sprocket, tight span. A span
+/// has one joint less than links, since its first and last link end on seats. Sprocket frames begin
+/// at the tooth gap of the first seat.
 Layout lay(const Fit &fit, const Fitter &fitter)
 {
   const TightSpan   &tight = fit.tight;
@@ -101,6 +109,7 @@ Layout lay(const Fit &fit, const Fitter &fitter)
   const unsigned int n     = fitter.n_links;
 
   Layout layout{};
+  // seat i is at the polar angle angle + i 2 pi / z, in the gap i
   layout.sense            = 1;
   const auto add_sprocket = [&](const Wheel &wheel, const double angle, const unsigned int seats) {
     const int number = static_cast<int>(layout.sprockets.size());
@@ -143,7 +152,12 @@ Layout lay(const Fit &fit, const Fitter &fitter)
   return layout;
 }
 
-/// Velocities of a drive at speed: the tight span is rigid, spans move as their ends do.
+/// Velocities of a drive at speed, as of a four-bar linkage: the tight span is a rigid link between
+/// the seats at its ends, whose velocities v = w x r along it are therefore the same. With r from
+/// either centre and d along the span, w2 (r2 x d) = w1 (r1 x d), where r1 x d and r2 x d are the
+/// distances of the centres from the span's line; their ratio is the instantaneous speed ratio.
+/// Joints on a sprocket turn with it; in spans the velocity changes linearly from one end to the
+/// other.
 void set_in_motion(Layout &layout, const double driver_speed)
 {
   const auto cross = [](const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
@@ -197,7 +211,11 @@ void mirror(Layout &layout, const std::vector<ToothForm> &forms)
     }
 }
 
-/// What is wrong with the layout, in a sentence; empty if nothing is.
+/// What is wrong with the layout, in a sentence; empty if nothing is. Every roller is compared with
+/// the profile of every sprocket that it may reach, in the frame of the sprocket: one that sits in
+/// its gap has the gap zero, those before the first and after the last seat are the ones that may
+/// be too near. With clearances a bush may be off its roller's centre by the clearance between
+/// them.
 std::string find_overlap(const Layout                 &layout,
                          const ChainDimensions        &chain,
                          const std::vector<ToothForm> &forms,
@@ -236,7 +254,8 @@ std::string find_overlap(const Layout                 &layout,
   return "";
 }
 
-/// The slack span must neither turn back nor, where it hangs inwards, lie on the tight one.
+/// The slack span is an arc of equal angles between its links. It must neither turn back, which
+/// takes half a turn, nor, where it hangs inwards, lie on the tight one.
 void check_slack(const Fit &fit, const Fitter &fitter, const double height, const bool even)
 {
   const SlackSpan &slack = fit.slack;
@@ -280,6 +299,7 @@ std::string no_route(const parameters::Layout &layout,
   const bool         sag   = layout.centre_distance_from == CentreDistanceFrom::sag;
   double            &value = sag ? trial.sag : trial.slack;
   double             low = 0., high = value;
+  // bisection: the largest value for which some route closes, to a millionth of the one asked for
   for (unsigned int i = 0; i < 20; ++i)
     {
       value         = 0.5 * (low + high);
