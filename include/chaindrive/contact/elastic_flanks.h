@@ -39,7 +39,7 @@ public:
                     const dealii::Tensor<1, 3> &x,
                     const Touch                &touch,
                     const Projection           &projection,
-                    const PointForce           &f) const override;
+                    const PointForce           &on_slave) const override;
 
 protected:
   ElasticFlanks(const scene::ToothFamily &family, const Rim &rim)
