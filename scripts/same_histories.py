@@ -13,28 +13,8 @@ import tempfile
 import h5py
 
 import program
-from program import REPOSITORY
+from small_drives import ELASTIC, IMPORTED, TOUCHING_PLATES
 
-SMALL = {
-    "Drive/Number of links": 22,
-    "Drive/Driver teeth": 9,
-    "Drive/Driven teeth": 9,
-    "Model/Driven inertia in kg m2": 1e-4,
-    "Loads/Resisting torque in N m": 20,
-    "Loads/Torque ramp angle in rad": 0.01,
-    "Loads/Ramp time in ms": 0.01,
-    "Model/Fidelity": "full",
-    "Time/End time in ms": 0.12,
-    "Output/History interval in us": 2,
-}
-IMPORTED = {
-    "Drive/Number of links": 28,
-    "Drive/Driver teeth": 15,
-    "Drive/Sprockets/Driver outside diameter in mm": 81.8,
-    "Drive/Sprockets/Driver hub diameter in mm": 33,
-    "Drive/Sprockets/Driver bore in mm": 25,
-    "Drive/Sprockets/Driver mesh": REPOSITORY / "meshes/sprocket-15.msh",
-}
 END = "Time/End time in ms"
 ALWAYS = {"Output/Window start in ms": 0, "Output/Field interval in ms": 0, "Output/Checkpoint interval in ms": 0}
 CASES = {
@@ -42,13 +22,10 @@ CASES = {
     "simple-warm": ("paper/simple", {END: 4, "Drive/Layout/Start": "warm", "Drive/Layout/Tight span": "lower"}),
     "layered": ("paper/layered", {END: 4}),
     "layered-pretension": ("tutorial/06b-25-25", {END: 2, "Model/Fidelity": "layered"}),
-    "full": (
-        "verification/hard",
-        {**SMALL, "Contact/Plate faces": "on", "Drive/Chain/Pin length in mm": 13.9402, "Drive/Layout/Start phase": 0.3},
-    ),
-    "full-half-imported": ("verification/hard", {**SMALL, **IMPORTED, "Model/Half model": "true"}),
-    "full-imported-rigid": ("verification/hard", {**SMALL, **IMPORTED, "Model/Elastic sprockets": "off"}),
-    "full-arriving": ("verification/hard", {**SMALL, "Model/Elastic links": "arriving"}),
+    "full": ("verification/hard", {**ELASTIC, **TOUCHING_PLATES}),
+    "full-half-imported": ("verification/hard", {**ELASTIC, **IMPORTED, "Model/Half model": "true"}),
+    "full-imported-rigid": ("verification/hard", {**ELASTIC, **IMPORTED, "Model/Elastic sprockets": "off"}),
+    "full-arriving": ("verification/hard", {**ELASTIC, "Model/Elastic links": "arriving"}),
 }
 
 

@@ -49,6 +49,19 @@ std::vector<std::string> mesh_folders(const std::string &parameter_file)
   return {folder.empty() ? "." : folder, "."};
 }
 
+/// What a resumed run must find as it was: parameters::Input::fixed and the contents of meshes.
+std::string fixed_text(const parameters::Input        &input,
+                       const drive::Drive             &drive,
+                       const std::vector<std::string> &folders)
+{
+  std::string text = input.fixed;
+  for (const drive::Sprocket &sprocket : drive.sprockets)
+    if (!sprocket.mesh.empty())
+      text += "the checksum of the mesh '" + sprocket.mesh +
+              "' = " + checksum(files::read_text(mesh::find_file(sprocket.mesh, folders))) + "\n";
+  return text;
+}
+
 /// A .prm file that can be run, and a log that says so.
 struct Prepared
 {
@@ -60,6 +73,7 @@ struct Prepared
       , input(parameters::read_parameters(command_line.parameter_file, command_line.overrides))
       , folders(mesh_folders(command_line.parameter_file))
       , simulation(input.parameters, folders, comm)
+      , fixed(fixed_text(input, simulation.drive, folders))
       , resume(command_line.resume.empty() ? input.parameters.output.resume : command_line.resume)
       , directory(output_directory(command_line, input.parameters))
   {
@@ -70,6 +84,7 @@ struct Prepared
   const parameters::Input        input;
   const std::vector<std::string> folders;
   Simulation                     simulation;
+  const std::string              fixed;  ///< fixed_text()
   const std::string              resume; ///< from what the run is to go on, if from anything
   files::Directory               directory;
 };
@@ -84,23 +99,12 @@ bool stopped_before_first_step(Prepared &prepared)
   return number != 0;
 }
 
-/// What a resumed run must find as it was: parameters::Input::fixed and the contents of meshes.
-std::string fixed_text(const Prepared &prepared)
-{
-  std::string text = prepared.input.fixed;
-  for (const drive::Sprocket &sprocket : prepared.simulation.drive.sprockets)
-    if (!sprocket.mesh.empty())
-      text += "the checksum of the mesh '" + sprocket.mesh + "' = " +
-              checksum(files::read_text(mesh::find_file(sprocket.mesh, prepared.folders))) + "\n";
-  return text;
-}
-
 /// The checkpoint that the run goes on from, if any, whose step it then has: the same to the last
 /// bit on any machine.
 std::unique_ptr<files::CheckpointFile> find_checkpoint(Prepared &prepared)
 {
   auto checkpoint = observe::find_checkpoint(
-      prepared.resume, prepared.directory.path(), fixed_text(prepared), prepared.log);
+      prepared.resume, prepared.directory.path(), prepared.fixed, prepared.log);
   if (checkpoint != nullptr)
     prepared.simulation.step.step = checkpoint->header().dt;
   return checkpoint;
@@ -134,7 +138,7 @@ void print_plan(Prepared &prepared)
         " is shorter than the step of " + to_text(step * 1e6, 4) + " us: every step is a sample, " +
         std::to_string(n_steps + 1) + " in all.");
   scene::print_plan(log, simulation.scene, simulation.system().memory_consumption(), n_steps);
-  for (const auto &[kind, part] : simulation.scene.parts)
+  for (const auto &[of, part] : simulation.scene.parts)
     element::print(log, element::make_report(*part, parameters.material));
   print_step(log, simulation.step, n_steps);
 }
@@ -210,13 +214,8 @@ bool run_command(const CommandLine &command_line, const MPI_Comm comm)
 
   std::vector<dynamics::Observer *> others = {&pictures, &progress}, saved = simulation.observers();
   saved.insert(saved.end(), others.begin(), others.end());
-  observe::Checkpoints checkpoints(parameters,
-                                   path,
-                                   fixed_text(prepared),
-                                   simulation.n_steps(),
-                                   simulation.step.step,
-                                   saved,
-                                   log);
+  observe::Checkpoints checkpoints(
+      parameters, path, prepared.fixed, simulation.n_steps(), simulation.step.step, saved, log);
   others.push_back(&checkpoints);
   unsigned long done = checkpoint != nullptr ? checkpoints.resume(system, *checkpoint) : 0;
   begin_files(prepared, checkpoint != nullptr);

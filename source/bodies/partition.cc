@@ -65,15 +65,14 @@ std::map<scene::PartOf, std::vector<unsigned int>> partition(const scene::Scene 
         ++n_joints[scene.bodies[pair.master].part()];
 
   std::vector<Deal> deals;
-  for (const auto &[kind, n] : n_bodies)
+  for (const auto &[of, n] : n_bodies)
     {
-      const auto  sector = scene.sectors.find(kind);
+      const auto  sector = scene.sectors.find(of);
       const bool  is_rim = sector != scene.sectors.end();
-      const auto &part   = is_rim ? *sector->second->part : *scene.parts.at(kind);
-      deals.push_back(
-          {BodyBatches::n_batches_of(is_rim ? sector->second->n_sectors : n),
-           part.mesh->n_active_cells() + elements_per_joint * n_joints[kind] / double(n),
-           is_rim});
+      const auto &part   = is_rim ? *sector->second->part : *scene.parts.at(of);
+      deals.push_back({BodyBatches::n_batches_of(is_rim ? sector->second->n_sectors : n),
+                       part.mesh->n_active_cells() + elements_per_joint * n_joints[of] / double(n),
+                       is_rim});
     }
   const auto first_batches = deal(deals, n_ranks);
 

@@ -91,15 +91,15 @@ void World::add_elastic_bodies(const scene::Scene &scene)
 
   auto first_batch = partition(scene, n_ranks_);
   elastic_address.resize(n_bodies());
-  for (const auto &[kind, bodies] : elastic)
+  for (const auto &[of, bodies] : elastic)
     {
       const unsigned int group = static_cast<unsigned int>(copies.size());
-      if (scene.sectors.count(kind) != 0)
+      if (scene.sectors.count(of) != 0)
         {
-          add_rim(scene, bodies.front(), first_batch[kind]);
+          add_rim(scene, bodies.front(), first_batch[of]);
           continue;
         }
-      copies.emplace_back(scene.parts.at(kind), bodies, scene.bodies, first_batch[kind], comm_);
+      copies.emplace_back(scene.parts.at(of), bodies, scene.bodies, first_batch[of], comm_);
       for (unsigned int k = 0; k < bodies.size(); ++k)
         elastic_address[bodies[k]] = {group, k};
       groups.push_back(std::make_unique<ElasticBodies>(scene, *this, group));
@@ -146,7 +146,7 @@ void World::add_followers(const scene::Scene &scene)
             sides[scene.bodies[body].part()][body].insert(side);
 
   n_elastic_groups_ = static_cast<unsigned int>(copies.size());
-  for (const auto &[kind, of_bodies] : sides)
+  for (const auto &[of, of_bodies] : sides)
     {
       const unsigned int        group = static_cast<unsigned int>(copies.size());
       std::vector<unsigned int> bodies;
@@ -158,7 +158,7 @@ void World::add_followers(const scene::Scene &scene)
       // the first rank owns them
       std::vector<unsigned int> first_batch(n_ranks_ + 1, BodyBatches::n_batches_of(bodies.size()));
       first_batch.front() = 0;
-      copies.emplace_back(scene.parts.at(kind), bodies, scene.bodies, first_batch, comm_);
+      copies.emplace_back(scene.parts.at(of), bodies, scene.bodies, first_batch, comm_);
 
       std::vector<Followers::Side> followers;
       for (const auto &[body, surfaces] : of_bodies)

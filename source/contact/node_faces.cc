@@ -52,7 +52,7 @@ tributary_areas(const MovingFacets &facets, const BodyBatches &copies, const dea
   return result;
 }
 
-/// The same for every pair of a sides.
+/// The same for every pair of the same two sides.
 using SideKey = std::tuple<unsigned int, unsigned int, unsigned int, unsigned int, bool, bool>;
 
 SideKey key_of(const scene::FacePair &pair, const World &world)

@@ -12,8 +12,8 @@ Pictures::Drawing::Drawing(const scene::Scene     &scene,
                            const std::string      &directory)
     : fields(directory, system.world.communicator()), elastic(system)
 {
-  for (const auto &[kind, part] : scene.parts)
-    parts.emplace(kind, PartPatches(*part->mesh, scene.sectors.count(kind) != 0));
+  for (const auto &[of, part] : scene.parts)
+    parts.emplace(of, PartPatches(*part->mesh, scene.sectors.count(of) != 0));
   for (const Rim &rim : system.world.rims)
     sectors.emplace(rim.group, PartPatches(*rim.sector->part->mesh));
 }

@@ -3,6 +3,7 @@
 // Drives that cannot be laid: each refusal says what would fit.
 
 #include "compare.h"
+#include "forms.h"
 
 #include <chaindrive/drive/layout.h>
 
@@ -14,17 +15,7 @@ void refuse(const std::string &what, const parameters::Drive &drive, const bool 
 {
   expect_refusal(what, [&] {
     const auto chain = drive::make_chain(drive.chain);
-    drive::make_layout(
-        drive,
-        chain,
-        {drive::make_tooth_form(
-             drive.sprockets.driver.teeth, chain, drive.sprockets, parameters::Role::driver),
-         drive::make_tooth_form(
-             drive.sprockets.driven.teeth, chain, drive.sprockets, parameters::Role::driven)},
-        clearances,
-        3e8,
-        0.,
-        0.);
+    drive::make_layout(drive, chain, forms_of(drive, chain), clearances, 3e8, 0., 0.);
   });
 }
 } // namespace

@@ -4,6 +4,7 @@
 // velocities fit together.
 
 #include "compare.h"
+#include "forms.h"
 
 #include <chaindrive/drive/four_bar.h>
 #include <chaindrive/drive/layout.h>
@@ -17,17 +18,7 @@ make(const parameters::Drive &drive, const bool clearances, const bool weightles
 {
   const auto chain = drive::make_chain(drive.chain);
   return drive::make_layout(
-      drive,
-      chain,
-      {drive::make_tooth_form(
-           drive.sprockets.driver.teeth, chain, drive.sprockets, parameters::Role::driver),
-       drive::make_tooth_form(
-           drive.sprockets.driven.teeth, chain, drive.sprockets, parameters::Role::driven)},
-      clearances,
-      3e8,
-      120.74,
-      1412.,
-      weightless);
+      drive, chain, forms_of(drive, chain), clearances, 3e8, 120.74, 1412., weightless);
 }
 } // namespace
 

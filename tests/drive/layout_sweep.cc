@@ -4,6 +4,7 @@
 // tooth, rollers on their pitch circle, regions in order, links on their joints.
 
 #include "compare.h"
+#include "forms.h"
 
 #include <chaindrive/drive/layout.h>
 
@@ -21,16 +22,13 @@ struct Worst
 
 void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
 {
-  const auto chain  = drive::make_chain(drive.chain);
-  const auto driver = drive::make_tooth_form(
-      drive.sprockets.driver.teeth, chain, drive.sprockets, parameters::Role::driver);
-  const auto driven = drive::make_tooth_form(
-      drive.sprockets.driven.teeth, chain, drive.sprockets, parameters::Role::driven);
+  const auto chain = drive::make_chain(drive.chain);
+  const auto forms = forms_of(drive, chain);
   ++worst.drives;
   drive::Layout layout;
   try
     {
-      layout = drive::make_layout(drive, chain, {driver, driven}, clearances, 3e8, 100., 1000.);
+      layout = drive::make_layout(drive, chain, forms, clearances, 3e8, 100., 1000.);
     }
   catch (const InputError &error)
     {
@@ -78,7 +76,7 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
 
       for (const int i : {0, 1})
         {
-          const auto            &form  = i == 0 ? driver : driven;
+          const auto            &form  = forms[i];
           const double           angle = layout.sprockets[i].angle;
           const auto             arm   = a.roller - layout.sprockets[i].centre;
           const dealii::Point<2> local(std::cos(angle) * arm[0] + std::sin(angle) * arm[1],

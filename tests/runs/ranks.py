@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""ranks.py CASE PROGRAM REPOSITORY: the same drive on 1, 2 and 4 ranks. A small drive of elastic bodies, brought to full
+"""ranks.py CASE PROGRAM: the same drive on 1, 2 and 4 ranks. A small drive of elastic bodies, brought to full
 speed in 10 us, runs until its spans pull. Every column of every history must be the same on all numbers of ranks, to 1e-8 of
 the largest value of its unit in its group; every rank leaves its piece of the pictures; and a run on two ranks that goes on
 from a checkpoint gives the same CSV files, bit by bit.
@@ -21,44 +21,16 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 import program  # noqa: E402
+import small_drives  # noqa: E402
 from program import check  # noqa: E402
+from small_drives import IMPORTED, RIGID, TOUCHING_PLATES  # noqa: E402
 
-CASE, PROGRAM, REPOSITORY = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+CASE, PROGRAM = sys.argv[1:3]
 
-RIGID = {
-    "Drive/Number of links": 22,
-    "Drive/Driver teeth": 9,
-    "Drive/Driven teeth": 9,
-    "Model/Driven inertia in kg m2": 1e-4,
-    "Loads/Resisting torque in N m": 20,
-    "Loads/Torque ramp angle in rad": 0.01,
-    "Output/Window start in ms": 0,
-    "Output/CSV": "true",
-}
-ELASTIC = {
-    **RIGID,
-    "Model/Fidelity": "full",
-    "Loads/Ramp time in ms": 0.01,
-    "Time/End time in ms": 0.12,
-    "Output/History interval in us": 2,
-    "Output/Field interval in ms": 1,
-    "Output/Checkpoint interval in ms": 0.08,
-}
-IMPORTED = {
-    "Drive/Number of links": 28,
-    "Drive/Driver teeth": 15,
-    "Drive/Sprockets/Driver outside diameter in mm": 81.8,
-    "Drive/Sprockets/Driver hub diameter in mm": 33,
-    "Drive/Sprockets/Driver bore in mm": 25,
-    "Drive/Sprockets/Driver mesh": REPOSITORY / "meshes/sprocket-15.msh",
-}
+OUTPUT = {"Output/CSV": "true"}
+ELASTIC = {**OUTPUT, **small_drives.ELASTIC, "Output/Field interval in ms": 1, "Output/Checkpoint interval in ms": 0.08}
 CASES = {
-    # at phase 0 round-off decides something where the plates touch: 1e-8 after 0.04 ms on four ranks
-    "whole": {
-        "Contact/Plate faces": "on",
-        "Drive/Chain/Pin length in mm": 13.9402,
-        "Drive/Layout/Start phase": 0.3,
-    },
+    "whole": TOUCHING_PLATES,
     "imported": IMPORTED,
     "half": {**IMPORTED, "Model/Half model": "true"},
     "arriving": {"Model/Elastic links": "arriving"},
@@ -131,7 +103,7 @@ def elastic(entries):
 
 
 def rigid():
-    entries = {**RIGID, "Model/Fidelity": "layered", "Time/End time in ms": 1.5}
+    entries = {**OUTPUT, **RIGID, "Model/Fidelity": "layered", "Time/End time in ms": 1.5}
     for ranks in (1, 2):
         run(f"ranks{ranks}", entries, ranks)
     check(files("ranks1") == files("ranks2") != {}, "two ranks do not give what one gives")

@@ -27,8 +27,6 @@ struct Entry
   std::string meaning;
   OnResume    on_resume;
 
-  std::function<bool(const std::string &)> accepts; ///< whether a text is a value
-
   std::string path() const { return section + "/" + name; }
 };
 

@@ -46,9 +46,8 @@ constexpr Range from_to_below(const double lower, const double upper)
 
 // Each of these declares the entry @p name of the open section of @p declarations with the present
 // value of @p member as its default. Every value that is set goes into @p member, which must
-// outlive
-// @p declarations. @p meaning becomes the entry's documentation. The entry that they return is good
-// until the next one is declared.
+// outlive the declarations. @p meaning becomes the entry's documentation. The entry that they
+// return is good until the next one is declared.
 
 /// A number in the unit 10^@p exponent.
 Entry &add(Declarations      &declarations,
@@ -103,6 +102,7 @@ add(Declarations &declarations, const std::string &name, Enum &member, const std
         member = *value_of<Enum>(text);
       });
 }
+
 /// Any text: @p allowed says what is meant by it.
 Entry &add_text(Declarations      &declarations,
                 const std::string &name,

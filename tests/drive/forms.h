@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/drive/tooth_form.h>
+#include <chaindrive/parameters/drive.h>
+
+#include <vector>
+
+/// The tooth forms of the sprockets of @p drive, in the order that drive::make_layout() takes.
+inline std::vector<chaindrive::drive::ToothForm>
+forms_of(const chaindrive::parameters::Drive      &drive,
+         const chaindrive::drive::ChainDimensions &chain)
+{
+  std::vector<chaindrive::drive::ToothForm> forms;
+  for (const auto &[role, name] : chaindrive::parameters::texts_of<chaindrive::parameters::Role>)
+    forms.push_back(chaindrive::drive::make_tooth_form(
+        drive.sprockets.with(role).teeth, chain, drive.sprockets, role));
+  return forms;
+}
