@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Shared by ./run and ./check: install what is missing, configure, build. Sourced, not run.
+# Shared by ./run, ./check and ./study: install what is missing, configure, build. Sourced, not run.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
@@ -10,6 +10,7 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_
 
 build_packages=(g++ cmake ninja-build nlohmann-json3-dev libboost-program-options-dev)
 check_packages=(numdiff perl python3 clang-format clang-tidy)
+study_packages=(snakemake python3-h5py python3-jinja2 python3-matplotlib)
 # A deal.II of one's own is found through DEAL_II_DIR.
 [[ -n ${DEAL_II_DIR:-} ]] || build_packages+=(libdeal.ii-dev)
 

@@ -10,6 +10,7 @@
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iomanip>
 #include <sstream>
@@ -35,6 +36,10 @@ constexpr CommandName commands[] = {
      "plan",
      true,
      "say what would be computed and what it costs, and write nothing"},
+    {Command::study,
+     "study",
+     true,
+     "run the variants of a study file and compare them; ./study --help says more"},
     {Command::template_file, "template", false, "print a commented file to begin with"},
     {Command::document, "document", false, "print the reference of all entries (Markdown)"},
 };
@@ -69,6 +74,12 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   visible.add_options()("resume",
                         options::value(&c.resume)->value_name("auto|CHECKPOINT"),
                         "go on from the newest checkpoint in the directory, or from this one");
+  visible.add_options()("cores",
+                        options::value(&c.cores)->value_name("N"),
+                        "study: cores at work at a time, all of them by default");
+  add("quick", c.quick, "study: with the changes of Study/Quick");
+  add("dry-run", c.dry_run, "study: check all variants and say what would be run");
+  add("retry-failed", c.retry, "study: run those again that failed");
   add("plan", switches.plan, "the same as the command plan");
   add("quiet", c.quiet, "print warnings and errors only");
   add("version", switches.version, "print versions, SIMD and MPI facts");
@@ -188,9 +199,35 @@ std::string file_of(const Command command, const std::vector<std::string> &words
 }
 } // namespace
 
+namespace
+{
+constexpr unsigned int most_cores = 100000; // below what a negative number is read as
+
+/// Refuses options of a study without one, and the other way round.
+void check_study(const CommandLine &c)
+{
+  const bool is_study = c.command == Command::study;
+  for (const auto &[given, name] : {std::pair<bool, const char *>{c.cores > 0, "--cores"},
+                                    {c.quick, "--quick"},
+                                    {c.dry_run, "--dry-run"},
+                                    {c.retry, "--retry-failed"},
+                                    {!c.rest.empty(), "--"}})
+    if (given && !is_study && c.command != Command::help)
+      throw InputError(std::string("The option ") + name +
+                       " belongs to studies: chaindrive study FILE.prm.");
+  if (c.cores > most_cores)
+    throw InputError("The option --cores takes 1 to " + std::to_string(most_cores) + ".");
+  if (is_study && !c.resume.empty())
+    throw InputError("The option --resume belongs to runs: a study that is started again goes on "
+                     "where it was.");
+}
+} // namespace
+
 CommandLine parse_command_line(const int argc, const char *const *const argv)
 {
   CommandLine                  c;
+  const char *const *const     end  = argv + argc;
+  const char *const *const     rest = std::find(argv, end, std::string("--"));
   Switches                     switches;
   std::vector<std::string>     words;
   options::options_description visible = visible_options(c, switches), all;
@@ -210,7 +247,7 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   try
     {
       options::variables_map values;
-      options::store(options::command_line_parser(argc, argv)
+      options::store(options::command_line_parser(static_cast<int>(rest - argv), argv)
                          .options(all)
                          .positional(positional)
                          .style(style::unix_style & ~style::allow_guessing)
@@ -239,6 +276,10 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
       throw InputError("The option " + error.get_option_name() +
                        (missing ? " needs a value after it." : " takes no value."));
     }
+  catch (const options::validation_error &error)
+    {
+      throw InputError("The option " + error.get_option_name() + " needs a number after it.");
+    }
   catch (const options::error &)
     {
       throw InputError("The options are not understood. chaindrive --help lists them.");
@@ -247,6 +288,8 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   switches.help    = switches.help || short_help;
   c.command        = take_command(words, switches);
   c.parameter_file = file_of(c.command, words);
+  c.rest.assign(rest == end ? end : rest + 1, end);
+  check_study(c);
   return c;
 }
 
@@ -258,7 +301,7 @@ std::string help_text()
   out << "usage: chaindrive [COMMAND] FILE.prm [OPTION]...\n\n"
          "Simulates the roller chain drive that FILE.prm describes.\n\nCommands:\n";
   for (const CommandName &command : commands)
-    out << "  " << std::left << std::setw(13)
+    out << "  " << std::left << std::setw(15)
         << command.name + std::string(command.takes_file ? " FILE.prm" : "") << "  "
         << command.meaning << '\n';
   out << "\nOptions:\n"

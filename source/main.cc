@@ -8,9 +8,11 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -18,13 +20,18 @@
 #include <system_error>
 #include <thread>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace
 {
 using namespace chaindrive;
 
+/// What main() is to become when all is done; empty: nothing.
+using Successor = std::vector<std::string>;
+
 /// Does what the command line asks for; returns the status.
-int run(const int argc, char **argv, const bool is_first_rank)
+int run(const int argc, char **argv, const bool is_first_rank, Successor &successor)
 {
   const CommandLine command_line = parse_command_line(argc, argv);
   switch (command_line.command)
@@ -33,6 +40,9 @@ int run(const int argc, char **argv, const bool is_first_rank)
       return run_command(command_line, MPI_COMM_WORLD) ? 0 : 4;
     case Command::plan:
       return plan_command(command_line, MPI_COMM_WORLD) ? 0 : 4;
+    case Command::study:
+      successor = study_command(command_line, MPI_COMM_WORLD);
+      return stop_signal() == 0 ? 0 : 4;
     case Command::template_file:
       if (is_first_rank)
         parameters::write_template(std::cout);
@@ -60,11 +70,11 @@ struct End
   std::string message;
 };
 
-End run_and_catch(const int argc, char **argv, const bool is_first_rank)
+End run_and_catch(const int argc, char **argv, const bool is_first_rank, Successor &successor)
 {
   try
     {
-      return {run(argc, argv, is_first_rank), {}};
+      return {run(argc, argv, is_first_rank, successor), {}};
     }
   catch (const InputError &error)
     {
@@ -112,6 +122,21 @@ int end_together(const End &end, const bool is_first_rank, const MPI_Comm comm)
     }
   return dealii::Utilities::MPI::max(end.status, comm);
 }
+
+/// Gives this process to @p command, in the environment that it was started in. Returns the status
+/// when that fails.
+int become(Successor command)
+{
+  std::vector<char *> words;
+  for (std::string &word : command)
+    words.push_back(word.data());
+  words.push_back(nullptr);
+  std::cout.flush();
+  ::execvp(words.front(), words.data());
+  std::cerr << "chaindrive: " << command.front() << " cannot be started: " << std::strerror(errno)
+            << ". ./study installs what studies need." << std::endl;
+  return 3;
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -126,17 +151,32 @@ int main(int argc, char **argv)
   // A program that was not started by mpirun needs no daemon to talk to other ranks: without it
   // OpenMPI starts a second earlier. Nor does it need OpenMPI's directory in /tmp, which all such
   // programs would share: one that ends takes it away from one that begins.
+  std::vector<const char *> set_here;
   if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
-    {
-      setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-      setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-    }
+    for (const auto &[name, value] :
+         {std::pair<const char *, const char *>{"OMPI_MCA_ess_singleton_isolated", "1"},
+          {"OMPI_MCA_orte_create_session_dirs", "0"}})
+      if (std::getenv(name) == nullptr)
+        {
+          setenv(name, value, 0);
+          set_here.push_back(name);
+        }
   std::signal(SIGXFSZ, SIG_IGN); // a file at its size limit is a failed write, told in a sentence
   const bool ignore_hang_up = hang_up_is_ignored();
   catch_stop_signals(ignore_hang_up);
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  catch_stop_signals(ignore_hang_up); // again: PETSc, which deal.II starts, catches some itself
+  Successor successor;
+  int       status = 0;
+  {
+    const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    catch_stop_signals(ignore_hang_up); // again: PETSc, which deal.II starts, catches some itself
 
-  const bool is_first_rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  return end_together(run_and_catch(argc, argv, is_first_rank), is_first_rank, MPI_COMM_WORLD);
+    const bool is_first_rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    status                   = end_together(
+        run_and_catch(argc, argv, is_first_rank, successor), is_first_rank, MPI_COMM_WORLD);
+  }
+  if (successor.empty())
+    return status;
+  for (const char *name : set_here)
+    unsetenv(name);
+  return become(successor);
 }

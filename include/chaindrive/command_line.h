@@ -12,6 +12,7 @@ enum class Command
 {
   run,           ///< compute the drive of a .prm file
   plan,          ///< say what would be computed and what it costs
+  study,         ///< run the variants of a study file and compare them
   template_file, ///< print a .prm file to begin with
   document,      ///< print doc/parameters.md
   version,
@@ -26,13 +27,18 @@ struct CommandLine
   std::vector<std::string> overrides;        ///< "Section/Entry=value", in the order given
   std::string              output_directory; ///< empty: what the .prm file says
   std::string              resume;           ///< empty: what the .prm file says
-  bool                     quiet = false;    ///< warnings and errors only
+  bool                     quiet   = false;  ///< warnings and errors only
+  unsigned int             cores   = 0;      ///< study: runs at a time; 0: as many as there are
+  bool                     quick   = false;  ///< study: with the changes of Study/Quick
+  bool                     dry_run = false;  ///< study: say what would be run
+  bool                     retry   = false;  ///< study: run those again that failed
+  std::vector<std::string> rest;             ///< study: options of Snakemake, after `--`
 };
 
 /// Reads the arguments of main(): `chaindrive [COMMAND] [FILE.prm] [OPTION]...`, where the command
 /// may be left out for run. Throws InputError for an unknown command or option, naming the nearest
 /// one, and when there is no .prm file although the command needs one, or one that it does not
-/// take.
+/// take, and for options of a study without one.
 CommandLine parse_command_line(int argc, const char *const *argv);
 
 /// What `--help` prints.

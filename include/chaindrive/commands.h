@@ -5,6 +5,9 @@
 
 #include <mpi.h>
 
+#include <string>
+#include <vector>
+
 namespace chaindrive
 {
 /// Runs the .prm file named on the command line: a Simulation with its files, its checkpoints, the
@@ -15,4 +18,12 @@ bool run_command(const CommandLine &command_line, MPI_Comm comm);
 
 /// Prints what that run would compute and what it costs. Returns and throws as run_command().
 bool plan_command(const CommandLine &command_line, MPI_Comm comm);
+
+/// Expands the study file named on the command line, prepares every run of every variant as
+/// plan_command() does and throws InputError with a sentence for each variant that cannot run,
+/// before anything is written; then writes a folder with its .prm file for each run. Returns the
+/// words of the command that runs them, which is to take this process's place: Snakemake; nothing
+/// for
+/// `--dry-run`.
+std::vector<std::string> study_command(const CommandLine &command_line, MPI_Comm comm);
 } // namespace chaindrive

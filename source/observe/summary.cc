@@ -35,6 +35,7 @@ constexpr const char *last_members[]  = {"stable_step",
                                          "searches",
                                          "window",
                                          "ranks",
+                                         "memory_peak",
                                          "wall_seconds",
                                          "cpu_seconds",
                                          "engagements"};

@@ -10,6 +10,7 @@
 #include <chaindrive/utilities/text.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -54,20 +55,38 @@ std::string closest(const std::string &name, const std::vector<std::string> &nam
   return nearest == candidates.end() ? "" : names[(nearest - candidates.begin()) % names.size()];
 }
 
+std::string folder_of(const std::string &file)
+{
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
 /// Reads statements in the grammar of deal.II's ParameterHandler and collects a sentence for every
 /// mistake, where ParameterHandler stops at the first one, in words for programmers.
 class Reader
 {
 public:
-  explicit Reader(Input &input) : input_(input) { input.parameters.declare(declarations_); }
+  /// A study file has a section more, loops over values, and may include other files.
+  explicit Reader(Input &input, Study *study = nullptr) : input_(input), is_study_(study != nullptr)
+  {
+    input.parameters.declare(declarations_);
+    if (study != nullptr)
+      study->declare(declarations_);
+  }
 
   void read_file(const std::string &file)
   {
+    const std::string includes_it = std::exchange(file_, file);
+    files_.push_back(file);
+    if (files_.size() > most_files)
+      throw InputError("'" + file + "': more than " + std::to_string(most_files) +
+                       " files include each other; one may include itself.");
     input_.text                   = read_text(file);
     const std::vector<Line> lines = statements(input_.text);
     if (lines.empty())
       throw InputError("The parameter file '" + file +
                        "' contains no entries. To start from a template, use: chaindrive template");
+    set_in_.clear(); // what an included file says may be said otherwise
     for (const Line &line : lines)
       {
         line_ = line.number;
@@ -77,6 +96,39 @@ public:
       errors_.push_back(file + ": section " + last_part(open_.back().first) + ", opened in line " +
                         std::to_string(open_.back().second) +
                         ", is not closed: an 'end' is missing.");
+    open_.clear();
+    file_ = includes_it;
+  }
+
+  /// Takes the value of an entry that exists.
+  void read_entry(const std::string &path, const std::string &value)
+  {
+    for (const Entry &entry : declarations_.entries())
+      if (entry.path() == path)
+        set_value(entry, value, "");
+  }
+
+  /// Values of all entries that were set, by path; loops are among them.
+  const std::map<std::string, std::string> &values() const { return values_; }
+
+  /// Entries that are loops, in the order of all entries.
+  std::vector<Loop> loops() const
+  {
+    std::vector<Loop> loops;
+    for (const Entry &entry : declarations_.entries())
+      if (const auto given = values_.find(entry.path());
+          given != values_.end() && is_loop(given->second))
+        loops.push_back({entry.path(), given->second});
+    return loops;
+  }
+
+  /// Of all files that were read, the last first.
+  std::vector<std::string> folders() const
+  {
+    std::vector<std::string> folders;
+    for (auto file = files_.rbegin(); file != files_.rend(); ++file)
+      folders.push_back(folder_of(*file));
+    return folders;
   }
 
   void read_override(const std::string &text)
@@ -168,14 +220,30 @@ private:
       close_section(rest, where);
     else if (keyword == "set" || keyword == "SET")
       read_set(rest, where);
+    else if ((keyword == "include" || keyword == "INCLUDE") && is_study_)
+      include(rest, where);
     else if (keyword == "include" || keyword == "INCLUDE")
       errors_.push_back(where + "files are not included in one another, so that one file tells "
-                                "all about a run; copy the entries, or override them with --set.");
+                                "all about a run; copy the entries, or override them with --set. "
+                                "Only studies have them: chaindrive study FILE.prm.");
     else
       errors_.push_back(
           where + "'" + line.text +
           "' is not understood: a line begins with 'subsection', 'set', 'end' or '#'." +
           (line.text.find('=') != std::string::npos ? " Is 'set' missing?" : ""));
+  }
+
+  void include(const std::string &name, const std::string &where)
+  {
+    if (!open_.empty())
+      {
+        errors_.push_back(where + "a file is included outside of all sections.");
+        return;
+      }
+    const std::filesystem::path path(name);
+    read_file(path.is_absolute() ?
+                  name :
+                  (std::filesystem::path(folder_of(file_)) / path).lexically_normal().string());
   }
 
   void open_section(const std::string &name, const unsigned int line, const std::string &where)
@@ -192,6 +260,8 @@ private:
   {
     const std::string begin =
         (outer.empty() ? "there is" : "section " + outer + " has") + " no section '" + name + "'.";
+    if (name == "Study" && outer.empty())
+      return begin + " It belongs to a study, which is run by: chaindrive study FILE.prm.";
     for (const std::string &path : declarations_.sections())
       if (last_part(path) == name)
         return begin + (enclosing(path).empty() ?
@@ -259,6 +329,11 @@ private:
   /// @p where begins a message.
   void set_value(const Entry &entry, const std::string &value, const std::string &where)
   {
+    if (is_study_ && is_loop(value))
+      {
+        values_[entry.path()] = value; // its values are checked with the variants
+        return;
+      }
     try
       {
         declarations_.set(entry, value, where);
@@ -266,18 +341,41 @@ private:
       }
     catch (const InputError &error)
       {
-        errors_.emplace_back(error.what());
+        errors_.emplace_back(error.what() + std::string(is_loop(value) ?
+                                                            " Loops belong to studies, which are "
+                                                            "run by: chaindrive study FILE.prm." :
+                                                            ""));
       }
   }
 
+  static constexpr std::size_t most_files = 20;
+
   Input                                            &input_;
+  const bool                                        is_study_;
   Declarations                                      declarations_;
+  std::string                                       file_;     ///< that is read
+  std::vector<std::string>                          files_;    ///< read so far
   std::vector<std::pair<std::string, unsigned int>> open_;     ///< path, line of each open section
   std::map<std::string, std::string>                values_;   ///< of all entries set, by path
   std::map<std::string, unsigned int>               set_in_;   ///< line of the file, by path
   unsigned int                                      line_ = 0; ///< that is read
   std::vector<std::string>                          errors_;
 };
+} // namespace
+
+namespace
+{
+/// What holds across entries, once all are read.
+void finish(Input &input, const Reader &reader)
+{
+  reader.throw_errors();
+  for (const std::string &note : cross_check(input.parameters))
+    input.notes.push_back(note);
+  for (const std::string &note : without_effect(input.parameters, reader.changed()))
+    input.notes.push_back(note);
+  input.resolved = reader.resolved();
+  input.fixed    = reader.fixed();
+}
 } // namespace
 
 Input read_parameters(const std::string &file, const std::vector<std::string> &overrides)
@@ -287,14 +385,68 @@ Input read_parameters(const std::string &file, const std::vector<std::string> &o
   reader.read_file(file);
   for (const std::string &override_text : overrides)
     reader.read_override(override_text);
+  finish(input, reader);
+  return input;
+}
+
+Input read_entries(const std::map<std::string, std::string> &values)
+{
+  Input  input;
+  Reader reader(input);
+  for (const auto &[path, value] : values)
+    reader.read_entry(path, value);
+  finish(input, reader);
+  return input;
+}
+
+StudyInput
+read_study(const std::string &file, const std::vector<std::string> &overrides, const bool quick)
+{
+  StudyInput result;
+  Study     &study = result.study;
+  Input      input;
+  Reader     reader(input, &study);
+  reader.read_file(file);
+  reader.throw_errors();
+  if (quick && study.quick.empty())
+    throw InputError("'" + file + "' has no quick form: Study/Quick says nothing.");
+  if (quick)
+    for (const std::string &override_text : std::vector<std::string>(study.quick))
+      reader.read_override(override_text);
+  for (const std::string &override_text : overrides)
+    reader.read_override(override_text);
   reader.throw_errors();
 
-  for (const std::string &note : cross_check(input.parameters))
-    input.notes.push_back(note);
-  for (const std::string &note : without_effect(input.parameters, reader.changed()))
-    input.notes.push_back(note);
-  input.resolved = reader.resolved();
-  input.fixed    = reader.fixed();
-  return input;
+  const std::vector<Loop> loops = reader.loops();
+  for (const Loop &loop : loops)
+    if (loop.path.compare(0, 6, "Study/") == 0 && loop.path != "Study/Ranks")
+      throw InputError(loop.path + " = " + loop.text +
+                       ": of the entries of section Study only "
+                       "Ranks may be a loop.");
+  const std::vector<Choices>     all   = combinations(loops);
+  const std::vector<std::string> names = names_of(loops, all);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      Variant variant;
+      variant.name    = names[i];
+      variant.choices = all[i];
+      variant.values  = reader.values();
+      for (const auto &[path, value] : all[i])
+        variant.values[path] = value;
+      if (const auto ranks = variant.values.find("Study/Ranks"); ranks != variant.values.end())
+        {
+          reader.read_entry(ranks->first, ranks->second);
+          variant.ranks = study.ranks;
+        }
+      for (auto entry = variant.values.begin(); entry != variant.values.end();)
+        entry = entry->first.compare(0, 6, "Study/") == 0 ? variant.values.erase(entry) :
+                                                            std::next(entry);
+      result.variants.push_back(variant);
+    }
+  reader.throw_errors();
+  study.check_outputs();
+  study.name(result.variants);
+  result.folders = reader.folders();
+  return result;
 }
 } // namespace chaindrive::parameters

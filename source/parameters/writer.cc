@@ -2,6 +2,7 @@
 #include <chaindrive/parameters/declarations.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/parameters/reader.h>
+#include <chaindrive/parameters/study.h>
 #include <chaindrive/parameters/writer.h>
 
 #include <deal.II/base/utilities.h>
@@ -99,15 +100,19 @@ void write_template(std::ostream &out)
 std::string parameter_documentation()
 {
   Parameters   defaults;
+  Study        study;
   Declarations declarations;
   defaults.declare(declarations);
+  study.declare(declarations);
   std::ostringstream out;
   out << "# Parameters\n\nEvery entry of a `.prm` file, written by `chaindrive document`. Sections "
          "are\nnested (`Drive/Chain` is `subsection Chain` "
          "inside `subsection Drive`), an entry is set with\n`set Name = value`, and `#` begins a "
          "comment. The unit belongs to the entry's name. What is\nleft out keeps its default; "
          "`auto` lets the program find the value, which the log then states.\nOn the command "
-         "line, `--set \"Section/Entry=value\"` overrides the file.\n";
+         "line, `--set \"Section/Entry=value\"` overrides the file. Section `Study` belongs to "
+         "study "
+         "files\nalone, which [prm/studies](../prm/studies/README.md) explains.\n";
   std::string section;
   for (const Entry &entry : declarations.entries())
     {
@@ -119,6 +124,7 @@ std::string parameter_documentation()
           << (entry.default_value.empty() ? "(empty)" : "`" + entry.default_value + "`") << " | "
           << cell(entry.allowed) << " | " << cell(entry.meaning) << " |\n";
     }
+  out << study_output_documentation();
   return out.str();
 }
 } // namespace chaindrive::parameters

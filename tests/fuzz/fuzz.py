@@ -57,7 +57,7 @@ class Inputs:
 
     def __init__(self, seed):
         self.seed = seed
-        self.files = sorted(ROOT.glob("prm/**/*.prm"))
+        self.files = sorted(file for file in ROOT.glob("prm/**/*.prm") if file.parent.name != "studies")
         mesh = (ROOT / "meshes/sprocket-15.msh").read_text()
         self.meshes = [mesh, mesh, meshes.as_version_4(mesh)]
         self.known = mutations.entries((ROOT / "doc/parameters.md").read_text())

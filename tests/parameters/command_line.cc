@@ -13,7 +13,7 @@
 
 using namespace chaindrive;
 
-const char *const names[] = {"run", "plan", "template", "document", "version", "help"};
+const char *const names[] = {"run", "plan", "study", "template", "document", "version", "help"};
 
 void parse(std::vector<const char *> arguments)
 {
@@ -24,6 +24,14 @@ void parse(std::vector<const char *> arguments)
       std::cout << "file '" << c.parameter_file << "' output '" << c.output_directory
                 << "' command " << names[static_cast<int>(c.command)] << " quiet " << c.quiet
                 << std::endl;
+      if (c.command == Command::study)
+        {
+          std::cout << "  cores " << c.cores << " quick " << c.quick << " dry run " << c.dry_run
+                    << " retry " << c.retry << " rest";
+          for (const std::string &word : c.rest)
+            std::cout << ' ' << word;
+          std::cout << std::endl;
+        }
       for (const std::string &text : c.overrides)
         std::cout << "  override '" << text << "'" << std::endl;
     }
@@ -45,6 +53,8 @@ int main()
   parse({"a.prm", "--plan", "--quiet"});
   parse({"run", "a.prm"});
   parse({"plan", "a.prm", "--set", "Time/End time in ms=5"});
+  parse({"study", "a.prm"});
+  parse({"study", "a.prm", "--quick", "--cores", "3", "--", "--slurm", "--until", "x"});
   parse({"template"});
   parse({"document"});
   parse({"./run"}); // a file
@@ -72,6 +82,10 @@ int main()
   parse({"a.prm", "--output", ""});
   parse({"a.prm", "--output", "--plan"});
   parse({"a.prm", "--set", "--quiet"});
+  parse({"a.prm", "--quick"});
+  parse({"a.prm", "--", "--slurm"});
+  parse({"study", "a.prm", "--cores", "many"});
+  parse({"study", "a.prm", "--resume", "auto"});
 
   std::cout << help_text();
   if (has_simd_width(4))

@@ -23,7 +23,12 @@ int main()
         const std::string name = file.path().lexically_relative(root).string();
         try
           {
-            parameters::read_parameters(file.path().string());
+            if (file.path().parent_path().filename() == "studies")
+              for (const auto &variant :
+                   parameters::read_study(file.path().string(), {}, false).variants)
+                parameters::read_entries(variant.values);
+            else
+              parameters::read_parameters(file.path().string());
             ++n_read;
           }
         catch (const InputError &error)

@@ -79,7 +79,7 @@ def run(directory, entries, options=(), ranks=1, status=0):
 def numbers(directory):
     """The summary without what belongs to the machine."""
     summary = program.summary(directory)
-    return {name: value for name, value in summary.items() if name not in ("wall_seconds", "cpu_seconds", "ranks")}
+    return {name: value for name, value in summary.items() if name not in ("wall_seconds", "cpu_seconds", "memory_peak", "ranks")}
 
 
 def results(directory):

@@ -25,13 +25,13 @@ OUT_OF_BOUNDS = {
 # The hosts that documentation may point to.
 HOSTS = {
     "dealii.org", "debian.org", "doi.org", "github.com", "gmsh.info", "gnu.org", "hdfgroup.org",
-    "keepachangelog.com", "paraview.org", "semver.org", "www.dealii.org", "www.debian.org",
+    "keepachangelog.com", "paraview.org", "semver.org", "snakemake.github.io", "www.dealii.org", "www.debian.org",
     "www.gnu.org", "www.paraview.org",
 }
 
 
 def is_code(path):
-    return path.endswith((".cc", ".h", ".py", ".cmake", ".sh", "CMakeLists.txt", "run", "check"))
+    return path.endswith((".cc", ".h", ".py", ".cmake", ".sh", "CMakeLists.txt", "run", "check", "study", "Snakefile"))
 
 
 def is_cxx(path):

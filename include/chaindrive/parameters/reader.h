@@ -2,8 +2,10 @@
 #pragma once
 
 #include <chaindrive/parameters/parameters.h>
+#include <chaindrive/parameters/study.h>
 
 #include <iosfwd>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,15 @@ struct Input
 /// read, a name that does not exist (with its line and the nearest valid name), a value that is not
 /// allowed (with what is), and contradictions.
 Input read_parameters(const std::string &file, const std::vector<std::string> &overrides = {});
+
+/// The same for entries at hand: their values by path. Input::text is empty.
+Input read_entries(const std::map<std::string, std::string> &values);
+
+/// Reads the study file @p file with the files that it includes (`include FILE`, from the folder of
+/// the file that says so), then applies @p overrides as above, before them those of Study/Quick if
+/// @p quick. What the variants say of the drive is checked by read_entries(), each by itself.
+StudyInput
+read_study(const std::string &file, const std::vector<std::string> &overrides, bool quick);
 
 /// Writes a .prm file with every entry at its default, each with its meaning and allowed values.
 void write_template(std::ostream &out);

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a study judges of a run: `chaindrive document` defines each output, test_study.py compares the names."""
+import functools
+
+import numpy as np
+
+from history import History
+
+BANDS = 1000. * 2. ** (np.arange(-1, 14) / 3)  # centres of third octaves, Hz: 800 (nominally) to 20 kHz
+NOMINAL = (800, 1000, 1250, 1600, 2000, 2500, 3150, 4000, 5000, 6300, 8000, 10000, 12500, 16000, 20000)
+LOWEST = BANDS[0] * 2. ** (-1 / 6)  # 707 Hz
+
+SUMMARY = ("driven_speed_mean", "span_speed_mean", "pitch_time_mean", "tight_tension_mean", "slack_tension_mean",
+           "tight_tension_max_start", "driver_torque_mean", "drive_work", "resisting_work", "energy_imbalance_max")
+
+
+class Run(History):
+    """A run with its window."""
+
+    def __init__(self, folder):
+        super().__init__(folder)
+        self.end = self.summary["window"]["end"]
+        self.window = (self.time >= self.start) & (self.time <= self.end)
+
+    def engaged(self, sprocket):
+        """The engagements with a sprocket in the window."""
+        return [e for e in self.summary["engagements"]
+                if e["sprocket"] == sprocket and e["complete"] and self.start <= e["time"] <= self.end]
+
+    @functools.lru_cache(maxsize=None)
+    def approaches(self, surface):
+        """Velocities [m/s] of the rollers that engage with the driver in the window, along the span and normal to it,
+        from a pitch time before the touch to one after: array (roller, direction, instant) and the interval of the
+        instants [s]; none when fewer than two are within the histories."""
+        interval = np.median(np.diff(self.time))
+        n = 2 * int(self.pitch_time / interval)
+        if surface and "rollers/surface_velocity_normal" not in self:
+            return None, interval
+        touches = [(e["roller"], e["time"]) for e in self.engaged("driver")
+                   if e["time"] - self.pitch_time >= self.time[0] and e["time"] + self.pitch_time <= self.time[-1]]
+        curves = [[self.aligned(values, -self.pitch_time, self.pitch_time, touch, n)
+                   for values in self.velocity(roller, surface)] for roller, touch in touches]
+        return (np.array(curves), interval) if len(curves) > 1 else (None, interval)
+
+    @functools.lru_cache(maxsize=None)
+    def power(self, surface):
+        """Mean square velocity per frequency, m2/s2 per bin, both directions together, mean over rollers; frequencies."""
+        curves, interval = self.approaches(surface)
+        if curves is None:
+            return None, None
+        return power_spectrum(curves, interval)
+
+
+def power_spectrum(curves, interval):
+    """Mean square of `curves` (roller, direction, instant) per frequency, summed over directions, mean over rollers,
+    and the frequencies. The straight line from the first value to the last is taken away, so that no jump is left where
+    the period closes. The sum over all bins is the mean square (Parseval)."""
+    n = curves.shape[-1]
+    line = np.linspace(curves[..., 0], curves[..., -1], n, axis=-1)
+    spectrum = np.abs(np.fft.rfft(curves - line)) ** 2 / n ** 2
+    spectrum[..., 1:(n + 1) // 2] *= 2  # and the negative frequencies
+    return spectrum.sum(axis=1).mean(axis=0), np.fft.rfftfreq(n, interval)
+
+
+def third_octaves(power, frequency):
+    """{nominal centre [Hz]: r.m.s.} of the bands that lie below the largest frequency."""
+    bands = {}
+    for nominal, centre in zip(NOMINAL, BANDS):
+        low, high = centre * 2. ** (-1 / 6), centre * 2. ** (1 / 6)
+        if high <= frequency[-1]:
+            bands[nominal] = float(np.sqrt(power[(frequency >= low) & (frequency < high)].sum()))
+    return bands
+
+
+def variation(curves):
+    """R.m.s. difference of curves (roller, ...) from their mean over the r.m.s. of that."""
+    mean = curves.mean(axis=0)
+    return float(np.sqrt(np.mean((curves - mean) ** 2) / np.mean(mean ** 2)))
+
+
+def statistics(values):
+    """Mean, largest, coefficient of variation and largest over smallest; none of fewer than two."""
+    values = np.asarray(values, float)
+    if len(values) < 2:
+        return {}
+    return {"mean": float(values.mean()), "max": float(values.max()),
+            "cv": float(values.std(ddof=1) / values.mean()), "max_over_min": float(values.max() / values.min())}
+
+
+def _engagements(run, name):
+    sprocket, quantity, which = name.split("_", 2)
+    key = {"peak": "peak_force", "impulse": "impulse"}[quantity]
+    return statistics([e[key] for e in run.engaged(sprocket)]).get(which)
+
+
+def _velocity(run, surface, name):
+    curves, _ = run.approaches(surface)
+    if curves is None:
+        return None
+    if name == "variation":
+        return variation(curves)
+    power, frequency = run.power(surface)
+    if name == "spectrum":
+        return third_octaves(power, frequency)
+    return float(np.sqrt(power[frequency >= LOWEST].sum()))
+
+
+def _ripple(run, path):
+    return float(run[path][run.window].std())
+
+
+def _plates(run, bending_only):
+    if "plates/axial_stress" not in run:
+        return None
+    bending = abs(run["plates/bending_in_plane"]) + abs(run["plates/bending_out_of_plane"])
+    stress = bending if bending_only else bending + abs(run["plates/axial_stress"])
+    return float(np.nanmax(stress[run.window]))
+
+
+OUTPUTS = {
+    **{name: lambda run, name=name: run.summary.get(name) for name in SUMMARY},
+    "tension_difference_mean": lambda run: run.summary["tight_tension_mean"] - run.summary["slack_tension_mean"],
+    "losses": lambda run: sum(value for name, value in run.summary["energy"].items() if name.endswith("_loss")),
+    **{name: lambda run, name=name: _engagements(run, name)
+       for sprocket in ("driver", "driven")
+       for name in (*(f"{sprocket}_peak_{which}" for which in ("mean", "max", "cv", "max_over_min")),
+                    *(f"{sprocket}_impulse_{which}" for which in ("mean", "cv")))},
+    "tight_tension_ripple": lambda run: _ripple(run, "spans/tight_tension"),
+    "driven_speed_ripple": lambda run: _ripple(run, "hubs/driven_speed"),
+    **{f"roller_velocity_{what}": lambda run, what=what: _velocity(run, False, what)
+       for what in ("rms", "spectrum", "variation")},
+    **{f"surface_velocity_{what}": lambda run, what=what: _velocity(run, True, what) for what in ("rms", "variation")},
+    "plate_stress_max": lambda run: _plates(run, False),
+    "plate_bending_max": lambda run: _plates(run, True),
+}
+
+
+def of_run(folder, names):
+    """{column: value} of the outputs `names` of the run in `folder`; nan where the model has no such thing. A spectrum has
+    a column for each band."""
+    run, values = Run(folder), {}
+    for name in names:
+        value = OUTPUTS[name](run)
+        if isinstance(value, dict):
+            values.update({f"{name} {band} Hz": x for band, x in value.items()})
+        else:
+            values[name] = np.nan if value is None else float(value)
+    return values

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""report.py DIRECTORY [--pictures FOLDER]: the results of a study: table.csv and table.h5, chart.png and .svg,
+study.md and study.html. Runs that have not ended yet are rows without figures. Needs python3-h5py,
+python3-matplotlib and python3-jinja2.
+
+--pictures FOLDER also writes DIRECTORY's chart there, small, and prints the table in Markdown for a document."""
+import argparse
+import csv
+import json
+import pathlib
+import sys
+
+import h5py
+import numpy as np
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))  # history.py
+
+import outputs  # noqa: E402
+import page  # noqa: E402
+import stats  # noqa: E402
+
+FIGURES = {"steps": "steps", "memory": "memory_peak", "wall": "wall_seconds"}  # of summary.json
+
+
+def read_run(folder, names):
+    """{"status", "error", "figures": {column: value}, "cpu": {phase: s}, "values": {output: value}} of a run; status is
+    none while it has not ended."""
+    end = folder / "result.json"
+    if not end.exists():
+        return {"status": None, "error": "not finished"}
+    run = json.loads(end.read_text())
+    if run["status"] == 0:
+        summary = json.loads((folder / "summary.json").read_text())
+        run["figures"] = {column: summary.get(name, np.nan) for column, name in FIGURES.items()}
+        run["cpu"] = summary["cpu_seconds"]
+        run["values"] = outputs.of_run(folder, names)
+    return run
+
+
+def mean(dictionaries):
+    """Means of members over dictionaries that have them."""
+    names = dict.fromkeys(name for dictionary in dictionaries for name in dictionary)
+    return {name: float(np.mean([d[name] for d in dictionaries if name in d])) for name in names}
+
+
+class Study:
+    """Everything known of a study: `variants`, each with its runs and the row of the table."""
+
+    def __init__(self, directory):
+        self.directory = pathlib.Path(directory)
+        self.about = json.loads((self.directory / "study.json").read_text())
+        self.variants = self.about["variants"]
+        for variant in self.variants:
+            variant["results"] = {run["phase"]: read_run(self.directory / run["folder"], self.about["outputs"])
+                                  for run in variant["runs"]}
+        found = (run["values"] for v in self.variants for run in v["results"].values() if run["status"] == 0)
+        self.columns = self._in_order(dict.fromkeys(name for values in found for name in values))
+        for variant in self.variants:
+            variant["row"] = self._row(variant)
+        for column in self.columns:
+            front = stats.efficient([(v["row"]["cpu"], abs(v["row"][f"{column} error"])) for v in self.variants])
+            for variant, on_front in zip(self.variants, front):
+                variant["row"][f"{column} efficient"] = on_front
+
+    def _in_order(self, columns):
+        """Bands of a spectrum behind each other."""
+        return [column for name in self.about["outputs"]
+                for column in columns if column == name or column.startswith(name + " ")]
+
+    @property
+    def reference(self):
+        return next(v for v in self.variants if v["name"] == self.about["reference"])
+
+    def _done(self, variant):
+        return {phase: run for phase, run in variant["results"].items() if run["status"] == 0}
+
+    def _row(self, variant):
+        done, all_done = self._done(variant), self._done(self.reference)
+        errors = [run["error"] for run in variant["results"].values() if run["status"] != 0]
+        row = {"variant": variant["name"], "ranks": variant["ranks"], "runs": len(done), "failed": len(errors),
+               "message": "; ".join(dict.fromkeys(errors)),
+               "cpu": np.nan, **dict.fromkeys(FIGURES, np.nan)}
+        cpu = mean([run["cpu"] for run in done.values()])
+        row["cpu"] = cpu.pop("total", np.nan)
+        row.update(mean([run["figures"] for run in done.values()]))
+        row.update({f"cpu {phase}": seconds for phase, seconds in cpu.items()})
+        how = self.about["bootstrap"]["samples"], self.about["bootstrap"]["seed"]
+        for column in self.columns:
+            values = {phase: run["values"].get(column, np.nan) for phase, run in done.items()}
+            row[column], row[f"{column} low"], row[f"{column} high"] = stats.mean_interval(list(values.values()), *how)
+            both = [phase for phase in values if phase in all_done]
+            row[f"{column} error"], row[f"{column} error low"], row[f"{column} error high"] = stats.error_interval(
+                [values[phase] for phase in both], [all_done[phase]["values"].get(column, np.nan) for phase in both], *how)
+        return row
+
+    def fields(self):
+        """Names of all columns of the table, those of any row."""
+        names = dict.fromkeys(name for variant in self.variants for name in variant["row"])
+        phases = [name for name in names if name.startswith("cpu ")]
+        first = list(dict.fromkeys(["variant", "ranks", "runs", "failed", "message", "cpu", *phases]))
+        return first + [name for name in names if name not in first]
+
+    def value(self, name, variant):
+        return variant["row"].get(name, 0. if name.startswith("cpu ") else np.nan)
+
+    def write_csv(self, file):
+        with open(file, "w", newline="", encoding="utf-8") as out:
+            writer = csv.writer(out, lineterminator="\n")
+            writer.writerow(self.fields())
+            writer.writerows([self.value(name, variant) for name in self.fields()] for variant in self.variants)
+
+    def write_hdf5(self, file):
+        """A dataset per column of the table; group `by_phase` has the outputs of single runs."""
+        with h5py.File(file, "w") as out:
+            out.attrs.update({key: self.about[key] for key in ("title", "file", "reference", "version", "quick")})
+            for name in self.fields():
+                values = [self.value(name, variant) for variant in self.variants]
+                text = any(isinstance(value, str) for value in values)
+                out.create_dataset(name, data=values, dtype=h5py.string_dtype() if text else None)
+            for variant in self.variants:
+                group = out.create_group("by_phase/" + variant["name"])
+                group["phase"] = list(variant["results"])
+                for column in self.columns:
+                    group[column] = [run.get("values", {}).get(column, np.nan) for run in variant["results"].values()]
+                group["cpu"] = [run.get("cpu", {}).get("total", np.nan) for run in variant["results"].values()]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("directory", type=pathlib.Path)
+    parser.add_argument("--pictures", type=pathlib.Path, metavar="FOLDER")
+    words = parser.parse_args()
+    study = Study(words.directory)
+    if words.pictures:
+        name = words.directory.resolve().name
+        page.draw(study, words.pictures / f"study-{name}.png", dpi=72)
+        print(page.table(study))
+        return
+    study.write_csv(words.directory / "table.csv")
+    study.write_hdf5(words.directory / "table.h5")
+    page.draw(study, words.directory / "chart.svg")
+    page.draw(study, words.directory / "chart.png", dpi=110)
+    page.write(study, words.directory)
+
+
+if __name__ == "__main__":
+    main()

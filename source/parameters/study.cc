@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/entries.h>
+#include <chaindrive/parameters/study.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace chaindrive::parameters
+{
+namespace
+{
+/// The words of a list, without empty ones.
+std::vector<std::string> split(const std::string &text, const char separator)
+{
+  std::vector<std::string> words = dealii::Utilities::split_string_list(text, separator);
+  words.erase(std::remove(words.begin(), words.end(), ""), words.end());
+  return words;
+}
+
+std::string join(const std::vector<std::string> &words, const std::string &separator)
+{
+  std::string text;
+  for (const std::string &word : words)
+    text += (text.empty() ? "" : separator) + word;
+  return text;
+}
+
+void add_list(Declarations                                                &declarations,
+              const std::string                                           &name,
+              std::vector<std::string>                                    &member,
+              const char                                                   separator,
+              const std::function<bool(const std::vector<std::string> &)> &accepts,
+              const std::string                                           &allowed,
+              const std::string                                           &meaning)
+{
+  declarations.add(
+      name,
+      join(member, std::string(1, separator) + " "),
+      allowed,
+      meaning,
+      [=](const std::string &text) { return accepts(split(text, separator)); },
+      [&member, separator](const std::string &text) { member = split(text, separator); });
+}
+
+/// Letters that any file system and shell takes.
+bool is_name(const std::string &text)
+{
+  return !text.empty() && text != "." && text != ".." &&
+         std::all_of(text.begin(), text.end(), [](const unsigned char c) {
+           return std::isalnum(c) ||
+                  std::string("-_.=+,").find(static_cast<char>(c)) != std::string::npos;
+         });
+}
+
+std::string did_you_mean(const std::string &name, const std::vector<std::string> &candidates)
+{
+  const std::string nearest = nearest_name(name, candidates);
+  return nearest.empty() ? " There are: " + join(candidates, ", ") + "." :
+                           " Did you mean '" + nearest + "'?";
+}
+
+bool contains(const std::vector<std::string> &words, const std::string &word)
+{
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+} // namespace
+
+const std::vector<StudyOutput> &study_outputs()
+{
+  static const std::vector<StudyOutput> all = {
+      {"driven_speed_mean", "rad/s", "of summary.json, as all up to `energy_imbalance_max`"},
+      {"span_speed_mean", "m/s", ""},
+      {"pitch_time_mean", "s", ""},
+      {"tight_tension_mean", "N", ""},
+      {"slack_tension_mean", "N", ""},
+      {"tight_tension_max_start", "N", ""},
+      {"driver_torque_mean", "N m", ""},
+      {"drive_work", "J", ""},
+      {"resisting_work", "J", ""},
+      {"energy_imbalance_max", "1", ""},
+      {"tension_difference_mean", "N", "tight less slack tension"},
+      {"losses", "J", "of friction and damping together, whole run"},
+      {"driver_peak_mean",
+       "N",
+       "mean peak force of the rollers that engage with the driver in the window"},
+      {"driver_peak_max", "N", "the largest of these peaks"},
+      {"driver_peak_cv",
+       "1",
+       "their standard deviation over their mean: variation between rollers"},
+      {"driver_peak_max_over_min", "1", "the largest of them over the smallest"},
+      {"driver_impulse_mean", "N s", "mean impulse of these engagements"},
+      {"driver_impulse_cv", "1", "its standard deviation over its mean"},
+      {"driven_peak_mean", "N", "the same for the driven sprocket"},
+      {"driven_peak_max", "N", ""},
+      {"driven_peak_cv", "1", ""},
+      {"driven_peak_max_over_min", "1", ""},
+      {"driven_impulse_mean", "N s", ""},
+      {"driven_impulse_cv", "1", ""},
+      {"tight_tension_ripple",
+       "N",
+       "standard deviation over time of the tight span's tension in the window"},
+      {"driven_speed_ripple", "rad/s", "the same of the driven hub's speed"},
+      {"roller_velocity_rms",
+       "m/s",
+       "r.m.s. of the velocity of a roller's centre above 710 Hz, both directions together, from "
+       "one pitch time before it touches the driver to one after; mean over the rollers that "
+       "engage in the window"},
+      {"roller_velocity_spectrum",
+       "m/s",
+       "the same in third octaves from 800 Hz to 20 kHz, a column for each below half of the "
+       "sampling frequency"},
+      {"roller_velocity_variation",
+       "1",
+       "variation between these rollers: r.m.s. difference of their velocities, each counted from "
+       "its own touch, from the mean curve, over the r.m.s. of that"},
+      {"surface_velocity_rms",
+       "m/s",
+       "as roller_velocity_rms, of a node on the roller's surface; elastic rollers"},
+      {"surface_velocity_variation", "1", "as roller_velocity_variation, of this node"},
+      {"plate_stress_max",
+       "Pa",
+       "largest stress along a link in its plates' waist, pull and both bendings together, over "
+       "all links and samples of the window; elastic links"},
+      {"plate_bending_max", "Pa", "the largest of both bendings together; elastic links"}};
+  return all;
+}
+
+std::string study_output_documentation()
+{
+  std::string text =
+      "\nOutputs that a study judges:\n\n| Output | Unit | Meaning |\n|---|---|---|\n";
+  for (const StudyOutput &output : study_outputs())
+    text +=
+        "| `" + std::string(output.name) + "` | " + output.unit + " | " + output.meaning + " |\n";
+  return text;
+}
+
+void Study::check_outputs() const
+{
+  std::vector<std::string> all;
+  for (const StudyOutput &output : study_outputs())
+    all.emplace_back(output.name);
+  for (const std::string &name : outputs)
+    if (!contains(all, name))
+      throw InputError("Study/Outputs: there is no output '" + name + "'." +
+                       did_you_mean(name, all));
+}
+
+void Study::name(std::vector<Variant> &variants)
+{
+  if (!names.empty() && names.size() != variants.size())
+    throw InputError("Study/Names has " + std::to_string(names.size()) + " names for " +
+                     std::to_string(variants.size()) + " variants.");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    variants[i].name = names[i];
+  names.clear();
+  for (const Variant &variant : variants)
+    {
+      if (contains(names, variant.name))
+        throw InputError("There are two variants called '" + variant.name +
+                         "': give each a name of its own in Study/Names, or leave one out.");
+      names.push_back(variant.name);
+    }
+  if (reference.empty())
+    reference = names.back();
+  if (!contains(names, reference))
+    throw InputError("Study/Reference = " + reference + " is no variant." +
+                     did_you_mean(reference, names));
+}
+
+void Study::declare(Declarations &declarations)
+{
+  const Subsection section(declarations, "Study");
+  add_text(declarations,
+           "Title",
+           title,
+           "any text or nothing",
+           "Heading of the page of results. Default: the name of the file.");
+  add_text(declarations,
+           "Text",
+           text,
+           "any text or nothing",
+           "What the study is to answer, in Markdown, below the heading.");
+  add_list(
+      declarations,
+      "Names",
+      names,
+      ',',
+      [](const auto &words) { return std::all_of(words.begin(), words.end(), is_name); },
+      "names of letters, digits and -_.=+, separated by commas, or nothing",
+      "Names of the variants, in their order: that of deal.II's MultipleParameterLoop, in which "
+      "the loop that this list of entries has first changes fastest. Default: the values that "
+      "loops give to each.");
+  add_text(declarations,
+           "Reference",
+           reference,
+           "the name of a variant or nothing",
+           "The variant from which errors are counted. Default: the last.");
+  add_list(
+      declarations,
+      "Outputs",
+      outputs,
+      ',',
+      [](const auto &words) { return !words.empty(); },
+      "names of the table of outputs below, separated by commas",
+      "Results by which variants are judged.");
+  add(declarations,
+      "Phases",
+      phases,
+      1,
+      1000,
+      "Start phases from which each variant runs, evenly distributed over a tooth, the first as in "
+      "Drive/Layout/Start phase. Results are means over them. Peaks of single rollers are chaotic "
+      "and need at least 8.");
+  add(declarations,
+      "Ranks",
+      ranks,
+      1,
+      1024,
+      "Processes of each run. The only entry of this section that may be a loop. Default: many "
+      "runs "
+      "at a time use the cores better than many ranks.");
+  add_list(
+      declarations,
+      "Quick",
+      quick,
+      ';',
+      [](const auto &) { return true; },
+      "Section/Entry=value, separated by semicolons, or nothing",
+      "What the option --quick changes, so that the study takes minutes: a shorter run, fewer "
+      "phases.");
+  add(declarations,
+      "Bootstrap samples",
+      samples,
+      100,
+      1000000,
+      "Samples, with replacement, of the start phases, from which the 95 percent intervals of "
+      "means "
+      "and errors follow.");
+  add(declarations, "Bootstrap seed", seed, 0, 1000000, "Of their random numbers.");
+}
+} // namespace chaindrive::parameters

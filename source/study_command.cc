@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/commands.h>
+#include <chaindrive/files/console.h>
+#include <chaindrive/files/file.h>
+#include <chaindrive/files/json.h>
+#include <chaindrive/mesh/import/import.h>
+#include <chaindrive/observe/progress.h>
+#include <chaindrive/parameters/entries.h>
+#include <chaindrive/parameters/reader.h>
+#include <chaindrive/scene/plan.h>
+#include <chaindrive/simulation.h>
+#include <chaindrive/utilities/checksum.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/ranks.h>
+#include <chaindrive/utilities/signals.h>
+#include <chaindrive/utilities/text.h>
+#include <chaindrive/version.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <fcntl.h>
+#include <filesystem>
+#include <iomanip>
+#include <map>
+#include <string>
+#include <sys/file.h>
+#include <thread>
+#include <vector>
+
+// A study up to the point where its runs can begin: which runs there are, whether each can run, a
+// folder with its .prm file for each. Snakemake takes over from there, with
+// scripts/study/Snakefile.
+
+namespace chaindrive
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr const char *phase_entry = "Drive/Layout/Start phase";
+
+/// One run of a variant.
+struct Run
+{
+  std::string                        folder; ///< within that of the study
+  double                             phase;
+  std::map<std::string, std::string> values;
+  std::string                        text;      ///< of its .prm file
+  double                             cost = 0.; ///< predicted CPU time, s; 0: not asked
+};
+
+/// A variant with its runs.
+struct Model
+{
+  const parameters::Variant *variant;
+  std::vector<Run>           runs;
+};
+
+std::string study_directory(const CommandLine &c)
+{
+  return !c.output_directory.empty() ?
+             c.output_directory :
+             "results/" + fs::path(c.parameter_file).stem().string() + (c.quick ? "-quick" : "");
+}
+
+/// The runs of @p variant: from @p n start phases, evenly distributed from its own on.
+std::vector<Run> make_runs(const parameters::Variant &variant, const unsigned int n)
+{
+  const auto   given = variant.values.find(phase_entry);
+  const double first =
+      given == variant.values.end() ?
+          0. :
+          parameters::from_entry_text(given->second, parameters::unit::si).value_or(0.);
+  std::vector<Run> runs;
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      const std::string phase = to_text(std::fmod(first + double(i) / n, 1.));
+      Run run = {variant.name + "/phase-" + phase, std::stod(phase), variant.values, {}};
+      if (n > 1)
+        run.values[phase_entry] = phase;
+      runs.push_back(run);
+    }
+  return runs;
+}
+
+/// Names meshes by their whole paths in @p run, and says their checksums in the returned comment: a
+/// mesh that changes is another run.
+std::string settle_meshes(Run &run, const std::vector<std::string> &folders)
+{
+  std::string comment;
+  for (const char *entry : {"Drive/Sprockets/Driver mesh", "Drive/Sprockets/Driven mesh"})
+    if (const auto mesh = run.values.find(entry); mesh != run.values.end() && !mesh->second.empty())
+      {
+        const std::string file = mesh::find_file(mesh->second, folders);
+        mesh->second           = fs::absolute(file).lexically_normal().string();
+        comment +=
+            "# " + std::string(entry) + ": checksum " + checksum(files::read_text(file)) + "\n";
+      }
+  return comment;
+}
+
+/// Everything about @p run: a run that is finished is repeated when this text changes.
+std::string text_of(const Run &run, const parameters::Variant &variant, const std::string &meshes)
+{
+  return "# " + variant.name + ", start phase " + to_text(run.phase) + ", for chaindrive " +
+         version + (variant.ranks > 1 ? " on " + std::to_string(variant.ranks) + " ranks" : "") +
+         "\n" + meshes + "\n" + parameters::read_entries(run.values).resolved;
+}
+
+/// Whether @p run stands in @p directory as it is: then it was checked when it was written.
+bool is_known(const Run &run, const std::string &directory)
+{
+  const std::string file = directory + "/" + run.folder + "/variant.prm";
+  return fs::exists(file) && files::read_text(file) == run.text;
+}
+
+/// Prepares @p run as it will be prepared. InputError when it cannot run.
+void prepare(Run &run)
+{
+  const parameters::Input input = parameters::read_entries(run.values);
+  const Simulation        simulation(input.parameters, {"."}, MPI_COMM_SELF);
+  run.cost = scene::step_cost(simulation.scene) * simulation.n_steps();
+}
+
+/// Completes and checks all runs of @p model. Returns the sentences of those that cannot run.
+std::string
+check(Model &model, const std::vector<std::string> &folders, const std::string &directory)
+{
+  std::map<std::string, std::string> phases_of; // by sentence
+  for (Run &run : model.runs)
+    try
+      {
+        const std::string meshes = settle_meshes(run, folders);
+        run.text                 = text_of(run, *model.variant, meshes);
+        if (stop_signal() == 0 && !is_known(run, directory))
+          prepare(run);
+      }
+    catch (const InputError &error)
+      {
+        std::string &phases = phases_of[error.what()];
+        phases += (phases.empty() ? "" : ", ") + to_text(run.phase);
+      }
+  std::string sentences;
+  for (const auto &[sentence, phases] : phases_of)
+    sentences += "\n" + model.variant->name +
+                 (phases_of.size() == 1 && std::count(phases.begin(), phases.end(), ',') + 1 ==
+                                               int(model.runs.size()) ?
+                      "" :
+                      " from start phase " + phases) +
+                 ": " + sentence;
+  return sentences;
+}
+
+/// One study works in a directory at a time. The lock is not given back: Snakemake inherits it with
+/// this process, and it ends with that, however it ends.
+void claim(const std::string &directory)
+{
+  std::error_code error;
+  fs::create_directories(directory, error);
+  const std::string file       = directory + "/study.lock";
+  const int         descriptor = ::open(file.c_str(), O_RDWR | O_CREAT, 0666);
+  if (descriptor < 0)
+    throw InputError("The study cannot write into the directory '" + directory +
+                     "': " + std::strerror(errno) + ". Choose another one with --output.");
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw InputError("Another study is at work in '" + directory +
+                     "'. Wait for its end, or choose another directory with --output.");
+}
+
+files::Json as_json(const parameters::StudyInput &input,
+                    const std::vector<Model>     &models,
+                    const CommandLine            &command_line)
+{
+  const parameters::Study &study = input.study;
+  files::Json              json;
+  json["file"] = command_line.parameter_file;
+  json["title"] =
+      study.title.empty() ? fs::path(command_line.parameter_file).stem().string() : study.title;
+  json["text"]      = study.text;
+  json["quick"]     = command_line.quick;
+  json["program"]   = fs::read_symlink("/proc/self/exe").string();
+  json["version"]   = version;
+  json["reference"] = study.reference;
+  json["outputs"]   = study.outputs;
+  json["bootstrap"] = {{"samples", study.samples}, {"seed", study.seed}};
+  for (const Model &model : models)
+    {
+      files::Json variant = {{"name", model.variant->name}, {"ranks", model.variant->ranks}};
+      for (const auto &[path, value] : model.variant->choices)
+        variant["changes"][path] = value;
+      for (const Run &run : model.runs)
+        variant["runs"].push_back({{"phase", run.phase}, {"folder", run.folder}});
+      json["variants"].push_back(variant);
+    }
+  return json;
+}
+
+/// Writes the .prm file of each run that is new or another, and forgets failures to be tried again.
+void write(const std::string        &directory,
+           const std::vector<Model> &models,
+           const files::Json        &json,
+           const bool                retry)
+{
+  for (const Model &model : models)
+    for (const Run &run : model.runs)
+      {
+        const std::string folder = directory + "/" + run.folder, end = folder + "/result.json";
+        fs::create_directories(folder);
+        if (!is_known(run, directory))
+          files::write_text(folder + "/variant.prm", run.text);
+        if (retry && fs::exists(end) && files::Json::parse(files::read_text(end))["status"] != 0)
+          fs::remove(end);
+      }
+  files::write_json(directory + "/study.json", json);
+}
+
+std::vector<std::string> snakemake(const CommandLine &c, const std::string &directory)
+{
+  const std::string scripts = CHAINDRIVE_SCRIPTS;
+  const unsigned cores = c.cores > 0 ? c.cores : std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::string> words = {"snakemake",
+                                    "--snakefile",
+                                    scripts + "/study/Snakefile",
+                                    "--directory",
+                                    directory,
+                                    "--cores",
+                                    std::to_string(cores),
+                                    "--keep-going",
+                                    "--ignore-incomplete", // result.json is written at once
+                                    "--rerun-triggers",    // variant.prm is new when it is another
+                                    "mtime",
+                                    "--nolock", // claim() has locked the directory
+                                    "--scheduler",
+                                    "greedy"};
+  if (c.quiet)
+    words.insert(words.end(), {"--quiet", "all"});
+  words.insert(words.end(), c.rest.begin(), c.rest.end());
+  return words;
+}
+} // namespace
+
+std::vector<std::string> study_command(const CommandLine &command_line, const MPI_Comm comm)
+{
+  if (n_ranks_in(comm) > 1)
+    throw InputError("A study starts its runs itself, each on Study/Ranks processes: start it "
+                     "without mpirun.");
+  const parameters::StudyInput input = parameters::read_study(
+      command_line.parameter_file, command_line.overrides, command_line.quick);
+  const std::string directory = study_directory(command_line);
+  files::Console    out(STDOUT_FILENO);
+  const auto        say = [&](const std::string &text) {
+    if (!command_line.quiet)
+      out << text << std::endl;
+  };
+
+  std::vector<Model> models;
+  for (const parameters::Variant &variant : input.variants)
+    {
+      if (input.study.phases > 1 &&
+          std::any_of(variant.choices.begin(), variant.choices.end(), [](const auto &choice) {
+            return choice.first == phase_entry;
+          }))
+        throw InputError("Both " + std::string(phase_entry) +
+                         " and Study/Phases = " + std::to_string(input.study.phases) +
+                         " vary the start phase: set Study/Phases = 1.");
+      models.push_back({&variant, make_runs(variant, input.study.phases)});
+    }
+  say(std::to_string(models.size()) + " variants from " + std::to_string(input.study.phases) +
+      " start phases each: checking all before the first begins");
+  std::string refused;
+  std::size_t n_refused = 0;
+  for (Model &model : models)
+    {
+      const std::string sentences = check(model, input.folders, directory);
+      refused += sentences;
+      n_refused += sentences.empty() ? 0 : 1;
+      say("  " + model.variant->name + (sentences.empty() ? "" : "  cannot run"));
+      if (stop_signal() != 0)
+        return {};
+    }
+  if (n_refused > 0)
+    throw InputError(std::to_string(n_refused) + " of " + std::to_string(models.size()) +
+                     " variants cannot run; nothing was started:" + refused);
+  if (command_line.dry_run)
+    return {};
+  claim(directory);
+  write(directory, models, as_json(input, models, command_line), command_line.retry);
+  say("Results: " + directory);
+  return snakemake(command_line, directory);
+}
+} // namespace chaindrive

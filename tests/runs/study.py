@@ -1,0 +1,292 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""study.py CASE PROGRAM REPOSITORY: studies, in an empty folder.
+
+  statistics  intervals, the efficient front, spectra and variation against closed forms
+  refuse      what is wrong is said of every variant before the first begins, and nothing is written
+  run         a small study from end to end: a variant that fails is a row, the table has the numbers of the runs
+  kill        kill -9 and once more: what was finished is not repeated, what was not goes on; a changed file runs
+              only what has changed
+
+Without Snakemake, h5py or matplotlib `run` and `kill` end with 77: left out."""
+import csv
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+CASE, PROGRAM, REPOSITORY = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+sys.path[:0] = [str(REPOSITORY / "scripts"), str(REPOSITORY / "scripts/study")]
+from program import check  # noqa: E402
+
+DRIVE = """
+include {repository}/prm/paper/layered-auto.prm
+subsection Drive
+  set Number of links = 22
+  set Driver teeth = 9
+  set Driven teeth = 9
+  subsection Sprockets
+    set Driver outside diameter in mm = auto
+    set Driven outside diameter in mm = auto
+    set Driver hub diameter in mm = auto
+    set Driver bore in mm = auto
+    set Driven hub diameter in mm = auto
+    set Driven bore in mm = auto
+  end
+  subsection Layout
+    set Centre distance from = slack
+    set Slack in mm = 0.1
+  end
+end
+subsection Model
+  set Driven inertia in kg m2 = 1e-4
+end
+subsection Loads
+  set Ramp time in ms = 0.5
+  set Resisting torque in N m = 20
+  set Torque ramp angle in rad = 0.01
+end
+subsection Time
+  set End time in ms = 2
+  set Step in us = 0.25
+end
+subsection Output
+  set Field interval in ms = 0
+  set Window start in ms = 1
+end
+"""
+
+
+def write(text, name="small.prm"):
+    pathlib.Path(name).write_text(DRIVE.format(repository=REPOSITORY) + text)
+
+
+def words(*options, name="small.prm"):
+    return [PROGRAM, "study", name, "--cores", "2", "--output", "there", *options]
+
+
+def study(*options, status=0, name="small.prm"):
+    done = subprocess.run(words(*options, name=name), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    check(done.returncode == status, f"status {done.returncode} instead of {status}:\n{done.stdout}")
+    return done.stdout
+
+
+def table():
+    with open("there/table.csv", encoding="utf-8") as file:
+        return {row["variant"]: row for row in csv.DictReader(file)}
+
+
+def close(a, b, tolerance, what):
+    check(abs(a - b) <= tolerance, f"{what}: {a}, not {b}")
+
+
+def statistics():
+    need_snakemake()
+    import numpy as np
+    import outputs
+    import stats
+
+    random = np.random.default_rng(7)
+    reference = random.normal(100., 20., 8)
+    error, low, high = stats.error_interval(1.03 * reference, reference, 500, 1)
+    for value in (error, low, high):  # every sample of phases has the same ratio
+        close(value, 3., 1e-9, "error of a constant factor")
+    unpaired = stats.error_interval(1.03 * reference[::-1], reference, 500, 1)
+    check(unpaired[2] - unpaired[1] > 5., "phases are not paired")
+
+    mean, low, high = stats.mean_interval([0., 1.], 4000, 1)  # means 0, 1/2, 1 with 1/4, 1/2, 1/4
+    check((mean, low, high) == (0.5, 0., 1.), f"two values: {mean} {low} {high}")
+    mean, low, high = stats.mean_interval([0., 0., 0., 0., 0., 0., 0., 1.], 200000, 1)
+    # the number of ones among 8 draws is binomial with 1/8: P(0) = 0.344, P(<= 2) = 0.933, P(<= 3) = 0.989
+    check((low, high) == (0., 3. / 8.), f"binomial: {low} {high}")
+    sample = random.normal(0., 1., 400)
+    mean, low, high = stats.mean_interval(sample, 4000, 1)
+    for end, sign in ((low, -1.), (high, 1.)):  # normal limit
+        close((end - mean) * 20., sign * 1.96 * sample.std(), 0.12, "interval of many values")
+    check(np.isnan(stats.mean_interval([1.], 100, 1)[1]), "an interval of one value")
+
+    points = [(1., 9.), (2., 5.), (2., 6.), (3., 5.), (4., 1.), (5., np.nan), (9., 1.)]
+    check(stats.efficient(points) == [True, True, False, False, True, False, False], f"front {stats.efficient(points)}")
+
+    time_ = np.arange(4096) / 50e3
+    amplitude, frequency = 0.3, 2000.  # in the middle of a band, and a whole number of periods but for round-off
+    wave = amplitude * np.sin(2 * np.pi * frequency * time_) + 4.6 + 100. * time_
+    curves = np.stack([np.stack([wave, 0. * wave]), np.stack([0. * wave, wave])])  # two rollers, two directions
+    power, frequencies = outputs.power_spectrum(curves, 1. / 50e3)
+    bands = outputs.third_octaves(power, frequencies)
+    close(bands[2000] / (amplitude / np.sqrt(2)), 1., 5e-3, "a sine is in its band")
+    check(max(value for band, value in bands.items() if band != 2000) < 0.05 * bands[2000], f"elsewhere: {bands}")
+    noise = random.normal(0., 1., (3, 2, 1001))
+    line = np.linspace(noise[..., 0], noise[..., -1], 1001, axis=-1)
+    close(outputs.power_spectrum(noise, 1.)[0].sum(), 2 * np.mean((noise - line) ** 2), 1e-12, "Parseval")
+
+    curve = np.array([[1., 2., 3.], [0., 0., 0.]])
+    close(outputs.variation(np.stack([curve + 0.5, curve - 0.5])), 0.5 / np.sqrt(14. / 6.), 1e-12, "variation")
+    found = outputs.statistics([1., 2., 3.])
+    check(found == {"mean": 2., "max": 3., "cv": 0.5, "max_over_min": 3.}, f"statistics {found}")
+
+    documented = subprocess.run([PROGRAM, "document"], stdout=subprocess.PIPE, text=True).stdout
+    names = [line.split("`")[1] for line in documented[documented.index("Outputs that a study"):].splitlines() if line.startswith("| `")]
+    check(sorted(names) == sorted(outputs.OUTPUTS), f"only in one list: {set(names) ^ set(outputs.OUTPUTS)}")
+
+
+LOOP = "subsection Model\n set Fidelity = {simple|layered}\nend\n"
+
+
+def refuse():
+    def said(text, *options, status=2):
+        shutil.rmtree("there", ignore_errors=True)
+        write(text)
+        out = study(*options, status=status)
+        check(not pathlib.Path("there").exists(), "something was written")
+        return out
+
+    for expected, text in (
+            ("There is nothing to compare", "set Phases = 2"),
+            ("Study/Outputs: there is no output 'tight_tension'. Did you mean 'tight_tension_mean'?", LOOP + "set Outputs = tight_tension"),
+            ("Study/Reference = full is no variant. There are: fidelity=simple, fidelity=layered.", LOOP + "set Reference = full"),
+            ("Study/Names has 3 names for 2 variants", LOOP + "set Names = a, b, c"),
+            ("two variants called 'a'", LOOP + "set Names = a, a"),
+            ("Study/Phases = 0 is not allowed", LOOP + "set Phases = 0"),
+            ("only Ranks may be a loop", LOOP + "set Phases = {1|2}"),
+            ("Loads/Drag in 1/s = {{0|1|2}} has 3 values, but there are 2 variants",
+             LOOP + "end\nsubsection Loads\n set Drag in 1/s = {{0|1|2}}"),
+            ("is no loop: write {a | b}", "end\nsubsection Model\n set Fidelity = {simple|layered"),
+            ("section Study has no entry 'Phase'. Did you mean 'Phases'?", "set Phase = 3"),
+    ):
+        loop = LOOP if text.startswith(LOOP) else ""
+        out = said(loop + "subsection Study\n" + text.removeprefix(LOOP) + "\nend\n")
+        check(expected in " ".join(out.split()), f"'{expected}' is not said:\n{out}")
+
+    # every variant that cannot run, with its sentence, those that can are not mentioned
+    out = " ".join(said("subsection Time\n set Step in us = {0.25 | 50 | 0.1 | nothing}\nend\n").split())
+    check("2 of 4 variants cannot run; nothing was started" in out, out)
+    check("step=50: Time/Step in us = 50" in out and "step=nothing: Time/Step in us = nothing is not allowed" in out, out)
+    check("step=0.25:" not in out, out)
+    check("no quick form" in said(LOOP, "--quick"), "--quick without a quick form")
+    write("subsection Study\nend\nsubsection Time\n set Step in us = {1|2}\nend\n")
+    out = subprocess.run([PROGRAM, "small.prm"], stderr=subprocess.PIPE, text=True).stderr
+    for sentence in ("Only studies have them", "It belongs to a study", "Loops belong to studies"):
+        check(sentence in out, f"a run does not tell a study: {out}")
+    check("cannot run" not in said(LOOP, "--dry-run", status=0), "--dry-run")
+
+
+STUDY = """
+subsection Study
+  set Title = A small study
+  set Outputs = tight_tension_mean, losses
+  set Phases = 2
+  set Reference = exact
+  set Names = coarse, exact, hopeless
+end
+subsection Time
+  set Step in us = {0.5 | 0.25 | 0.2}
+  set Energy limit in percent = {{ 5 | 5 | 1e-9 }}
+end
+"""
+
+
+def need_snakemake():
+    if shutil.which("snakemake") is None or subprocess.run(
+            ["/usr/bin/python3", "-c", "import h5py, jinja2, matplotlib"], stderr=subprocess.DEVNULL).returncode != 0:
+        sys.exit(77)
+
+
+def run():
+    need_snakemake()
+    import h5py
+
+    shutil.rmtree("there", ignore_errors=True)
+    write(STUDY)
+    study("--quiet")
+    rows = table()
+    check(list(rows) == ["coarse", "exact", "hopeless"], f"rows {list(rows)}")
+    check(rows["hopeless"]["failed"] == "2" and "nergy" in rows["hopeless"]["message"], f"the failure: {rows['hopeless']}")
+    values = {}
+    for name in ("coarse", "exact"):
+        summaries = [json.loads(pathlib.Path(f"there/{name}/phase-{p}/summary.json").read_text()) for p in ("0", "0.5")]
+        values[name] = [s["tight_tension_mean"] for s in summaries]
+        close(float(rows[name]["tight_tension_mean"]), sum(values[name]) / 2, 1e-9, "mean over phases")
+        close(float(rows[name]["cpu"]), sum(s["cpu_seconds"]["total"] for s in summaries) / 2, 1e-9, "CPU time")
+        check(rows[name]["runs"] == "2" and float(rows[name]["memory"]) > 1e7, f"row {rows[name]}")
+        check(values[name][0] != values[name][1], "all phases are the same")
+    close(float(rows["coarse"]["tight_tension_mean error"]), 100 * (sum(values["coarse"]) / sum(values["exact"]) - 1), 1e-9, "error")
+    with h5py.File("there/table.h5") as file:
+        close(file["tight_tension_mean"][0], float(rows["coarse"]["tight_tension_mean"]), 1e-9, "HDF5")
+        check(list(file["by_phase/coarse/tight_tension_mean"][:]) == values["coarse"], "HDF5 by phase")
+
+    # a run of its own is the same
+    alone = [PROGRAM, "there/coarse/phase-0.5/variant.prm", "--output", "alone", "--quiet"]
+    subprocess.run(alone, check=True)
+    check(json.loads(pathlib.Path("alone/summary.json").read_text())["tight_tension_mean"] == values["coarse"][1], "variant.prm alone")
+    page = pathlib.Path("there/study.html").read_text()
+    check("<svg" in page and "hopeless" in page and "src=" not in page and "<link" not in page, "the page is not complete in itself")
+    for file in ("study.md", "chart.png", "chart.svg"):
+        check(pathlib.Path("there", file).stat().st_size > 500, file)
+
+
+LONG = """
+subsection Study
+  set Phases = 2
+end
+subsection Loads
+  set Drag in 1/s = {0 | %s}
+end
+subsection Time
+  set End time in ms = 15
+end
+subsection Output
+  set Checkpoint interval in ms = 1
+end
+"""
+
+
+def ended():
+    """{run: when its log was written last} of those that are finished."""
+    return {str(file.parent): (file.parent / "log.txt").stat().st_mtime_ns for file in pathlib.Path("there").glob("*/*/result.json")}
+
+
+def kill():
+    need_snakemake()
+    shutil.rmtree("there", ignore_errors=True)
+    write(LONG % 1)
+    process = subprocess.Popen(words("--quiet"), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    since = time.time()
+    while not (ended() and any(not (file.parent / "result.json").exists() for file in pathlib.Path("there").glob("*/*/checkpoint-*.ckpt"))):
+        check(process.poll() is None and time.time() - since < 120, "nothing to interrupt")
+        time.sleep(0.02)
+    os.kill(process.pid, signal.SIGKILL)
+    process.wait()
+    before = ended()
+    check(0 < len(before) < 4, f"{len(before)} were finished")
+    unfinished = {str(file.parent) for file in pathlib.Path("there").glob("*/*/checkpoint-*.ckpt")} - before.keys()
+    again = time.time_ns()
+    study("--quiet")
+    after = ended()
+    check(len(after) == 4, "not all are finished")
+    check(all(after[run] == when for run, when in before.items()), "what was finished was repeated")
+    for folder in unfinished:
+        check("Resumed from" in pathlib.Path(folder, "log.txt").read_text() or after[folder] < again, f"{folder} began anew")
+
+    before = ended()
+    study("--quiet")
+    check(ended() == before, "a study that is finished repeats something")
+    pathlib.Path("small.prm").touch()
+    study("--quiet")
+    check(ended() == before, "a file that says the same repeats something")
+    write(LONG % 2)
+    study("--quiet", "--set", "Study/Reference=drag=0")
+    after = ended()
+    check(all(after[run] == when for run, when in before.items()), "runs that are the same are repeated")
+    check(sorted(set(after) - set(before)) == ["there/drag=2/phase-0", "there/drag=2/phase-0.5"], f"new: {sorted(set(after) - set(before))}")
+    write(LONG % 2 + "subsection Loads\n set Gravity in m/s2 = 1\nend\n")
+    before = after
+    study("--quiet")
+    after = ended()
+    check(all(after[run] > before[run] for run in after if "drag=1" not in run), "runs that have changed are not repeated")
+
+
+{"statistics": statistics, "refuse": refuse, "run": run, "kill": kill}[CASE]()
