@@ -164,6 +164,23 @@ void begin_files(Prepared &prepared, const bool resumes)
     console->give_up_after(std::chrono::seconds(2)); // it is all in the file
 }
 
+/// What is to be said of a window that waits for the drive to settle and has not become full.
+std::string window_sentence(const Simulation &simulation)
+{
+  const observe::Window &window = simulation.window();
+  const double           time   = simulation.system().world.time;
+  if (!window.waits() || window.is_full(time))
+    return "";
+  const std::string end = "Time/End time in ms = " + to_text(simulation.parameters.time.end * 1e3);
+  return window.settled() ?
+             "The window of the averages, from " + to_text(window.start() * 1e3, 5) +
+                 " ms on, is not full at " + end + ": it would end at " +
+                 to_text(window.end() * 1e3, 5) + " ms." :
+             "The drive has not settled before " + end +
+                 ": there are no means over a window. Run longer, or give Output/Window start in "
+                 "ms a time.";
+}
+
 /// Writes summary.json and the end of the log. Collective.
 void end_files(Prepared &prepared)
 {
@@ -172,6 +189,7 @@ void end_files(Prepared &prepared)
     return;
   files::Log &log = prepared.log;
   files::write_json(prepared.directory.path() + "/summary.json", summary.values);
+  warn(log, window_sentence(prepared.simulation));
   observe::print_summary(log, summary.values);
   PhaseTimer::print(log, summary.phases);
   log << "Results: " << prepared.directory.path() << '\n';
@@ -217,12 +235,12 @@ bool run_command(const CommandLine &command_line, const MPI_Comm comm)
   observe::Checkpoints checkpoints(
       parameters, path, prepared.fixed, simulation.n_steps(), simulation.step.step, saved, log);
   others.push_back(&checkpoints);
-  unsigned long done = checkpoint != nullptr ? checkpoints.resume(system, *checkpoint) : 0;
+  const unsigned long done = checkpoint != nullptr ? checkpoints.resume(system, *checkpoint) : 0;
   begin_files(prepared, checkpoint != nullptr);
 
   try
     {
-      done = simulation.run(others, done);
+      simulation.run(others, done);
     }
   catch (const dynamics::Fault &fault)
     {
@@ -233,7 +251,7 @@ bool run_command(const CommandLine &command_line, const MPI_Comm comm)
     {
       throw RunError(log.end_with(error.what() + checkpoints.last()));
     }
-  const bool finished = done == simulation.n_steps();
+  const bool finished = simulation.is_finished();
   recorder.close(finished);
   if (finished)
     end_files(prepared);

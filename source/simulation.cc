@@ -70,7 +70,8 @@ unsigned long Simulation::run(const std::vector<dynamics::Observer *> &others,
 {
   std::vector<dynamics::Observer *> all = observers();
   all.insert(all.end(), others.begin(), others.end());
-  return dynamics::run(*system_, all, parameters.time.start, parameters.time.end, step.step, done);
+  done_ = dynamics::run(*system_, all, parameters.time.start, parameters.time.end, step.step, done);
+  return done_;
 }
 
 observe::Summary Simulation::summary() const
@@ -82,9 +83,8 @@ observe::Summary Simulation::summary() const
   add_balances(values, *guard_);
   values["stable_step"]  = step.limit;
   values["step"]         = step.step;
-  values["steps"]        = n_steps();
-  values["window"]       = {{"start", parameters.output.window_start},
-                            {"end", parameters.output.window_end.value_or(parameters.time.end)}};
+  values["steps"]        = done_;
+  values["window"]       = window().summary(system_->world.time);
   values["ranks"]        = n_ranks_in(communicator());
   values["memory_peak"]  = memory_peak(communicator());
   values["wall_seconds"] = system_->timer.elapsed();

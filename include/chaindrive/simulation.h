@@ -47,6 +47,12 @@ public:
   /// system has already gone @p done steps. Returns the number of steps since the start.
   unsigned long run(const std::vector<dynamics::Observer *> &others = {}, unsigned long done = 0);
 
+  /// Whether the run is over: at its end, or before it when its window is full.
+  bool is_finished() const { return done_ == n_steps() || window().is_full(system_->world.time); }
+
+  /// The window of the averages.
+  const observe::Window &window() const { return recorder_->window(); }
+
   /// What the run has come to so far. Collective.
   observe::Summary summary() const;
 
@@ -66,5 +72,6 @@ private:
   std::unique_ptr<dynamics::System>  system_;
   std::unique_ptr<dynamics::Guard>   guard_;
   std::unique_ptr<observe::Recorder> recorder_;
+  unsigned long                      done_ = 0; ///< steps since the start
 };
 } // namespace chaindrive

@@ -3,8 +3,12 @@
 #include <chaindrive/utilities/ranks.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <numeric>
+#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace chaindrive
@@ -131,11 +135,42 @@ void BodyBatches::send_forces(std::vector<BodyBatches> &copies)
       c.force.compress_finish(dealii::VectorOperation::add);
 }
 
-void BodyBatches::hold_middle_plane(const unsigned int batch)
+void BodyBatches::stop_plate_bending()
+{
+  // columns of one plate: nodes that differ in z only, to a millionth of the part's size
+  std::map<std::tuple<bool, long, long>, std::set<unsigned int>> columns;
+  for (const auto &cell : part->mesh->active_cell_iterators())
+    if (cell->material_id() == mesh::inner_plate || cell->material_id() == mesh::outer_plate)
+      for (const unsigned int v : cell->vertex_indices())
+        {
+          const dealii::Point<3> &x = cell->vertex(v);
+          columns[{cell->center()[2] > 0., std::lround(x[0] * 1e9), std::lround(x[1] * 1e9)}]
+              .insert(nodes.of_vertex[cell->vertex_index(v)]);
+        }
+  plate_columns.clear();
+  for (const auto &[place, column] : columns)
+    plate_columns.emplace_back(column.begin(), column.end());
+}
+
+void BodyBatches::hold_nodes(const unsigned int batch)
 {
   const NodeView on(force.begin() + start_of(batch));
   for (const unsigned int node : on_middle_plane)
     on.clear_all_lanes(node_offset(node), 2);
+  for (const std::vector<unsigned int> &column : plate_columns)
+    {
+      double total = 0.;
+      for (const unsigned int node : column)
+        total += nodes.mass[node];
+      for (unsigned int lane = 0; lane < n_lanes; ++lane)
+        {
+          double sum = 0.;
+          for (const unsigned int node : column)
+            sum += on.component(node_offset(node) + lane, 2);
+          for (const unsigned int node : column)
+            on.component(node_offset(node) + lane, 2) -= nodes.mass[node] / total * sum;
+        }
+    }
 }
 
 dealii::Tensor<1, 3> BodyBatches::position_now(const unsigned int copy,

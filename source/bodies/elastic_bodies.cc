@@ -65,7 +65,7 @@ void ElasticBodies::add_internal_forces(BodyBatches       &copies,
                       copies.velocity.begin() + first,
                       static_cast<unsigned int>(copies.stride())});
   }
-  copies.hold_middle_plane(batch);
+  copies.hold_nodes(batch);
 }
 
 void ElasticBodies::update(BodyBatches       &copies,

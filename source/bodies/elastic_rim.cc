@@ -68,7 +68,7 @@ void ElasticRim::move(World       &world,
        ++batch)
     {
       alignas(64) Sums sums{};
-      copies.hold_middle_plane(batch);
+      copies.hold_nodes(batch);
       update(copies, batch, sums, no_load, kick);
       if (!booked)
         continue;

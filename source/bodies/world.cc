@@ -100,6 +100,8 @@ void World::add_elastic_bodies(const scene::Scene &scene)
           continue;
         }
       copies.emplace_back(scene.parts.at(of), bodies, scene.bodies, first_batch[of], comm_);
+      if (!scene.plates_bend)
+        copies.back().stop_plate_bending();
       for (unsigned int k = 0; k < bodies.size(); ++k)
         elastic_address[bodies[k]] = {group, k};
       groups.push_back(std::make_unique<ElasticBodies>(scene, *this, group));

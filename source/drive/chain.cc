@@ -104,16 +104,6 @@ void check(const ChainDimensions &c)
       throw InputError(std::string("Drive/Chain: ") + name + " = " + in_mm(value) +
                        " must be positive.");
 
-  require_inside("Bush diameter",
-                 c.bush_diameter,
-                 "Roller bore",
-                 c.roller_bore,
-                 "a radial clearance between bush and roller");
-  require_inside("Pin diameter",
-                 c.pin_diameter,
-                 "Bush bore",
-                 c.bush_bore,
-                 "a radial clearance between pin and bush");
   require_wall("Roller bore", c.roller_bore, "Roller diameter", c.roller_diameter, "a roller wall");
   require_wall("Bush bore", c.bush_bore, "Bush diameter", c.bush_diameter, "a bush wall");
   require_wall("Pin bore", c.pin_bore, "Pin diameter", c.pin_diameter, "a pin wall");
@@ -154,6 +144,35 @@ void check(const ChainDimensions &c)
                      " must be greater than 0 and at most 1.");
 }
 
+/// Play must not be negative; where section Effects has none of it, the bore fits.
+void set_clearances(ChainDimensions &c, const parameters::Effects &effects)
+{
+  using parameters::Switch;
+  const auto set = [](const Switch       choice,
+                      const std::string &inner_name,
+                      const double       inner,
+                      const std::string &outer_name,
+                      double            &outer,
+                      const std::string &what) {
+    if (choice == Switch::off)
+      outer = inner;
+    else
+      require_inside(inner_name, inner, outer_name, outer, what);
+  };
+  set(effects.roller_bush_clearance,
+      "Bush diameter",
+      c.bush_diameter,
+      "Roller bore",
+      c.roller_bore,
+      "a radial clearance between bush and roller");
+  set(effects.bush_pin_clearance,
+      "Pin diameter",
+      c.pin_diameter,
+      "Bush bore",
+      c.bush_bore,
+      "a radial clearance between pin and bush");
+}
+
 void set_hole_pitches(ChainDimensions &c, const parameters::Chain &chain)
 {
   if (!(chain.elongation >= 0. && chain.elongation < 0.2))
@@ -167,7 +186,7 @@ void set_hole_pitches(ChainDimensions &c, const parameters::Chain &chain)
 }
 } // namespace
 
-ChainDimensions make_chain(const parameters::Chain &chain)
+ChainDimensions make_chain(const parameters::Chain &chain, const parameters::Effects &effects)
 {
   const CatalogueChain &row = look_up(chain.designation);
   ChainDimensions       c;
@@ -248,6 +267,7 @@ ChainDimensions make_chain(const parameters::Chain &chain)
                       "with a gap of " + in_mm(gap) + " between inner and outer plates");
   c.outer_plate_z    = 0.5 * c.pin_length;
 
+  set_clearances(c, effects);
   set_hole_pitches(c, chain);
   check(c);
   return c;

@@ -153,7 +153,7 @@ Drive make_drive(const Parameters &parameters)
   const parameters::Capabilities model     = parameters.model.capabilities();
 
   Drive d;
-  d.chain = make_chain(parameters.drive.chain);
+  d.chain = make_chain(parameters.drive.chain, parameters.effects);
   for (const auto &[role, name] : parameters::texts_of<Role>)
     d.sprockets.push_back(make_sprocket(role, sprockets, d.chain));
   append(d.notes, d.chain.derived);
@@ -181,13 +181,13 @@ Drive make_drive(const Parameters &parameters)
   const ToothForm &driven = d.with(Role::driven).form;
   d.nominal_tension       = parameters.loads.resisting_torque / (0.5 * driven.pitch_diameter);
   // contact stiffness depends on the load: without one, a load that strains steel visibly
-  const double reference_load = d.nominal_tension > 0. ?
-                                    d.nominal_tension :
-                                    1e-5 * steel.youngs_modulus * d.chain.pitch * d.chain.pitch;
-  d.roller_tooth_stiffness    = roller_tooth_stiffness(d.chain, steel);
-  d.roller_bush_stiffness     = roller_bush_stiffness(d.chain, reference_load, steel);
-  d.stiffness_per_pitch       = parameters.model.stiffness_per_pitch.value_or(
-      chain_stiffness(d.chain, reference_load, steel));
+  d.reference_load         = d.nominal_tension > 0. ?
+                                 d.nominal_tension :
+                                 1e-5 * steel.youngs_modulus * d.chain.pitch * d.chain.pitch;
+  d.roller_tooth_stiffness = roller_tooth_stiffness(d.chain, steel);
+  d.roller_bush_stiffness  = roller_bush_stiffness(d.chain, d.reference_load, steel);
+  d.stiffness_per_pitch    = parameters.model.stiffness_per_pitch.value_or(
+      chain_stiffness(d.chain, d.reference_load, steel));
   if (!model.is_elastic) // there the elastic bodies give way
     {
       const parameters::Contact &given = parameters.contact;
@@ -209,11 +209,12 @@ Drive make_drive(const Parameters &parameters)
                     0.5 * d.chain.bush_diameter,
                     "bushes");
     }
-  d.notes.push_back("Stiffness per pitch " + to_text(d.stiffness_per_pitch, 4) + " N/m (" +
-                    (parameters.model.stiffness_per_pitch ?
-                         "given" :
-                         "auto: plates and joint contact at " + to_text(reference_load, 4) + " N") +
-                    ")");
+  d.notes.push_back(
+      "Stiffness per pitch " + to_text(d.stiffness_per_pitch, 4) + " N/m (" +
+      (parameters.model.stiffness_per_pitch ?
+           "given" :
+           "auto: plates and joint contact at " + to_text(d.reference_load, 4) + " N") +
+      ")");
 
   std::vector<ToothForm> forms;
   for (const Sprocket &sprocket : d.sprockets)

@@ -13,12 +13,20 @@ Observation::Observation(const scene::Scene     &scene,
     , system(system)
     , rollers(parameters.output.rollers)
     , spans_(scene, system)
+    , window_(scene, parameters)
 {
   if (rollers.empty())
     {
       rollers.resize(scene.n_joints);
       std::iota(rollers.begin(), rollers.end(), 0U);
     }
+}
+
+void Observation::next(const double dt)
+{
+  dt_          = dt;
+  spans_known_ = false;
+  window_.look(*this);
 }
 
 const Spans &Observation::spans() const

@@ -25,9 +25,10 @@ Pictures::Pictures(const scene::Scene     &scene,
                    PhaseTimer             &timer)
     : scene_(scene)
     , phase_(timer.add("Output"))
-    , schedule_(parameters.time.start, parameters.output.field_interval)
+    , schedule_(parameters.time.start,
+                is_on(scene.effects, "fields") ? parameters.output.field_interval : 0.)
 {
-  if (parameters.output.field_interval > 0.)
+  if (is_on(scene.effects, "fields"))
     drawing_ = std::make_unique<Drawing>(scene, system, directory);
 }
 

@@ -13,8 +13,9 @@ namespace
 {
 struct Known
 {
-  std::string        name;
-  Registration::Make make;
+  std::string                              name;
+  std::optional<parameters::QuantityGroup> group;
+  Registration::Make                       make;
 };
 
 /// By their order. A function, so that it exists before the registrations of other sources.
@@ -25,20 +26,25 @@ std::map<int, Known> &all_known()
 }
 } // namespace
 
-Registration::Registration(const std::string &name, const int order, Make make)
+Registration::Registration(const std::string                             &name,
+                           const int                                      order,
+                           const std::optional<parameters::QuantityGroup> group,
+                           Make                                           make)
 {
   for (const auto &[other_order, other] : all_known())
     AssertThrow(other_order != order && other.name != name,
                 dealii::ExcMessage("The quantities " + name + " and " + other.name +
                                    " have the same name or order"));
-  all_known()[order] = {name, std::move(make)};
+  all_known()[order] = {name, group, std::move(make)};
 }
 
 std::vector<NamedQuantity> make_quantities(const Observation &start)
 {
   std::vector<NamedQuantity> quantities;
   for (const auto &[order, known] : all_known())
-    if (auto quantity = known.make(start))
+    if (known.group && !start.parameters.output.asks_for(*known.group))
+      continue;
+    else if (auto quantity = known.make(start))
       quantities.push_back({known.name, std::move(quantity)});
   return quantities;
 }

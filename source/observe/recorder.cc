@@ -34,6 +34,11 @@ Recorder::Recorder(const scene::Scene &scene,
     , now_(scene, parameters, system)
     , quantities_(make_quantities(now_))
     , samples_(parameters.time.start, parameters.output.history_interval)
+    , reads_contacts_(
+          now_.window().waits() ||
+          std::any_of(quantities_.begin(), quantities_.end(), [](const NamedQuantity &item) {
+            return item.quantity->reads_contacts();
+          }))
 {
 }
 
@@ -62,15 +67,17 @@ void Recorder::write_histories(const std::string  &directory,
 bool Recorder::observe(dynamics::System &system, const unsigned long, const double dt)
 {
   const PhaseTimer::Scope scope(system.timer, phase_);
-  system.contacts.gather_records(system.world);
+  if (reads_contacts_)
+    system.contacts.gather_records(system.world);
   now_.next(dt);
   const bool is_first_rank = system.world.is_first_rank();
   if (is_first_rank)
     for (const NamedQuantity &item : quantities_)
       item.quantity->update();
 
+  const bool goes_on = !now_.window().is_full(now_.time());
   if (!takes_samples_ || !samples_.due(now_.time()))
-    return true;
+    return goes_on;
   for (const NamedQuantity &item : quantities_)
     item.quantity->gather();
   if (is_first_rank)
@@ -79,11 +86,12 @@ bool Recorder::observe(dynamics::System &system, const unsigned long, const doub
       for (const NamedQuantity &item : quantities_)
         item.quantity->begin_interval();
     }
-  return true;
+  return goes_on;
 }
 
 void Recorder::serialize(const Archive &archive, const dynamics::System &)
 {
+  now_.serialize(archive);
   for (const NamedQuantity &item : quantities_)
     item.quantity->serialize(archive / item.name);
   samples_.serialize(archive / "samples", now_.time());

@@ -5,17 +5,13 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <limits>
-
 namespace chaindrive::observe
 {
 WindowMeans::WindowMeans(const Observation &now, const std::initializer_list<std::string> names)
     : now_(now)
 {
   // a last step may end a little later than the run: a run that goes on counts all of it
-  const parameters::Output &output = now.parameters.output;
-  const WindowMean          empty(output.window_start,
-                         output.window_end.value_or(std::numeric_limits<double>::infinity()));
+  const WindowMean empty(now.window().start(), now.window().end());
   for (const std::string &name : names)
     means_.emplace_back(name, empty);
 }
@@ -25,7 +21,11 @@ void WindowMeans::add(const std::initializer_list<double> values)
   Assert(values.size() == means_.size(), dealii::ExcMessage("One value for each name"));
   auto mean = means_.begin();
   for (const double value : values)
-    (mean++)->second.add(now_.time() - now_.dt(), now_.dt(), value);
+    {
+      if (now_.window().settled()) // since when is not known from the start
+        mean->second.move_to(now_.window().start(), now_.window().end());
+      (mean++)->second.add(now_.time() - now_.dt(), now_.dt(), value);
+    }
 }
 
 void WindowMeans::summarize(files::Json &summary) const
@@ -39,6 +39,7 @@ void WindowMeans::serialize(const Archive &archive)
   const double time = now_.time();
   for (auto &[name, mean] : means_)
     {
+      mean.move_to(now_.window().start(), now_.window().end());
       WindowMean earlier = mean;
       archive(name, earlier);
       if (archive.reads() && !mean.go_on_from(earlier, time))

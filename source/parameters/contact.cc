@@ -78,10 +78,9 @@ void Contact::declare(Declarations &declarations)
       "Plate faces",
       plate_faces,
       "Whether the outer faces of inner plates and the inner faces of outer plates touch, round "
-      "the "
-      "joints and between elastic links; full fidelity only. They are apart unless something "
-      "pushes "
-      "or bends the chain sideways. off: plates pass through each other.");
+      "the joints and between elastic links; full fidelity only. off: plates pass through each "
+      "other. auto: off, since nothing that this program knows pushes the chain sideways; on "
+      "shows whether something does.");
   add(declarations,
       "Search",
       search,

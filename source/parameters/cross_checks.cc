@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/parameters/cross_checks.h>
 #include <chaindrive/parameters/entries.h>
+#include <chaindrive/parameters/needs.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 namespace chaindrive::parameters
 {
@@ -34,6 +37,47 @@ std::string chosen_fidelity(const Parameters &p)
   return "Model/Fidelity = " + text_of(p.model.fidelity);
 }
 
+void check_settled_window(const Parameters &p, Findings &findings)
+{
+  const std::string settled = "Output/Window start in ms = settled";
+  findings.contradiction(p.output.window_end.has_value(),
+                         settled + " ends after Output/Window length in pitches; leave Window end "
+                                   "in ms auto.");
+  findings.contradiction(p.loads.driver_speed == 0.,
+                         settled + " counts the pitches that the driver takes in, but Loads/Driver "
+                                   "speed in rad/s = 0; give a time.");
+  findings.contradiction(p.model.elastic_links == ElasticLinks::arriving,
+                         settled +
+                             " cannot be with Model/Elastic links = arriving, which must know "
+                             "before the start which links arrive in the window; give a "
+                             "time, or choose Elastic links = all.");
+}
+
+void check_window(const Parameters &p, Findings &findings)
+{
+  const Output &output = p.output;
+  if (!output.window_start)
+    return check_settled_window(p, findings);
+  const double from = *output.window_start, end = p.time.end;
+  findings.contradiction(from >= end,
+                         "Output/Window start in ms lies at or after the end of the run, so that "
+                         "nothing would be averaged: " +
+                             ms(from) + " against " + ms(end) +
+                             "; begin the window earlier or run longer.");
+  findings.contradiction(
+      output.window_end && *output.window_end <= from,
+      "Output/Window end in ms must be above Output/Window start in ms; they are " +
+          ms(output.window_end.value_or(0.)) + " and " + ms(from) + ".");
+  findings.contradiction(output.window_end && *output.window_end > end,
+                         "Output/Window end in ms lies after the end of the run: " +
+                             ms(output.window_end.value_or(0.)) + " against " + ms(end) +
+                             "; end the window earlier, choose auto, or run longer.");
+  findings.note(
+      from < p.time.start,
+      "Output/Window start in ms lies before the start of the run: the averages begin with the "
+      "run.");
+}
+
 void check_times(const Parameters &p, Findings &findings)
 {
   const Time   &time   = p.time;
@@ -55,27 +99,11 @@ void check_times(const Parameters &p, Findings &findings)
       output.history_interval > duration,
       "Output/History interval in us is longer than the whole run: " + us(output.history_interval) +
           " against " + ms(duration) + "; choose a shorter interval.");
-  findings.note(output.field_interval > duration,
+  findings.note(fields(p).on && output.field_interval > duration,
                 "Output/Field interval in ms is longer than the whole run: only its first state "
                 "is written for ParaView.");
 
-  findings.contradiction(output.window_start >= end,
-                         "Output/Window start in ms lies at or after the end of the run, so that "
-                         "nothing would be averaged: " +
-                             ms(output.window_start) + " against " + ms(end) +
-                             "; begin the window earlier or run longer.");
-  findings.contradiction(
-      output.window_end && *output.window_end <= output.window_start,
-      "Output/Window end in ms must be above Output/Window start in ms; they are " +
-          ms(output.window_end.value_or(0.)) + " and " + ms(output.window_start) + ".");
-  findings.contradiction(output.window_end && *output.window_end > end,
-                         "Output/Window end in ms lies after the end of the run: " +
-                             ms(output.window_end.value_or(0.)) + " against " + ms(end) +
-                             "; end the window earlier, choose auto, or run longer.");
-  findings.note(
-      output.window_start < start,
-      "Output/Window start in ms lies before the start of the run: the averages begin with the "
-      "run.");
+  check_window(p, findings);
 }
 
 void check_chain(const Parameters &p, Findings &findings)
@@ -163,7 +191,7 @@ void check_model(const Parameters &p, Findings &findings)
       "Drive/Layout/Centre distance from = pretension stretches the chain before the start, "
       "which " +
           chosen + " cannot do with its elastic parts; choose given, slack or sag.");
-  findings.contradiction(p.model.half && !elastic,
+  findings.contradiction(p.model.half == HalfModel::yes && !elastic,
                          "Model/Half model = true is for elastic bodies: " + chosen + " has none.");
   findings.contradiction(
       elastic && p.mesh.inner_link.along.value_or(4) < 4,
@@ -183,7 +211,7 @@ void check_model(const Parameters &p, Findings &findings)
       "Contact/Roller-tooth stiffness in N/m and Roller-bush stiffness in N/m follow from the "
       "elastic parts in " +
           chosen + ": leave them auto and choose Penalty factor.");
-  findings.contradiction(!elastic && p.contact.plate_faces == PlateFaces::on,
+  findings.contradiction(!elastic && p.contact.plate_faces == Switch::on,
                          "Contact/Plate faces = on is for elastic bodies: " + chosen +
                              " has none; choose off.");
   findings.contradiction(!elastic && p.model.elastic_sprockets == Switch::on,
@@ -193,13 +221,9 @@ void check_model(const Parameters &p, Findings &findings)
   findings.contradiction(arriving && !elastic,
                          "Model/Elastic links = arriving contradicts " + chosen +
                              ", in which no link is elastic; choose all, or Fidelity = full.");
-  findings.contradiction(arriving && p.model.half,
+  findings.contradiction(arriving && p.model.half == HalfModel::yes,
                          "Model/Half model = true cannot be with Elastic links = arriving, whose "
                          "rigid links are whole; choose false, or Elastic links = all.");
-  findings.contradiction(arriving && p.model.elastic_sprockets == Switch::on,
-                         "Model/Elastic sprockets = on contradicts Elastic links = arriving, in "
-                         "which both sprockets are rigid; choose auto or off, or Elastic links = "
-                         "all.");
   findings.note(
       start != Start::warm && p.loads.ramp_time > p.time.end,
       "Loads/Ramp time in ms ends after the run: the driver does not reach its full speed.");
@@ -207,6 +231,94 @@ void check_model(const Parameters &p, Findings &findings)
   findings.note(
       p.loads.torque_after_step != 0. && !p.loads.torque_step_time,
       "Loads/Torque after step in N m has no effect, since Torque step time in ms is auto.");
+}
+
+/// What is switched on or off in an elastic model must fit together.
+void check_elasticity(const Parameters &p, Findings &findings)
+{
+  const Effects    &effects  = p.effects;
+  const std::string chosen   = chosen_fidelity(p);
+  const bool        elastic  = p.model.capabilities().is_elastic;
+  const bool        arriving = p.model.elastic_links == ElasticLinks::arriving;
+  for (const auto &[name, choice] :
+       {std::pair<const char *, Switch>{"Elastic links", effects.elastic_links},
+        {"Elastic rollers", effects.elastic_rollers},
+        {"Elastic driver", effects.elastic_driver},
+        {"Elastic driven", effects.elastic_driven},
+        {"Plate bending", effects.plate_bending}})
+    findings.contradiction(!elastic && choice == Switch::on,
+                           std::string("Effects/") + name + " = on contradicts " + chosen +
+                               ", in which no body is elastic; choose auto or off, or Model/"
+                               "Fidelity = full.");
+  if (!elastic)
+    return;
+  for (const auto &[name, choice] :
+       {std::pair<const char *, Switch>{"Effects/Elastic driver", effects.elastic_driver},
+        {"Effects/Elastic driven", effects.elastic_driven},
+        {"Model/Elastic sprockets", p.model.elastic_sprockets}})
+    {
+      findings.contradiction(arriving && choice == Switch::on,
+                             std::string(name) +
+                                 " = on contradicts Elastic links = arriving, in which both "
+                                 "sprockets are rigid; choose auto or off, or Elastic links = "
+                                 "all.");
+      findings.contradiction(choice == Switch::on && effects.elastic_rollers == Switch::off,
+                             std::string(name) +
+                                 " = on needs elastic rollers, whose nodes touch the teeth, but "
+                                 "Effects/Elastic rollers = off; choose auto for one of them.");
+    }
+  findings.contradiction(effects.plate_bending == Switch::on && !elastic_links(p).on,
+                         "Effects/Plate bending = on needs elastic links; choose Effects/Elastic "
+                         "links = on, or Plate bending = auto.");
+  for (const auto &[name, body] :
+       {std::pair<const char *, Decision>{"Elastic links", elastic_links(p)},
+        {"Elastic rollers", elastic_rollers(p)}})
+    findings.contradiction(p.model.half == HalfModel::yes && !body.on,
+                           std::string("Model/Half model = true needs elastic links and rollers, "
+                                       "since rigid ones are whole, but Effects/") +
+                               name + " is off (" + body.reason +
+                               "); choose on, or Half model = auto.");
+}
+
+/// What is asked for by its name must be there.
+void check_quantities(const Parameters &p, Findings &findings)
+{
+  const Output     &output    = p.output;
+  const std::string chosen    = chosen_fidelity(p);
+  const bool        elastic   = p.model.capabilities().is_elastic;
+  const auto        asked_for = [](const QuantityGroup group) {
+    return "Output/Quantities = " + text_of(group);
+  };
+  for (const auto &[group, what, decision] :
+       {std::tuple<QuantityGroup, const char *, Decision>{
+            QuantityGroup::plate_stress, "Elastic links", elastic_links(p)},
+        {QuantityGroup::surface_velocity, "Elastic rollers", elastic_rollers(p)}})
+    findings.contradiction(output.names(group) && !decision.on,
+                           asked_for(group) + " needs Effects/" + what + ", which " +
+                               (elastic ? "is off (" + decision.reason + "); choose on" :
+                                          chosen + " has not; choose Model/Fidelity = full") +
+                               ", or leave " + text_of(group) + " out.");
+  findings.contradiction(output.names(QuantityGroup::joint_forces) &&
+                             !p.model.capabilities().has_clearances,
+                         asked_for(QuantityGroup::joint_forces) +
+                             " needs joints between rollers, bushes and pins, which " + chosen +
+                             " has not; choose Model/Fidelity = layered or full, or leave joint "
+                             "forces out.");
+  findings.contradiction(output.names(QuantityGroup::fields) && output.field_interval == 0.,
+                         asked_for(QuantityGroup::fields) +
+                             " needs an interval, but Output/Field interval in ms = 0 writes "
+                             "none; give one above zero, or leave fields out.");
+  findings.note(output.names(QuantityGroup::plate_stress) && elastic &&
+                    p.effects.plate_bending == Switch::off,
+                asked_for(QuantityGroup::plate_stress) +
+                    ": plates do not bend out of their planes, since Effects/Plate bending = off.");
+  if (!elastic || p.model.elastic_links == ElasticLinks::arriving)
+    return;
+  for (const auto &[role, name] : texts_of<Role>)
+    for (const Needs &needs : all_needs)
+      findings.note(needs.sprockets && output.names(needs.group) && !elastic_sprocket(p, role).on,
+                    asked_for(needs.group) + " would be nearer to the truth with Effects/Elastic " +
+                        name + ", which is off: " + needs.reason + ".");
 }
 
 void check_effects(const Parameters &p, Findings &findings)
@@ -242,6 +354,14 @@ void check_effects(const Parameters &p, Findings &findings)
         effects.chain_damping == Switch::on,
         "Effects/Chain damping = on contradicts " + chosen_fidelity(p) +
             ", which has no bars: Contact/Damping ratio damps its joints. Choose auto or off.");
+  for (const auto &[name, choice] :
+       {std::pair<const char *, Switch>{"Roller-bush clearance", effects.roller_bush_clearance},
+        {"Bush-pin clearance", effects.bush_pin_clearance}})
+    findings.contradiction(!clearances && choice == Switch::on,
+                           std::string("Effects/") + name + " = on contradicts " +
+                               chosen_fidelity(p) +
+                               ", which has no joints; choose auto or off, or Model/Fidelity = "
+                               "layered.");
 }
 } // namespace
 
@@ -252,6 +372,8 @@ std::vector<std::string> cross_check(const Parameters &parameters)
   check_chain(parameters, findings);
   check_model(parameters, findings);
   check_effects(parameters, findings);
+  check_elasticity(parameters, findings);
+  check_quantities(parameters, findings);
   check_mesh(parameters.mesh, findings);
 
   std::string message;

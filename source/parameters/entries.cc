@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/parameters/entries.h>
 
+#include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -139,16 +140,17 @@ Entry &add(Declarations          &declarations,
            std::optional<double> &member,
            const int              exponent,
            const Range           &range,
-           const std::string     &meaning)
+           const std::string     &meaning,
+           const std::string     &empty)
 {
   return declarations.add(
       name,
-      member ? to_entry_text(*member, exponent) : "auto",
-      "auto or " + range.text(),
+      member ? to_entry_text(*member, exponent) : empty,
+      empty + " or " + range.text(),
       meaning,
-      [range](const std::string &text) { return text == "auto" || is_in(text, range); },
-      [&member, exponent](const std::string &text) {
-        if (text == "auto")
+      [range, empty](const std::string &text) { return text == empty || is_in(text, range); },
+      [&member, exponent, empty](const std::string &text) {
+        if (text == empty)
           member.reset();
         else
           member = from_entry_text(text, exponent).value_or(0.);
@@ -209,6 +211,32 @@ Entry &add_choice(Declarations                                   &declarations,
         return std::find(texts.begin(), texts.end(), text) != texts.end();
       },
       store);
+}
+
+Entry &add_choices(Declarations                                                &declarations,
+                   const std::string                                           &name,
+                   const std::vector<std::string>                              &texts,
+                   const std::string                                           &meaning,
+                   const std::function<void(const std::vector<std::string> &)> &store)
+{
+  std::string listed, alternatives;
+  for (const std::string &text : texts)
+    {
+      listed += (listed.empty() ? "" : ", ") + text;
+      alternatives += (alternatives.empty() ? "" : "|") + text;
+    }
+  const dealii::Patterns::MultipleSelection pattern(alternatives);
+  return declarations.add(
+      name,
+      "all",
+      "all, or some of these separated by commas: " + listed,
+      meaning,
+      [pattern](const std::string &text) {
+        return text == "all" || (!text.empty() && pattern.match(text));
+      },
+      [store](const std::string &text) {
+        store(text == "all" ? std::vector<std::string>() : split_at_commas(text));
+      });
 }
 
 Entry &add_text(Declarations      &declarations,

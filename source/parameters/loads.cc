@@ -33,6 +33,40 @@ void Effects::declare(Declarations &declarations)
          drag,
          "Resistance of air or oil to the chain. auto: on when Loads/Drag in 1/s is not zero." +
              common);
+  const std::string play =
+      " auto: on. off: the bore has the diameter of what turns in it, whatever "
+      "Drive/Chain says; layered and full fidelity only.";
+  effect("Roller-bush clearance",
+         roller_bush_clearance,
+         "Play of the rollers on their bushes." + play);
+  effect("Bush-pin clearance",
+         bush_pin_clearance,
+         "Play of the pins in their bushes. Without it all pitches are the loaded ones of "
+         "Drive/Chain/Pitch set = standard: the mean pitch of the taut chain stays." +
+             play);
+  const std::string needed =
+      " full fidelity only. auto: on where one of Output/Quantities needs it (table at the end of "
+      "this document). off: ";
+  effect("Elastic links",
+         elastic_links,
+         "Deformation of inner and outer links." + needed +
+             "they are rigid, and their compliance is in the joints as in layered fidelity.");
+  effect("Elastic rollers",
+         elastic_rollers,
+         "Deformation of rollers." + needed +
+             "they are rigid, and their compliance is in Contact/Roller-tooth stiffness in N/m.");
+  const std::string rim =
+      "Deformation of the rim of the sprocket, from the hub diameter outwards; of an imported "
+      "one, of all but its physical volume hub zone. It needs elastic rollers.";
+  effect("Elastic driver", elastic_driver, rim + needed + "the sprocket is rigid.");
+  effect("Elastic driven", elastic_driven, rim + needed + "the sprocket is rigid.");
+  effect("Plate bending",
+         plate_bending,
+         "Bending of the plates out of their planes. auto: on in elastic links. off: the "
+         "middle surfaces of the plates stay where they are across the chain, and the links with "
+         "them; plates may still become thinner, so that their state stays one of plane stress. "
+         "Bending in their planes comes with elastic links: without it nothing would be left of "
+         "their deformation but that of a bar, which is simple fidelity.");
 }
 
 void Loads::declare(Declarations &declarations)

@@ -20,7 +20,9 @@ void Model::declare(Declarations &declarations)
       half,
       "Computes only the halves of all bodies on one side of the chain's middle plane, which is a "
       "plane of symmetry as long as nothing pushes the chain sideways; full fidelity only. Forces, "
-      "masses and energies are reported of whole bodies. Costs half as much.");
+      "masses and energies are reported of whole bodies. Costs half as much. auto: true where all "
+      "bodies of the chain are elastic, plates do not touch and no fields are asked for, whose "
+      "pictures show whole bodies.");
   add(declarations,
       "Mass per pitch in g",
       mass_per_pitch,
@@ -55,16 +57,16 @@ void Model::declare(Declarations &declarations)
   add(declarations,
       "Elastic links",
       elastic_links,
-      "Which links and rollers are elastic; full fidelity only. arriving: those that the driver "
+      "Of which joints the links and rollers are elastic, if Effects/Elastic links and Elastic "
+      "rollers are on; full fidelity only. arriving: those that the driver "
       "takes in between Output/Window start in ms and Window end in ms, and two more before and "
       "after them; all others, and both sprockets, are rigid as in layered fidelity. For what "
       "single links feel as they engage, at a fraction of the cost.");
   add(declarations,
       "Elastic sprockets",
       elastic_sprockets,
-      "Whether the rims of the sprockets, from the hub diameter outwards, are elastic; full "
-      "fidelity only. Of an imported sprocket, all but its physical volume hub zone is its rim. "
-      "auto: on in full fidelity but for Elastic links = arriving. off: both sprockets are rigid.");
+      "Both Effects/Elastic driver and Elastic driven, where they are auto. off: both sprockets "
+      "are rigid. auto: as these say.");
 }
 
 void Material::declare(Declarations &declarations)

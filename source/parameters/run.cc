@@ -2,8 +2,15 @@
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/run.h>
 
+#include <algorithm>
+
 namespace chaindrive::parameters
 {
+bool Output::names(const QuantityGroup group) const
+{
+  return std::find(quantities.begin(), quantities.end(), group) != quantities.end();
+}
+
 void Time::declare(Declarations &declarations)
 {
   const Subsection section(declarations, "Time");
@@ -63,6 +70,13 @@ void Output::declare(Declarations &declarations)
            "Where the results go, relative to the directory that the program is started in. "
            "Default: results/ and the name of the .prm file. The option --output overrides it.");
   add(declarations,
+      "Quantities",
+      quantities,
+      "What the run is asked for. The rest is not computed: it has no history, no member of the "
+      "summary and costs nothing; and an effect that is auto is left out where nothing asked for "
+      "needs it (see the table at the end). all: whatever the fidelity has.")
+      .on_resume = OnResume::must_stay;
+  add(declarations,
       "History interval in us",
       history_interval,
       unit::micro,
@@ -75,7 +89,8 @@ void Output::declare(Declarations &declarations)
       field_interval,
       unit::milli,
       between(0., 1e9),
-      "Time between two pictures of all bodies for ParaView; 0 writes none.");
+      "Time between two pictures of all bodies for ParaView; 0 writes none. Only if Quantities "
+      "are all or name fields.");
   add(declarations,
       "Rollers",
       rollers,
@@ -92,7 +107,10 @@ void Output::declare(Declarations &declarations)
       unit::milli,
       between(0., 1e9),
       "Begin of the window over which summary.json averages; choose it after the start-up "
-      "transient. Default: the drive in prm/paper has settled by then.")
+      "transient. settled: when the means over pitch times of tension, driven speed and driver "
+      "torque have stopped drifting (doc/theory.md); the run ends when the window is full, at End "
+      "time at the latest. Default: the drive in prm/paper has settled by then.",
+      "settled")
       .on_resume = OnResume::must_stay_if_links_arrive;
   add(declarations,
       "Window end in ms",
@@ -101,6 +119,13 @@ void Output::declare(Declarations &declarations)
       above(0., 1e9),
       "End of that window. auto: the end of the run.")
       .on_resume = OnResume::must_stay_if_links_arrive;
+  add(declarations,
+      "Window length in pitches",
+      window_pitches,
+      1,
+      1000000,
+      "Length, in whole pitch times of the driver, of a window that begins when the drive has "
+      "settled.");
   add(declarations,
       "Checkpoint interval in ms",
       checkpoint_interval,

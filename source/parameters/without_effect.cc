@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/needs.h>
 #include <chaindrive/parameters/without_effect.h>
 
 namespace chaindrive::parameters
@@ -28,9 +29,15 @@ std::vector<Rule> rules(const Parameters &p)
        chosen + " has no bushes and pins"},
       {has_clearances, {"Model/Chain damping ratio"}, chosen + " has no bars"},
       {!is_elastic, {"Contact/Penalty factor", "Elements/"}, chosen + " has no elastic bodies"},
-      {!is_elastic && p.output.field_interval == 0.,
+      {!is_elastic && !fields(p).on,
        {"Mesh/"},
-       chosen + " needs meshes for pictures only, and Output/Field interval in ms = 0 writes none"},
+       chosen + " needs meshes for pictures only, and none are written: " + fields(p).reason},
+      {!p.output.asks_for(QuantityGroup::fields),
+       {"Output/Field interval in ms"},
+       "Output/Quantities do not name fields"},
+      {p.output.window_start.has_value(),
+       {"Output/Window length in pitches"},
+       "Output/Window start in ms is a time"},
       {p.drive.layout.start == Start::warm,
        {"Loads/Speed ramp", "Loads/Ramp time in ms", "Loads/Torque ramp angle in rad"},
        layout + "Start = warm begins at full speed under full load"},

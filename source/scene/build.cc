@@ -92,6 +92,8 @@ Scene build_scene(const Parameters               &parameters,
   scene.elements        = parameters.elements;
   scene.effects         = decide_effects(parameters);
   scene.loads           = effective_loads(parameters, scene.effects);
+  scene.half            = is_on(scene.effects, "half model");
+  scene.plates_bend     = is_on(scene.effects, "plate bending");
   scene.sense           = layout.sense;
   scene.at_speed        = layout.sprockets.front().speed != 0.;
   scene.n_joints        = static_cast<unsigned int>(layout.joints.size());

@@ -66,10 +66,12 @@ void add_chain_bodies(const Parameters        &parameters,
                       const std::vector<char> &elastic_joint,
                       Scene                   &scene)
 {
-  const drive::Layout &layout = drive.layout;
-  const unsigned int   n      = scene.n_joints;
-  const double         factor = link_mass_factor(parameters, drive);
-  scene.mass_per_pitch        = drive.roller_solid.mass +
+  const drive::Layout &layout          = drive.layout;
+  const unsigned int   n               = scene.n_joints;
+  const double         factor          = link_mass_factor(parameters, drive);
+  const bool           elastic_rollers = is_on(scene.effects, "elastic rollers");
+  const bool           elastic_links   = is_on(scene.effects, "elastic links");
+  scene.mass_per_pitch                 = drive.roller_solid.mass +
                          0.5 * factor * (drive.inner_link_solid.mass + drive.outer_link_solid.mass);
   scene.notes.push_back(
       "Mass per pitch " + to_text(scene.mass_per_pitch * 1e3, 4) + " g (" +
@@ -85,7 +87,7 @@ void add_chain_bodies(const Parameters        &parameters,
                     k,
                     drive.roller_solid,
                     1.,
-                    elastic_joint[k] ? Motion::elastic : Motion::rigid,
+                    elastic_joint[k] && elastic_rollers ? Motion::elastic : Motion::rigid,
                     placed(joint.roller, 0., joint.velocity, roller_spin(layout, k))));
     }
   for (unsigned int k = 0; k < n; ++k)
@@ -93,7 +95,7 @@ void add_chain_bodies(const Parameters        &parameters,
       const auto                &link = layout.links[k];
       const dealii::Tensor<1, 2> velocity =
           0.5 * (layout.joints[k].velocity + layout.joints[(k + 1) % n].velocity);
-      const bool elastic = elastic_joint[k] && elastic_joint[(k + 1) % n];
+      const bool elastic = elastic_links && elastic_joint[k] && elastic_joint[(k + 1) % n];
       scene.bodies.push_back(
           make_body(link.inner ? Kind::inner_link : Kind::outer_link,
                     k,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/needs.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/effects.h>
 #include <chaindrive/utilities/text.h>
@@ -9,8 +10,8 @@
 
 namespace chaindrive::scene
 {
-using parameters::ElasticLinks;
-using parameters::PlateFaces;
+using parameters::Decision;
+using parameters::Role;
 using parameters::Switch;
 
 namespace
@@ -36,7 +37,7 @@ double largest_friction(const Parameters &p)
   double largest = of(contact.roller_tooth_friction);
   if (p.model.capabilities().has_clearances)
     largest = std::max({largest, of(contact.roller_bush_friction), of(contact.bush_pin_friction)});
-  if (p.model.capabilities().is_elastic && contact.plate_faces == PlateFaces::on)
+  if (parameters::plate_faces(p).on)
     largest = std::max(largest, contact.friction_coefficient);
   return largest;
 }
@@ -49,10 +50,11 @@ std::vector<Effect> decide_effects(const Parameters &p)
   const double      friction              = largest_friction(p);
 
   std::vector<Effect> effects;
-  effects.push_back({"joint clearances",
-                     has_clearances,
-                     fidelity + (has_clearances ? "roller, bush and pin are bodies of their own" :
-                                                  "roller, bush and pin are one lump")});
+  const auto          add = [&effects](const std::string &name, const Decision &decision) {
+    effects.push_back({name, decision.on, decision.reason});
+  };
+  add("roller-bush clearance", parameters::clearance(p, p.effects.roller_bush_clearance));
+  add("bush-pin clearance", parameters::clearance(p, p.effects.bush_pin_clearance));
   effects.push_back(
       {"chain bars",
        !has_clearances,
@@ -78,34 +80,14 @@ std::vector<Effect> decide_effects(const Parameters &p)
                            "acceleration " + to_text(p.loads.gravity) + " m/s2"));
   effects.push_back(decide(
       "drag", p.effects.drag, p.loads.drag, "coefficient " + to_text(p.loads.drag) + " 1/s"));
-  const bool arriving = is_elastic && p.model.elastic_links == ElasticLinks::arriving;
-  effects.push_back({"elastic bodies",
-                     is_elastic,
-                     arriving   ? fidelity + "rollers and links that arrive in the window" :
-                     is_elastic ? fidelity + "rollers, inner and outer links" :
-                                  "no group of bodies is elastic in this fidelity"});
-  const bool elastic_sprockets =
-      is_elastic && !arriving && p.model.elastic_sprockets != Switch::off;
-  effects.push_back({"elastic sprockets",
-                     elastic_sprockets,
-                     elastic_sprockets ? fidelity + "rims, held by rigid hubs" :
-                     arriving          ? "rigid beside rigid links: Elastic links = arriving" :
-                     is_elastic        ? "switched off in section Model" :
-                                         "no group of bodies is elastic in this fidelity"});
-  if (is_elastic)
-    effects.push_back({"plate faces",
-                       p.contact.plate_faces == PlateFaces::on,
-                       p.contact.plate_faces == PlateFaces::on ?
-                           "asked for in section Contact: between elastic links" :
-                           "Contact/Plate faces: plates pass through each other"});
-  if (is_elastic)
-    effects.push_back(
-        {"half model",
-         p.model.half,
-         p.model.half ? "asked for: the middle plane is a plane of symmetry" : "whole bodies"});
-  effects.push_back({"fields",
-                     p.output.field_interval > 0.,
-                     "field interval " + to_text(p.output.field_interval * 1e3) + " ms"});
+  add("elastic links", parameters::elastic_links(p));
+  add("elastic rollers", parameters::elastic_rollers(p));
+  add("elastic driver", parameters::elastic_sprocket(p, Role::driver));
+  add("elastic driven", parameters::elastic_sprocket(p, Role::driven));
+  add("plate bending", parameters::plate_bending(p));
+  add("plate faces", parameters::plate_faces(p));
+  add("half model", parameters::half_model(p));
+  add("fields", parameters::fields(p));
   return effects;
 }
 

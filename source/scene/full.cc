@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/stiffness.h>
 #include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/utilities/text.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,13 +20,39 @@ double thickness(const Scene &scene, const Kind kind, const mesh::Surface side)
   const mesh::Part &part = *scene.parts.at(kind);
   return mesh::SurfaceNodes(part, mesh::Nodes(part), side).thickness;
 }
+/// Puts what the rigid one of roller and bush would give way locally in series with the penalty:
+/// else it would be lost. A cylinder of radius R that approaches the wall of a hole wider by c by d
+/// would overlap by d cos t - c (1 - cos t) at the angle t, up to cos a = c / (c + d). When two
+/// foundations of the modulus K [N/m3] share that, the load per length is
+///
+///   q = K/2 R ((c + d) (a + sin(2 a)/2) - 2 c sin a),
+///
+/// from which K follows with the approach d under q of conforming contact, in which equal materials
+/// give way alike.
+void add_foundation(const drive::Drive &drive, Scene &scene, ContactLaw &law)
+{
+  const drive::ChainDimensions  &chain  = drive.chain;
+  const double                   radius = 0.5 * chain.bush_diameter, c = chain.roller_clearance();
+  const double                   q       = drive.reference_load / chain.roller_length;
+  const drive::ConformingContact contact = drive::conforming_contact(radius, c, q, scene.material);
+  const double                   d = contact.approach, a = std::acos(c / (c + d));
+  const double                   modulus =
+      2. * q / (radius * ((c + d) * (a + 0.5 * std::sin(2. * a)) - 2. * c * std::sin(a)));
+  const double softer = modulus / (modulus + law.stiffness);
+  for (double *stiffness : {&law.stiffness, &law.tangential_stiffness})
+    *stiffness *= softer;
+  for (double *damping : {&law.damping, &law.tangential_damping})
+    *damping *= std::sqrt(softer); // of the same ratio
+  scene.notes.push_back("One of roller and bush is rigid: a foundation of " + to_text(modulus, 4) +
+                        " N/m3, its local compliance, is in series with the penalty of their "
+                        "contact");
+}
 } // namespace
 
 void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
 {
   const std::vector<char> elastic = elastic_joints(parameters, drive, scene);
   add_chain_bodies(parameters, drive, elastic, scene);
-  scene.half                    = parameters.model.half;
   scene.parts[Kind::roller]     = make_roller_part(parameters, drive);
   scene.parts[Kind::inner_link] = make_link_part(parameters, drive, true);
   scene.parts[Kind::outer_link] = make_link_part(parameters, drive, false);
@@ -49,9 +77,11 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
                     Kind::inner_link,
                     mesh::bush_outside_first,
                     parameters.contact.roller_bush_friction);
-  pins.name       = "bush-pin";
-  pins.elastic    = true;
-  pins.law        = law(Kind::inner_link,
+  if (is_on(scene.effects, "elastic rollers") != is_on(scene.effects, "elastic links"))
+    add_foundation(drive, scene, rollers.law);
+  pins.name    = "bush-pin";
+  pins.elastic = true;
+  pins.law     = law(Kind::inner_link,
                  mesh::bush_bore_first,
                  Kind::outer_link,
                  mesh::pin_outside_first,
@@ -60,29 +90,33 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
                         to_text(rollers.law.stiffness, 4) + ", bush-pin " +
                         to_text(pins.law.stiffness, 4));
 
-  const drive::ChainDimensions &chain = drive.chain;
+  const drive::ChainDimensions &chain      = drive.chain;
+  const auto                    is_elastic = [&scene](const unsigned int body) {
+    return scene.bodies[body].motion == Motion::elastic;
+  };
   for (unsigned int k = 0; k < scene.n_joints; ++k)
     {
-      if (!elastic[k])
-        continue;
       const Joint joint     = joint_of(k, drive, scene.n_joints);
       const bool  at_first  = joint.bush_x < 0.; // of the inner link's two bushes
       const bool  pin_first = joint.pin_x < 0.;
-      rollers.pairs.push_back({k,
-                               dealii::Point<3>(),
-                               0.5 * chain.roller_bore,
-                               {joint.inner, dealii::Point<3>(), 0.5 * chain.bush_diameter, k},
-                               mesh::roller_bore,
-                               at_first ? mesh::bush_outside_first : mesh::bush_outside_second});
-      pins.pairs.push_back({joint.inner,
-                            dealii::Point<3>(joint.bush_x, 0., 0.),
-                            0.5 * chain.bush_bore,
-                            {joint.outer, dealii::Point<3>(), 0.5 * chain.pin_diameter, k},
-                            at_first ? mesh::bush_bore_first : mesh::bush_bore_second,
-                            pin_first ? mesh::pin_outside_first : mesh::pin_outside_second});
+      if (is_elastic(k) || is_elastic(joint.inner))
+        rollers.pairs.push_back({k,
+                                 dealii::Point<3>(),
+                                 0.5 * chain.roller_bore,
+                                 {joint.inner, dealii::Point<3>(), 0.5 * chain.bush_diameter, k},
+                                 mesh::roller_bore,
+                                 at_first ? mesh::bush_outside_first : mesh::bush_outside_second});
+      if (is_elastic(joint.inner) || is_elastic(joint.outer))
+        pins.pairs.push_back({joint.inner,
+                              dealii::Point<3>(joint.bush_x, 0., 0.),
+                              0.5 * chain.bush_bore,
+                              {joint.outer, dealii::Point<3>(), 0.5 * chain.pin_diameter, k},
+                              at_first ? mesh::bush_bore_first : mesh::bush_bore_second,
+                              pin_first ? mesh::pin_outside_first : mesh::pin_outside_second});
     }
-  scene.bores.push_back(std::move(rollers));
-  scene.bores.push_back(std::move(pins));
+  for (BoreFamily *family : {&rollers, &pins})
+    if (!family->pairs.empty())
+      scene.bores.push_back(std::move(*family));
   if (is_on(scene.effects, "plate faces"))
     {
       FaceFamily plates;
@@ -108,7 +142,6 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
         }
       scene.faces.push_back(std::move(plates));
     }
-  if (std::count(elastic.begin(), elastic.end(), false) > 0)
-    add_rigid_joints(parameters, drive, scene);
+  add_rigid_joints(parameters, drive, scene);
 }
 } // namespace chaindrive::scene

@@ -36,10 +36,6 @@ void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, S
   // One bush-pin joint per pitch lies in the path of the tension; with rigid links it alone gives
   // the chain its stiffness, so plates and joint contact in series are put there.
   const double pin_stiffness = drive.stiffness_per_pitch;
-  scene.notes.push_back(
-      "Roller-bush stiffness " + to_text(bush_stiffness, 4) + " N/m (" +
-      (parameters.contact.roller_bush_stiffness ? "given" : "auto: conforming contact") +
-      "); bush-pin " + to_text(pin_stiffness, 4) + " N/m, plates and joint contact in series");
 
   BoreFamily rollers, pins;
   rollers.name = "roller-bush";
@@ -58,23 +54,34 @@ void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, S
                  .shared_by(2);
   for (unsigned int k = 0; k < n; ++k)
     {
-      const Joint joint = joint_of(k, drive, n);
-      if (scene.bodies[joint.inner].motion == Motion::elastic)
-        continue;
+      const Joint joint    = joint_of(k, drive, n);
+      const auto  is_rigid = [&scene](const unsigned int body) {
+        return scene.bodies[body].motion != Motion::elastic;
+      };
       for (const double z : line_stations(chain.roller_length))
-        rollers.pairs.push_back(
-            {k,
-             dealii::Point<3>(),
-             0.5 * chain.roller_bore,
-             {joint.inner, dealii::Point<3>(joint.bush_x, 0., z), 0.5 * chain.bush_diameter, k}});
+        if (is_rigid(k) && is_rigid(joint.inner))
+          rollers.pairs.push_back(
+              {k,
+               dealii::Point<3>(),
+               0.5 * chain.roller_bore,
+               {joint.inner, dealii::Point<3>(joint.bush_x, 0., z), 0.5 * chain.bush_diameter, k}});
       for (const double z : line_stations(chain.bush_length))
-        pins.pairs.push_back(
-            {joint.inner,
-             dealii::Point<3>(joint.bush_x, 0., 0.),
-             0.5 * chain.bush_bore,
-             {joint.outer, dealii::Point<3>(joint.pin_x, 0., z), 0.5 * chain.pin_diameter, k}});
+        if (is_rigid(joint.inner) && is_rigid(joint.outer))
+          pins.pairs.push_back(
+              {joint.inner,
+               dealii::Point<3>(joint.bush_x, 0., 0.),
+               0.5 * chain.bush_bore,
+               {joint.outer, dealii::Point<3>(joint.pin_x, 0., z), 0.5 * chain.pin_diameter, k}});
     }
-  scene.bores.push_back(std::move(rollers));
-  scene.bores.push_back(std::move(pins));
+  if (!rollers.pairs.empty())
+    scene.notes.push_back(
+        "Roller-bush stiffness " + to_text(bush_stiffness, 4) + " N/m (" +
+        (parameters.contact.roller_bush_stiffness ? "given" : "auto: conforming contact") + ")");
+  if (!pins.pairs.empty())
+    scene.notes.push_back("Bush-pin stiffness " + to_text(pin_stiffness, 4) +
+                          " N/m, plates and joint contact in series");
+  for (BoreFamily *family : {&rollers, &pins})
+    if (!family->pairs.empty())
+      scene.bores.push_back(std::move(*family));
 }
 } // namespace chaindrive::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/generate/sprocket.h>
+#include <chaindrive/parameters/needs.h>
 #include <chaindrive/scene/build.h>
 
 namespace chaindrive::scene
@@ -23,7 +24,7 @@ std::shared_ptr<const mesh::Part> make_roller_part(const Parameters   &parameter
                                   {cells.roller_wall.value_or(level.wall),
                                    cells.roller_around.value_or(level.around),
                                    cells.roller_along.value_or(level.along),
-                                   parameters.model.half}));
+                                   parameters::half_model(parameters).on}));
 }
 
 std::shared_ptr<const mesh::Part>
@@ -38,7 +39,7 @@ make_link_part(const Parameters &parameters, const drive::Drive &drive, const bo
   grid.rings          = cells.rings.value_or(grid.rings);
   grid.plate_layers   = cells.plate_layers.value_or(grid.plate_layers);
   grid.along          = cells.along.value_or(grid.along);
-  grid.half           = parameters.model.half;
+  grid.half           = parameters::half_model(parameters).on;
 
   const double density = parameters.material.density;
   return shared(inner ? mesh::make_inner_link(drive.chain, density, grid) :
@@ -55,6 +56,6 @@ std::shared_ptr<const mesh::Part> make_sprocket_part(const Parameters      &para
                           shape,
                           parameters.material.density,
                           parameters.mesh.sprocket_refinement.value_or(parameters.mesh.refinement),
-                          parameters.model.half));
+                          parameters::half_model(parameters).on));
 }
 } // namespace chaindrive::scene

@@ -24,15 +24,15 @@ std::shared_ptr<const mesh::Part> sprocket_part(const Parameters               &
                                                 const std::vector<std::string> &folders,
                                                 const Scene                    &scene)
 {
-  const bool         elastic = is_on(scene.effects, "elastic sprockets");
+  const bool         elastic = is_on(scene.effects, "elastic " + text_of(sprocket.role));
   const std::string &file    = sprocket.mesh;
   if (!file.empty())
     {
-      auto part = std::make_shared<const mesh::Part>(
-          mesh::import_sprocket(mesh::find_file(file, folders),
-                                sprocket.form,
-                                parameters.material.density,
-                                parameters.model.half && elastic));
+      auto part =
+          std::make_shared<const mesh::Part>(mesh::import_sprocket(mesh::find_file(file, folders),
+                                                                   sprocket.form,
+                                                                   parameters.material.density,
+                                                                   scene.half && elastic));
       if (const double width = mesh::flank_width(*part); width >= drive.chain.inner_width)
         throw InputError(
             "Drive/Sprockets/" + in_entries(sprocket.role) + " mesh = " + file + " has teeth " +
@@ -55,7 +55,7 @@ Body sprocket_body(const Parameters   &parameters,
   const drive::Sprocket         &sprocket = drive.sprockets[i];
   const drive::Layout::Sprocket &start    = drive.layout.sprockets[i];
   const drive::MassProperties   &solid    = sprocket.mesh.empty() ? sprocket.solid : part->meshed;
-  const bool                     rim      = is_on(scene.effects, "elastic sprockets");
+  const bool                     rim = is_on(scene.effects, "elastic " + text_of(sprocket.role));
 
   Body body;
   body.kind    = Kind::sprocket;

@@ -42,7 +42,7 @@ elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &s
   // joint 0 sits where the chain comes in; with every pitch that the driver turns joint n-1, n-2,
   // ... comes after it
   const double per_angle = drive.with(parameters::Role::driver).form.teeth / (2. * PI);
-  const double from      = parameters.output.window_start,
+  const double from      = parameters.output.window_start.value(),
                to        = parameters.output.window_end.value_or(parameters.time.end);
   int first              = n - static_cast<int>(std::ceil(per_angle * turned(scene, to))) - margin;
   int last = n - static_cast<int>(std::floor(per_angle * turned(scene, from))) + margin;

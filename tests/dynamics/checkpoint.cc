@@ -99,6 +99,6 @@ int main()
   parameters.loads.ramp_time    = 1e-6;
   parameters.model.fidelity     = parameters::Fidelity::full;
   compare("full", build(), 0.9);
-  parameters.model.half = true;
+  parameters.model.half = parameters::HalfModel::yes;
   compare("half", build(), 0.9);
 }

@@ -86,10 +86,10 @@ int main()
     p.contact.roller_tooth_stiffness    = 2e8;
   });
   check([](Parameters &p) { p.model.elastic_sprockets = Switch::on; });
-  check([](Parameters &p) { p.contact.plate_faces = PlateFaces::on; });
+  check([](Parameters &p) { p.contact.plate_faces = Switch::on; });
   check([](Parameters &p) {
     p.model.elastic_links = ElasticLinks::arriving;
-    p.model.half          = true;
+    p.model.half          = HalfModel::yes;
   });
   check([](Parameters &p) {
     p.model.fidelity          = Fidelity::full;
@@ -125,4 +125,62 @@ int main()
     p.model.fidelity        = Fidelity::layered;
   });
   check([](Parameters &p) { p.effects.drag = Switch::off; });
+  check([](Parameters &p) {
+    p.effects.roller_bush_clearance = p.effects.bush_pin_clearance = p.effects.elastic_links =
+        p.effects.elastic_driven = p.effects.plate_bending = Switch::on;
+  });
+
+  std::cout << "elasticity" << std::endl;
+  const auto full = [](const std::function<void(Parameters &)> &change) {
+    check([&change](Parameters &p) {
+      p.model.fidelity = Fidelity::full;
+      change(p);
+    });
+  };
+  full([](Parameters &p) {
+    p.effects.elastic_rollers = Switch::off;
+    p.effects.elastic_driver  = Switch::on;
+  });
+  full([](Parameters &p) {
+    p.effects.elastic_links = Switch::off;
+    p.effects.plate_bending = Switch::on;
+  });
+  full([](Parameters &p) {
+    p.model.half        = HalfModel::yes;
+    p.output.quantities = {QuantityGroup::tensions};
+  });
+
+  std::cout << "quantities" << std::endl;
+  check([](Parameters &p) {
+    p.output.quantities = {QuantityGroup::plate_stress,
+                           QuantityGroup::surface_velocity,
+                           QuantityGroup::joint_forces,
+                           QuantityGroup::tensions};
+  });
+  full([](Parameters &p) {
+    p.output.quantities     = {QuantityGroup::plate_stress, QuantityGroup::fields};
+    p.effects.elastic_links = Switch::off;
+    p.output.field_interval = 0.;
+  });
+  full([](Parameters &p) {
+    p.output.quantities       = {QuantityGroup::surface_velocity};
+    p.effects.elastic_rollers = Switch::off;
+  });
+  full([](Parameters &p) {
+    p.output.quantities      = {QuantityGroup::tensions, QuantityGroup::engagements};
+    p.effects.elastic_driven = Switch::off;
+  });
+  full([](Parameters &p) {
+    p.output.quantities     = {QuantityGroup::plate_stress};
+    p.effects.plate_bending = Switch::off;
+  });
+
+  std::cout << "settled window" << std::endl;
+  full([](Parameters &p) {
+    p.output.window_start.reset();
+    p.output.window_end   = 20e-3;
+    p.loads.driver_speed  = 0.;
+    p.model.elastic_links = ElasticLinks::arriving;
+  });
+  check([](Parameters &p) { p.output.window_start.reset(); });
 }

@@ -54,20 +54,24 @@ std::string check_choice(const std::string &name)
 
 void check_choices()
 {
-  const std::set<std::string> choices = {check_choice<PitchSet>("pitch set"),
-                                         check_choice<StandardForm>("standard form"),
-                                         check_choice<SeatCentre>("seat centre"),
-                                         check_choice<CentreDistanceFrom>("centre distance from"),
-                                         check_choice<TightSide>("tight side"),
-                                         check_choice<Start>("start"),
-                                         check_choice<Fidelity>("fidelity"),
-                                         check_choice<ElasticLinks>("elastic links"),
-                                         check_choice<Switch>("switch"),
-                                         check_choice<Formulation>("formulation"),
-                                         check_choice<PlateFaces>("plate faces"),
-                                         check_choice<Search>("search"),
-                                         check_choice<SpeedRamp>("speed ramp"),
-                                         check_choice<Role>("role")};
+  std::set<std::string> choices = {check_choice<PitchSet>("pitch set"),
+                                   check_choice<StandardForm>("standard form"),
+                                   check_choice<SeatCentre>("seat centre"),
+                                   check_choice<CentreDistanceFrom>("centre distance from"),
+                                   check_choice<TightSide>("tight side"),
+                                   check_choice<Start>("start"),
+                                   check_choice<Fidelity>("fidelity"),
+                                   check_choice<ElasticLinks>("elastic links"),
+                                   check_choice<Switch>("switch"),
+                                   check_choice<Formulation>("formulation"),
+                                   check_choice<HalfModel>("half model"),
+                                   check_choice<Search>("search"),
+                                   check_choice<SpeedRamp>("speed ramp"),
+                                   check_choice<Role>("role")};
+
+  std::string list = check_choice<QuantityGroup>("quantity group");
+  list.replace(list.find(" or "), 4, ", ");
+  choices.insert("all, or some of these separated by commas: " + list);
 
   // entries that are no choice take a number, any text, true or false
   const std::string      documentation = parameter_documentation();
@@ -101,10 +105,41 @@ void check_choices()
             << std::endl;
 }
 
+/// Lists of words: what is stored of each.
+void check_lists()
+{
+  std::vector<QuantityGroup> chosen;
+  Declarations               declarations;
+  Entry                      entry;
+  {
+    const Subsection section(declarations, "Lists");
+    entry = add(declarations, "Quantities", chosen, "A list.");
+  }
+  for (const char *text :
+       {"tensions", "plate stress,speeds", " speeds ,  fields", "all", "", "other", "all, speeds"})
+    {
+      std::cout << "  '" << text << "':";
+      try
+        {
+          declarations.set(entry, text, "");
+          for (const QuantityGroup group : chosen)
+            std::cout << ' ' << text_of(group) << ',';
+          std::cout << (chosen.empty() ? " all" : "") << std::endl;
+        }
+      catch (const chaindrive::InputError &)
+        {
+          std::cout << " refused" << std::endl;
+        }
+    }
+}
+
 int main()
 {
   std::cout << "choices" << std::endl;
   check_choices();
+
+  std::cout << "lists" << std::endl;
+  check_lists();
 
   std::cout << "SI value as text in an entry's unit" << std::endl;
   const auto print = [](const double value, const int exponent) {

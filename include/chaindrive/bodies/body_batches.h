@@ -92,8 +92,13 @@ public:
       visit(copy, lane_of(copy));
   }
 
-  /// Takes the forces along z from the nodes of a half part that stay in its middle plane.
-  void hold_middle_plane(unsigned int batch);
+  /// From now on the columns of nodes through the part's plates stay in place along z in the mean:
+  /// plates do not bend out of their planes, but may become thinner.
+  void stop_plate_bending();
+
+  /// Takes the forces along z from the nodes of a half part that stay in its middle plane, and of
+  /// columns that stay what would accelerate their centre of mass. Neither does work.
+  void hold_nodes(unsigned int batch);
 
   /// Position, and displacement since the start [m], at the present instant.
   dealii::Tensor<1, 3> position_now(unsigned int copy, unsigned int node) const;
@@ -121,6 +126,8 @@ public:
   double                            mass;   ///< of one copy: sum of its nodes', kg
 
   std::vector<unsigned int> on_middle_plane; ///< nodes of a half part that stay at z = 0
+
+  std::vector<std::vector<unsigned int>> plate_columns; ///< of nodes, that stay; empty: none
 
   std::vector<Frame> start; ///< per copy, its placement at the start
 

@@ -3,6 +3,7 @@
 
 #include <chaindrive/drive/catalogue.h>
 #include <chaindrive/parameters/drive.h>
+#include <chaindrive/parameters/loads.h>
 
 #include <string>
 #include <vector>
@@ -52,10 +53,12 @@ struct ChainDimensions
 /// - paper literal and nominal: inner p, outer p; under load p and p + 2 c alternate, p + c in the
 ///   mean.
 ///
-/// Elongation lengthens both loaded pitches by the same factor.
+/// Elongation lengthens both loaded pitches by the same factor. A joint whose clearance @p effects
+/// switch off has a bore of the diameter of what turns in it, c = 0 and all pitches p.
 ///
 /// @throws InputError for an unknown designation (names the nearest one and all others), a
 /// clearance that is negative, a wall without thickness, a roller that does not fit between the
 /// inner plates, plates that intersect.
-ChainDimensions make_chain(const parameters::Chain &chain);
+ChainDimensions make_chain(const parameters::Chain   &chain,
+                           const parameters::Effects &effects = parameters::Effects());
 } // namespace chaindrive::drive

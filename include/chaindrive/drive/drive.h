@@ -37,6 +37,7 @@ struct Drive
   double stiffness_per_pitch;    ///< of the chain, given or estimated, N/m
   double roller_tooth_stiffness; ///< estimate, N/m
   double roller_bush_stiffness;  ///< estimate at the nominal tight tension, N/m
+  double reference_load;         ///< at which they are estimated, N
   double nominal_tension;        ///< of the tight span: resisting torque / driven pitch radius, N
 
   std::vector<std::string> notes; ///< sentences for the log: choices made and values derived

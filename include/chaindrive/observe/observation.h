@@ -3,6 +3,7 @@
 
 #include <chaindrive/dynamics/system.h>
 #include <chaindrive/observe/spans.h>
+#include <chaindrive/observe/window.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/scene.h>
 
@@ -21,12 +22,8 @@ public:
   Observation(const Observation &)            = delete;
   Observation &operator=(const Observation &) = delete;
 
-  /// The system has gone a step of @p dt [s].
-  void next(const double dt)
-  {
-    dt_          = dt;
-    spans_known_ = false;
-  }
+  /// The system has gone a step of @p dt [s]. Collective.
+  void next(double dt);
 
   double time() const { return system.world.time; } ///< s
   double dt() const { return dt_; }                 ///< the step that led here, 0 at the start, s
@@ -34,6 +31,12 @@ public:
   /// Tensions of links and the state of the two spans. First rank only, which has all records of
   /// contacts.
   const Spans &spans() const;
+
+  /// Of the averages.
+  const Window &window() const { return window_; }
+
+  /// What it remembers from step to step. Collective.
+  void serialize(const Archive &archive) { window_.serialize(archive / "window"); }
 
   const scene::Scene       &scene;
   const Parameters         &parameters;
@@ -44,5 +47,6 @@ private:
   double        dt_ = 0.;
   mutable Spans spans_;
   mutable bool  spans_known_ = false;
+  Window        window_;
 };
 } // namespace chaindrive::observe

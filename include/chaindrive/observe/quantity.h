@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,7 +50,7 @@ private:
 ///       void add_channels(Channels &channels) override;
 ///       ...
 ///     };
-///     const Registered<Speed> registration("speed", 45);
+///     const Registered<Speed> registration("speed", 45, parameters::QuantityGroup::speeds);
 ///
 /// Every rank has all quantities of its scene. Functions do nothing unless overridden.
 class Quantity
@@ -62,6 +63,10 @@ public:
 
   /// Declares the histories. First rank only, before the first sample.
   virtual void add_channels(Channels &) {}
+
+  /// Whether update() or channels look at contact records, also those behind
+  /// Observation::spans(): only then are they brought to the first rank at every step.
+  virtual bool reads_contacts() const { return true; }
 
   /// Looks at the system before the first step and after each. First rank only.
   virtual void update() {}
@@ -91,16 +96,22 @@ public:
   using Make = std::function<std::unique_ptr<Quantity>(const Observation &start)>;
 
   /// Quantities follow each other by @p order, in histories as in checkpoints, where each has its
-  /// @p name; both must differ from those of all others.
-  Registration(const std::string &name, int order, Make make);
+  /// @p name; both must differ from those of all others. One of a @p group is made only when
+  /// Output/Quantities ask for that; one without, always.
+  Registration(const std::string                       &name,
+               int                                      order,
+               std::optional<parameters::QuantityGroup> group,
+               Make                                     make);
 };
 
 /// Registers T, which says with T::exists(start) whether a scene has it.
 template <typename T>
 struct Registered : Registration
 {
-  Registered(const std::string &name, const int order)
-      : Registration(name, order, [](const Observation &start) -> std::unique_ptr<Quantity> {
+  Registered(const std::string                              &name,
+             const int                                       order,
+             const std::optional<parameters::QuantityGroup> &group = std::nullopt)
+      : Registration(name, order, group, [](const Observation &start) -> std::unique_ptr<Quantity> {
         return T::exists(start) ? std::make_unique<T>(start) : nullptr;
       })
   {
@@ -114,7 +125,7 @@ struct NamedQuantity
   std::unique_ptr<Quantity> quantity;
 };
 
-/// All registered quantities that the scene of @p start has, in their order. They keep a reference
-/// to @p start.
+/// All registered quantities that are asked for and that the scene of @p start has, in their order.
+/// They keep a reference to @p start.
 std::vector<NamedQuantity> make_quantities(const Observation &start);
 } // namespace chaindrive::observe

@@ -28,6 +28,7 @@ public:
                        const std::string &parameter_text,
                        unsigned long      n_steps);
 
+  /// The run ends when a window that begins with the settled drive is full.
   bool        observe(dynamics::System &system, unsigned long step, double dt) override;
   std::string name() const override { return "recorder"; }
 
@@ -41,6 +42,9 @@ public:
   /// Writes what is left and closes the histories; of a run that is @p finished, what was kept to
   /// resume it is removed.
   void close(bool finished);
+
+  /// The window of the averages.
+  const Window &window() const { return now_.window(); }
 
   /// Adds what the quantities have to say of the run up to now. Collective.
   void summarize(files::Json &summary) const;
@@ -61,6 +65,7 @@ private:
   Observation                now_;
   std::vector<NamedQuantity> quantities_;
   Schedule                   samples_;
+  bool                       reads_contacts_; ///< see Quantity
   bool                       takes_samples_ = false;
   std::optional<Sampling>    sampling_; ///< on the first rank
 };

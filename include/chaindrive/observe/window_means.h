@@ -13,8 +13,8 @@
 
 namespace chaindrive::observe
 {
-/// What the summary says of numbers over the window from Output/Window start to Window end: their
-/// means. The value at the end of a step stands for the whole step.
+/// What the summary says of numbers over the window of the averages (Window): their means. The
+/// value at the end of a step stands for the whole step.
 class WindowMeans
 {
 public:

@@ -9,17 +9,6 @@ namespace chaindrive::parameters
 {
 class Declarations;
 
-/// Whether faces of plates touch or pass through each other.
-enum class PlateFaces
-{
-  off,
-  on
-};
-
-template <>
-inline constexpr Texts<PlateFaces, 2> texts_of<PlateFaces>{
-    {{PlateFaces::off, "off"}, {PlateFaces::on, "on"}}};
-
 /// When surfaces that may touch are searched for anew.
 enum class Search
 {
@@ -41,7 +30,7 @@ struct Contact
   std::optional<double> roller_tooth_friction, roller_bush_friction, bush_pin_friction;
   double                tangential_ratio = 0.8; ///< sticking over normal stiffness
   double                penalty_factor   = 0.5; ///< of elastic bodies
-  PlateFaces            plate_faces      = PlateFaces::off;
+  Switch                plate_faces      = Switch::automatic;
   Search                search           = Search::displacement;
 
   /// Declares an entry for each member, which takes every value that is set. The object must

@@ -57,13 +57,14 @@ Entry &add(Declarations      &declarations,
            const Range       &range,
            const std::string &meaning);
 
-/// A number in the unit 10^@p exponent, or `auto`, which leaves the member empty.
+/// A number in the unit 10^@p exponent, or the word @p empty, which leaves the member empty.
 Entry &add(Declarations          &declarations,
            const std::string     &name,
            std::optional<double> &member,
            int                    exponent,
            const Range           &range,
-           const std::string     &meaning);
+           const std::string     &meaning,
+           const std::string     &empty = "auto");
 
 /// A whole number, both ends of the range included.
 Entry &add(Declarations      &declarations,
@@ -100,6 +101,32 @@ add(Declarations &declarations, const std::string &name, Enum &member, const std
   return add_choice(
       declarations, name, text_of(member), texts, meaning, [&member](const std::string &text) {
         member = *value_of<Enum>(text);
+      });
+}
+
+/// `all` or some of @p texts, separated by commas, which @p store puts into its member: none for
+/// `all`.
+Entry &add_choices(Declarations                                                &declarations,
+                   const std::string                                           &name,
+                   const std::vector<std::string>                              &texts,
+                   const std::string                                           &meaning,
+                   const std::function<void(const std::vector<std::string> &)> &store);
+
+/// `all`, which is the default and leaves the member empty, or some values of a choice.
+template <typename Enum>
+Entry &add(Declarations      &declarations,
+           const std::string &name,
+           std::vector<Enum> &member,
+           const std::string &meaning)
+{
+  std::vector<std::string> texts;
+  for (const Text<Enum> &choice : texts_of<Enum>)
+    texts.emplace_back(choice.text);
+  return add_choices(
+      declarations, name, texts, meaning, [&member](const std::vector<std::string> &chosen) {
+        member.clear();
+        for (const std::string &text : chosen)
+          member.push_back(*value_of<Enum>(text));
       });
 }
 

@@ -55,6 +55,18 @@ template <>
 inline constexpr Texts<ElasticLinks, 2> texts_of<ElasticLinks>{
     {{ElasticLinks::all, "all"}, {ElasticLinks::arriving, "arriving"}}};
 
+/// Whether only the halves of bodies at z >= 0 are computed.
+enum class HalfModel
+{
+  automatic,
+  no,
+  yes
+};
+
+template <>
+inline constexpr Texts<HalfModel, 3> texts_of<HalfModel>{
+    {{HalfModel::automatic, "auto"}, {HalfModel::no, "false"}, {HalfModel::yes, "true"}}};
+
 template <>
 inline constexpr Texts<Formulation, 3> texts_of<Formulation>{{{Formulation::one_point, "one point"},
                                                               {Formulation::enhanced, "enhanced"},
@@ -66,13 +78,13 @@ struct Model
   Fidelity     fidelity = Fidelity::simple;
   Capabilities capabilities() const { return capabilities_of(fidelity); }
 
-  bool                  half = false;        ///< elastic bodies: only their halves at z >= 0
-  std::optional<double> mass_per_pitch;      ///< kg, of the whole chain per pitch
+  HalfModel             half = HalfModel::automatic; ///< see needs.h
+  std::optional<double> mass_per_pitch;              ///< kg, of the whole chain per pitch
   std::optional<double> stiffness_per_pitch; ///< N/m, of the chain in a pull test, per pitch
   std::optional<double> driven_inertia;      ///< kg m2, of all that turns with the driven hub
   double                chain_damping_ratio = 0.01; ///< of two lumps on their bar, simple only
   ElasticLinks          elastic_links       = ElasticLinks::all;
-  Switch elastic_sprockets = Switch::automatic; ///< automatic: on in an elastic fidelity
+  Switch elastic_sprockets = Switch::automatic; ///< those on which section Effects does not decide
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.

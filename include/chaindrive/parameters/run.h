@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/parameters/choice.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,16 +26,53 @@ struct Time
   void declare(Declarations &declarations);
 };
 
+/// What a run may be asked for: a group of quantities, or fields.
+enum class QuantityGroup
+{
+  speeds,
+  tensions,
+  tooth_forces,
+  joint_forces,
+  roller_motion,
+  engagements,
+  surface_velocity,
+  plate_stress,
+  energy,
+  fields
+};
+
+template <>
+inline constexpr Texts<QuantityGroup, 10> texts_of<QuantityGroup>{
+    {{QuantityGroup::speeds, "speeds"},
+     {QuantityGroup::tensions, "tensions"},
+     {QuantityGroup::tooth_forces, "tooth forces"},
+     {QuantityGroup::joint_forces, "joint forces"},
+     {QuantityGroup::roller_motion, "roller motion"},
+     {QuantityGroup::engagements, "engagements"},
+     {QuantityGroup::surface_velocity, "surface velocity"},
+     {QuantityGroup::plate_stress, "plate stress"},
+     {QuantityGroup::energy, "energy"},
+     {QuantityGroup::fields, "fields"}}};
+
 /// Section `Output`.
 struct Output
 {
+  std::vector<QuantityGroup> quantities; ///< that are asked for; empty: all that the scene has
+
+  /// Whether @p group is asked for by its name.
+  bool names(QuantityGroup group) const;
+
+  /// Whether it is asked for, by its name or among all.
+  bool asks_for(const QuantityGroup group) const { return quantities.empty() || names(group); }
+
   std::string               directory;                  ///< empty: results/<name of the .prm file>
   double                    history_interval = 20e-6;   ///< s
   double                    field_interval   = 1e-3;    ///< s; 0 writes no fields
   std::vector<unsigned int> rollers;                    ///< chosen rollers; empty: all
   bool                      csv          = false;       ///< histories as CSV beside HDF5
-  double                    window_start = 10e-3;       ///< s, of the averages in summary.json
+  std::optional<double>     window_start = 10e-3;       ///< s, of the averages; empty: when settled
   std::optional<double>     window_end;                 ///< s; auto: the end of the run
+  unsigned int              window_pitches      = 10;   ///< length of a window that waits
   double                    checkpoint_interval = 0.;   ///< s, simulated; 0: none at such times
   double                    checkpoint_wait     = 600.; ///< s, elapsed; 0: none at such times
   double                    wall_clock_limit    = 0.;   ///< s, elapsed; 0: none

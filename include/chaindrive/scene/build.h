@@ -36,14 +36,15 @@ elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &s
 /// span, of the inner link that carries it; zero unless the start is warm.
 double roller_spin(const drive::Layout &layout, unsigned int k);
 
-/// Rollers, inner and outer links of a chain with clearances: elastic where @p elastic_joint says
-/// so of the roller's joint or of both joints of the link, else rigid.
+/// Rollers, inner and outer links of a chain with clearances: elastic where the effect is on and
+/// @p elastic_joint says so of the roller's joint or of both joints of the link, else rigid.
 void add_chain_bodies(const Parameters        &parameters,
                       const drive::Drive      &drive,
                       const std::vector<char> &elastic_joint,
                       Scene                   &scene);
 
-/// Roller-bush and bush-pin interfaces of the joints whose bush is rigid, as in the layered model.
+/// Roller-bush and bush-pin interfaces of bodies that both are rigid, as in the layered model: none
+/// where there are none.
 void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
 
 /// At joint k meet the inner link whose bush it is and the outer link whose pin it is.

@@ -105,6 +105,7 @@ struct Scene
   double start_time          = 0.;    ///< s
   double prestress           = 0.;    ///< N, in the spans at the start
   bool   half                = false; ///< elastic bodies are halves, see mesh::Part::half
+  bool   plates_bend         = true;  ///< of elastic links, out of their planes
   bool   at_speed            = false; ///< the drive starts at full speed
   int    sense               = 1;     ///< +1: counter-clockwise drive
   std::map<PartOf, std::shared_ptr<const mesh::Part>>   parts;   ///< those that somebody needs

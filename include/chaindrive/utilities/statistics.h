@@ -26,6 +26,13 @@ public:
       }
   }
 
+  /// From now on the window is another one.
+  void move_to(const double start, const double end)
+  {
+    start_ = start;
+    end_   = end;
+  }
+
   /// Goes on from the mean of an @p earlier part of the run, which ended at @p time. Returns
   /// whether that is possible: up to then both windows must be the same.
   bool go_on_from(const WindowMean &earlier, const double time)

@@ -12,18 +12,20 @@ struct Line
 {
   const char *name;
   double Ledger::*term;
-  const char     *effect; ///< that fills the line; null: always there
+  const char     *effect; ///< that fills the line; null: always there; or elastic bodies
   const char     *description;
 };
+
+constexpr const char *elastic = "elastic bodies"; // of any kind
 
 constexpr Line lines[] = {
     {"kinetic", &Ledger::kinetic, nullptr, "Of all bodies but the prescribed hub"},
     {"potential", &Ledger::potential, "gravity", "Of gravity, zero at the start"},
     {"bar", &Ledger::bar, "chain bars", "Strain energy of the bars"},
-    {"strain", &Ledger::strain, "elastic bodies", "Strain energy of elastic bodies"},
+    {"strain", &Ledger::strain, elastic, "Strain energy of elastic bodies"},
     {"hourglass",
      &Ledger::hourglass,
-     "elastic bodies",
+     elastic,
      "In the hourglass stiffness of elastic bodies; physical bending for the enhanced elements"},
     {"contact", &Ledger::contact, nullptr, "Stored in the contact springs"},
     {"friction_loss", &Ledger::friction, "friction", "Lost by friction since the start"},
@@ -44,6 +46,8 @@ public:
 
   static bool exists(const Observation &) { return true; }
 
+  bool reads_contacts() const override { return false; }
+
   void add_channels(Channels &channels) override
   {
     const Ledger &ledger = now_.system.world.ledger;
@@ -52,8 +56,13 @@ public:
           channels.add({"energy", name, "J", description},
                        [&ledger, value](const Channels::Row row) { row[0] = ledger.*value; });
         };
+    const auto is_there = [this](const Line &line) {
+      return line.effect == nullptr ||
+             (line.effect == elastic ? now_.scene.has_elastic_bodies() :
+                                       scene::is_on(now_.scene.effects, line.effect));
+    };
     for (const Line &line : lines)
-      if (line.effect == nullptr || scene::is_on(now_.scene.effects, line.effect))
+      if (is_there(line))
         term(line.name, line.description, line.term);
     term("drive_work", "Of the driver on the chain since the start", &Ledger::drive_work);
     term("resisting_work", "Against the load torque since the start", &Ledger::resisting_work);
@@ -72,6 +81,6 @@ public:
   }
 };
 
-const Registered<Energy> registration("energy", 80);
+const Registered<Energy> registration("energy", 80, parameters::QuantityGroup::energy);
 } // namespace
 } // namespace chaindrive::observe

@@ -192,8 +192,8 @@ private:
   /// number with fewer than two.
   double mean_pitch_time() const
   {
-    const double      start  = now_.parameters.output.window_start;
-    const double      end    = now_.parameters.output.window_end.value_or(now_.parameters.time.end);
+    const double      start  = now_.window().start();
+    const double      end    = std::min(now_.window().end(), now_.parameters.time.end);
     const std::string driver = text_of(parameters::Role::driver);
     double            first = 0., last = 0.;
     unsigned int      n = 0;
@@ -211,6 +211,7 @@ private:
   std::vector<Engagement> found_;
 };
 
-const Registered<Engagements> registration("engagements", 110);
+const Registered<Engagements>
+    registration("engagements", 110, parameters::QuantityGroup::engagements);
 } // namespace
 } // namespace chaindrive::observe

@@ -20,6 +20,8 @@ public:
 
   static bool exists(const Observation &start) { return !start.scene.sprockets.empty(); }
 
+  bool reads_contacts() const override { return false; }
+
   void add_channels(Channels &channels) override
   {
     for (const scene::Sprocket &sprocket : now_.scene.sprockets)
@@ -73,6 +75,6 @@ private:
   WindowMeans means_;
 };
 
-const Registered<Hubs> registration("hubs", 10);
+const Registered<Hubs> registration("hubs", 10, parameters::QuantityGroup::speeds);
 } // namespace
 } // namespace chaindrive::observe

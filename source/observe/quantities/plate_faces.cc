@@ -50,6 +50,7 @@ private:
   std::vector<Kind> kinds_;
 };
 
-const Registered<PlateFaces> registration("plate faces", 70);
+const Registered<PlateFaces>
+    registration("plate faces", 70, parameters::QuantityGroup::joint_forces);
 } // namespace
 } // namespace chaindrive::observe

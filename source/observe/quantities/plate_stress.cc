@@ -34,6 +34,8 @@ public:
         start.scene, start.system, {scene::Kind::inner_link, scene::Kind::outer_link});
   }
 
+  bool reads_contacts() const override { return false; }
+
   void add_channels(Channels &channels) override
   {
     const unsigned int n   = now_.scene.n_joints;
@@ -92,6 +94,7 @@ private:
   std::vector<WaistStress> stress_; ///< per link, at the present sample
 };
 
-const Registered<PlateStressQuantity> registration("plate stress", 100);
+const Registered<PlateStressQuantity>
+    registration("plate stress", 100, parameters::QuantityGroup::plate_stress);
 } // namespace
 } // namespace chaindrive::observe

@@ -19,6 +19,8 @@ public:
 
   static bool exists(const Observation &start) { return start.scene.n_joints > 0; }
 
+  bool reads_contacts() const override { return false; }
+
   void add_channels(Channels &channels) override
   {
     const auto add = [&](const std::string &name,
@@ -63,6 +65,6 @@ private:
   std::vector<double> acceleration_; ///< of all bodies at the present sample
 };
 
-const Registered<Rollers> registration("rollers", 20);
+const Registered<Rollers> registration("rollers", 20, parameters::QuantityGroup::roller_motion);
 } // namespace
 } // namespace chaindrive::observe

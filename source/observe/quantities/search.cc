@@ -16,6 +16,8 @@ public:
 
   static bool exists(const Observation &) { return true; }
 
+  bool reads_contacts() const override { return false; }
+
   void summarize(files::Json &summary) const override
   {
     const contact::Contacts &contacts = now_.system.contacts;

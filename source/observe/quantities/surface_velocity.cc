@@ -26,6 +26,8 @@ public:
     return has_elastic(start.scene, start.system, {scene::Kind::roller});
   }
 
+  bool reads_contacts() const override { return false; }
+
   void add_channels(Channels &channels) override
   {
     const auto add = [&](const std::string          &name,
@@ -72,6 +74,7 @@ private:
   std::vector<dealii::Tensor<1, 3>> velocity_; ///< of now_.rollers at the present sample, m/s
 };
 
-const Registered<SurfaceVelocity> registration("surface velocity", 90);
+const Registered<SurfaceVelocity>
+    registration("surface velocity", 90, parameters::QuantityGroup::surface_velocity);
 } // namespace
 } // namespace chaindrive::observe

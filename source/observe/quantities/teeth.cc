@@ -112,6 +112,6 @@ private:
   std::vector<ToothForces> sprockets_;
 };
 
-const Registered<Teeth> registration("teeth", 50);
+const Registered<Teeth> registration("teeth", 50, parameters::QuantityGroup::tooth_forces);
 } // namespace
 } // namespace chaindrive::observe

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/parameters/drive.h>
+#include <chaindrive/parameters/parameters.h>
+
+#include <array>
+#include <string>
+
+namespace chaindrive::parameters
+{
+/// What of an elastic model the quantities of a group depend on. Effects that cost nothing, such as
+/// friction, clearances or gravity, are not listed: all quantities feel them, and they are on
+/// wherever they can act.
+struct Needs
+{
+  QuantityGroup group;
+  bool          links, rollers, sprockets; ///< elastic ones
+  bool          both_halves;
+  const char   *reason;
+};
+
+inline constexpr std::array<Needs, 10> all_needs{
+    {{QuantityGroup::speeds,
+      true,
+      false,
+      false,
+      false,
+      "the driven sprocket swings on the stiffness of the spans, which is that of the links"},
+     {QuantityGroup::tensions,
+      true,
+      false,
+      false,
+      false,
+      "spans are links in series; rollers and teeth are not in the path of their force"},
+     {QuantityGroup::tooth_forces,
+      true,
+      true,
+      true,
+      false,
+      "teeth share the load by the compliance of links, rollers and teeth"},
+     {QuantityGroup::joint_forces,
+      true,
+      true,
+      true,
+      false,
+      "a bush bears what the tooth presses on its roller"},
+     {QuantityGroup::roller_motion,
+      true,
+      true,
+      true,
+      false,
+      "a roller rebounds from a tooth by what both give way"},
+     {QuantityGroup::engagements,
+      true,
+      true,
+      true,
+      false,
+      "the peak of an impact grows with the root of the stiffness of roller and tooth"},
+     {QuantityGroup::surface_velocity,
+      true,
+      true,
+      true,
+      false,
+      "the ring of a roller vibrates when it meets a tooth"},
+     {QuantityGroup::plate_stress, true, false, false, false, "plates bear the tension and bend"},
+     {QuantityGroup::energy, true, true, true, false, "each has its share of the strain energy"},
+     {QuantityGroup::fields, true, true, true, true, "pictures show whole bodies and stresses"}}};
+
+/// Something that is decided from the entries before anything is built.
+struct Decision
+{
+  bool        on;
+  std::string reason; ///< a phrase: why
+};
+
+/// Whether inner and outer links, rollers, and the rim of the sprocket of a role are elastic.
+Decision elastic_links(const Parameters &p);
+Decision elastic_rollers(const Parameters &p);
+Decision elastic_sprocket(const Parameters &p, Role role);
+
+/// Whether only the halves of bodies at z >= 0 are computed.
+Decision half_model(const Parameters &p);
+
+/// Whether plates bend out of their planes, and whether their faces touch.
+Decision plate_bending(const Parameters &p);
+Decision plate_faces(const Parameters &p);
+
+/// Whether fields are written.
+Decision fields(const Parameters &p);
+
+/// Whether the cylinders of a joint have play. @p choice is the entry of section Effects.
+Decision clearance(const Parameters &p, Switch choice);
+
+/// The table of what needs what, in Markdown.
+std::string documentation_of_needs();
+} // namespace chaindrive::parameters
