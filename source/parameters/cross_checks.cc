@@ -139,8 +139,14 @@ void check_chain(const Parameters &p, Findings &findings)
           " cuts the seats for the nominal pitch: the rollers would ride up the flanks as on worn "
           "sprockets. Choose Seat centre = bottom diameter with both bottom diameters, or Pitch "
           "set = standard.");
+  findings.note(p.effects.bush_pin_clearance == Switch::off &&
+                    drive.chain.pitch_set != PitchSet::standard,
+                "Effects/Bush-pin clearance = off shortens the taut chain of Drive/Chain/Pitch set "
+                "= " +
+                    text_of(drive.chain.pitch_set) +
+                    " by the radial clearance per pitch; with standard it keeps its pitch.");
   findings.note(
-      drive.chain.pitch_set == PitchSet::nominal,
+      drive.chain.pitch_set == PitchSet::nominal && p.effects.bush_pin_clearance != Switch::off,
       "Drive/Chain/Pitch set = nominal: the loaded chain is a radial clearance per pitch longer "
       "than its sprockets are cut for, and rides up their flanks like a worn chain.");
 

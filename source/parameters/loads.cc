@@ -41,23 +41,24 @@ void Effects::declare(Declarations &declarations)
          "Play of the rollers on their bushes." + play);
   effect("Bush-pin clearance",
          bush_pin_clearance,
-         "Play of the pins in their bushes. Without it all pitches are the loaded ones of "
-         "Drive/Chain/Pitch set = standard: the mean pitch of the taut chain stays." +
+         "Play of the pins in their bushes. Without it the holes of all links are a pitch apart: "
+         "with Drive/Chain/Pitch set = standard the pitch of the taut chain stays, with the others "
+         "it loses the clearance." +
              play);
   const std::string needed =
-      " full fidelity only. auto: on where one of Output/Quantities needs it (table at the end of "
+      "; full fidelity only. auto: on where one of Output/Quantities needs it (table at the end of "
       "this document). off: ";
   effect("Elastic links",
          elastic_links,
-         "Deformation of inner and outer links." + needed +
+         "Deformation of inner and outer links" + needed +
              "they are rigid, and their compliance is in the joints as in layered fidelity.");
   effect("Elastic rollers",
          elastic_rollers,
-         "Deformation of rollers." + needed +
+         "Deformation of rollers" + needed +
              "they are rigid, and their compliance is in Contact/Roller-tooth stiffness in N/m.");
   const std::string rim =
       "Deformation of the rim of the sprocket, from the hub diameter outwards; of an imported "
-      "one, of all but its physical volume hub zone. It needs elastic rollers.";
+      "one, of all but its physical volume hub zone. It needs elastic rollers";
   effect("Elastic driver", elastic_driver, rim + needed + "the sprocket is rigid.");
   effect("Elastic driven", elastic_driven, rim + needed + "the sprocket is rigid.");
   effect("Plate bending",

@@ -126,6 +126,20 @@ Decision fields(const Parameters &p)
           "field interval " + to_entry_text(p.output.field_interval, unit::milli) + " ms"};
 }
 
+Decision stress_recovery(const Parameters &p)
+{
+  const bool plates = elastic_links(p).on && p.output.asks_for(QuantityGroup::plate_stress);
+  const bool bodies = (elastic_links(p).on || elastic_rollers(p).on) && fields(p).on;
+  if (!plates && !bodies)
+    return {false,
+            p.model.capabilities().is_elastic ? "neither plate stress nor fields of elastic bodies "
+                                                "are asked for" :
+                                                "no body is elastic"};
+  return {true,
+          std::string(plates ? "at the waists of plates" : "") + (plates && bodies ? ", " : "") +
+              (bodies ? "in pictures" : "")};
+}
+
 Decision clearance(const Parameters &p, const Switch choice)
 {
   if (!p.model.capabilities().has_clearances)

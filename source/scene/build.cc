@@ -37,6 +37,19 @@ auto builder_of(const parameters::Fidelity fidelity)
   throw std::logic_error("a fidelity has no builder");
 }
 
+/// What is observed, and what is not since nobody asks for it.
+std::string note_of_quantities(const parameters::Output &output)
+{
+  std::string asked, left_out;
+  for (const auto &[group, name] : parameters::texts_of<parameters::QuantityGroup>)
+    {
+      std::string &list = output.asks_for(group) ? asked : left_out;
+      list += (list.empty() ? "" : ", ") + std::string(name);
+    }
+  return left_out.empty() ? "Output/Quantities = all: whatever the fidelity has is observed" :
+                            "Observed: " + asked + "; not asked for and not computed: " + left_out;
+}
+
 Tensor3 embed(const dealii::Tensor<1, 2> &v)
 {
   Tensor3 result;
@@ -105,6 +118,11 @@ Scene build_scene(const Parameters               &parameters,
   scene.span_normal         = embed(layout.span(true).normal);
   scene.stiffness_per_pitch = drive.stiffness_per_pitch;
   scene.notes               = drive.notes;
+  scene.notes.push_back(note_of_quantities(parameters.output));
+  scene.effects.push_back({"start-up",
+                           !scene.at_speed,
+                           "Drive/Layout/Start = " + text_of(parameters.drive.layout.start) +
+                               (scene.at_speed ? ": at full speed" : ": from rest")});
   if (parameters.drive.layout.centre_distance_from == parameters::CentreDistanceFrom::pretension)
     scene.prestress = parameters.drive.layout.pretension;
   if (scene.at_speed)

@@ -88,6 +88,7 @@ std::vector<Effect> decide_effects(const Parameters &p)
   add("plate faces", parameters::plate_faces(p));
   add("half model", parameters::half_model(p));
   add("fields", parameters::fields(p));
+  add("stress recovery", parameters::stress_recovery(p));
   return effects;
 }
 

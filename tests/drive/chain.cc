@@ -58,6 +58,22 @@ int main()
     for (const double elongation : {0., 0.01})
       print_pitches(set, elongation);
 
+  std::cout << "== no play: bores fit, and the standard chain keeps its loaded pitch\n";
+  parameters::Effects effects;
+  effects.roller_bush_clearance = effects.bush_pin_clearance = parameters::Switch::off;
+  for (const auto &[set, name] : parameters::texts_of<parameters::PitchSet>)
+    {
+      parameters::Chain chain;
+      chain.pitch_set = set;
+      const auto with = drive::make_chain(chain), without = drive::make_chain(chain, effects);
+      std::cout << name << ": clearances " << 1e6 * without.roller_clearance() << ' '
+                << 1e6 * without.pin_clearance() << ", diameters of bush and pin stay: "
+                << (with.bush_diameter == without.bush_diameter &&
+                    with.pin_diameter == without.pin_diameter)
+                << ", loaded pitch over that with play "
+                << without.loaded_pitch() / with.loaded_pitch() << '\n';
+    }
+
   std::cout << "== every chain of the tables: clearances, walls, order along the pin\n";
   unsigned int chains = 0, sound = 0;
   for (const std::string &name : drive::chain_designations())

@@ -62,6 +62,11 @@ int main()
     p.drive.sprockets.driven.bottom_diameter = 202.82e-3;
   });
   check([](Parameters &p) { p.drive.chain.pitch_set = PitchSet::nominal; });
+  check([](Parameters &p) {
+    p.drive.chain.pitch_set      = PitchSet::nominal;
+    p.model.fidelity             = Fidelity::layered;
+    p.effects.bush_pin_clearance = Switch::off;
+  });
   check([](Parameters &p) { p.drive.sprockets.driver.mesh = "driver.msh"; });
   check([](Parameters &p) { p.output.rollers = {0, 109, 110}; });
 

@@ -75,8 +75,8 @@ private:
 /// - Momentum. When all forces between bodies are equal and opposite,
 ///     sum m v - sum m v at the start + integral of (force on hubs - gravity - drag) dt
 ///   is zero to round-off with central differences, whatever the step: a reaction that is lost or
-///   has the wrong sign stays in it. Only along x and y in half models and where plates do not bend out
-///   of their planes.
+///   has the wrong sign stays in it. Only along x and y in half models and where plates do not bend
+///   out of their planes.
 /// - Energy. No loss and no stored energy is negative, the imbalance does not jump from one look to
 ///   the next by more than the step explains, and the losses do not fall.
 /// - Overlap. No surfaces overlap by Family::senseless_overlap(): a contact that pulls instead of

@@ -89,6 +89,9 @@ Decision plate_faces(const Parameters &p);
 /// Whether fields are written.
 Decision fields(const Parameters &p);
 
+/// Whether stresses are found from the deformation of elastic bodies.
+Decision stress_recovery(const Parameters &p);
+
 /// Whether the cylinders of a joint have play. @p choice is the entry of section Effects.
 Decision clearance(const Parameters &p, Switch choice);
 
