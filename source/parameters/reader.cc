@@ -117,7 +117,7 @@ public:
     std::vector<Loop> loops;
     for (const Entry &entry : declarations_.entries())
       if (const auto given = values_.find(entry.path());
-          given != values_.end() && is_loop(given->second))
+          given != values_.end() && is_loop(given->second) && may_be_loop(entry))
         loops.push_back({entry.path(), given->second});
     return loops;
   }
@@ -326,10 +326,16 @@ private:
     return all.empty() ? "" : " There are: " + join(all) + ".";
   }
 
+  /// What the section Study says is of the whole study, but for the ranks.
+  static bool may_be_loop(const Entry &entry)
+  {
+    return entry.section != "Study" || entry.name == "Ranks";
+  }
+
   /// @p where begins a message.
   void set_value(const Entry &entry, const std::string &value, const std::string &where)
   {
-    if (is_study_ && is_loop(value))
+    if (is_study_ && is_loop(value) && may_be_loop(entry))
       {
         values_[entry.path()] = value; // its values are checked with the variants
         return;
@@ -341,10 +347,10 @@ private:
       }
     catch (const InputError &error)
       {
-        errors_.emplace_back(error.what() + std::string(is_loop(value) ?
-                                                            " Loops belong to studies, which are "
-                                                            "run by: chaindrive study FILE.prm." :
-                                                            ""));
+        errors_.emplace_back(error.what());
+        if (is_loop(value) && !is_study_)
+          errors_.back() +=
+              " Loops belong to studies, which are run by: chaindrive study FILE.prm.";
       }
   }
 
@@ -417,12 +423,7 @@ read_study(const std::string &file, const std::vector<std::string> &overrides, c
     reader.read_override(override_text);
   reader.throw_errors();
 
-  const std::vector<Loop> loops = reader.loops();
-  for (const Loop &loop : loops)
-    if (loop.path.compare(0, 6, "Study/") == 0 && loop.path != "Study/Ranks")
-      throw InputError(loop.path + " = " + loop.text +
-                       ": of the entries of section Study only "
-                       "Ranks may be a loop.");
+  const std::vector<Loop>        loops = reader.loops();
   const std::vector<Choices>     all   = combinations(loops);
   const std::vector<std::string> names = names_of(loops, all);
   for (std::size_t i = 0; i < all.size(); ++i)

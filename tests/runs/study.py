@@ -151,7 +151,7 @@ def refuse():
             ("Study/Names has 3 names for 2 variants", LOOP + "set Names = a, b, c"),
             ("two variants called 'a'", LOOP + "set Names = a, a"),
             ("Study/Phases = 0 is not allowed", LOOP + "set Phases = 0"),
-            ("only Ranks may be a loop", LOOP + "set Phases = {1|2}"),
+            ("Study/Phases = {1|2} is not allowed: it must be a whole number", LOOP + "set Phases = {1|2}"),
             ("Loads/Drag in 1/s = {{0|1|2}} has 3 values, but there are 2 variants",
              LOOP + "end\nsubsection Loads\n set Drag in 1/s = {{0|1|2}}"),
             ("is no loop: write {a | b}", "end\nsubsection Model\n set Fidelity = {simple|layered"),
