@@ -2,6 +2,7 @@
 #include <chaindrive/dynamics/time_loop.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/simulation.h>
+#include <chaindrive/statics/part_stiffness.h>
 #include <chaindrive/utilities/ranks.h>
 
 #include <deal.II/base/mpi.h>
@@ -9,7 +10,8 @@
 
 // READ THIS FILE FIRST. What flows through the program, in the order in which it does:
 //
-//   .prm -> Parameters -> Drive -> Scene -> System (World, forces) -> time loop -> Summary
+//   .prm -> Parameters -> Drive (with the stiffness of its parts) -> Scene -> System (World,
+//   forces) -> time loop -> Summary
 //
 // run_command.cc puts files and the console around it.
 
@@ -45,7 +47,7 @@ Simulation::Simulation(const Parameters               &parameters,
                        const std::vector<std::string> &folders,
                        const MPI_Comm                  comm)
     : parameters(parameters)
-    , drive(drive::make_drive(parameters))
+    , drive(drive::make_drive(parameters, statics::part_stiffness(parameters, comm)))
     , scene(scene::build_scene(parameters, drive, folders))
 {
   if (!scene.has_elastic_bodies() && rank_in(comm) != 0)

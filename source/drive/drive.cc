@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/drive/rest.h>
-#include <chaindrive/drive/stiffness.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
@@ -116,7 +115,7 @@ RestingChain resting_chain(const Parameters &p, const Drive &d)
   RestingChain chain;
   chain.weight          = mass * gravity(p);
   chain.roller_radius   = 0.5 * d.chain.roller_diameter;
-  chain.tooth_stiffness = p.contact.roller_tooth_stiffness.value_or(d.roller_tooth_stiffness);
+  chain.tooth_stiffness = d.roller_tooth_stiffness;
   if (!p.model.capabilities().has_clearances)
     {
       const double mean     = d.chain.loaded_pitch();
@@ -129,7 +128,7 @@ RestingChain resting_chain(const Parameters &p, const Drive &d)
   chain.outer_stiffness = 0.5 * d.stiffness_per_pitch; // two joints in series
   chain.inner_stiffness = 1e3 * d.stiffness_per_pitch; // as good as rigid
   chain.bush_clearance  = d.chain.roller_clearance();
-  chain.bush_stiffness  = p.contact.roller_bush_stiffness.value_or(d.roller_bush_stiffness);
+  chain.bush_stiffness  = d.roller_bush_stiffness;
   return chain;
 }
 
@@ -146,7 +145,7 @@ const Sprocket &Drive::with(const Role role) const
   });
 }
 
-Drive make_drive(const Parameters &parameters)
+Drive make_drive(const Parameters &parameters, const StiffnessOf &stiffness_of)
 {
   const parameters::Sprockets   &sprockets = parameters.drive.sprockets;
   const Material                &steel     = parameters.material;
@@ -181,19 +180,23 @@ Drive make_drive(const Parameters &parameters)
   const ToothForm &driven = d.with(Role::driven).form;
   d.nominal_tension       = parameters.loads.resisting_torque / (0.5 * driven.pitch_diameter);
   // contact stiffness depends on the load: without one, a load that strains steel visibly
-  d.reference_load         = d.nominal_tension > 0. ?
-                                 d.nominal_tension :
-                                 1e-5 * steel.youngs_modulus * d.chain.pitch * d.chain.pitch;
-  d.roller_tooth_stiffness = roller_tooth_stiffness(d.chain, steel);
-  d.roller_bush_stiffness  = roller_bush_stiffness(d.chain, d.reference_load, steel);
-  d.stiffness_per_pitch    = parameters.model.stiffness_per_pitch.value_or(
-      chain_stiffness(d.chain, d.reference_load, steel));
+  d.reference_load                   = d.nominal_tension > 0. ?
+                                           d.nominal_tension :
+                                           1e-5 * steel.youngs_modulus * d.chain.pitch * d.chain.pitch;
+  const PartStiffness        parts   = stiffness_of ? stiffness_of(d, d.reference_load) :
+                                                      estimated_stiffness(d.chain, d.reference_load, steel);
+  const parameters::Model   &given   = parameters.model;
+  const parameters::Contact &contact = parameters.contact;
+  append(d.notes, parts.notes);
+  d.stiffness_per_pitch    = given.stiffness_per_pitch.value_or(parts.per_pitch);
+  d.roller_bush_stiffness  = contact.roller_bush_stiffness.value_or(parts.roller_bush);
+  d.roller_tooth_stiffness = contact.roller_tooth_stiffness.value_or(
+      model.has_clearances ? parts.roller_tooth : parts.pressed_roller());
   if (!model.is_elastic) // there the elastic bodies give way
     {
-      const parameters::Contact &given = parameters.contact;
-      const Pull                 load  = hardest_pull(parameters, 0.5 * driven.pitch_diameter);
+      const Pull load = hardest_pull(parameters, 0.5 * driven.pitch_diameter);
       refuse_soft("Contact/Roller-tooth stiffness in N/m",
-                  given.roller_tooth_stiffness.value_or(d.roller_tooth_stiffness),
+                  d.roller_tooth_stiffness,
                   load,
                   0.5 * d.chain.roller_diameter,
                   "rollers");
@@ -204,17 +207,16 @@ Drive make_drive(const Parameters &parameters)
                   "pins");
       if (model.has_clearances)
         refuse_soft("Contact/Roller-bush stiffness in N/m",
-                    given.roller_bush_stiffness.value_or(d.roller_bush_stiffness),
+                    d.roller_bush_stiffness,
                     load,
                     0.5 * d.chain.bush_diameter,
                     "bushes");
     }
-  d.notes.push_back(
-      "Stiffness per pitch " + to_text(d.stiffness_per_pitch, 4) + " N/m (" +
-      (parameters.model.stiffness_per_pitch ?
-           "given" :
-           "auto: plates and joint contact at " + to_text(d.reference_load, 4) + " N") +
-      ")");
+  d.notes.push_back("Stiffness per pitch " + to_text(d.stiffness_per_pitch, 4) + " N/m (" +
+                    (given.stiffness_per_pitch ?
+                         "given" :
+                         "auto: two links pulled with " + to_text(d.reference_load, 4) + " N") +
+                    ")");
 
   std::vector<ToothForm> forms;
   for (const Sprocket &sprocket : d.sprockets)

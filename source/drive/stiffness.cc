@@ -12,8 +12,6 @@ using dealii::numbers::PI;
 
 namespace
 {
-double in_series(const double a, const double b) { return a * b / (a + b); }
-
 /// Right-hand side of E' clearance / q = f(b^2), b = tan(half angle / 2).
 double persson(const double b2)
 {
@@ -30,25 +28,9 @@ double pressure(const double b2, const double t)
 }
 } // namespace
 
-double ring_stiffness(const double    outer_diameter,
-                      const double    bore,
-                      const double    length,
-                      const Material &steel)
-{
-  const double wall = 0.5 * (outer_diameter - bore), radius = 0.25 * (outer_diameter + bore);
-  const double moment = length * wall * wall * wall / 12.;
-  return steel.youngs_modulus * moment / (0.1488 * radius * radius * radius);
-}
-
 double line_contact_stiffness(const double length, const Material &steel)
 {
   return 0.25 * PI * steel.contact_modulus() * length;
-}
-
-double roller_tooth_stiffness(const ChainDimensions &c, const Material &steel)
-{
-  return in_series(ring_stiffness(c.roller_diameter, c.roller_bore, c.roller_length, steel),
-                   line_contact_stiffness(c.roller_length, steel));
 }
 
 ConformingContact conforming_contact(const double    radius,
@@ -130,5 +112,14 @@ double chain_stiffness(const ChainDimensions &c, const double load, const Materi
   const double outer = 2. * plate_stiffness(outer_plate(c), steel);
   const double joint = bush_pin_stiffness(c, load, steel);
   return 2. / (1. / inner + 1. / outer + 2. / joint);
+}
+
+PartStiffness
+estimated_stiffness(const ChainDimensions &chain, const double load, const Material &steel)
+{
+  return {chain_stiffness(chain, load, steel),
+          line_contact_stiffness(chain.roller_length, steel),
+          roller_bush_stiffness(chain, load, steel),
+          {"Stiffnesses that are auto are estimates from dimensions alone."}};
 }
 } // namespace chaindrive::drive

@@ -13,15 +13,16 @@ void Contact::declare(Declarations &declarations)
       unit::si,
       above(0., 1e13),
       "Force over approach of roller and tooth. For a rigid roller this is physics, not numerics: "
-      "the peak of an impact grows with its square root. auto: the roller as an elastic ring and "
-      "its line contact in series.");
+      "the peak of an impact grows with its square root. auto: a roller pressed between tooth and "
+      "bush, up to its centre in layered and to the bush in simple fidelity, see Model/Stiffness "
+      "from.");
   add(declarations,
       "Roller-bush stiffness in N/m",
       roller_bush_stiffness,
       unit::si,
       above(0., 1e13),
-      "Force over approach of roller and bush; layered fidelity only. auto: conforming contact of "
-      "the two cylinders at the tension that the load asks for.");
+      "Force over approach of roller and bush; layered fidelity only. auto: a roller "
+      "pressed between tooth and bush, see Model/Stiffness from.");
   add(declarations,
       "Damping ratio",
       damping_ratio,

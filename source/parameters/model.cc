@@ -37,8 +37,16 @@ void Model::declare(Declarations &declarations)
       above(0., 1e13),
       "Force over elongation of one pitch in a pull test, plates and joint in series. Best taken "
       "from a test: how plates hold pin and bush changes it by a factor of five. It sets the "
-      "resonance of the driven inertia on the tight span. auto: plates and joint contact, from "
-      "their dimensions.");
+      "resonance of the driven inertia on the tight span. auto: from Stiffness from, at the "
+      "tension "
+      "that the load asks for.");
+  add(declarations,
+      "Stiffness from",
+      stiffness_from,
+      "Where stiffnesses come from that are auto: those of a pitch, of roller and tooth, of roller "
+      "and bush. parts: elastic solutions of the links, the roller and the teeth, computed in some "
+      "seconds and kept for later runs in CHAINDRIVE_CACHE, XDG_CACHE_HOME/chaindrive or "
+      "~/.cache/chaindrive. dimensions: formulas, at once; wrong by 10 to 30 percent.");
   add(declarations,
       "Driven inertia in kg m2",
       driven_inertia,

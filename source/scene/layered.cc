@@ -30,9 +30,8 @@ void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, S
   const drive::ChainDimensions &chain = drive.chain;
   const unsigned int            n     = scene.n_joints;
   const double inner_mass = scene.bodies[n].mass, outer_mass = scene.bodies[n + 1].mass;
-  const double roller_mass = scene.bodies.front().mass;
-  const double bush_stiffness =
-      parameters.contact.roller_bush_stiffness.value_or(drive.roller_bush_stiffness);
+  const double roller_mass    = scene.bodies.front().mass;
+  const double bush_stiffness = drive.roller_bush_stiffness;
   // One bush-pin joint per pitch lies in the path of the tension; with rigid links it alone gives
   // the chain its stiffness, so plates and joint contact in series are put there.
   const double pin_stiffness = drive.stiffness_per_pitch;
@@ -76,7 +75,7 @@ void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, S
   if (!rollers.pairs.empty())
     scene.notes.push_back(
         "Roller-bush stiffness " + to_text(bush_stiffness, 4) + " N/m (" +
-        (parameters.contact.roller_bush_stiffness ? "given" : "auto: conforming contact") + ")");
+        (parameters.contact.roller_bush_stiffness ? "given" : "auto: a pressed roller") + ")");
   if (!pins.pairs.empty())
     scene.notes.push_back("Bush-pin stiffness " + to_text(pin_stiffness, 4) +
                           " N/m, plates and joint contact in series");

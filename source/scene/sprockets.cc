@@ -175,16 +175,15 @@ void add_sprockets(const Parameters               &parameters,
                    const std::vector<std::string> &folders,
                    Scene                          &scene)
 {
-  const std::optional<double> &given     = parameters.contact.roller_tooth_stiffness;
-  const double                 stiffness = given.value_or(drive.roller_tooth_stiffness);
-  const auto                   n_elastic =
+  const double stiffness = drive.roller_tooth_stiffness;
+  const auto   n_elastic =
       std::count_if(scene.bodies.begin(),
                     scene.bodies.begin() + scene.n_joints,
                     [](const Body &roller) { return roller.motion == Motion::elastic; });
   if (n_elastic < scene.n_joints)
     scene.notes.push_back(
         "Roller-tooth stiffness " + to_text(stiffness, 4) + " N/m (" +
-        (given ? "given" : "auto: ring and line contact in series") +
+        (parameters.contact.roller_tooth_stiffness ? "given" : "auto: a pressed roller") +
         "); a smaller value lowers impact peaks in proportion to its square root");
 
   for (unsigned int i = 0; i < drive.sprockets.size(); ++i)

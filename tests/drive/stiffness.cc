@@ -18,11 +18,11 @@ int main()
   const double                 degree = dealii::numbers::PI / 180.;
 
   std::cout << "== roller on tooth, kN/mm\n";
-  compare("ring", drive::ring_stiffness(10.16e-3, 7.52e-3, 7e-3, steel) * 1e-6, 21.93, 2);
   compare("line contact", drive::line_contact_stiffness(7e-3, steel) * 1e-6, 634.4, 1);
-  compare("in series",
-          drive::roller_tooth_stiffness(chain, steel) * 1e-6,
-          1. / (1. / 21.927 + 1. / 634.35),
+  const drive::PartStiffness all = drive::estimated_stiffness(chain, 1412., steel);
+  compare("roller between tooth and bush",
+          all.pressed_roller() * 1e-6,
+          1e-6 / (1. / all.roller_tooth + 1. / all.roller_bush),
           2);
 
   std::cout << "== roller on bush, R 3.715 mm, clearance 0.045 mm, 7 mm long\n";

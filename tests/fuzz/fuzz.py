@@ -67,7 +67,8 @@ class Inputs:
         random = Random(f"{self.seed} {i}")
         runs = random.random() < 0.2
         file = folder / "input.prm"
-        options = ([] if runs else ["plan"]) + [str(file)]
+        # elastic solutions take seconds for each chain
+        options = ([] if runs else ["plan"]) + [str(file), "--set", "Model/Stiffness from=dimensions"]
         if runs:
             options += [x for k, v in SHORT.items() for x in ("--set", f"{k}={v}")]
         if random.random() < 0.25:

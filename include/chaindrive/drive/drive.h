@@ -4,9 +4,11 @@
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/drive/layout.h>
 #include <chaindrive/drive/solids.h>
+#include <chaindrive/drive/stiffness.h>
 #include <chaindrive/drive/tooth_form.h>
 #include <chaindrive/parameters/parameters.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,10 +36,11 @@ struct Drive
   MassProperties roller_solid, inner_link_solid, outer_link_solid;
   double         mass_per_pitch; ///< of the solids: a roller and half of either link, kg
 
-  double stiffness_per_pitch;    ///< of the chain, given or estimated, N/m
-  double roller_tooth_stiffness; ///< estimate, N/m
-  double roller_bush_stiffness;  ///< estimate at the nominal tight tension, N/m
-  double reference_load;         ///< at which they are estimated, N
+  double stiffness_per_pitch;    ///< of the chain, given or auto, N/m
+  double roller_tooth_stiffness; ///< of the contact, given or auto: up to the roller's centre where
+                                 ///< rollers are bodies of their own, else up to the link's, N/m
+  double roller_bush_stiffness;  ///< of the contact, given or auto, N/m
+  double reference_load;         ///< at which those are taken that are auto, N
   double nominal_tension;        ///< of the tight span: resisting torque / driven pitch radius, N
 
   std::vector<std::string> notes; ///< sentences for the log: choices made and values derived
@@ -45,7 +48,12 @@ struct Drive
   const Sprocket &with(parameters::Role role) const;
 };
 
+/// Tells the stiffness of the parts of a drive, which has all but its layout, at a load [N].
+using StiffnessOf = std::function<PartStiffness(const Drive &drive, double load)>;
+
+/// Stiffnesses that are auto are those of @p stiffness_of at the nominal tension; without it they
+/// are estimated from dimensions.
 /// @throws InputError as make_chain(), make_tooth_form() and make_layout() do, and for a bore, hub
 /// or width that does not fit the sprocket.
-Drive make_drive(const Parameters &parameters);
+Drive make_drive(const Parameters &parameters, const StiffnessOf &stiffness_of = {});
 } // namespace chaindrive::drive

@@ -5,21 +5,36 @@
 #include <chaindrive/drive/plate.h>
 #include <chaindrive/material/material.h>
 
+#include <string>
+#include <vector>
+
 namespace chaindrive::drive
 {
-/// Estimates of stiffness from dimensions alone, N/m: what `auto` stands for. A static solution of
-/// the elastic parts is better where there is one.
+/// What `auto` stands for: how the parts of a chain give way, N/m, as force over approach.
+struct PartStiffness
+{
+  double per_pitch;    ///< of the chain in a pull test
+  double roller_tooth; ///< of a sprocket's hub and the roller's centre
+  double roller_bush;  ///< of the roller's centre and the link's
 
-/// A ring pressed together by two opposite forces, E I / (0.1488 R^3) with the mean radius R (thin
-/// ring in bending; Roark's Formulas for Stress and Strain, circular rings, case 1).
-double ring_stiffness(double outer_diameter, double bore, double length, const Material &steel);
+  std::vector<std::string> notes; ///< sentences for the log: where the values come from
+
+  /// Of a sprocket's hub and the link: of a roller pressed between them.
+  double pressed_roller() const
+  {
+    return roller_tooth * roller_bush / (roller_tooth + roller_bush);
+  }
+};
+
+// Estimates of stiffness from dimensions alone, N/m. A static solution of the elastic parts (room
+// statics) is better where there is time for one.
+
+/// All of them at @p load [N].
+PartStiffness estimated_stiffness(const ChainDimensions &chain, double load, const Material &steel);
 
 /// Two equal materials that touch along a line, pi/4 E* L with 1/E* = 2 (1 - nu^2)/E (Johnson,
 /// Contact Mechanics, 4.2: nearly independent of the load).
 double line_contact_stiffness(double length, const Material &steel);
-
-/// A roller on a tooth: its ring and the line contact in series.
-double roller_tooth_stiffness(const ChainDimensions &chain, const Material &steel);
 
 /// Contact of a pin of radius R in a hole of radius R + clearance under the load per length q,
 /// equal materials in plane strain without friction (Persson 1964; Ciavarella and Decuzzi 2001).

@@ -23,8 +23,8 @@ inline constexpr Texts<Search, 2> texts_of<Search>{
 /// Section `Contact`: penalty law, friction law and search of every interface.
 struct Contact
 {
-  std::optional<double> roller_tooth_stiffness;     ///< N/m; auto: ring and line contact in series
-  std::optional<double> roller_bush_stiffness;      ///< N/m; auto: conforming contact
+  std::optional<double> roller_tooth_stiffness;     ///< N/m; auto: Model/Stiffness from
+  std::optional<double> roller_bush_stiffness;      ///< N/m; auto: Model/Stiffness from
   double                damping_ratio        = 0.1; ///< of the two bodies on the penalty spring
   double                friction_coefficient = 0.1; ///< of every interface not named below
   std::optional<double> roller_tooth_friction, roller_bush_friction, bush_pin_friction;

@@ -72,6 +72,17 @@ inline constexpr Texts<Formulation, 3> texts_of<Formulation>{{{Formulation::one_
                                                               {Formulation::enhanced, "enhanced"},
                                                               {Formulation::full, "full"}}};
 
+/// Where stiffnesses that are `auto` come from.
+enum class StiffnessFrom
+{
+  parts,     ///< elastic solutions of the parts
+  dimensions ///< formulas
+};
+
+template <>
+inline constexpr Texts<StiffnessFrom, 2> texts_of<StiffnessFrom>{
+    {{StiffnessFrom::parts, "parts"}, {StiffnessFrom::dimensions, "dimensions"}}};
+
 /// Section `Model`: which bodies there are, how they move, what they weigh and how stiff they are.
 struct Model
 {
@@ -81,6 +92,7 @@ struct Model
   HalfModel             half = HalfModel::automatic; ///< see needs.h
   std::optional<double> mass_per_pitch;              ///< kg, of the whole chain per pitch
   std::optional<double> stiffness_per_pitch; ///< N/m, of the chain in a pull test, per pitch
+  StiffnessFrom         stiffness_from = StiffnessFrom::parts; ///< those that are auto
   std::optional<double> driven_inertia;      ///< kg m2, of all that turns with the driven hub
   double                chain_damping_ratio = 0.01; ///< of two lumps on their bar, simple only
   ElasticLinks          elastic_links       = ElasticLinks::all;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/drive/drive.h>
+#include <chaindrive/statics/cache.h>
+#include <chaindrive/statics/flexibility.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace chaindrive::statics
+{
+/// Elastic parts of one material whose flexibilities are computed once: they are kept in memory and
+/// in a cache.
+class Library
+{
+public:
+  /// @p cache_folder: see Cache; the first rank of @p comm reads and writes it.
+  Library(const Material &material, const std::string &cache_folder, MPI_Comm comm);
+
+  /// Two links of a chain that are pulled, the pin of one in the bush of the other: one interface,
+  /// whose approach is the extension per pitch.
+  Press pulled_links(const drive::ChainDimensions &chain, unsigned int n_angles);
+
+  /// A roller pressed on the seat of a @p sprocket's tooth gap by the bush in it. Interface 0:
+  /// tooth and roller, 1: roller and bush. Approaches are those of the sprocket's hub, the roller's
+  /// centre of mass and the link's centre of mass.
+  Press pressed_roller(const drive::ChainDimensions &chain,
+                       const drive::Sprocket        &sprocket,
+                       double                        sprocket_width,
+                       unsigned int                  n_angles);
+
+  /// What a part cost, in the order of first use.
+  struct Entry
+  {
+    std::string   name;
+    unsigned long n_cells;
+    double        error;   ///< estimated, of the compliance, relative
+    double        seconds; ///< to compute it; 0: it was in the cache
+  };
+  const std::vector<Entry> &entries() const { return entries_; }
+
+  /// Sentences on the cache.
+  const std::vector<std::string> &notes() const { return cache_.notes(); }
+
+private:
+  /// Of a piece with this @p name, which follows from @p geometry, material and sides alone.
+  Flexibility flexibility_of(const std::string            &name,
+                             const std::string            &geometry,
+                             const std::function<Piece()> &make,
+                             const std::vector<Side>      &sides);
+
+  const Material     material_;
+  const MPI_Comm     comm_;
+  Cache              cache_;
+  std::vector<Entry> entries_;
+
+  std::map<std::string, Flexibility> known_; ///< by what it follows from
+};
+} // namespace chaindrive::statics

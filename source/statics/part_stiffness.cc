@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/statics/part_stiffness.h>
+#include <chaindrive/statics/pieces.h>
+#include <chaindrive/utilities/text.h>
+
+#include <cmath>
+#include <exception>
+
+namespace chaindrive::statics
+{
+namespace
+{
+/// A stiffness rounded to five digits, the same for any number of ranks.
+double rounded(const double stiffness) { return std::stod(to_text(stiffness, 5)); }
+
+std::string text_of(const Library::Entry &entry)
+{
+  return entry.name + " " + std::to_string(entry.n_cells) + " cells, compliance to " +
+         to_text(100. * entry.error, 2) + " %" +
+         (entry.seconds > 0. ? ", " + to_text(entry.seconds, 2) + " s" : "");
+}
+
+/// Where the values come from.
+std::string origin(const Library &library, const double load)
+{
+  std::string parts;
+  bool        cached = true;
+  for (const Library::Entry &entry : library.entries())
+    {
+      parts += (parts.empty() ? "" : "; ") + text_of(entry);
+      cached = cached && entry.seconds == 0.;
+    }
+  return "Stiffnesses that are auto are those of the elastic parts at " + to_text(load, 4) +
+         " N, " + (cached ? "from the cache (" : "computed (") + parts + ").";
+}
+
+drive::PartStiffness compute(const Parameters   &parameters,
+                             const drive::Drive &drive,
+                             const double        load,
+                             const MPI_Comm      comm)
+{
+  drive::PartStiffness result = drive::estimated_stiffness(drive.chain, load, parameters.material);
+  result.notes.clear();
+  Library library(parameters.material, Cache::usual_folder(), comm);
+  if (!parameters.model.stiffness_per_pitch)
+    result.per_pitch = rounded(load / at_force(
+                                          [&](const unsigned int n_angles) {
+                                            return library.pulled_links(drive.chain, n_angles);
+                                          },
+                                          load)
+                                          .approach[0]);
+  if (!parameters.contact.roller_tooth_stiffness || !parameters.contact.roller_bush_stiffness)
+    {
+      // all sprockets have the same roller: the mean of the approaches
+      double tooth = 0., bush = 0.;
+      for (const drive::Sprocket &sprocket : drive.sprockets)
+        {
+          const Pressed pressed = at_force(
+              [&](const unsigned int n_angles) {
+                return library.pressed_roller(
+                    drive.chain, sprocket, drive.sprocket_width, n_angles);
+              },
+              load);
+          tooth += pressed.approach[0] / drive.sprockets.size();
+          bush += pressed.approach[1] / drive.sprockets.size();
+        }
+      result.roller_tooth = rounded(load / tooth);
+      result.roller_bush  = rounded(load / bush);
+    }
+  if (!library.entries().empty())
+    result.notes.push_back(origin(library, load));
+  for (const std::string &note : library.notes())
+    result.notes.push_back(note);
+  return result;
+}
+} // namespace
+
+Pressed at_force(const std::function<Press(unsigned int)> &make, const double force)
+{
+  for (unsigned int n_angles = 4;; n_angles *= 2)
+    {
+      const Pressed pressed = make(n_angles).at(force);
+      if (!pressed.reaches_the_end || n_angles * 4 >= n_around)
+        return pressed;
+    }
+}
+
+drive::StiffnessOf part_stiffness(const Parameters &parameters, const MPI_Comm comm)
+{
+  if (parameters.model.stiffness_from == parameters::StiffnessFrom::dimensions)
+    return {};
+  return [&parameters, comm](const drive::Drive &drive, const double load) {
+    return compute(parameters, drive, load, comm);
+  };
+}
+} // namespace chaindrive::statics

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/mesh/generate/cut_out.h>
+#include <chaindrive/mesh/generate/links.h>
+#include <chaindrive/statics/pieces.h>
+
+#include <deal.II/grid/manifold_lib.h>
+
+#include <cmath>
+
+namespace chaindrive::statics
+{
+namespace
+{
+using dealii::Point;
+using dealii::Tensor;
+
+Tensor<1, 3> along_z()
+{
+  Tensor<1, 3> z;
+  z[2] = 1.;
+  return z;
+}
+
+/// The cells of @p part on which @p keep holds for their centres; sides in the planes x = 0, y = 0,
+/// z = 0 become planes of symmetry if @p mirrors has their axis.
+std::unique_ptr<dealii::Triangulation<3>>
+keep_cells(const mesh::Part                            &part,
+           const std::function<bool(const Point<3> &)> &keep,
+           const std::set<unsigned int>                &mirrors)
+{
+  std::vector<unsigned int> chosen;
+  for (const auto &cell : part.mesh->active_cell_iterators())
+    if (keep(cell->center()))
+      chosen.push_back(cell->active_cell_index());
+  auto result = mesh::cut_out(
+      *part.mesh, chosen, [](const mesh::CellIterator &) { return mesh::other_surface; });
+  for (const auto &cell : result->active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary())
+        for (const unsigned int d : mirrors)
+          if (std::abs(cell->face(f)->center()[d]) < 1e-9 * cell->diameter())
+            cell->face(f)->set_boundary_id(static_cast<dealii::types::boundary_id>(plane_x + d));
+  return result;
+}
+
+/// Where the points of faces and lines lie on cylinders: those about the hole and the arcs of a
+/// plate's outline.
+void attach_link_manifolds(dealii::Triangulation<3> &mesh,
+                           const drive::Plate       &plate,
+                           const double              tube_radius,
+                           const double              bore_radius)
+{
+  // axes of the cylinders and their radii
+  struct Cylinder
+  {
+    Point<3> axis;
+    double   radius;
+  };
+  const Point<3>        hole(0.5 * plate.hole_pitch, 0., 0.);
+  std::vector<Cylinder> cylinders = {{hole, tube_radius}, {hole, 0.5 * plate.height}};
+  if (bore_radius > 0.)
+    cylinders.push_back({hole, bore_radius});
+  if (plate.has_waist())
+    for (const double side : {1., -1.})
+      cylinders.push_back({Point<3>(0., side * (0.5 * plate.waist + plate.waist_radius()), 0.),
+                           plate.waist_radius()});
+  for (unsigned int c = 0; c < cylinders.size(); ++c)
+    mesh.set_manifold(c + 1, dealii::CylindricalManifold<3>(along_z(), cylinders[c].axis));
+
+  const auto cylinder_of = [&](const auto &face) {
+    for (unsigned int c = 0; c < cylinders.size(); ++c)
+      {
+        bool all = true;
+        for (const unsigned int v : face->vertex_indices())
+          all = all && std::abs(std::hypot(face->vertex(v)[0] - cylinders[c].axis[0],
+                                           face->vertex(v)[1] - cylinders[c].axis[1]) -
+                                cylinders[c].radius) < 1e-7 * cylinders[c].radius;
+        if (all)
+          return c + 1;
+      }
+    return 0U;
+  };
+  for (const auto &cell : mesh.active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      {
+        // ends of a ring's sector have all their points at the same distances too
+        const auto face = cell->face(f);
+        if (f >= 4)
+          continue;
+        if (const unsigned int c = cylinder_of(face); c > 0)
+          face->set_all_manifold_ids(c);
+      }
+}
+
+drive::Plate plate_of(const drive::ChainDimensions &chain, const bool inner)
+{
+  return inner ? drive::inner_plate(chain) : drive::outer_plate(chain);
+}
+
+Piece link_piece(const drive::ChainDimensions &chain, const bool inner, const bool half_y)
+{
+  mesh::LinkGrid grid = {n_around, 1, 2, 1, inner ? 6U : 10U};
+  grid.half           = true;
+  const mesh::Part part =
+      inner ? mesh::make_inner_link(chain, 1., grid) : mesh::make_outer_link(chain, 1., grid);
+  Piece piece;
+  piece.name = part.name;
+  piece.mesh = keep_cells(
+      part,
+      [half_y](const Point<3> &x) { return x[0] > 0. && (!half_y || x[1] > 0.); },
+      half_y ? std::set<unsigned int>{0, 1, 2} : std::set<unsigned int>{0, 2});
+  if (!half_y)
+    piece.free = 1;
+  attach_link_manifolds(*piece.mesh,
+                        plate_of(chain, inner),
+                        0.5 * (inner ? chain.bush_diameter : chain.pin_diameter),
+                        0.5 * (inner ? chain.bush_bore : chain.pin_bore));
+  return piece;
+}
+} // namespace
+
+Piece link_eighth(const drive::ChainDimensions &chain, const bool inner)
+{
+  return link_piece(chain, inner, true);
+}
+
+Piece link_quarter(const drive::ChainDimensions &chain) { return link_piece(chain, true, false); }
+
+Piece roller_quarter(const drive::ChainDimensions &chain)
+{
+  const mesh::Part part = mesh::make_roller(chain, 1., {1, n_around, 6, true});
+  Piece            piece;
+  piece.name = part.name;
+  piece.mesh = keep_cells(part, [](const Point<3> &x) { return x[1] > 0.; }, {1, 2});
+  piece.free = 0;
+  piece.mesh->set_all_manifold_ids(1);
+  piece.mesh->set_manifold(1, dealii::CylindricalManifold<3>(2));
+  return piece;
+}
+
+Piece rim_sector(const drive::ToothForm &form, const mesh::SprocketShape &shape)
+{
+  const mesh::Part part = mesh::make_sprocket(form, shape, 1., 0, true);
+  Piece            piece;
+  piece.name         = part.name;
+  const double reach = 3. * dealii::numbers::PI / form.teeth;
+
+  std::vector<unsigned int> chosen;
+  for (const auto &cell : part.mesh->active_cell_iterators())
+    if (cell->material_id() == mesh::rim &&
+        std::abs(std::atan2(cell->center()[1], cell->center()[0])) < reach)
+      chosen.push_back(cell->active_cell_index());
+  piece.mesh = mesh::cut_out(*part.mesh, chosen, [](const mesh::CellIterator &beyond) {
+    return beyond->material_id() == mesh::hub_zone ? mesh::hub : mesh::other_surface;
+  });
+  for (const auto &cell : piece.mesh->active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == mesh::middle_plane)
+        cell->face(f)->set_boundary_id(plane_z);
+  piece.held = {mesh::hub};
+  return piece;
+}
+} // namespace chaindrive::statics

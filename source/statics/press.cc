@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/statics/press.h>
+#include <chaindrive/utilities/errors.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace chaindrive::statics
+{
+namespace
+{
+constexpr unsigned int n_strips = 8; ///< of a patch
+
+/// x ln(x^2)
+double kernel(const double x) { return x == 0. ? 0. : x * std::log(x * x); }
+
+/// Displacements of strips of one station and both bodies under pressures on strips and on their
+/// mirror images, their means over patches left out, m/Pa.
+dealii::FullMatrix<double> within_patches(const PatchGrid &grid, const Material &material)
+{
+  const unsigned int         n      = grid.n_angles * n_strips;
+  const double               h      = grid.radius * grid.width / n_strips;
+  const double               factor = 2. / (dealii::numbers::PI * material.plane_modulus());
+  dealii::FullMatrix<double> u(n, n);
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      for (const double x : {h * (double(i) - double(j)), h * (i + j + 1.)})
+        u(i, j) -= factor * h * (kernel(x / h + 0.5) - kernel(x / h - 0.5));
+  for (unsigned int I = 0; I < grid.n_angles; ++I)
+    for (unsigned int J = 0; J < grid.n_angles; ++J)
+      {
+        double mean = 0.;
+        for (unsigned int i = 0; i < n_strips; ++i)
+          for (unsigned int j = 0; j < n_strips; ++j)
+            mean += u(I * n_strips + i, J * n_strips + j);
+        for (unsigned int i = 0; i < n_strips; ++i)
+          for (unsigned int j = 0; j < n_strips; ++j)
+            u(I * n_strips + i, J * n_strips + j) -= mean / (n_strips * n_strips);
+      }
+  return u;
+}
+} // namespace
+
+unsigned int PatchGrid::number(const double angle, const double height) const
+{
+  const double a = std::abs(angle) / width, h = std::abs(height);
+  if (!(a < n_angles) || h >= z.back())
+    return none;
+  const auto station = std::upper_bound(z.begin(), z.end(), h) - z.begin() - 1;
+  return static_cast<unsigned int>(a) * n_stations() + static_cast<unsigned int>(station);
+}
+
+Press::Press(std::vector<Interface> interfaces,
+             const Flexibility     &flexibility,
+             const Material        &material)
+    : interfaces_(std::move(interfaces))
+{
+  std::vector<unsigned int> station;
+  unsigned int              first = 0;
+  for (unsigned int k = 0; k < interfaces_.size(); ++k)
+    {
+      const PatchGrid &grid = interfaces_[k].grid;
+      for (unsigned int i = 0; i < grid.n_angles * n_strips; ++i)
+        for (unsigned int s = 0; s < grid.n_stations(); ++s)
+          {
+            const double angle = (i + 0.5) * grid.width / n_strips;
+            interface_.push_back(k);
+            patch_.push_back(first + i / n_strips * grid.n_stations() + s);
+            strip_.push_back(i);
+            station.push_back(s);
+            gap_.push_back(interfaces_[k].gap(angle));
+            along_.push_back(std::cos(angle));
+            share_.push_back(4. * along_.back() * grid.area(s) / n_strips);
+          }
+      first += grid.n();
+    }
+  AssertThrow(flexibility.m() == first, dealii::ExcInternalError());
+  const unsigned int n = static_cast<unsigned int>(gap_.size());
+  fine_.reinit(n, n);
+  std::vector<dealii::FullMatrix<double>> within;
+  for (const Interface &interface : interfaces_)
+    within.push_back(within_patches(interface.grid, material));
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        fine_(i, j)          = flexibility(patch_[i], patch_[j]) / n_strips;
+        const unsigned int k = interface_[i];
+        if (interface_[j] == k && station[i] == station[j])
+          fine_(i, j) += within[k](strip_[i], strip_[j]);
+      }
+}
+
+Pressed Press::at(const double force) const
+{
+  const unsigned int n = static_cast<unsigned int>(gap_.size()),
+                     m = static_cast<unsigned int>(interfaces_.size());
+  std::vector<bool>   active(n, true);
+  std::vector<double> pressure(n, 0.), approach(m, 0.);
+
+  for (unsigned int iteration = 0;; ++iteration)
+    {
+      if (iteration > 100)
+        throw RunError("The contact of two parts of the chain was not found.");
+      std::vector<unsigned int> on;
+      for (unsigned int i = 0; i < n; ++i)
+        if (active[i])
+          on.push_back(i);
+      const unsigned int               a = static_cast<unsigned int>(on.size());
+      dealii::LAPACKFullMatrix<double> system(a + m, a + m);
+      dealii::Vector<double>           x(a + m);
+      // pressures and approaches are scaled to like sizes
+      const double modulus = 1e12;
+      for (unsigned int i = 0; i < a; ++i)
+        {
+          for (unsigned int j = 0; j < a; ++j)
+            system(i, j) = modulus * fine_(on[i], on[j]);
+          for (unsigned int k = 0; k < m; ++k)
+            {
+              const bool mine  = interface_[on[i]] == k;
+              system(i, a + k) = mine ? -along_[on[i]] : 0.;
+              system(a + k, i) = mine ? modulus * share_[on[i]] / force : 0.;
+            }
+          x[i] = -gap_[on[i]];
+        }
+      for (unsigned int k = 0; k < m; ++k)
+        {
+          for (unsigned int l = 0; l < m; ++l)
+            system(a + k, a + l) = 0.;
+          x[a + k] = 1.;
+        }
+      system.compute_lu_factorization();
+      system.solve(x);
+      std::fill(pressure.begin(), pressure.end(), 0.);
+      for (unsigned int i = 0; i < a; ++i)
+        pressure[on[i]] = modulus * x[i];
+      for (unsigned int k = 0; k < m; ++k)
+        approach[k] = x[a + k];
+
+      bool changed = false;
+      for (unsigned int i = 0; i < n; ++i)
+        if (active[i])
+          {
+            if (pressure[i] < 0.)
+              {
+                active[i] = false;
+                changed   = true;
+              }
+          }
+        else
+          {
+            double gap = gap_[i] - along_[i] * approach[interface_[i]];
+            for (const unsigned int j : on)
+              gap += fine_(i, j) * pressure[j];
+            if (gap < -1e-13)
+              {
+                active[i] = true;
+                changed   = true;
+              }
+          }
+      if (!changed)
+        break;
+    }
+
+  Pressed result;
+  result.approach        = approach;
+  result.reaches_the_end = false;
+  unsigned int first     = 0;
+  for (unsigned int k = 0; k < m; ++k)
+    {
+      const PatchGrid &grid = interfaces_[k].grid;
+      result.pressure.emplace_back(grid.n(), 0.);
+      result.on_line.push_back(0.);
+      result.half_angle.push_back(0.);
+      for (unsigned int i = 0; i < n; ++i)
+        if (interface_[i] == k)
+          {
+            result.pressure[k][patch_[i] - first] += pressure[i] / n_strips;
+            if (strip_[i] == 0)
+              result.on_line[k] = std::max(result.on_line[k], pressure[i]);
+            if (pressure[i] > 0.)
+              result.half_angle[k] = std::max(result.half_angle[k],
+                                              std::acos(along_[i]) + 0.5 * grid.width / n_strips);
+            if (pressure[i] > 0. && patch_[i] - first >= grid.n() - grid.n_stations())
+              result.reaches_the_end = true;
+          }
+      first += grid.n();
+    }
+  return result;
+}
+} // namespace chaindrive::statics
