@@ -33,6 +33,7 @@ ALLOWED = {"steps": 1.05, "overlap_um": 2.0, "drive_work": 1.2, "driven_angle": 
 def entries(case, model, directory, quick):
     """What is changed in hard.prm."""
     changes = {"Model/Fidelity": MODELS[model], "Output/Directory": directory}
+    changes["Model/Stiffness from"] = "dimensions"  # each chain would take seconds more
     changes |= (SMALL if model == "f" else {}) | case.changes | case.of_model.get(model, {})
     if quick and changes.get("Time/End time in ms", 10) > SOON["Time/End time in ms"]:
         changes |= SOON
