@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/commands.h>
+#include <chaindrive/cost.h>
 #include <chaindrive/element/part_report.h>
 #include <chaindrive/files/console.h>
 #include <chaindrive/files/directory.h>
@@ -137,7 +138,7 @@ void print_plan(Prepared &prepared)
         "Output/History interval in us = " + to_text(parameters.output.history_interval * 1e6) +
         " is shorter than the step of " + to_text(step * 1e6, 4) + " us: every step is a sample, " +
         std::to_string(n_steps + 1) + " in all.");
-  scene::print_plan(log, simulation.scene, simulation.system().memory_consumption(), n_steps);
+  scene::print_plan(log, simulation.scene);
   for (const auto &[of, part] : simulation.scene.parts)
     element::print(log, element::make_report(*part, parameters.material));
   print_step(log, simulation.step, n_steps);
@@ -206,6 +207,9 @@ bool plan_command(const CommandLine &command_line, const MPI_Comm comm)
     return false;
   find_checkpoint(prepared);
   print_plan(prepared);
+  print(prepared.log,
+        measure_cost(prepared.simulation, 1.),
+        n_ranks_in(prepared.simulation.communicator()));
   return true;
 }
 

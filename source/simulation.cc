@@ -5,9 +5,6 @@
 #include <chaindrive/statics/part_stiffness.h>
 #include <chaindrive/utilities/ranks.h>
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
-
 // READ THIS FILE FIRST. What flows through the program, in the order in which it does:
 //
 //   .prm -> Parameters -> Drive (with the stiffness of its parts) -> Scene -> System (World,
@@ -32,14 +29,6 @@ void add_balances(files::Json &values, const dynamics::Guard &guard)
       values["momentum_imbalance_max"] = guard.largest_momentum_error();
       values["energy_jump_max"]        = guard.largest_energy_jump();
     }
-}
-
-/// Largest memory that the processes have had so far, their sum. Bytes
-double memory_peak(const MPI_Comm comm)
-{
-  dealii::Utilities::System::MemoryStats memory; // in KiB
-  dealii::Utilities::System::get_memory_stats(memory);
-  return 1024. * dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM), comm);
 }
 } // namespace
 
@@ -88,7 +77,7 @@ observe::Summary Simulation::summary() const
   values["steps"]        = done_;
   values["window"]       = window().summary(system_->world.time);
   values["ranks"]        = n_ranks_in(communicator());
-  values["memory_peak"]  = memory_peak(communicator());
+  values["memory_peak"]  = observe::memory_peak(communicator());
   values["wall_seconds"] = system_->timer.elapsed();
   values["cpu_seconds"]  = observe::cpu_seconds(summary.phases);
   values                 = observe::in_order(values);

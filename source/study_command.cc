@@ -4,10 +4,8 @@
 #include <chaindrive/files/file.h>
 #include <chaindrive/files/json.h>
 #include <chaindrive/mesh/import/import.h>
-#include <chaindrive/observe/progress.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/reader.h>
-#include <chaindrive/scene/plan.h>
 #include <chaindrive/simulation.h>
 #include <chaindrive/utilities/checksum.h>
 #include <chaindrive/utilities/errors.h>
@@ -46,8 +44,7 @@ struct Run
   std::string                        folder; ///< within that of the study
   double                             phase;
   std::map<std::string, std::string> values;
-  std::string                        text;      ///< of its .prm file
-  double                             cost = 0.; ///< predicted CPU time, s; 0: not asked
+  std::string                        text; ///< of its .prm file
 };
 
 /// A variant with its runs.
@@ -116,11 +113,11 @@ bool is_known(const Run &run, const std::string &directory)
 }
 
 /// Prepares @p run as it will be prepared. InputError when it cannot run.
-void prepare(Run &run)
+void prepare(const Run &run)
 {
   const parameters::Input input = parameters::read_entries(run.values);
   const Simulation        simulation(input.parameters, {"."}, MPI_COMM_SELF);
-  run.cost = scene::step_cost(simulation.scene) * simulation.n_steps();
+  simulation.n_steps();
 }
 
 /// Completes and checks all runs of @p model. Returns the sentences of those that cannot run.

@@ -70,23 +70,24 @@ bool Recorder::observe(dynamics::System &system, const unsigned long, const doub
   if (reads_contacts_)
     system.contacts.gather_records(system.world);
   now_.next(dt);
-  const bool is_first_rank = system.world.is_first_rank();
-  if (is_first_rank)
+  if (system.world.is_first_rank())
     for (const NamedQuantity &item : quantities_)
       item.quantity->update();
 
-  const bool goes_on = !now_.window().is_full(now_.time());
-  if (!takes_samples_ || !samples_.due(now_.time()))
-    return goes_on;
+  if (takes_samples_ && samples_.due(now_.time()))
+    take_sample();
+  return !now_.window().is_full(now_.time());
+}
+
+void Recorder::take_sample()
+{
   for (const NamedQuantity &item : quantities_)
     item.quantity->gather();
-  if (is_first_rank)
-    {
-      sampling_->channels.sample(now_.time());
-      for (const NamedQuantity &item : quantities_)
-        item.quantity->begin_interval();
-    }
-  return goes_on;
+  if (!sampling_)
+    return;
+  sampling_->channels.sample(now_.time());
+  for (const NamedQuantity &item : quantities_)
+    item.quantity->begin_interval();
 }
 
 void Recorder::serialize(const Archive &archive, const dynamics::System &)

@@ -2,6 +2,7 @@
 #include <chaindrive/observe/summary.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cctype>
@@ -73,6 +74,13 @@ files::Json cpu_seconds(const std::vector<PhaseTimer::Row> &rows)
     }
   result["total"] = total;
   return result;
+}
+
+double memory_peak(const MPI_Comm comm)
+{
+  dealii::Utilities::System::MemoryStats memory; // in KiB
+  dealii::Utilities::System::get_memory_stats(memory);
+  return 1024. * dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM), comm);
 }
 
 std::vector<PhaseTimer::Row> rows_of_all_ranks(const PhaseTimer &timer, const MPI_Comm comm)

@@ -2,7 +2,6 @@
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/mesh/sector.h>
 #include <chaindrive/scene/plan.h>
-#include <chaindrive/utilities/pack.h>
 #include <chaindrive/utilities/text.h>
 
 #include <iomanip>
@@ -14,18 +13,6 @@ namespace chaindrive::scene
 {
 namespace
 {
-// CPU time per object and step, s: fitted to scripts/speed.py, see doc/performance.md
-constexpr double cost_of_lumped  = 15e-9;
-constexpr double cost_of_rigid   = 90e-9;
-constexpr double cost_of_bar     = 15e-9;
-constexpr double cost_of_bore    = 45e-9;
-constexpr double cost_of_tooth   = 60e-9;
-constexpr double cost_of_face    = 30e-9;
-constexpr double cost_of_element = 40e-9;
-
-// share of a tooth family's pairs that the search leaves near the sprocket, roughly the wrap
-constexpr double near_share = 0.25;
-
 std::string name_of(const Scene &scene, const Body &body)
 {
   switch (body.kind)
@@ -71,17 +58,6 @@ std::pair<unsigned int, unsigned int> size_of(const Scene &scene, const Body &bo
   return {n * part.mesh->n_active_cells(), n * part.mesh->n_used_vertices()};
 }
 
-/// Lanes that are computed for each copy of the sector of a sprocket, those left empty included; 1
-/// for other bodies, which are many.
-double lanes_per_copy(const Scene &scene, const Body &body)
-{
-  const auto sector = scene.sectors.find(body.part());
-  if (sector == scene.sectors.end())
-    return 1.;
-  const unsigned int n = sector->second->n_sectors;
-  return double(n_computed_of(n)) / n;
-}
-
 std::string law_text(const ContactLaw &law, const bool elastic)
 {
   const std::string per  = elastic ? "3" : ""; // per area
@@ -92,35 +68,7 @@ std::string law_text(const ContactLaw &law, const bool elastic)
 }
 } // namespace
 
-double step_cost(const Scene &scene)
-{
-  double cost = cost_of_bar * scene.bars.size();
-  for (const Body &body : scene.bodies)
-    switch (body.motion)
-      {
-      case Motion::lumped:
-        cost += cost_of_lumped;
-        break;
-      case Motion::rigid:
-        cost += cost_of_rigid;
-        break;
-      case Motion::elastic:
-        cost += cost_of_element * lanes_per_copy(scene, body) * size_of(scene, body).first;
-        break;
-      }
-  for (const BoreFamily &bores : scene.bores)
-    cost += cost_of_bore * bores.pairs.size();
-  for (const FaceFamily &faces : scene.faces)
-    cost += cost_of_face * faces.pairs.size();
-  for (const ToothFamily &teeth : scene.teeth)
-    cost += cost_of_tooth * near_share * teeth.slaves.size();
-  return cost;
-}
-
-void print_plan(std::ostream       &out,
-                const Scene        &scene,
-                const std::size_t   memory,
-                const unsigned long n_steps)
+void print_plan(std::ostream &out, const Scene &scene)
 {
   out << "Bodies\n";
   std::map<std::pair<PartOf, Motion>, std::vector<const Body *>> alike;
@@ -162,10 +110,5 @@ void print_plan(std::ostream       &out,
   out << "Choices\n";
   for (const std::string &note : scene.notes)
     out << "  " << note << '\n';
-
-  out << "Cost: state " << to_text(memory / 1024., 4) << " KiB; about "
-      << to_text(step_cost(scene) * 1e6, 2) << " us per step, "
-      << to_text(step_cost(scene) * n_steps, 2) << " s of CPU time for " << n_steps
-      << " steps, outputs not counted\n";
 }
 } // namespace chaindrive::scene

@@ -32,6 +32,9 @@ public:
   bool        observe(dynamics::System &system, unsigned long step, double dt) override;
   std::string name() const override { return "recorder"; }
 
+  /// A sample of what was observed last; write_histories() must have been called. Collective.
+  void take_sample();
+
   /// A resumed run may have another interval, but its window must be the same as far as it has gone
   /// (InputError).
   void serialize(const Archive &archive, const dynamics::System &system) override;

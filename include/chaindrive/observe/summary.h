@@ -29,6 +29,9 @@ files::Json cpu_seconds(const std::vector<PhaseTimer::Row> &rows);
 /// The rows of @p timer, of all ranks together. Collective.
 std::vector<PhaseTimer::Row> rows_of_all_ranks(const PhaseTimer &timer, MPI_Comm comm);
 
+/// Largest memory that each process has had so far, their sum. Bytes. Collective.
+double memory_peak(MPI_Comm comm);
+
 /// The most asked for members of a run's summary, a line each, for the log.
 void print_summary(std::ostream &out, const files::Json &summary);
 } // namespace chaindrive::observe

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/simulation.h>
+
+#include <iosfwd>
+#include <string>
+
+namespace chaindrive
+{
+/// What a run costs, predicted from its own first steps and outputs: CPU time of all ranks together
+/// [s] and memory [bytes].
+struct Cost
+{
+  double        start_up = 0.; ///< until the first step, as it was
+  double        step     = 0.; ///< of a step, as timed
+  double        change   = 1.; ///< cost of a step over the whole run over that
+  unsigned long steps    = 0;  ///< of the run
+  unsigned long timed    = 0;  ///< steps that were timed
+  double        sample   = 0.; ///< of a sample of the histories
+  double        samples  = 0.; ///< number of them
+  double        picture  = 0.; ///< of a picture
+  double        pictures = 0.; ///< number of them
+  double        memory   = 0.; ///< peak of all processes
+
+  double loop() const { return step * change * static_cast<double>(steps); }
+  double outputs() const { return sample * samples + picture * pictures; }
+  double total() const { return start_up + loop() + outputs(); }
+};
+
+/// Runs the first steps of @p simulation, which has not begun, for @p seconds of CPU time of each
+/// rank, then takes a few samples and a picture, and removes them. Leaves the simulation where it
+/// has come to. Collective.
+Cost measure_cost(Simulation &simulation, double seconds);
+
+/// The sentence of the plan.
+void print(std::ostream &out, const Cost &cost, int ranks);
+} // namespace chaindrive

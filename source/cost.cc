@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/cost.h>
+#include <chaindrive/observe/pictures.h>
+#include <chaindrive/observe/progress.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/first_rank.h>
+#include <chaindrive/utilities/text.h>
+#include <chaindrive/utilities/timing.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <ostream>
+#include <unistd.h>
+
+namespace chaindrive
+{
+namespace
+{
+/// Ends a run after some CPU time. Not timed are its first steps, in which everything is touched
+/// for the first time.
+class Stopwatch : public dynamics::Observer
+{
+public:
+  explicit Stopwatch(const double seconds) : seconds_(seconds) {}
+
+  bool observe(dynamics::System &system, const unsigned long step, const double) override
+  {
+    if (step < first || step % 4 != 0)
+      return true;
+    const double now = PhaseTimer::total();
+    if (step == first)
+      begin_ = now;
+    last_ = step;
+    end_  = now;
+    // every rank asks, so that all stop at the same step
+    return dealii::Utilities::MPI::max(now - begin_, system.world.communicator()) < seconds_;
+  }
+
+  std::string name() const override { return "stopwatch"; }
+
+  unsigned long steps() const { return last_ > first ? last_ - first : 0; }
+  double        seconds() const { return end_ - begin_; }
+
+private:
+  static constexpr unsigned long first = 8;
+
+  const double  seconds_;
+  unsigned long last_  = 0;
+  double        begin_ = 0., end_ = 0.;
+};
+
+double sum(const double value, const MPI_Comm comm)
+{
+  return dealii::Utilities::MPI::sum(value, comm);
+}
+
+/// CPU time of all ranks that @p work takes, s. Collective.
+template <typename Work>
+double cpu_time(const MPI_Comm comm, const Work &work)
+{
+  const double before = PhaseTimer::total();
+  work();
+  return sum(PhaseTimer::total() - before, comm);
+}
+
+/// A directory for files that nobody needs, gone with this object. Collective.
+class Scratch
+{
+public:
+  explicit Scratch(const MPI_Comm comm)
+      : comm_(comm)
+      , path_((std::filesystem::temp_directory_path() /
+               ("chaindrive-plan-" + std::to_string(dealii::Utilities::MPI::max(getpid(), comm))))
+                  .string())
+  {
+    on_first_rank(comm_, [&] { std::filesystem::create_directories(path_); });
+  }
+  ~Scratch()
+  {
+    MPI_Barrier(comm_);
+    std::error_code error;
+    std::filesystem::remove_all(path_, error);
+  }
+  Scratch(const Scratch &)            = delete;
+  Scratch &operator=(const Scratch &) = delete;
+
+  const std::string &path() const { return path_; }
+
+private:
+  MPI_Comm    comm_;
+  std::string path_;
+};
+
+void time_outputs(Simulation &simulation, Cost &cost)
+{
+  constexpr unsigned int    n      = 32;
+  const MPI_Comm            comm   = simulation.communicator();
+  const parameters::Output &output = simulation.parameters.output;
+  const double       duration = simulation.parameters.time.end - simulation.parameters.time.start;
+  dynamics::System  &system   = simulation.system();
+  observe::Recorder &recorder = simulation.recorder();
+  const Scratch      scratch(comm);
+
+  recorder.write_histories(scratch.path(), "", n + 1);
+  recorder.take_sample();
+  cost.sample = cpu_time(comm,
+                         [&] {
+                           for (unsigned int i = 0; i < n; ++i)
+                             recorder.take_sample();
+                           recorder.close(true);
+                         }) /
+                n;
+  cost.samples = 1. + std::min(std::ceil(duration / output.history_interval), double(cost.steps));
+  if (output.field_interval <= 0.)
+    return;
+  observe::Pictures pictures(
+      simulation.scene, simulation.parameters, system, scratch.path(), system.timer);
+  cost.picture  = cpu_time(comm, [&] { pictures.observe(system, 0, 0.); });
+  cost.pictures = 1. + std::min(std::floor(duration / output.field_interval), double(cost.steps));
+}
+} // namespace
+
+Cost measure_cost(Simulation &simulation, const double seconds)
+{
+  const MPI_Comm comm = simulation.communicator();
+  Cost           cost;
+  cost.start_up = sum(PhaseTimer::total(), comm);
+  cost.steps    = simulation.n_steps();
+
+  Stopwatch stopwatch(seconds);
+  simulation.run({&stopwatch});
+  cost.timed = stopwatch.steps();
+  cost.step  = sum(stopwatch.seconds(), comm) / std::max(1UL, cost.timed);
+  time_outputs(simulation, cost);
+  cost.memory = observe::memory_peak(comm);
+  return cost;
+}
+
+void print(std::ostream &out, const Cost &cost, const int ranks)
+{
+  out << "Cost: " << to_text(cost.total(), 3) << " s of CPU time"
+      << (ranks > 1 ? " of " + std::to_string(ranks) + " ranks together" : "") << ": start-up "
+      << to_text(cost.start_up, 2) << " s, " << cost.steps << " steps of "
+      << to_text(cost.step * cost.change * 1e6, 3) << " us, " << to_text(cost.samples, 7)
+      << " samples of " << to_text(cost.sample * 1e3, 2) << " ms";
+  if (cost.pictures > 0.)
+    out << ", " << to_text(cost.pictures, 7) << " pictures of " << to_text(cost.picture * 1e3, 2)
+        << " ms";
+  out << "; memory " << to_text(cost.memory / 1e6, 3) << " MB\n";
+}
+} // namespace chaindrive
