@@ -115,6 +115,14 @@ CASES = [
                r"four-bar = " + NUMBER, 0.03),
         Figure("tooth load over Naji and Marshek's, fourth roller",
                r"roller 4 = " + NUMBER, 0.05)]),
+    ("V25", "elastic pieces of statics, hanging nodes", "statics/elastic_piece", [
+        Figure("extension of a bar over the exact one", r"the exact one: " + NUMBER, 1e-5),
+        Holds("Lame's cylinder, 48 cells: displacement of the bore",
+              r"cylinder: 48 cells, error below 2e-3: (\w+)", 2e-3),
+        Figure("displacements of a free ring, reciprocal", r"reciprocal " + NUMBER, 1e-4)]),
+    ("V26", "pin pressed into a hole by flexibilities", "statics/press", [
+        Holds("pressure on the line, 20 N/mm", r"q 20 N/mm: .*4 percent: (\w+), half", 0.04),
+        Holds("pressure on the line, 1000 N/mm", r"q 1000 N/mm: .*4 percent: (\w+), half", 0.04)]),
 ]
 
 # case, test, what is refined and by how much, figure, its values, what they tend to

@@ -90,7 +90,19 @@ drive::StiffnessOf part_stiffness(const Parameters &parameters, const MPI_Comm c
   if (parameters.model.stiffness_from == parameters::StiffnessFrom::dimensions)
     return {};
   return [&parameters, comm](const drive::Drive &drive, const double load) {
-    return compute(parameters, drive, load, comm);
+    try
+      {
+        return compute(parameters, drive, load, comm);
+      }
+    catch (const std::exception &) // of dimensions that cannot be meshed, on all ranks
+      {
+        drive::PartStiffness estimate =
+            drive::estimated_stiffness(drive.chain, load, parameters.material);
+        estimate.notes = {
+            "The parts could not be solved with these dimensions: stiffnesses that are "
+            "auto are estimates, see Model/Stiffness from."};
+        return estimate;
+      }
   };
 }
 } // namespace chaindrive::statics
