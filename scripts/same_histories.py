@@ -19,7 +19,7 @@ END = "Time/End time in ms"
 ALWAYS = {"Output/Window start in ms": 0, "Output/Field interval in ms": 0, "Output/Checkpoint interval in ms": 0}
 CASES = {
     "simple": ("paper/simple", {END: 8}),
-    "simple-warm": ("paper/simple", {END: 4, "Drive/Layout/Start": "warm", "Drive/Layout/Tight span": "lower"}),
+    "simple-lower": ("paper/simple", {END: 4, "Drive/Layout/Tight span": "lower"}),
     "layered": ("paper/layered", {END: 4}),
     "layered-pretension": ("tutorial/06b-25-25", {END: 2, "Model/Fidelity": "layered"}),
     "full": ("verification/hard", {**ELASTIC, **TOUCHING_PLATES}),

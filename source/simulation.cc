@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/stiffness.h>
+#include <chaindrive/dynamics/relaxation.h>
 #include <chaindrive/dynamics/time_loop.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/simulation.h>
 #include <chaindrive/statics/part_stiffness.h>
 #include <chaindrive/utilities/ranks.h>
+
+#include <algorithm>
+#include <cmath>
 
 // READ THIS FILE FIRST. What flows through the program, in the order in which it does:
 //
@@ -30,13 +35,74 @@ void add_balances(files::Json &values, const dynamics::Guard &guard)
       values["energy_jump_max"]        = guard.largest_energy_jump();
     }
 }
+
+/// The shift of one joint that lets it carry the force that it is placed for: Newton's method with
+/// a slope from secants as long as forces change a lot.
+struct ShiftOfJoint
+{
+  double slope;                   ///< force over shift, N/m; at the beginning rather too large
+  double force = 0., change = 0.; ///< found last, N; of the shift after that, m
+  double most = slope, least = 0.15 * slope;
+
+  /// Corrects @p shift where @p is is found for @p wanted; @p much is a great force. Returns the
+  /// error. N.
+  double correct(const double is, const double wanted, const double much, double &shift)
+  {
+    if (is == 0. && force == 0.) // not elastic, or nothing touches there
+      return 0.;
+    if (change != 0. && std::abs(is - force) > much)
+      slope = std::clamp((is - force) / change, least, most);
+    force  = is;
+    change = (wanted - is) / slope;
+    shift += change;
+    return std::abs(wanted - is);
+  }
+};
+
+/// The drive of @p parameters. For a settled start elastic bodies are placed as it suits their own
+/// joints, whose forces are found by straining them.
+drive::Drive make_drive(const Parameters               &parameters,
+                        const std::vector<std::string> &folders,
+                        const MPI_Comm                  comm)
+{
+  const drive::StiffnessOf stiffness = statics::part_stiffness(parameters, comm);
+  drive::Drive             drive     = drive::make_drive(parameters, stiffness);
+  if (!parameters.model.capabilities().is_elastic ||
+      parameters.drive.layout.start != parameters::Start::settled)
+    return drive;
+  const std::size_t n = drive.layout.joints.size();
+  const double      seat_stiffness =
+      drive::line_contact_stiffness(drive.chain.roller_length, parameters.material);
+  drive::JointShifts        shifts{std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
+  std::vector<ShiftOfJoint> pins(n, ShiftOfJoint{2. * drive.stiffness_per_pitch}),
+      seats(n, ShiftOfJoint{seat_stiffness});
+  for (unsigned int i = 0; i < 6; ++i)
+    {
+      const scene::Scene scene  = scene::build_scene(parameters, drive, folders);
+      const auto         forces = dynamics::Relaxation(scene, comm).joint_forces();
+      const double       much   = 0.2 * drive.layout.prestress;
+      double             worst  = 0.;
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          const drive::Layout::Joint &joint = drive.layout.joints[k];
+          worst =
+              std::max({worst,
+                        pins[k].correct(forces.pin[k], joint.pin_force, much, shifts.pin[k]),
+                        seats[k].correct(forces.seat[k], joint.seat_force, much, shifts.seat[k])});
+        }
+      if (worst < 0.03 * drive.layout.prestress)
+        break;
+      drive = drive::make_drive(parameters, stiffness, shifts);
+    }
+  return drive;
+}
 } // namespace
 
 Simulation::Simulation(const Parameters               &parameters,
                        const std::vector<std::string> &folders,
                        const MPI_Comm                  comm)
     : parameters(parameters)
-    , drive(drive::make_drive(parameters, statics::part_stiffness(parameters, comm)))
+    , drive(make_drive(parameters, folders, comm))
     , scene(scene::build_scene(parameters, drive, folders))
 {
   if (!scene.has_elastic_bodies() && rank_in(comm) != 0)

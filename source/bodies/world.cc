@@ -256,6 +256,10 @@ void World::sum_over_ranks()
     }
   auto total = shared_.cbegin();
   visit([&total](double &value, double) { value = *total++; });
+  if (whole != 1.) // what the other halves add cancels across the middle plane
+    for (unsigned int body = 0; body < n_bodies(); ++body)
+      force.local_element(3 * body + 2)      = moment.local_element(3 * body) =
+          moment.local_element(3 * body + 1) = 0.;
 
   for (unsigned int body = 0; body < n_bodies(); ++body)
     if (elastic_address[body].group != Address::none)

@@ -127,13 +127,13 @@ void PointContact::add_force(World                     &world,
                                  dt,
                                  state,
                                  world.ledger);
-  record.force           = force.total;
+  record.force           = world.of_whole(force.total);
   record.feature         = touch.feature;
   record.normal          = touch.normal;
   record.normal_speed    = -(relative * touch.normal);
 
   // equal and opposite at one point: neither momentum nor moment of momentum is made
-  world.add_force(slave.body, record.force, touch.point);
+  world.add_force(slave.body, force.total, touch.point);
   surface.add_opposite(world, touch.point, touch, projection, force);
 }
 
@@ -197,10 +197,10 @@ void PointContact::add_closed(const World                &world,
 
   const auto add = [&](const unsigned int d, const double k, const double c) {
     if (k > 0. || c > 0.)
-      springs.push_back({master, slave, axes[d], centre, centre, k, c});
+      springs.push_back({master, slave, axes[d], centre, centre, world.whole * k, world.whole * c});
   };
   const auto add_turning = [&](const unsigned int d, const double s) {
-    const double factor = (1. + 1. / s) * radius * radius;
+    const double factor = world.whole * (1. + 1. / s) * radius * radius;
     if (s > 0.)
       springs.push_back({master, slave, axes[d], centre, centre, factor * kt, factor * ct, true});
   };

@@ -145,7 +145,9 @@ const Sprocket &Drive::with(const Role role) const
   });
 }
 
-Drive make_drive(const Parameters &parameters, const StiffnessOf &stiffness_of)
+Drive make_drive(const Parameters  &parameters,
+                 const StiffnessOf &stiffness_of,
+                 const JointShifts &shifts)
 {
   const parameters::Sprockets   &sprockets = parameters.drive.sprockets;
   const Material                &steel     = parameters.material;
@@ -231,8 +233,19 @@ Drive make_drive(const Parameters &parameters, const StiffnessOf &stiffness_of)
                          gravity(parameters) == 0.);
   const parameters::Layout &layout = parameters.drive.layout;
   if (layout.centre_distance_from == CentreDistanceFrom::pretension && layout.pretension > 0. &&
-      layout.start != parameters::Start::warm)
+      layout.start != parameters::Start::settled)
     bring_to_rest(d.layout, resting_chain(parameters, d), forms, layout.pretension);
+  if (layout.start == parameters::Start::settled)
+    {
+      RestingChain chain = resting_chain(parameters, d);
+      chain.shifts       = shifts;
+      settle(d.layout,
+             chain,
+             forms,
+             {std::abs(parameters.loads.driver_speed),
+              parameters.loads.resisting_torque,
+              parameters.model.mass_per_pitch.value_or(d.mass_per_pitch)});
+    }
   if (layout.centre_distance_from != CentreDistanceFrom::given)
     d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance() * 1e3, 7) +
                       " mm, from " + text_of(layout.centre_distance_from) + ".");

@@ -60,7 +60,7 @@ Fitter make_fitter(const parameters::Drive &drive,
                                 layout.pretension / stiffness_per_pitch :
                                 0.;
   const double in_tight =
-      layout.start == parameters::Start::warm ? tight_tension / stiffness_per_pitch : everywhere;
+      layout.start == parameters::Start::settled ? tight_tension / stiffness_per_pitch : everywhere;
   fitter.tight = stretched(fitter.tight, clearances, in_tight);
   fitter.slack = stretched(fitter.slack, clearances, everywhere);
   return fitter;
@@ -150,40 +150,6 @@ Layout lay(const Fit &fit, const Fitter &fitter)
     straight.push_back(tight.from + fitter.tight.sum(n - tight.links, i) * along);
   add_span({true, 0, tight.links, 0., 0., along, right_of(along)}, straight);
   return layout;
-}
-
-/// Velocities of a drive at speed, as of a four-bar linkage: the tight span is a rigid link between
-/// the seats at its ends, whose velocities v = w x r along it are therefore the same. With r from
-/// either centre and d along the span, w2 (r2 x d) = w1 (r1 x d), where r1 x d and r2 x d are the
-/// distances of the centres from the span's line; their ratio is the instantaneous speed ratio.
-/// Joints on a sprocket turn with it; in spans the velocity changes linearly from one end to the
-/// other.
-void set_in_motion(Layout &layout, const double driver_speed)
-{
-  const auto cross = [](const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
-    return a[0] * b[1] - a[1] * b[0];
-  };
-  const unsigned int n      = layout.joints.size();
-  Layout::Sprocket  &driver = layout.sprockets[0], &driven = layout.sprockets[1];
-  const Point<2> &to = layout.joints[0].bush, &from = layout.joints[layout.span(true).first].bush;
-  driver.speed = driver_speed;
-  driven.speed = driver_speed * cross(to, to - from) / cross(from - driven.centre, to - from);
-
-  for (Layout::Joint &joint : layout.joints)
-    if (joint.sprocket >= 0)
-      {
-        const Layout::Sprocket &sprocket = layout.sprockets[joint.sprocket];
-        const Tensor<1, 2>      arm      = joint.roller - sprocket.centre;
-        joint.velocity[0]                = -sprocket.speed * arm[1];
-        joint.velocity[1]                = sprocket.speed * arm[0];
-      }
-  for (const Layout::Span &span : layout.spans)
-    {
-      const Tensor<1, 2> a = layout.joints[span.first].velocity;
-      const Tensor<1, 2> b = layout.joints[(span.first + span.links) % n].velocity;
-      for (unsigned int i = 1; i < span.links; ++i)
-        layout.joints[span.first + i].velocity = a + static_cast<double>(i) / span.links * (b - a);
-    }
 }
 
 /// y -> -y: the lower span is tight, all sprockets turn clockwise.
@@ -331,6 +297,38 @@ const Layout::Span &Layout::span(const bool tight) const
       spans.begin(), spans.end(), [tight](const Span &span) { return span.tight == tight; });
 }
 
+// The velocities v = w x r of the tight span's ends along it are the same. With r from either
+// centre and d along the span, w2 (r2 x d) = w1 (r1 x d), where r1 x d and r2 x d are the distances
+// of the centres from the span's line; their ratio is the instantaneous speed ratio. Joints on a
+// sprocket turn with it; in spans the velocity changes linearly from one end to the other.
+void set_in_motion(Layout &layout, const double driver_speed)
+{
+  const auto cross = [](const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
+    return a[0] * b[1] - a[1] * b[0];
+  };
+  const unsigned int n      = layout.joints.size();
+  Layout::Sprocket  &driver = layout.sprockets[0], &driven = layout.sprockets[1];
+  const Point<2> &to = layout.joints[0].bush, &from = layout.joints[layout.span(true).first].bush;
+  driver.speed = layout.sense * driver_speed;
+  driven.speed = driver.speed * cross(to, to - from) / cross(from - driven.centre, to - from);
+
+  for (Layout::Joint &joint : layout.joints)
+    if (joint.sprocket >= 0)
+      {
+        const Layout::Sprocket &sprocket = layout.sprockets[joint.sprocket];
+        const Tensor<1, 2>      arm      = joint.roller - sprocket.centre;
+        joint.velocity[0]                = -sprocket.speed * arm[1];
+        joint.velocity[1]                = sprocket.speed * arm[0];
+      }
+  for (const Layout::Span &span : layout.spans)
+    {
+      const Tensor<1, 2> a = layout.joints[span.first].velocity;
+      const Tensor<1, 2> b = layout.joints[(span.first + span.links) % n].velocity;
+      for (unsigned int i = 1; i < span.links; ++i)
+        layout.joints[span.first + i].velocity = a + static_cast<double>(i) / span.links * (b - a);
+    }
+}
+
 void set_links(Layout &layout)
 {
   const unsigned int n = layout.joints.size();
@@ -371,7 +369,7 @@ Layout make_layout(const parameters::Drive      &drive,
       check_slack(
           fit, fitter, std::max(chain.inner_plate_height, chain.outer_plate_height), clearances);
       Layout layout = lay(fit, fitter);
-      if (drive.layout.start == parameters::Start::warm)
+      if (drive.layout.start == parameters::Start::settled)
         set_in_motion(layout, std::abs(driver_speed));
       if (drive.layout.tight_span == parameters::TightSide::lower)
         mirror(layout, forms);

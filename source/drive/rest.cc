@@ -45,17 +45,23 @@ bool positive_definite(const Matrix &m) { return m[0][0] > 0. && determinant(m) 
 class Equilibrium
 {
 public:
-  Equilibrium(Layout &layout, const RestingChain &chain, const std::vector<ToothForm> &forms)
+  Equilibrium(Layout                       &layout,
+              const RestingChain           &chain,
+              const std::vector<ToothForm> &forms,
+              const double                  torque      = 0.,
+              const double                  centrifugal = 0.)
       : layout_(layout)
       , chain_(chain)
       , forms_(forms)
       , n_(layout.joints.size())
       , hub_radius_(0.5 * forms[free_sprocket].pitch_diameter)
       , contact_radius_(chain.roller_radius - chain.bush_clearance)
-      , contact_stiffness_(chain.bush_clearance > 0. ?
-                               chain.tooth_stiffness * chain.bush_stiffness /
-                                   (chain.tooth_stiffness + chain.bush_stiffness) :
-                               chain.tooth_stiffness)
+      , seat_stiffness_(chain.bush_clearance > 0. ?
+                            chain.tooth_stiffness * chain.bush_stiffness /
+                                (chain.tooth_stiffness + chain.bush_stiffness) :
+                            chain.tooth_stiffness)
+      , torque_(torque)
+      , centrifugal_(centrifugal)
   {
     for (const Layout::Joint &joint : layout.joints)
       at_.push_back(joint.bush);
@@ -113,18 +119,37 @@ public:
   /// Of the link from joint @p k on, N.
   double tension(const unsigned int k) const
   {
-    return stiffness(k) * (at_[k].distance(at_[(k + 1) % n_]) - chain_.length.of(k));
+    return stiffness(k) * (at_[k].distance(at_[(k + 1) % n_]) - length(k));
   }
 
   /// Puts what was found into the layout.
   void store() const
   {
+    layout_.prestress = 0.;
+    for (unsigned int k = 0; k < n_; ++k)
+      {
+        Layout::Joint &joint = layout_.joints[k];
+        Vector         normal;
+        joint.pin_force  = std::abs(tension(k % 2 == 1 ? k : (k + n_ - 1) % n_));
+        joint.seat_force = 0.;
+        for (unsigned int i = 0; i < forms_.size(); ++i)
+          joint.seat_force += seat_force(k, overlap(i, at_[k], 0., normal));
+        layout_.prestress = std::max({layout_.prestress, std::abs(tension(k)), joint.seat_force});
+      }
     for (unsigned int k = 0; k < n_; ++k)
       {
         layout_.joints[k].bush   = at_[k];
-        layout_.joints[k].roller = roller(at_[k]);
+        layout_.joints[k].roller = roller(k);
       }
     layout_.sprockets[free_sprocket].angle += turned_;
+    for (Layout::Span &span : layout_.spans)
+      {
+        const Point<2> &from = at_[span.first], &to = at_[(span.first + span.links) % n_];
+        span.direction = (to - from) / to.distance(from);
+        span.normal[0] = layout_.sense * span.direction[1];
+        span.normal[1] = -layout_.sense * span.direction[0];
+      }
+    set_links(layout_);
   }
 
 private:
@@ -134,6 +159,19 @@ private:
   double stiffness(const unsigned int k) const
   {
     return k % 2 == 0 ? chain_.inner_stiffness : chain_.outer_stiffness;
+  }
+
+  /// Of the link from joint @p k on, without load, m. Joints are at the ends of outer links.
+  double length(const unsigned int k) const
+  {
+    return chain_.length.of(k) +
+           (k % 2 == 0 ? 0. : chain_.shifts.pin_of(k) + chain_.shifts.pin_of((k + 1) % n_));
+  }
+
+  /// Of joint @p k on a tooth from which it overlaps by @p depth, N.
+  double seat_force(const unsigned int k, const double depth) const
+  {
+    return seat_stiffness_ * std::max(0., depth - chain_.shifts.seat_of(k));
   }
 
   /// By how much a joint's point at @p p overlaps sprocket @p i, the driven one turned on by
@@ -155,12 +193,13 @@ private:
     return contact_radius_ - nearest.distance;
   }
 
-  /// Where the roller of the bush at @p bush is: a loaded one lies on the tooth, and the bush in
+  /// Where the roller of joint @p k is: a loaded one lies on the tooth, and the bush in
   /// it, along one normal; one that hangs on its bush beside the teeth takes the room that they
   /// leave.
-  Point<2> roller(const Point<2> &bush) const
+  Point<2> roller(const unsigned int k) const
   {
-    const double clearance = chain_.bush_clearance;
+    const Point<2> &bush      = at_[k];
+    const double    clearance = chain_.bush_clearance;
     if (clearance == 0.)
       return bush;
     Vector   normal;
@@ -170,8 +209,7 @@ private:
       {
         const double depth = overlap(i, bush, 0., normal);
         if (depth > -clearance)
-          at += (depth > 0. ? clearance + depth * contact_stiffness_ / chain_.bush_stiffness :
-                              clearance + depth) *
+          at += (clearance + (depth > 0. ? seat_force(k, depth) / chain_.bush_stiffness : depth)) *
                 normal;
         free = free && depth <= -clearance;
       }
@@ -187,27 +225,27 @@ private:
 
   /// Derivatives of a contact's energy by the joint's position and the driven hub's way at its
   /// pitch radius; returns the energy.
-  double contact(const unsigned int     i,
+  double contact(const unsigned int     k,
+                 const unsigned int     i,
                  const Point<2>        &p,
                  const double           turn,
                  std::array<double, 3> &gradient) const
   {
     Vector       normal;
-    const double depth = std::max(0., overlap(i, p, turn, normal));
-    const double force = contact_stiffness_ * depth;
+    const double force = seat_force(k, overlap(i, p, turn, normal));
     const Vector arm   = p - layout_.sprockets[free_sprocket].centre;
     gradient           = {{-force * normal[0],
                            -force * normal[1],
                  i != free_sprocket ?
                                0. :
                                force * (normal[1] * arm[0] - normal[0] * arm[1]) / hub_radius_}};
-    return 0.5 * force * depth;
+    return 0.5 * force * force / seat_stiffness_;
   }
 
   void add_contact(const unsigned int k, const unsigned int sprocket)
   {
     std::array<double, 3> here, there;
-    energy_ += contact(sprocket, at_[k], 0., here);
+    energy_ += contact(k, sprocket, at_[k], 0., here);
     gradient_[k][0] += here[0];
     gradient_[k][1] += here[1];
     hub_gradient_ += here[2];
@@ -220,7 +258,7 @@ private:
           moved[j] += nudge;
         else if (sprocket != free_sprocket)
           break;
-        contact(sprocket, moved, j < 2 ? 0. : nudge / hub_radius_, there);
+        contact(k, sprocket, moved, j < 2 ? 0. : nudge / hub_radius_, there);
         for (unsigned int i = 0; i < 3; ++i)
           {
             const double second = (there[i] - here[i]) / nudge;
@@ -237,19 +275,21 @@ private:
   /// Energy [J] at the present state; its derivatives become members.
   double assemble()
   {
-    energy_ = hub_gradient_ = hub_diagonal_ = 0.;
+    energy_       = -torque_ * turned_;
+    hub_gradient_ = -torque_ / hub_radius_;
+    hub_diagonal_ = 0.;
     gradient_.assign(n_, Vector());
     to_hub_.assign(n_, Vector());
     diagonal_.assign(n_, Matrix());
     to_next_.assign(n_, Matrix());
     for (unsigned int k = 0; k < n_; ++k)
       {
-        const unsigned int next   = (k + 1) % n_;
-        const Vector       vector = at_[next] - at_[k];
-        const double       length = vector.norm(), stretch = length - chain_.length.of(k);
-        const Vector       axis  = vector / length;
-        const double       force = stiffness(k) * stretch;
-        energy_ += 0.5 * force * stretch + chain_.weight * at_[k][1];
+        const unsigned int next     = (k + 1) % n_;
+        const Vector       vector   = at_[next] - at_[k];
+        const double       distance = vector.norm(), stretch = distance - length(k);
+        const Vector       axis  = vector / distance;
+        const double       force = stiffness(k) * stretch - centrifugal_;
+        energy_ += (0.5 * (force - centrifugal_)) * stretch + chain_.weight * at_[k][1];
         gradient_[k] -= force * axis;
         gradient_[next] += force * axis;
         gradient_[k][1] += chain_.weight;
@@ -257,7 +297,7 @@ private:
         for (unsigned int i = 0; i < 2; ++i)
           for (unsigned int j = 0; j < 2; ++j)
             along[i][j] = stiffness(k) * axis[i] * axis[j] +
-                          force / length * ((i == j ? 1. : 0.) - axis[i] * axis[j]);
+                          force / distance * ((i == j ? 1. : 0.) - axis[i] * axis[j]);
         diagonal_[k] += along;
         diagonal_[next] += along;
         to_next_[k] -= along;
@@ -362,7 +402,9 @@ private:
   const RestingChain           &chain_;
   const std::vector<ToothForm> &forms_;
   const unsigned int            n_;
-  const double                  hub_radius_, contact_radius_, contact_stiffness_;
+  const double                  hub_radius_, contact_radius_, seat_stiffness_;
+  const double torque_;      ///< on the driven sprocket, counter-clockwise positive, N m
+  const double centrifugal_; ///< what turning its momentum takes of the tension, N
 
   std::vector<Point<2>> at_;          ///< of the joints, m
   double                turned_ = 0.; ///< the driven hub, rad
@@ -411,14 +453,25 @@ void bring_to_rest(Layout                       &layout,
                      to_text(chain.weight * tight.links, 3) +
                      " N, and below the working tension, or Centre distance from = slack or sag.");
   equilibrium.store();
-  for (Layout::Span &span : layout.spans)
-    {
-      const Point<2> &from = layout.joints[span.first].bush,
-                     &to   = layout.joints[(span.first + span.links) % layout.joints.size()].bush;
-      span.direction       = (to - from) / to.distance(from);
-      span.normal[0]       = layout.sense * span.direction[1];
-      span.normal[1]       = -layout.sense * span.direction[0];
-    }
-  set_links(layout);
+}
+
+void settle(Layout                       &layout,
+            const RestingChain           &chain,
+            const std::vector<ToothForm> &forms,
+            const Operation              &operation)
+{
+  // a chain that runs takes m v^2 of its tension to turn its own momentum
+  const double speed = 0.5 * forms[0].pitch_diameter * operation.driver_speed;
+  const double pitch = 0.5 * (chain.length.inner + chain.length.outer);
+  const double flux  = operation.mass_per_pitch / pitch * speed * speed;
+
+  Equilibrium  equilibrium(layout, chain, forms, -layout.sense * operation.torque, flux);
+  const double scale = flux + std::abs(operation.torque) / (0.5 * forms[1].pitch_diameter);
+  if (!equilibrium.solve(1e-6 * scale + 1e-3))
+    throw InputError("Drive/Layout/Start = settled: no balance of the load torque, the tension of "
+                     "the chain and the forces of the teeth is found for this drive; choose taut, "
+                     "which comes to speed and load in a ramp.");
+  equilibrium.store();
+  set_in_motion(layout, operation.driver_speed);
 }
 } // namespace chaindrive::drive

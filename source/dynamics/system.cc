@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/dynamics/closed_contact.h>
 #include <chaindrive/dynamics/newmark.h>
+#include <chaindrive/dynamics/relaxation.h>
 #include <chaindrive/dynamics/system.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/scene.h>
@@ -26,7 +27,11 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 
   for (Rim &rim : world.rims)
     rim.find_seam(world.copies[rim.group]);
-  contacts.refuse_overlap(world, scene.prestress);
+  const bool strained = scene.at_speed && world.has_elastic_bodies();
+  if (strained)
+    Relaxation(scene, comm).strain(world);
+  // how bodies were placed and how they strain agree within a factor
+  contacts.refuse_overlap(world, (strained ? 2. : 1.) * scene.prestress);
   evaluate_forces(0.);
   close_ledger();
   world.ledger.initial = world.ledger.stored();

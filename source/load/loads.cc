@@ -15,22 +15,25 @@ Loads::Loads(const scene::Scene &scene)
 
 void Loads::add_forces(World &world, const double dt)
 {
+  // with halves all that is added here will be doubled
+  const double share = 1. / world.whole;
   if (gravity_ != 0.)
     for (unsigned int b = 0; b < world.n_bodies(); ++b)
       if (world.inverse_mass[b] > 0.)
         {
-          world.force.local_element(3 * b + 1) -= world.mass[b] * gravity_;
-          world.ledger.potential +=
-              world.mass[b] * gravity_ * world.displacement.local_element(3 * b + 1);
+          const double weight = share * world.mass[b] * gravity_;
+          world.force.local_element(3 * b + 1) -= weight;
+          world.ledger.potential += weight * world.displacement.local_element(3 * b + 1);
         }
   if (drag_ != 0.)
     for (unsigned int b = 0; b < world.n_bodies(); ++b)
       if (world.inverse_mass[b] > 0.)
         {
-          const dealii::Tensor<1, 3> &v = world.frames[b].velocity;
+          const dealii::Tensor<1, 3> &v    = world.frames[b].velocity;
+          const double                drag = share * drag_ * world.mass[b];
           for (unsigned int d = 0; d < 3; ++d)
-            world.force.local_element(3 * b + d) -= drag_ * world.mass[b] * v[d];
-          world.ledger.drag += drag_ * world.mass[b] * v.norm_square() * dt;
+            world.force.local_element(3 * b + d) -= drag * v[d];
+          world.ledger.drag += drag * v.norm_square() * dt;
         }
 }
 

@@ -187,10 +187,10 @@ void check_model(const Parameters &p, Findings &findings)
   const bool        clearances = p.model.capabilities().has_clearances;
   const Start       start      = p.drive.layout.start;
 
-  findings.contradiction(!clearances && start == Start::concentric,
-                         "Drive/Layout/Start = concentric centres pins in their bushes, but " +
-                             chosen +
-                             " has no joints; choose taut or warm, or Model/Fidelity = layered.");
+  findings.contradiction(
+      !clearances && start == Start::concentric,
+      "Drive/Layout/Start = concentric centres pins in their bushes, but " + chosen +
+          " has no joints; choose taut or settled, or Model/Fidelity = layered.");
   const bool elastic = p.model.capabilities().is_elastic;
   findings.contradiction(
       elastic && p.drive.layout.centre_distance_from == CentreDistanceFrom::pretension,
@@ -204,10 +204,6 @@ void check_model(const Parameters &p, Findings &findings)
       "Mesh/Inner link/Cells along = 2 leaves one ring of a bush's nodes inside its roller, which "
       "could tilt freely; " +
           chosen + " needs at least 4.");
-  findings.contradiction(elastic && start == Start::warm,
-                         "Drive/Layout/Start = warm would need the strain of the running chain, "
-                         "which " +
-                             chosen + " does not know at the start; choose taut or concentric.");
   findings.contradiction(
       elastic && (p.model.mass_per_pitch || p.model.stiffness_per_pitch),
       "Model/Mass per pitch in g and Model/Stiffness per pitch in N/m are those of the parts in " +
@@ -227,11 +223,8 @@ void check_model(const Parameters &p, Findings &findings)
   findings.contradiction(arriving && !elastic,
                          "Model/Elastic links = arriving contradicts " + chosen +
                              ", in which no link is elastic; choose all, or Fidelity = full.");
-  findings.contradiction(arriving && p.model.half == HalfModel::yes,
-                         "Model/Half model = true cannot be with Elastic links = arriving, whose "
-                         "rigid links are whole; choose false, or Elastic links = all.");
   findings.note(
-      start != Start::warm && p.loads.ramp_time > p.time.end,
+      start != Start::settled && p.loads.ramp_time > p.time.end,
       "Loads/Ramp time in ms ends after the run: the driver does not reach its full speed.");
 
   findings.note(

@@ -227,7 +227,7 @@ void Layout::declare(Declarations &declarations)
       "drive "
       "starts in equilibrium with it, whatever the chain on the sprockets gives way. Keep it far "
       "below the working tension and well above the weight of a span; 0 lays both spans straight "
-      "and unstressed. With Start = warm it is that of the slack span as laid.");
+      "and unstressed. With Start = settled it is that of the slack span as laid.");
   add(declarations,
       "Tight span",
       tight_span,
@@ -246,8 +246,9 @@ void Layout::declare(Declarations &declarations)
       start,
       "Where the parts of the joints are at the start. taut: at rest, clearances taken up in the "
       "pulling direction. concentric: at rest, pins and bushes centred, so that the drive first "
-      "hauls in the clearances and then jerks; layered fidelity only. warm: moving at full speed "
-      "under full load; saves the time of the ramp.");
+      "hauls in the clearances and then jerks; layered fidelity only. settled: at full "
+      "speed under full load, spans stretched, teeth and joints carrying their shares, the torque "
+      "of the load in balance; saves the time of the ramp.");
 }
 
 void Drive::declare(Declarations &declarations)

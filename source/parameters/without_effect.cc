@@ -54,9 +54,9 @@ std::vector<Rule> rules(const Parameters &p)
       {p.output.window_start.has_value(),
        {"Output/Window length in pitches"},
        "Output/Window start in ms is a time"},
-      {p.drive.layout.start == Start::warm,
+      {p.drive.layout.start == Start::settled,
        {"Loads/Speed ramp", "Loads/Ramp time in ms", "Loads/Torque ramp angle in rad"},
-       layout + "Start = warm begins at full speed under full load"},
+       layout + "Start = settled begins at full speed under full load"},
       {is_elastic && p.elements.formulation != Formulation::one_point,
        {"Elements/Hourglass coefficient"},
        "Elements/Formulation = " + text_of(p.elements.formulation) + " does not use it"}};

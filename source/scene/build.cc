@@ -123,11 +123,8 @@ Scene build_scene(const Parameters               &parameters,
                            !scene.at_speed,
                            "Drive/Layout/Start = " + text_of(parameters.drive.layout.start) +
                                (scene.at_speed ? ": at full speed" : ": from rest")});
-  if (parameters.drive.layout.centre_distance_from == parameters::CentreDistanceFrom::pretension)
-    scene.prestress = parameters.drive.layout.pretension;
-  if (scene.at_speed)
-    scene.prestress = std::max(scene.prestress, drive.nominal_tension);
-  if (scene.at_speed) // a warm start finds the load torque fully applied
+  scene.prestress = layout.prestress;
+  if (scene.at_speed) // a settled start finds the load torque fully applied
     scene.torque_angle_offset = scene.loads.torque_ramp_angle;
 
   builder_of(parameters.model.fidelity)(parameters, drive, scene);

@@ -44,7 +44,7 @@ double link_mass_factor(const Parameters &parameters, const drive::Drive &drive)
   return factor;
 }
 
-/// A link turns with the difference of its joints' velocities (zero unless the start is warm).
+/// A link turns with the difference of its joints' velocities (zero unless the start is settled).
 double link_spin(const drive::Layout &layout, const unsigned int k)
 {
   const auto                &a       = layout.joints[k];

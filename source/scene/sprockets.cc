@@ -153,14 +153,14 @@ ToothFamily with_rigid_rollers(const Parameters   &parameters,
   const std::vector<double> stations =
       roller.motion == Motion::lumped ?
           std::vector<double>{0.} :
-          line_stations(std::min(drive.chain.roller_length, 2. * flanks.half_width));
+          line_stations(std::min(drive.chain.roller_length, 2. * flanks.half_width), scene.half);
   ToothFamily teeth = flanks;
   teeth.law         = make_law(parameters,
                        scene.effects,
                        stiffness,
                        roller.mass,
                        parameters.contact.roller_tooth_friction)
-                  .shared_by(static_cast<unsigned int>(stations.size()));
+                  .shared_by(roller.motion == Motion::lumped ? 1 : 2);
   for (unsigned int k = 0; k < scene.n_joints; ++k)
     for (const double z : stations)
       if (scene.bodies[k].motion != Motion::elastic)

@@ -20,7 +20,7 @@ constexpr int margin = 2; // links beside those that arrive: plates on both side
 /// load::SpeedProgram.
 double turned(const Scene &scene, const double time)
 {
-  const double ramp = scene.loads.ramp_time;
+  const double ramp = scene.at_speed ? 0. : scene.loads.ramp_time;
   const double t    = std::max(0., time - scene.start_time);
   if (t >= ramp)
     return scene.loads.driver_speed * (t - 0.5 * ramp);

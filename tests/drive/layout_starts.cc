@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Starts of the 525 drive: mirrored tight span, gravity, alternation of links, a warm start whose
-// velocities fit together.
+// Starts of the 525 drive: mirrored tight span, gravity, alternation of links, a settled start
+// whose velocities fit together.
 
 #include "compare.h"
 #include "forms.h"
@@ -87,29 +87,29 @@ int main()
               1);
     }
 
-  std::cout << "== warm\n";
+  std::cout << "== settled\n";
   drive.layout.tight_span  = parameters::TightSide::upper;
-  drive.layout.start       = parameters::Start::warm;
+  drive.layout.start       = parameters::Start::settled;
   drive.layout.start_phase = 0.4;
   for (const bool clearances : {false, true})
     {
-      const auto warm = make(drive, clearances);
+      const auto settled = make(drive, clearances);
       compare("driven over driver speed, over the four-bar's",
-              warm.sprockets[1].speed / warm.sprockets[0].speed /
-                  drive::four_bar_ratio(warm.centre_distance(), 15.875e-3, 15, 42, 0.4),
+              settled.sprockets[1].speed / settled.sprockets[0].speed /
+                  drive::four_bar_ratio(settled.centre_distance(), 15.875e-3, 15, 42, 0.4),
               1.,
               3);
-      const auto        &j = warm.joints;
-      const unsigned int n = drive.n_links, exit = warm.span(true).first;
+      const auto        &j = settled.joints;
+      const unsigned int n = drive.n_links, exit = settled.span(true).first;
       compare("both ends of the tight span move alike along it, m/s",
-              j[exit].velocity * warm.span(true).direction,
-              j[0].velocity * warm.span(true).direction,
+              j[exit].velocity * settled.span(true).direction,
+              j[0].velocity * settled.span(true).direction,
               3);
       double jump = 0.;
       for (unsigned int k = 0; k < n; ++k)
         jump = std::max(jump, (j[k].velocity - j[(k + 1) % n].velocity).norm());
       verdict("neighbours differ by no more than p w1", jump < 15.9e-3 * 120.74);
-      const auto &mid = j[exit + warm.span(true).links / 2];
+      const auto &mid = j[exit + settled.span(true).links / 2];
       compare(
           "chain speed within the polygon's range 4.509 ... 4.610", mid.velocity.norm(), 4.56, 1);
     }

@@ -65,7 +65,7 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
         expected = k % 2 == 0 ? chain.loaded_inner_pitch() : chain.loaded_outer_pitch();
       if (concentric && !seated)
         expected = k % 2 == 0 ? chain.inner_hole_pitch : chain.outer_hole_pitch;
-      if (drive.layout.start == parameters::Start::warm && in_tight)
+      if (drive.layout.start == parameters::Start::settled && in_tight)
         expected += !clearances ? stretch : k % 2 == 1 ? 2. * stretch : 0.;
       worst.spacing = std::max(worst.spacing, std::abs(a.bush.distance(b.bush) - expected));
       worst.link    = std::max(worst.link,
@@ -117,7 +117,7 @@ int main()
   };
 
   for (const auto start :
-       {parameters::Start::taut, parameters::Start::warm, parameters::Start::concentric})
+       {parameters::Start::taut, parameters::Start::settled, parameters::Start::concentric})
     for (const bool clearances : {false, true})
       {
         if (!clearances && start == parameters::Start::concentric)

@@ -89,7 +89,7 @@ int main()
   const auto build                                                                  = [&] {
     return scene::build_scene(parameters, drive::make_drive(parameters), {"."});
   };
-  parameters.drive.layout.start = parameters::Start::warm;
+  parameters.drive.layout.start = parameters::Start::settled;
   compare("simple", build(), 0.25);
   parameters.model.fidelity = parameters::Fidelity::layered;
   compare("layered", build(), 0.25);

@@ -35,7 +35,7 @@ void add_again(System             &system,
 
 int main()
 {
-  const scene::Scene scene = drive_scene("prm/paper/layered.prm", {"Drive/Layout/Start=warm"});
+  const scene::Scene scene = drive_scene("prm/paper/layered.prm", {"Drive/Layout/Start=settled"});
   const auto         sound = [&scene]() { return Drive(scene, 2000, 0.08); };
 
   for (const std::string name : {"bush-pin", "roller-bush"})

@@ -22,7 +22,7 @@ const std::string roller(const unsigned int k) { return "roller " + std::to_stri
 
 int main()
 {
-  const scene::Scene scene = drive_scene("prm/paper/simple.prm", {"Drive/Layout/Start=warm"});
+  const scene::Scene scene = drive_scene("prm/paper/simple.prm", {"Drive/Layout/Start=settled"});
   const double part  = 0.43e-6 / System(scene, false).stable_step_limit(); // the faults need time
   const auto   sound = [&scene, part]() { return Drive(scene, 2000, part); };
   const std::string momentum = "Momentum", lost = "as if it did not get the force of the ",
@@ -80,7 +80,7 @@ int main()
 
   // of sticking contacts with friction the limit is lower, but they slide before they blow up
   const scene::Scene smooth = drive_scene(
-      "prm/paper/simple.prm", {"Drive/Layout/Start=warm", "Contact/Friction coefficient=0"});
+      "prm/paper/simple.prm", {"Drive/Layout/Start=settled", "Contact/Friction coefficient=0"});
   Drive(smooth, 2000, 0.08)
       .expect_stop("step 1.3 times the limit", {"nergy", "roller"}, {}, {}, 1.3 / 0.08);
 

@@ -13,7 +13,7 @@ int main()
   parameters.model.fidelity        = parameters::Fidelity::layered;
   parameters.output.field_interval = 0.;
   parameters.drive.layout.start =
-      parameters::Start::warm; // at speed: rollers arrive from the first moment on
+      parameters::Start::settled; // at speed: rollers arrive from the first moment on
   const scene::Scene scene = scene::build_scene(parameters, drive::make_drive(parameters), {"."});
 
   dynamics::System    seldom(scene, false), always(scene, true);

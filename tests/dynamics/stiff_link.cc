@@ -25,7 +25,7 @@ scene::Scene make_scene(const bool layered, const bool stiff_link)
   parameters.loads.ramp_time       = 0.2e-3;
   if (layered)
     // the joint is loaded from the first moment on
-    parameters.drive.layout.start = parameters::Start::warm;
+    parameters.drive.layout.start = parameters::Start::settled;
   scene::Scene scene = scene::build_scene(parameters, drive::make_drive(parameters), {"."});
   if (stiff_link && !layered)
     scene.bars[stiff(scene.n_joints)].stiffness *= 1e3;

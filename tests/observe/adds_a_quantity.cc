@@ -84,7 +84,7 @@ int main()
 {
   Parameters p;
   p.model.fidelity          = parameters::Fidelity::simple;
-  p.drive.layout.start      = parameters::Start::warm;
+  p.drive.layout.start      = parameters::Start::settled;
   p.loads.driver_speed      = 100.;
   p.loads.resisting_torque  = 20.;
   p.time.end                = 0.5e-3;

@@ -92,8 +92,8 @@ int main()
   read_text("without effect in the full model",
             "subsection Model\n  set Fidelity = full\n  set Chain damping ratio = 0.02\nend\n"
             "subsection Elements\n  set Hourglass coefficient = 0.05\nend\n");
-  read_text("without effect at a warm start",
-            "subsection Drive\n  subsection Layout\n    set Start = warm\n  end\nend\n"
+  read_text("without effect at a settled start",
+            "subsection Drive\n  subsection Layout\n    set Start = settled\n  end\nend\n"
             "subsection Loads\n  set Ramp time in ms = 2\nend\n");
   read_text("no hourglass stiffness",
             "subsection Elements\n  set Hourglass coefficient = 0\nend\n");

@@ -76,9 +76,9 @@ int main()
     p.drive.layout.start = Start::concentric;
     p.model.fidelity     = Fidelity::layered;
   });
-  check([](Parameters &p) { p.drive.layout.start = Start::warm; });
+  check([](Parameters &p) { p.drive.layout.start = Start::settled; });
   check([](Parameters &p) {
-    p.drive.layout.start    = Start::warm;
+    p.drive.layout.start    = Start::settled;
     p.model.fidelity        = Fidelity::full;
     p.mesh.inner_link.along = 2;
     p.mesh.roller_along     = 5;

@@ -6,7 +6,7 @@ average over whole pitches, whatever happens within one:
   speed of the tight span      z1 p w1 / 2 pi
   tight less slack tension     2 pi T2 / (z2 p)
 
-They run as simple models that start warm, at full speed and under load, and without friction: the averages mean something after
+They run as simple models that start settled, at full speed and under load, and without friction: the averages mean something after
 five pitches. A small driven inertia, where one is given below, swings fast enough on the tight span to average out. Speeds must be
 right to 0.3 %, tensions to the percentage below. With its own model and start each file runs its first 2 ms.
 """
@@ -56,7 +56,7 @@ def compare(name, form):
         {
             "Model/Fidelity": "simple",
             "Drive/Sprockets/Tooth form": form,
-            "Drive/Layout/Start": "warm",
+            "Drive/Layout/Start": "settled",
             "Effects/Friction": "off",
             "Time/Step in us": step,
             "Time/End time in ms": window[1],

@@ -8,6 +8,7 @@ from a checkpoint gives the same CSV files, bit by bit.
   imported   all bodies elastic, the driver read from a mesh
   half       half of that
   arriving   elastic links among rigid ones
+  settled    halves of them, from a settled start
   rigid      the layered model: of two ranks one computes, and both end
   refuse     bad input on two ranks: one sentence and its status
 """
@@ -34,6 +35,12 @@ CASES = {
     "imported": IMPORTED,
     "half": {**IMPORTED, "Model/Half model": "true"},
     "arriving": {"Model/Elastic links": "arriving"},
+    "settled": {
+        "Model/Elastic links": "arriving",
+        "Model/Half model": "true",
+        "Drive/Layout/Start": "settled",
+        "Loads/Resisting torque in N m": 30,
+    },
 }
 
 

@@ -54,6 +54,8 @@ using StiffnessOf = std::function<PartStiffness(const Drive &drive, double load)
 /// Stiffnesses that are auto are those of @p stiffness_of at the nominal tension; without it they
 /// are estimated from dimensions.
 /// @throws InputError as make_chain(), make_tooth_form() and make_layout() do, and for a bore, hub
-/// or width that does not fit the sprocket.
-Drive make_drive(const Parameters &parameters, const StiffnessOf &stiffness_of = {});
+/// or width that does not fit the sprocket. @p shifts serve a settled start.
+Drive make_drive(const Parameters  &parameters,
+                 const StiffnessOf &stiffness_of = {},
+                 const JointShifts &shifts       = {});
 } // namespace chaindrive::drive

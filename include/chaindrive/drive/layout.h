@@ -24,7 +24,7 @@ struct Layout
   {
     dealii::Point<2> centre;
     double           angle; ///< of gap 0 from +x, rad
-    double           speed; ///< rad/s, counter-clockwise positive; zero unless the start is warm
+    double           speed; ///< rad/s, counter-clockwise positive; zero unless the start is settled
     unsigned int     seats; ///< joints that sit on it
   };
 
@@ -41,11 +41,13 @@ struct Layout
 
   struct Joint
   {
-    dealii::Point<2>     roller;    ///< centre
-    dealii::Point<2>     bush;      ///< centre
-    dealii::Tensor<1, 2> velocity;  ///< zero unless the start is warm
-    int                  sprocket;  ///< it sits on, -1 in a span
-    int                  tooth_gap; ///< of the sprocket it sits in, -1 in a span
+    dealii::Point<2>     roller;          ///< centre
+    dealii::Point<2>     bush;            ///< centre
+    dealii::Tensor<1, 2> velocity;        ///< zero unless the start is settled
+    int                  sprocket;        ///< it sits on, -1 in a span
+    int                  tooth_gap;       ///< of the sprocket it sits in, -1 in a span
+    double               pin_force  = 0.; ///< for which pin and bush are placed, N
+    double               seat_force = 0.; ///< for which roller and tooth are placed, N
   };
 
   /// The link from joint k to joint k + 1. Inner links have even numbers.
@@ -61,12 +63,24 @@ struct Layout
   std::vector<Span>     spans;
   std::vector<Joint>    joints; ///< in the direction of travel; joint 0 enters sprocket 0
   std::vector<Link>     links;
+  double                prestress = 0.; ///< largest force that joints and teeth are placed for, N
 
   /// The tight span, and the slack one.
   const Span &span(bool tight) const;
 
   /// Of sprockets 0 and 1, m.
   double centre_distance() const { return sprockets[0].centre.distance(sprockets[1].centre); }
+};
+
+/// By how much further the surfaces of single joints must come together than those of all others
+/// for the same force, m: of elastic bodies, whose stiffness is their own. Empty: nothing.
+struct JointShifts
+{
+  std::vector<double> pin;  ///< of a pin in its bush
+  std::vector<double> seat; ///< of a bush on a tooth, through its roller
+
+  double pin_of(const unsigned int k) const { return pin.empty() ? 0. : pin[k]; }
+  double seat_of(const unsigned int k) const { return seat.empty() ? 0. : seat[k]; }
 };
 
 /// Lays the chain on the sprockets.
@@ -82,8 +96,8 @@ struct Layout
 /// are concentric in the spans, and on the sprockets where both loaded pitches are equal.
 /// @param stiffness_per_pitch  Of the chain, N/m: it turns pre-tension into stretch. With
 /// clearances all stretch is in the outer links, whose joints carry the compliance.
-/// @param driver_speed   magnitude, rad/s, for start `warm`
-/// @param tight_tension  N, for start `warm`
+/// @param driver_speed   magnitude, rad/s, for start `settled`
+/// @param tight_tension  N, for start `settled`
 /// @param weightless     no gravity acts
 ///
 /// @throws InputError when the chain does not fit (states what would), when a roller overlaps a
@@ -97,6 +111,10 @@ Layout make_layout(const parameters::Drive      &drive,
                    double                        driver_speed,
                    double                        tight_tension,
                    bool                          weightless = false);
+
+/// Velocities of a drive at speed, as of a four-bar linkage: the tight span is a rigid link between
+/// the seats at its ends. The driver turns at @p driver_speed [rad/s] in the sense of the drive.
+void set_in_motion(Layout &layout, double driver_speed);
 
 /// Centre and direction of every link of @p layout from the bushes of its two joints.
 void set_links(Layout &layout);

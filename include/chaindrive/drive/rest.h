@@ -20,6 +20,7 @@ struct RestingChain
   double      tooth_stiffness;                  ///< of a roller on a tooth, N/m
   double      bush_clearance;                   ///< radial, of bush and roller; 0: they are one, m
   double      bush_stiffness; ///< of a bush in its roller, where they are two, N/m
+  JointShifts shifts = {};
 };
 
 /// Moves chain, driven sprocket and shaft so that the drive of @p layout, whose driver is held and
@@ -32,4 +33,23 @@ void bring_to_rest(Layout                       &layout,
                    const RestingChain           &chain,
                    const std::vector<ToothForm> &forms,
                    double                        tension);
+
+/// How a drive runs.
+struct Operation
+{
+  double driver_speed;   ///< magnitude, rad/s
+  double torque;         ///< of the load, against the motion of the driven sprocket, N m
+  double mass_per_pitch; ///< kg
+};
+
+/// Moves chain and driven sprocket of @p layout to where they balance the load torque while the
+/// drive runs, and sets them in motion: minimum of the energy as above, in which the tension that
+/// pulls at a joint is less by what turns the chain's own momentum, m v^2. Teeth take their shares
+/// of the tension at the angles at which rollers bear on them then. Without friction.
+///
+/// @throws InputError, naming Drive/Layout/Start, when no such state is found.
+void settle(Layout                       &layout,
+            const RestingChain           &chain,
+            const std::vector<ToothForm> &forms,
+            const Operation              &operation);
 } // namespace chaindrive::drive

@@ -84,12 +84,12 @@ enum class Start
 {
   taut,       ///< at rest, clearances taken up
   concentric, ///< at rest, pins and bushes centred
-  warm        ///< at full speed under full load
+  settled     ///< at full speed under full load, all in balance
 };
 
 template <>
 inline constexpr Texts<Start, 3> texts_of<Start>{
-    {{Start::taut, "taut"}, {Start::concentric, "concentric"}, {Start::warm, "warm"}}};
+    {{Start::taut, "taut"}, {Start::concentric, "concentric"}, {Start::settled, "settled"}}};
 
 /// Section `Drive/Chain`. An empty optional means `auto`: from the designation, or derived from it.
 struct Chain

@@ -33,7 +33,7 @@ std::vector<char>
 elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
 
 /// Angular velocity [rad/s] of the roller of joint @p k at the start: that of its sprocket or, in a
-/// span, of the inner link that carries it; zero unless the start is warm.
+/// span, of the inner link that carries it; zero unless the start is settled.
 double roller_spin(const drive::Layout &layout, unsigned int k);
 
 /// Rollers, inner and outer links of a chain with clearances: elastic where the effect is on and

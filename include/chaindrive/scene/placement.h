@@ -31,10 +31,11 @@ inline Frame placed(const dealii::Point<2>     &at,
 }
 
 /// The two axial stations [m] at which half of a line contact of @p length [m] acts, each: the
-/// points of Gauss' rule, so that the second moment of the line is kept.
-inline std::vector<double> line_stations(const double length)
+/// points of Gauss' rule, so that the second moment of the line is kept. Of a @p half model, that
+/// above the middle plane: World::sum_over_ranks() adds its image's force.
+inline std::vector<double> line_stations(const double length, const bool half)
 {
   const double z = length / (2. * std::sqrt(3.));
-  return {-z, z};
+  return half ? std::vector<double>{z} : std::vector<double>{-z, z};
 }
 } // namespace chaindrive::scene

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/dynamics/system.h>
+
+namespace chaindrive::dynamics
+{
+/// The strain of elastic bodies that are placed without strain where their surfaces overlap, in
+/// balance with the forces that they then exert on each other. Links keep their centres of mass and
+/// directions (inertia relief: what moves a body as a whole strains nothing), rims their hubs,
+/// rigid bodies their places; a roller finds its own between tooth and bush.
+///
+/// The drive, at rest, unloaded and without friction, is a System of its own: internal and contact
+/// forces are those of the run. Dynamic relaxation with kinetic damping (Barnes, Int. J. Space
+/// Structures 14, 1999, 89) moves it: whenever the kinetic energy has passed a maximum, all comes
+/// to a stop. The first step after a stop goes down the gradient of the energy, for which the step
+/// must be below sqrt(2) over the largest frequency. No node is let move faster than contacts
+/// foresee, so that deep overlaps are pressed out and no contact is missed. It ends when the stored
+/// energy hardly falls any more while waves run along a link several times.
+class Relaxation
+{
+public:
+  /// Collective. RunError if no balance is found.
+  Relaxation(const scene::Scene &scene, MPI_Comm comm);
+
+  /// Strains the bodies of @p world, which is made of the same scene and dealt out alike; nodes
+  /// move as their bodies do at the start.
+  void strain(World &world) const;
+
+  /// What joints with elastic bodies carry, N; 0 for other joints.
+  struct JointForces
+  {
+    std::vector<double> pin;  ///< pins in bushes
+    std::vector<double> seat; ///< rollers on teeth
+  };
+
+  /// The same on all ranks. Collective.
+  JointForces joint_forces();
+
+private:
+  const scene::Scene &scene_;
+  System              system_;
+};
+} // namespace chaindrive::dynamics

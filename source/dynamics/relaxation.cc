@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/dynamics/relaxation.h>
+#include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/ranks.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace chaindrive::dynamics
+{
+namespace
+{
+using Vector3 = dealii::Tensor<1, 3>;
+
+constexpr double fastest_node = 2.; // m/s; see contact::unforeseen_speed()
+
+/// @p scene at rest, without loads and friction, whatever overlaps.
+scene::Scene at_rest(const scene::Scene &scene)
+{
+  scene::Scene still = scene;
+  for (scene::Body &body : still.bodies)
+    body.initial.velocity = body.initial.angular_velocity = Vector3();
+  const auto without_friction = [](auto &families) {
+    for (auto &family : families)
+      family.law.friction = family.law.tangential_stiffness = family.law.tangential_damping = 0.;
+  };
+  without_friction(still.bores);
+  without_friction(still.faces);
+  without_friction(still.teeth);
+  without_friction(still.surfaces);
+  still.loads.driver_speed = still.loads.resisting_torque = 0.;
+  still.loads.gravity = still.loads.drag = 0.;
+  still.at_speed                         = false;
+  still.prestress                        = std::numeric_limits<double>::infinity();
+  return still;
+}
+
+/// Calls @p visit (copies, index, node) for every node of elastic bodies that this rank owns.
+template <typename Visit>
+void for_each_node(World &world, const Visit &visit)
+{
+  for (unsigned int g = 0; g < world.n_elastic_groups(); ++g)
+    {
+      BodyBatches &copies = world.copies[g];
+      for (unsigned int copy = 0; copy < copies.n_copies(); ++copy)
+        for (unsigned int node = 0; copies.owns(copy) && node < copies.n_nodes(); ++node)
+          visit(copies, copies.index(copy, node), node);
+    }
+}
+
+/// An elastic body that may not move as a whole.
+class Held
+{
+public:
+  Held(BodyBatches &copies, const unsigned int copy) : copies_(copies), copy_(copy)
+  {
+    const NodeView position(std::as_const(copies_.position));
+    for_each([&](const std::size_t at, const double mass) {
+      centre_ += mass / copies_.mass * position[at];
+    });
+    dealii::SymmetricTensor<2, 3> inertia;
+    for_each([&](const std::size_t at, const double mass) {
+      const Vector3 arm = position[at] - centre_;
+      inertia += mass * (arm.norm_square() * dealii::unit_symmetric_tensor<3>() -
+                         dealii::symmetrize(dealii::outer_product(arm, arm)));
+    });
+    if (copies_.part->half) // turns about z only
+      inverse_inertia_[2][2] = 1. / inertia[2][2];
+    else
+      inverse_inertia_ = dealii::invert(inertia);
+  }
+
+  /// Takes from the velocities of its nodes what moves it as a whole.
+  void hold() const
+  {
+    const NodeView position(std::as_const(copies_.position));
+    const NodeView velocity(copies_.velocity);
+    Vector3        momentum, spin;
+    for_each([&](const std::size_t at, const double mass) {
+      const Vector3 p = mass * velocity[at];
+      momentum += p;
+      spin += cross_product_3d(position[at] - centre_, p);
+    });
+    Vector3 v = momentum / copies_.mass;
+    if (copies_.part->half)
+      v[2] = 0.;
+    const Vector3 w = inverse_inertia_ * spin;
+    for_each([&](const std::size_t at, double) {
+      velocity.add(at, -v - cross_product_3d(w, position[at] - centre_));
+    });
+  }
+
+private:
+  template <typename Visit>
+  void for_each(const Visit &visit) const
+  {
+    for (unsigned int node = 0; node < copies_.n_nodes(); ++node)
+      visit(copies_.index(copy_, node), copies_.nodes.mass[node]);
+  }
+
+  BodyBatches                  &copies_;
+  unsigned int                  copy_;
+  Vector3                       centre_;
+  dealii::SymmetricTensor<2, 3> inverse_inertia_;
+};
+
+/// All links of @p world that this rank owns.
+std::vector<Held> links_of(const scene::Scene &scene, World &world)
+{
+  std::vector<Held> links;
+  for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+    {
+      const World::Address &place = world.elastic_address[b];
+      const scene::Kind     kind  = scene.bodies[b].kind;
+      if (place.group != World::Address::none && world.copies[place.group].owns(place.copy) &&
+          (kind == scene::Kind::inner_link || kind == scene::Kind::outer_link))
+        links.emplace_back(world.copies[place.group], place.copy);
+    }
+  return links;
+}
+
+/// Moves all nodes on with their velocities for the time @p dt, which may be negative.
+void drift(World &world, const double dt)
+{
+  for (unsigned int g = 0; g < world.n_elastic_groups(); ++g)
+    for (std::size_t i = 0; i < world.copies[g].velocity.locally_owned_size(); ++i)
+      world.copies[g].position.local_element(i) += dt * world.copies[g].velocity.local_element(i);
+}
+
+/// Keeps nodes from moving too fast; returns the kinetic energy of all ranks, J.
+double slow_down(World &world)
+{
+  double kinetic = 0.;
+  for_each_node(world, [&](BodyBatches &copies, const std::size_t at, const unsigned int node) {
+    const NodeView velocity(copies.velocity);
+    Vector3        v     = velocity[at];
+    const double   speed = v.norm();
+    if (speed > fastest_node)
+      velocity.set(at, v *= fastest_node / speed);
+    kinetic += 0.5 * copies.nodes.mass[node] * v.norm_square();
+  });
+  return dealii::Utilities::MPI::sum(kinetic, world.communicator());
+}
+} // namespace
+
+Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm)
+    : scene_(scene), system_(at_rest(scene), false, comm)
+{
+  World                  &world = system_.world;
+  const std::vector<Held> links = links_of(scene, world);
+
+  constexpr double       hardly = 2e-3; // of the stored energy
+  constexpr unsigned int most   = 100;  // intervals
+  const Material        &steel  = scene.material;
+  const double           dt     = 0.65 * system_.stable_step_limit();
+  const double           wave   = scene.pitch / std::sqrt(steel.youngs_modulus / steel.density);
+  const unsigned int     steps  = static_cast<unsigned int>(5. * wave / dt) + 1;
+  double                 before = 0., stored = 0.;
+  for (unsigned int interval = 0; interval < most; ++interval)
+    {
+      for (unsigned int i = 0; i < steps; ++i)
+        {
+          // a step moves nodes at once, before their velocities are what they shall be
+          system_.evaluate_forces(dt);
+          drift(world, -dt);
+          for (const Held &link : links)
+            link.hold();
+          const double kinetic = slow_down(world);
+          if (kinetic < before)
+            for (unsigned int g = 0; g < world.n_elastic_groups(); ++g)
+              world.copies[g].velocity = 0.;
+          else
+            drift(world, dt);
+          before = kinetic < before ? 0. : kinetic;
+        }
+      const double now = world.ledger.stored() - world.ledger.kinetic;
+      if (std::abs(now - stored) <= hardly * now)
+        return;
+      stored = now;
+    }
+  throw RunError("The elastic bodies find no balance with the forces of the start.");
+}
+
+void Relaxation::strain(World &world) const
+{
+  for (unsigned int g = 0; g < world.n_elastic_groups(); ++g)
+    world.copies[g].position.copy_locally_owned_data_from(system_.world.copies[g].position);
+  for (unsigned int g = 0; g < world.n_elastic_groups(); ++g)
+    {
+      BodyBatches   &copies = world.copies[g];
+      const NodeView position(std::as_const(copies.position));
+      const NodeView velocity(copies.velocity);
+      for (unsigned int copy = 0; copy < copies.n_copies(); ++copy)
+        {
+          const Frame &start = scene_.bodies[copies.bodies[copy]].initial;
+          for (unsigned int node = 0; copies.owns(copy) && node < copies.n_nodes(); ++node)
+            {
+              const std::size_t at = copies.index(copy, node);
+              velocity.set(at,
+                           start.velocity + cross_product_3d(start.angular_velocity,
+                                                             position[at] - start.position));
+            }
+        }
+    }
+}
+
+Relaxation::JointForces Relaxation::joint_forces()
+{
+  const World &world = system_.world;
+  system_.contacts.gather_records(world);
+  JointForces forces{std::vector<double>(scene_.n_joints, 0.),
+                     std::vector<double>(scene_.n_joints, 0.)};
+  for (const auto &family : system_.contacts.families())
+    if (family->is_dealt_out()) // elastic bodies
+      for (const contact::Record &record : family->records())
+        {
+          const double size = record.force.norm();
+          if (scene_.bodies[record.slave].kind == scene::Kind::outer_link)
+            forces.pin[record.joint] = std::max(forces.pin[record.joint], size);
+          else if (scene_.bodies[record.master].kind == scene::Kind::sprocket)
+            forces.seat[record.joint] += size;
+        }
+  forces.pin  = dealii::Utilities::MPI::broadcast(world.communicator(), forces.pin);
+  forces.seat = dealii::Utilities::MPI::broadcast(world.communicator(), forces.seat);
+  return forces;
+}
+} // namespace chaindrive::dynamics
