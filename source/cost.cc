@@ -114,7 +114,7 @@ void time_outputs(Simulation &simulation, Cost &cost)
                          }) /
                 n;
   cost.samples = 1. + std::min(std::ceil(duration / output.history_interval), double(cost.steps));
-  if (output.field_interval <= 0.)
+  if (output.field_interval <= 0. || !scene::is_on(simulation.scene.effects, "fields"))
     return;
   observe::Pictures pictures(
       simulation.scene, simulation.parameters, system, scratch.path(), system.timer);
