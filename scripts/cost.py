@@ -4,9 +4,10 @@
 that one foretells and the other takes, as a table of doc/performance.md. A run that is foretold to take longer than
 --limit seconds is shortened in proportion, window and all, and planned anew.
 
-usage: scripts/cost.py [--limit SECONDS] [--program PROGRAM] [--within FACTOR] [FILE.prm]...
+usage: scripts/cost.py [--limit SECONDS] [--program PROGRAM] [--within FACTOR] [--fit] [FILE.prm]...
 
-Without files: all of prm/ that are not studies. With --within the script fails when a prediction is farther off than
+--fit also prints the mean, over runs with elastic bodies, of the cost of a step that was taken over that of the first
+steps: change_of_elastic of source/cost.cc. Without files: all of prm/ that are not studies. With --within the script fails when a prediction is farther off than
 that factor."""
 import argparse
 import pathlib
@@ -16,43 +17,46 @@ import tempfile
 
 import program
 
-COST = re.compile(r"^Cost: (\S+) s of CPU time.* (\d+) steps of (\S+) us.*memory (\S+) MB$", re.MULTILINE)
+COST = re.compile(r"^Cost: (?P<total>\S+) s of CPU time.*start-up (?P<start>\S+) s, (?P<steps>\d+) steps of (?P<step>\S+) us"
+                  r"(?: \((?P<first>\S+) us at first\))?.*memory (?P<memory>\S+) MB$", re.MULTILINE)
 
 
 def plan(file, entries, which):
-    """(CPU time [s], time of a step [us], memory [MB]) foretold."""
+    """What is foretold: total, start, steps, step, memory; first: a step at first [us], of elastic bodies only."""
     found = COST.search(program.run(file, entries, "--plan", program=which))
     program.check(found, f"{file}: the plan says nothing of the cost")
-    return tuple(map(float, found.group(1, 3, 4)))
+    return {name: float(value) for name, value in found.groupdict().items() if value}
 
 
 def number(text, entry, otherwise):
     """The value of an entry of a .prm file."""
     found = re.search(rf"^\s*set {re.escape(entry)}\s*=\s*(\S+)", text, re.MULTILINE)
-    return float(found[1]) if found else otherwise
+    return float(found[1]) if found and found[1] not in ("auto", "settled") else otherwise
 
 
 def shortened(text, share):
-    """Entries that end a run, and begin its window, after this share of it."""
-    end, window = number(text, "End time in ms", 30.), number(text, "Window start in ms", 10.)
-    return {"Time/End time in ms": round(share * end, 4), "Output/Window start in ms": round(share * window, 4)}
+    """Entries that end a run, and its window, after this share of it."""
+    otherwise = {"Time/End time in ms": 30., "Output/Window start in ms": 10., "Output/Window end in ms": None}
+    given = {path: number(text, path.split("/")[1], value) for path, value in otherwise.items()}
+    return {path: round(share * value, 4) for path, value in given.items() if value is not None}
 
 
 def compare(file, limit, which):
     """The row of the table of one file."""
     text, entries = (program.REPOSITORY / file).read_text(), {}
     foretold = plan(file, entries, which)
-    if foretold[0] > limit:
-        entries = shortened(text, limit / foretold[0])
+    if foretold["total"] > limit:
+        entries = shortened(text, limit / foretold["total"])
         foretold = plan(file, entries, which)
     with tempfile.TemporaryDirectory() as folder:
         program.run(file, entries, "--quiet", "--output", folder, program=which)
         summary = program.summary(folder)
-    took, steps = summary["cpu_seconds"], summary["steps"]
-    loop = sum(took.get(phase, 0.) for phase in ("internal_force", "time_integration", "contact_algorithm"))
-    return {"file": str(file), "until": entries.get("Time/End time in ms"), "foretold": foretold[0], "took": took["total"],
-            "step foretold": foretold[1], "step": 1e6 * (took["total"] - took["initiation_and_rest"]) / steps, "loop": loop,
-            "memory foretold": foretold[2], "memory": summary["memory_peak"] / 1e6}
+    took = summary["cpu_seconds"]
+    outputs = foretold["total"] - foretold["start"] - 1e-6 * foretold["steps"] * foretold["step"]
+    loop = took["total"] - took["initiation_and_rest"] - outputs
+    return {"until": entries.get("Time/End time in ms"), "foretold": foretold["total"], "took": took["total"],
+            "change": 1e6 * loop / summary["steps"] / foretold["first"] if "first" in foretold else None,
+            "memory foretold": foretold["memory"], "memory": summary["memory_peak"] / 1e6}
 
 
 def main():
@@ -60,6 +64,7 @@ def main():
     parser.add_argument("--limit", type=float, default=60.)
     parser.add_argument("--program", default=program.PROGRAM)
     parser.add_argument("--within", type=float, metavar="FACTOR")
+    parser.add_argument("--fit", action="store_true")
     parser.add_argument("files", nargs="*")
     words = parser.parse_args()
     every = sorted(program.REPOSITORY.glob("prm/**/*.prm"))
@@ -67,14 +72,18 @@ def main():
 
     print("| file | run until (ms) | CPU time foretold (s) | taken (s) | foretold / taken | memory foretold (MB) | taken (MB) |")
     print("|---|---|---|---|---|---|---|")
-    off = []
+    off, changes = [], []
     for file in files:
         row = compare(file, words.limit, words.program)
         ratio = row["foretold"] / row["took"]
         print(f"| {pathlib.Path(file).stem} | {row['until'] or 'its end'} | {row['foretold']:.3g} | {row['took']:.3g} | {ratio:.2f} "
               f"| {row['memory foretold']:.0f} | {row['memory']:.0f} |", flush=True)
+        changes += [row["change"]] if row["change"] else []
         if words.within and not 1. / words.within <= ratio <= words.within:
             off.append(f"{file}: {ratio:.2f} of what it took")
+    if words.fit and changes:
+        print(f"\nchange_of_elastic: {sum(changes) / len(changes):.3f}, of single runs "
+              + ", ".join(f"{change:.2f}" for change in sorted(changes)))
     sys.exit("\n".join(off))
 
 

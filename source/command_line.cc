@@ -74,6 +74,9 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   visible.add_options()("resume",
                         options::value(&c.resume)->value_name("auto|CHECKPOINT"),
                         "go on from the newest checkpoint in the directory, or from this one");
+  visible.add_options()("accuracy",
+                        options::value(&c.accuracy)->value_name("\"OUTPUT=PERCENT\""),
+                        "plan: say which models reach it, from the studies");
   visible.add_options()("cores",
                         options::value(&c.cores)->value_name("N"),
                         "study: cores at work at a time, all of them by default");
@@ -203,8 +206,8 @@ namespace
 {
 constexpr unsigned int most_cores = 100000; // below what a negative number is read as
 
-/// Refuses options of a study without one, and the other way round.
-void check_study(const CommandLine &c)
+/// Refuses options of a study or a plan without one, and the other way round.
+void check_belonging(const CommandLine &c)
 {
   const bool is_study = c.command == Command::study;
   for (const auto &[given, name] : {std::pair<bool, const char *>{c.cores > 0, "--cores"},
@@ -215,6 +218,8 @@ void check_study(const CommandLine &c)
     if (given && !is_study && c.command != Command::help)
       throw InputError(std::string("The option ") + name +
                        " belongs to studies: chaindrive study FILE.prm.");
+  if (!c.accuracy.empty() && c.command != Command::plan && c.command != Command::help)
+    throw InputError("The option --accuracy belongs to plans: chaindrive plan FILE.prm.");
   if (c.cores > most_cores)
     throw InputError("The option --cores takes 1 to " + std::to_string(most_cores) + ".");
   if (is_study && !c.resume.empty())
@@ -289,7 +294,7 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   c.command        = take_command(words, switches);
   c.parameter_file = file_of(c.command, words);
   c.rest.assign(rest == end ? end : rest + 1, end);
-  check_study(c);
+  check_belonging(c);
   return c;
 }
 

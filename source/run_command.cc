@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/accuracy.h>
 #include <chaindrive/commands.h>
 #include <chaindrive/cost.h>
 #include <chaindrive/element/part_report.h>
@@ -41,13 +42,6 @@ std::string output_directory(const CommandLine &command_line, const Parameters &
   if (!parameters.output.directory.empty())
     return parameters.output.directory;
   return "results/" + std::filesystem::path(command_line.parameter_file).stem().string();
-}
-
-/// Where meshes are looked for.
-std::vector<std::string> mesh_folders(const std::string &parameter_file)
-{
-  const std::string folder = std::filesystem::path(parameter_file).parent_path().string();
-  return {folder.empty() ? "." : folder, "."};
 }
 
 /// What a resumed run must find as it was: parameters::Input::fixed and the contents of meshes.
@@ -198,18 +192,27 @@ void end_files(Prepared &prepared)
 }
 } // namespace
 
+std::vector<std::string> mesh_folders(const std::string &parameter_file)
+{
+  const std::string folder = std::filesystem::path(parameter_file).parent_path().string();
+  return {folder.empty() ? "." : folder, "."};
+}
+
 bool plan_command(const CommandLine &command_line, const MPI_Comm comm)
 {
-  Prepared prepared(command_line, comm);
+  const double before = PhaseTimer::total();
+  Prepared     prepared(command_line, comm);
   if (prepared.simulation.is_idle())
     return true;
   if (stopped_before_first_step(prepared))
     return false;
   find_checkpoint(prepared);
   print_plan(prepared);
+  Simulation &simulation = prepared.simulation;
   print(prepared.log,
-        measure_cost(prepared.simulation, 1.),
-        n_ranks_in(prepared.simulation.communicator()));
+        measure_cost(simulation, prepared.folders, before),
+        n_ranks_in(simulation.communicator()));
+  print_answers(prepared.log, command_line, before, comm);
   return true;
 }
 

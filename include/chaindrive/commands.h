@@ -10,6 +10,9 @@
 
 namespace chaindrive
 {
+/// Where the meshes that @p parameter_file names are looked for.
+std::vector<std::string> mesh_folders(const std::string &parameter_file);
+
 /// Runs the .prm file named on the command line: a Simulation with its files, its checkpoints, the
 /// log and the console. Throws InputError for input that cannot be run and RunError for a run that
 /// failed. Returns whether the run came to its end: false when a signal or the wall-clock limit

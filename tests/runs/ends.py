@@ -92,7 +92,7 @@ def console():
     time.sleep(2.5)  # a run waits two seconds for its reader
     with os.fdopen(reader) as file:
         said = file.read()
-    check(end_of(process, "plan") == 0 and said.rstrip().endswith("steps"), f"the plan is not complete:\n{said}")
+    check(end_of(process, "plan") == 0 and said.rstrip().endswith("MB"), f"the plan is not complete:\n{said}")
     check(not pathlib.Path("plan").exists(), "a plan makes no directory")
 
     # warnings are not to be missed

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""accuracy.py DIRECTORY...: prints source/accuracy.tsv, from which `chaindrive plan FILE.prm --accuracy OUTPUT=PERCENT`
+answers, from the tables of the studies in these directories:
+
+    python3 scripts/study/accuracy.py results/fidelity results/start > source/accuracy.tsv
+
+A row for each variant that ran, and each output that has an error and an interval; the reference has the interval of its own
+mean. Results of quick forms are refused, and so are studies that have not ended."""
+import csv
+import json
+import math
+import pathlib
+import re
+import sys
+
+HEAD = """# SPDX-License-Identifier: LGPL-2.1-or-later
+# What studies found, by scripts/study/accuracy.py: separated by tabs,
+# study, variant, reference, output, error, low, high (percent), CPU time, that of the reference (s), entries of the variant"""
+
+
+def fidelity(folder):
+    """That of the run in `folder`."""
+    return re.search(r"^\s*set Fidelity = (\w+)", (folder / "variant.prm").read_text(), re.MULTILINE)[1]
+
+
+def rows_of(directory):
+    about = json.loads((directory / "study.json").read_text())
+    with open(directory / "table.csv", encoding="utf-8") as file:
+        table = {row["variant"]: row for row in csv.DictReader(file)}
+    if about["quick"] or any(row["message"] == "not finished" for row in table.values()):
+        sys.exit(f"{directory}: a study that is quick or has not ended is no ground for an answer")
+    study, reference = pathlib.Path(about["file"]).stem, table[about["reference"]]
+    for variant in about["variants"]:
+        row = table[variant["name"]]
+        entries = {"Model/Fidelity": fidelity(directory / variant["runs"][0]["folder"]), **variant.get("changes", {})}
+        for column in (name.removesuffix(" error") for name in row if name.endswith(" error")):
+            error, low, high = (float(row[f"{column} error{which}"] or "nan") for which in ("", " low", " high"))
+            if variant["name"] == about["reference"] and float(row[column]) != 0.:
+                low, high = (100. * (float(row[f"{column} {which}"]) / float(row[column]) - 1.) for which in ("low", "high"))
+            if column.endswith(" Hz") or not all(map(math.isfinite, (error, low, high))):
+                continue
+            yield [study, variant["name"], about["reference"], column, f"{error:.4g}", f"{low:.4g}", f"{high:.4g}",
+                   f"{float(row['cpu']):.4g}", f"{float(reference['cpu']):.4g}",
+                   *(f"{path}={value}" for path, value in entries.items() if not path.startswith("Study/"))]
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    print(HEAD)
+    for directory in map(pathlib.Path, sys.argv[1:]):
+        for row in rows_of(directory):
+            print("\t".join(row))
+
+
+if __name__ == "__main__":
+    main()
