@@ -93,7 +93,7 @@ struct Model
   std::optional<double> mass_per_pitch;              ///< kg, of the whole chain per pitch
   std::optional<double> stiffness_per_pitch; ///< N/m, of the chain in a pull test, per pitch
   StiffnessFrom         stiffness_from = StiffnessFrom::parts; ///< those that are auto
-  std::optional<double> driven_inertia;      ///< kg m2, of all that turns with the driven hub
+  std::optional<double> driven_inertia; ///< kg m2, of all that turns with the driven hub
   double                chain_damping_ratio = 0.01; ///< of two lumps on their bar, simple only
   ElasticLinks          elastic_links       = ElasticLinks::all;
   Switch elastic_sprockets = Switch::automatic; ///< those on which section Effects does not decide
