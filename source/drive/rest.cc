@@ -19,6 +19,10 @@ using Matrix = Tensor<2, 2>;
 
 constexpr unsigned int free_sprocket = 1; // the driven one
 
+/// Of the largest tension: the forces left over at which a search ends that comes no further,
+/// because a roller creeps over a kink in the curvature of its seat.
+constexpr double creeping = 1e-3;
+
 /// What a joint has in common with joint 0 and the driven hub, the unknowns without neighbours on
 /// one side.
 using Border = std::array<Vector, 3>;
@@ -434,7 +438,7 @@ void bring_to_rest(Layout                       &layout,
   bool   found = false;
   for (unsigned int iteration = 0; iteration < 60 && !found; ++iteration)
     {
-      if (!equilibrium.solve(tolerance))
+      if (!equilibrium.solve(tolerance) && equilibrium.largest_force() > creeping * tension)
         break;
       const double now = 0.5 * (equilibrium.tension(tight.first + tight.links / 2) +
                                 equilibrium.tension(slack.first + slack.links / 2));
@@ -468,8 +472,7 @@ void settle(Layout                       &layout,
 
   Equilibrium  equilibrium(layout, chain, forms, -layout.sense * operation.torque, flux);
   const double scale = flux + std::abs(operation.torque) / (0.5 * forms[1].pitch_diameter);
-  // a roller may creep for long over a kink in the curvature of its seat
-  if (!equilibrium.solve(1e-6 * scale + 1e-3) && equilibrium.largest_force() > 1e-3 * scale)
+  if (!equilibrium.solve(1e-6 * scale + 1e-3) && equilibrium.largest_force() > creeping * scale)
     throw InputError("Drive/Layout/Start = settled: no balance of the load torque, the tension of "
                      "the chain and the forces of the teeth is found for this drive; choose taut, "
                      "which comes to speed and load in a ramp.");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/needs.h>
 #include <chaindrive/statics/part_stiffness.h>
 #include <chaindrive/statics/pieces.h>
 #include <chaindrive/utilities/text.h>
@@ -34,6 +35,16 @@ std::string origin(const Library &library, const double load)
          " N, " + (cached ? "from the cache (" : "computed (") + parts + ").";
 }
 
+/// Whether anything in the model gives way by these values: rigid bodies, or a start whose
+/// prestress is found with them.
+bool are_needed(const Parameters &p)
+{
+  return !p.model.capabilities().is_elastic || !parameters::elastic_links(p).on ||
+         !parameters::elastic_rollers(p).on ||
+         p.model.elastic_links == parameters::ElasticLinks::arriving ||
+         p.drive.layout.start == parameters::Start::settled;
+}
+
 drive::PartStiffness compute(const Parameters   &parameters,
                              const drive::Drive &drive,
                              const double        load,
@@ -49,7 +60,8 @@ drive::PartStiffness compute(const Parameters   &parameters,
                                           },
                                           load)
                                           .approach[0]);
-  if (!parameters.contact.roller_tooth_stiffness || !parameters.contact.roller_bush_stiffness)
+  if (!parameters.contact.roller_tooth_stiffness ||
+      (!parameters.contact.roller_bush_stiffness && parameters.model.capabilities().has_clearances))
     {
       // all sprockets have the same roller: the mean of the approaches
       double tooth = 0., bush = 0.;
@@ -87,7 +99,8 @@ Pressed at_force(const std::function<Press(unsigned int)> &make, const double fo
 
 drive::StiffnessOf part_stiffness(const Parameters &parameters, const MPI_Comm comm)
 {
-  if (parameters.model.stiffness_from == parameters::StiffnessFrom::dimensions)
+  if (parameters.model.stiffness_from == parameters::StiffnessFrom::dimensions ||
+      !are_needed(parameters))
     return {};
   return [&parameters, comm](const drive::Drive &drive, const double load) {
     try

@@ -9,6 +9,8 @@
 #include <chaindrive/dynamics/guard.h>
 #include <chaindrive/scene/build.h>
 
+#include <deal.II/base/mpi.h>
+
 using namespace test;
 
 namespace
@@ -85,8 +87,9 @@ Outcome run(const bool layered, const bool stiff_link)
 }
 } // namespace
 
-int main()
+int main(int argc, char **argv)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const bool layered : {false, true})
     {
       const Outcome outcome = run(layered, true);

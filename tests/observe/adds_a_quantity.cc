@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <deal.II/base/mpi.h>
+
 using namespace test;
 using namespace chaindrive::observe;
 
@@ -80,9 +82,10 @@ void serialize(const Archive &archive, Simulation &simulation)
 }
 } // namespace
 
-int main()
+int main(int argc, char **argv)
 {
-  Parameters p;
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  Parameters                                     p;
   p.model.fidelity          = parameters::Fidelity::simple;
   p.drive.layout.start      = parameters::Start::settled;
   p.loads.driver_speed      = 100.;

@@ -4,6 +4,8 @@
 // as tight as without friction.
 #include "../support/ranges.h"
 
+#include <deal.II/base/mpi.h>
+
 using namespace chaindrive;
 
 namespace
@@ -23,8 +25,9 @@ nlohmann::json start(const std::vector<std::string> &more)
 }
 } // namespace
 
-int main()
+int main(int argc, char **argv)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const nlohmann::json lumped = start({}), smooth = start({"Contact/Friction coefficient=0"}),
                        layered = start({"Model/Fidelity=layered"});
   const auto loss              = [](const nlohmann::json &s) {

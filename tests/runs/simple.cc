@@ -3,8 +3,11 @@
 // nearly deterministic, and its engagements.
 #include "../support/ranges.h"
 
-int main()
+#include <deal.II/base/mpi.h>
+
+int main(int argc, char **argv)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const auto s = test::run("prm/paper/simple.prm", {"Output/Field interval in ms=0"});
   test::paper_ranges(s, 1.180, 174.5);
   test::range("largest tight tension of the start (N)",
