@@ -80,8 +80,22 @@ public:
     shaft += by;
   }
 
-  /// Finds the equilibrium to @p tolerance [N]; false if there seems to be none.
+  /// Finds the equilibrium to @p tolerance [N]; false if there seems to be none. Stiff seats are
+  /// approached from soft ones: on these, fewer rollers are about to leave their teeth.
   bool solve(const double tolerance)
+  {
+    const double stiff = seat_stiffness_;
+    seat_stiffness_    = 0.02 * stiff;
+    for (;; seat_stiffness_ = std::min(stiff, 3. * seat_stiffness_))
+      {
+        const bool found = minimize(tolerance);
+        if (seat_stiffness_ == stiff)
+          return found;
+      }
+  }
+
+  /// The same from where the chain is.
+  bool minimize(const double tolerance)
   {
     const double stiffest = chain_.tooth_stiffness + chain_.outer_stiffness;
     double       shift = 1e-6 * stiffest, energy = assemble();
@@ -407,7 +421,8 @@ private:
   const RestingChain           &chain_;
   const std::vector<ToothForm> &forms_;
   const unsigned int            n_;
-  const double                  hub_radius_, contact_radius_, seat_stiffness_;
+  const double                  hub_radius_, contact_radius_;
+  double                        seat_stiffness_;
   const double torque_;      ///< on the driven sprocket, counter-clockwise positive, N m
   const double centrifugal_; ///< what turning its momentum takes of the tension, N
 
@@ -439,7 +454,14 @@ void bring_to_rest(Layout                       &layout,
   for (unsigned int iteration = 0; iteration < 60 && !found; ++iteration)
     {
       if (!equilibrium.solve(tolerance) && equilibrium.largest_force() > creeping * tension)
-        break;
+        {
+          // too far: with almost no tension left rollers are free to move
+          if (std::abs(moved) < 1e-9)
+            break;
+          moved *= 0.5;
+          equilibrium.move_shaft(-moved);
+          continue;
+        }
       const double now = 0.5 * (equilibrium.tension(tight.first + tight.links / 2) +
                                 equilibrium.tension(slack.first + slack.links / 2));
       found            = std::abs(now - tension) < 1e-3 * tension;

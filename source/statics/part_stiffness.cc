@@ -91,7 +91,7 @@ Pressed at_force(const std::function<Press(unsigned int)> &make, const double fo
 {
   for (unsigned int n_angles = 4;; n_angles *= 2)
     {
-      const Pressed pressed = make(n_angles).at(force);
+      Pressed pressed = make(n_angles).at(force);
       if (!pressed.reaches_the_end || n_angles * 4 >= n_around)
         return pressed;
     }

@@ -17,6 +17,8 @@ nlohmann::json start(const std::vector<std::string> &more)
                                         "Drive/Driven teeth=33",
                                         "Drive/Number of links=90",
                                         "Contact/Friction coefficient=0.3",
+                                        // rollers roll on soft seats, on stiff ones they bounce
+                                        "Contact/Roller-tooth stiffness in N/m=3e7",
                                         "Contact/Roller-bush friction=0",
                                         "Contact/Bush-pin friction=0",
                                         "Time/End time in ms=12"};
