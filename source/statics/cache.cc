@@ -21,10 +21,10 @@ std::string environment(const char *name)
 
 std::string Cache::usual_folder()
 {
-  if (const std::string folder = environment("CHAINDRIVE_CACHE"); !folder.empty())
+  if (std::string folder = environment("CHAINDRIVE_CACHE"); !folder.empty())
     return folder;
   // a relative path in XDG_CACHE_HOME is to be ignored, says the specification
-  if (const std::string folder = environment("XDG_CACHE_HOME"); !folder.empty() && folder[0] == '/')
+  if (std::string folder = environment("XDG_CACHE_HOME"); !folder.empty() && folder[0] == '/')
     return folder + "/chaindrive";
   if (const std::string home = environment("HOME"); !home.empty())
     return home + "/.cache/chaindrive";
