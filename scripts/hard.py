@@ -41,10 +41,11 @@ def entries(case, model, directory, quick):
 
 
 def not_finite(summary, name=""):
-    """Names of the numbers in a summary that are none. A mean over nothing is null by definition."""
+    """Names of the numbers in a summary that are none. A mean over nothing is null by
+    definition, and so is whether a drive has settled that nobody waits for."""
     if isinstance(summary, dict):
         return [bad for key, value in summary.items() for bad in not_finite(value, key)]
-    nothing = summary is None and name != "pitch_time_mean"
+    nothing = summary is None and name not in ("pitch_time_mean", "settled")
     return [name] if nothing or (isinstance(summary, float) and not math.isfinite(summary)) else []
 
 

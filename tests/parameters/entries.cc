@@ -62,6 +62,7 @@ void check_choices()
                                    check_choice<Start>("start"),
                                    check_choice<Fidelity>("fidelity"),
                                    check_choice<ElasticLinks>("elastic links"),
+                                   check_choice<StiffnessFrom>("stiffness from"),
                                    check_choice<Switch>("switch"),
                                    check_choice<Formulation>("formulation"),
                                    check_choice<HalfModel>("half model"),
