@@ -7,8 +7,8 @@ that one foretells and the other takes, as a table of doc/performance.md. A run 
 usage: scripts/cost.py [--limit SECONDS] [--program PROGRAM] [--within FACTOR] [--fit] [FILE.prm]...
 
 --fit also prints the mean, over runs with elastic bodies, of the cost of a step that was taken over that of the first
-steps: change_of_elastic of source/cost.cc. Without files: all of prm/ that are not studies. With --within the script fails when a prediction is farther off than
-that factor."""
+steps: change_of_elastic of source/cost.cc. Without files: all of prm/ that are not studies. With
+--within the script fails when a prediction is farther off than that factor."""
 import argparse
 import pathlib
 import re

@@ -147,10 +147,7 @@ std::string kernels_text()
                            " bits") +
          (std::getenv("CHAINDRIVE_SIMD_WIDTH") != nullptr ? ", as CHAINDRIVE_SIMD_WIDTH asks" : "");
 }
-} // namespace
 
-namespace
-{
 /// Takes the command from the front of @p words, if there is one, else from the options.
 Command take_command(std::vector<std::string> &words, const Switches &switches)
 {
@@ -200,10 +197,7 @@ std::string file_of(const Command command, const std::vector<std::string> &words
     }
   return words.empty() ? "" : words.front();
 }
-} // namespace
 
-namespace
-{
 constexpr unsigned int most_cores = 100000; // below what a negative number is read as
 
 /// Refuses options of a study or a plan without one, and the other way round.
