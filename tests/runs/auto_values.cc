@@ -3,8 +3,12 @@
 // them.
 #include "../support/ranges.h"
 
-int main()
+#include <deal.II/base/mpi.h>
+
+int main(int argc, char **argv)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
   for (const std::string model : {"simple", "layered"})
     {
       std::cout << model << '\n';

@@ -5,6 +5,8 @@
 #include "../support/ranges.h"
 #include "../support/small_drive.h"
 
+#include <deal.II/base/mpi.h>
+
 namespace
 {
 nlohmann::json small(const std::string &half, const std::string &elastic)
@@ -40,8 +42,10 @@ void compare(const std::string &elastic)
 }
 } // namespace
 
-int main()
+int main(int argc, char **argv)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
   compare("all");
   compare("arriving");
 }

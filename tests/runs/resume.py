@@ -367,6 +367,9 @@ def kill(n=4, ranks=1):
         if kills < n:
             while random.random() < 0.99 and process.poll() is None and not (log.exists() and log.stat().st_size > before):
                 time.sleep(0.02)  # mostly until it has started; now and then not
+            if kills == n - 1 and not any(t is not None for t in lost):  # one kill at least finds a checkpoint
+                while process.poll() is None and not checkpoints("resumed"):
+                    time.sleep(0.01)
             try:
                 process.wait(random.uniform(0, 2 * duration / n))
             except subprocess.TimeoutExpired:

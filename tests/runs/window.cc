@@ -6,6 +6,8 @@
 #include "../support/small_drive.h"
 #include "../support/table.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <cmath>
 
 namespace
@@ -31,8 +33,10 @@ std::vector<double> steps_of_tension()
 }
 } // namespace
 
-int main()
+int main(int argc, char **argv)
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
   const nlohmann::json s = test::start_small_full_drive({"Model/Elastic links=arriving"});
   test::range("strain energy over that of pull", test::strain_over_pull(), 1., 1.5);
   test::range("contacts missed by the searches", s["contacts_missed"], 0., 0.);
