@@ -42,7 +42,7 @@ struct ShiftOfJoint
 {
   double slope;                   ///< force over shift, N/m; at the beginning rather too large
   double force = 0., change = 0.; ///< found last, N; of the shift after that, m
-  double most = slope, least = 0.15 * slope;
+  double most = 4. * slope, least = 0.15 * slope;
 
   /// Corrects @p shift where @p is is found for @p wanted; @p much is a great force. Returns the
   /// error. N.

@@ -215,6 +215,12 @@ Relaxation::JointForces Relaxation::joint_forces()
 {
   const World &world = system_.world;
   system_.contacts.gather_records(world);
+  // on the outer link, towards the inner one
+  const auto pulls = [&](const contact::Record &record) {
+    return record.force * (scene_.bodies[record.master].initial.position -
+                           scene_.bodies[record.slave].initial.position) >
+           0.;
+  };
   JointForces forces{std::vector<double>(scene_.n_joints, 0.),
                      std::vector<double>(scene_.n_joints, 0.)};
   for (const auto &family : system_.contacts.families())
@@ -222,8 +228,12 @@ Relaxation::JointForces Relaxation::joint_forces()
       for (const contact::Record &record : family->records())
         {
           const double size = record.force.norm();
+          double      &pin  = forces.pin[record.joint];
           if (scene_.bodies[record.slave].kind == scene::Kind::outer_link)
-            forces.pin[record.joint] = std::max(forces.pin[record.joint], size);
+            {
+              if (size > std::abs(pin))
+                pin = pulls(record) ? size : -size;
+            }
           else if (scene_.bodies[record.master].kind == scene::Kind::sprocket)
             forces.seat[record.joint] += size;
         }

@@ -204,10 +204,15 @@ void check_model(const Parameters &p, Findings &findings)
       "Mesh/Inner link/Cells along = 2 leaves one ring of a bush's nodes inside its roller, which "
       "could tilt freely; " +
           chosen + " needs at least 4.");
+  findings.contradiction(elastic && p.model.mass_per_pitch,
+                         "Model/Mass per pitch in g is that of the parts in " + chosen +
+                             ": leave it auto.");
   findings.contradiction(
-      elastic && (p.model.mass_per_pitch || p.model.stiffness_per_pitch),
-      "Model/Mass per pitch in g and Model/Stiffness per pitch in N/m are those of the parts in " +
-          chosen + ": leave them auto.");
+      elastic && p.model.stiffness_per_pitch && p.model.elastic_links == ElasticLinks::all &&
+          p.drive.layout.start != Start::settled,
+      "Model/Stiffness per pitch in N/m is that of the parts in " + chosen +
+          ", unless some links are rigid (Elastic links = arriving) or the spans are stretched "
+          "before the start (Drive/Layout/Start = settled): leave it auto.");
   findings.contradiction(
       elastic && (p.contact.roller_tooth_stiffness || p.contact.roller_bush_stiffness),
       "Contact/Roller-tooth stiffness in N/m and Roller-bush stiffness in N/m follow from the "

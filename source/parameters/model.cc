@@ -37,9 +37,9 @@ void Model::declare(Declarations &declarations)
       above(0., 1e13),
       "Force over elongation of one pitch in a pull test, plates and joint in series. Best taken "
       "from a test: how plates hold pin and bush changes it by a factor of five. It sets the "
-      "resonance of the driven inertia on the tight span. auto: from Stiffness from, at the "
-      "tension "
-      "that the load asks for.");
+      "resonance of the driven inertia on the tight span. In full fidelity it is that of rigid "
+      "links (Elastic links = arriving) and of the spans at a settled start. auto: from Stiffness "
+      "from, at the tension that the load asks for.");
   add(declarations,
       "Stiffness from",
       stiffness_from,

@@ -89,6 +89,7 @@ int main()
     p.drive.layout.centre_distance_from = CentreDistanceFrom::pretension;
     p.model.fidelity                    = Fidelity::full;
     p.contact.roller_tooth_stiffness    = 2e8;
+    p.model.stiffness_per_pitch         = 8e7;
   });
   check([](Parameters &p) { p.model.elastic_sprockets = Switch::on; });
   check([](Parameters &p) { p.contact.plate_faces = Switch::on; });

@@ -11,7 +11,7 @@ def refused(program, paths):
     """Those that it does not plan, with what it says."""
     said = {}
     for path in paths:
-        words = ["study", path, "--dry-run"] if path.startswith("prm/studies/") else ["plan", path]
+        words = ["study", path, "--dry-run", "--set", "Study/Phases=1"] if path.startswith("prm/studies/") else ["plan", path]
         result = subprocess.run([program, *words], cwd=style.ROOT, capture_output=True, text=True)
         if result.returncode:
             said[path] = result.stderr.strip()

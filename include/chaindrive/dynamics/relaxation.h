@@ -30,7 +30,7 @@ public:
   /// What joints with elastic bodies carry, N; 0 for other joints.
   struct JointForces
   {
-    std::vector<double> pin;  ///< pins in bushes
+    std::vector<double> pin;  ///< pins in bushes; negative where they push
     std::vector<double> seat; ///< rollers on teeth
   };
 
