@@ -6,7 +6,9 @@
 #include <chaindrive/mesh/import/import.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/reader.h>
+#include <chaindrive/scene/build.h>
 #include <chaindrive/simulation.h>
+#include <chaindrive/statics/part_stiffness.h>
 #include <chaindrive/utilities/checksum.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
@@ -112,15 +114,22 @@ bool is_known(const Run &run, const std::string &directory)
   return fs::exists(file) && files::read_text(file) == run.text;
 }
 
-/// Prepares @p run as it will be prepared. InputError when it cannot run.
-void prepare(const Run &run)
+/// Prepares @p run, all of it or only its drive and scene. InputError when it cannot run.
+void prepare(const Run &run, const bool all)
 {
   const parameters::Input input = parameters::read_entries(run.values);
-  const Simulation        simulation(input.parameters, {"."}, MPI_COMM_SELF);
-  simulation.n_steps();
+  if (all)
+    Simulation(input.parameters, {"."}, MPI_COMM_SELF).n_steps();
+  else
+    scene::build_scene(input.parameters,
+                       drive::make_drive(input.parameters,
+                                         statics::part_stiffness(input.parameters, MPI_COMM_SELF)),
+                       {"."});
 }
 
-/// Completes and checks all runs of @p model. Returns the sentences of those that cannot run.
+/// Completes and checks all runs of @p model. Returns the sentences of those that cannot run: one
+/// if the first cannot. Start phases differ in where bodies begin, and no more of the others is
+/// prepared.
 std::string
 check(Model &model, const std::vector<std::string> &folders, const std::string &directory)
 {
@@ -131,21 +140,18 @@ check(Model &model, const std::vector<std::string> &folders, const std::string &
         const std::string meshes = settle_meshes(run, folders);
         run.text                 = text_of(run, *model.variant, meshes);
         if (stop_signal() == 0 && !is_known(run, directory))
-          prepare(run);
+          prepare(run, &run == &model.runs.front());
       }
     catch (const InputError &error)
       {
+        if (&run == &model.runs.front())
+          return "\n" + model.variant->name + ": " + error.what();
         std::string &phases = phases_of[error.what()];
         phases += (phases.empty() ? "" : ", ") + to_text(run.phase);
       }
   std::string sentences;
   for (const auto &[sentence, phases] : phases_of)
-    sentences += "\n" + model.variant->name +
-                 (phases_of.size() == 1 && std::count(phases.begin(), phases.end(), ',') + 1 ==
-                                               int(model.runs.size()) ?
-                      "" :
-                      " from start phase " + phases) +
-                 ": " + sentence;
+    sentences += "\n" + model.variant->name + " from start phase " + phases + ": " + sentence;
   return sentences;
 }
 
