@@ -74,13 +74,24 @@ def error_text(row, column):
     error, low, high = (row[f"{column} error{which}"] for which in ("", " low", " high"))
     if not np.isfinite(error):
         return "-"
-    interval = f" ({low:+.2g} ... {high:+.2g})" if np.isfinite(low) else ""
-    return f"{error:+.2g} %{interval}"
+    interval = f" ({_percent(low)} ... {_percent(high)})" if np.isfinite(low) else ""
+    return f"{_percent(error)} %{interval}"
+
+
+def _percent(value):
+    """Two digits, and never a power of ten."""
+    return f"{value:+.0f}" if abs(value) >= 10 else f"{value:+.2g}"
+
+
+def heading(study, column):
+    """Name and unit of an output."""
+    unit = study.about.get("units", {}).get(column.split(" ")[0], "1")
+    return column.replace("_", " ") + (f" ({unit})" if unit != "1" else "")
 
 
 def result_rows(study):
     """Table of outputs: heading and rows."""
-    head = ["variant", "CPU (s)", *(c.replace("_", " ") for c in study.columns)]
+    head = ["variant", "CPU (s)", *(heading(study, c) for c in study.columns)]
     body = []
     for variant in study.variants:
         row = variant["row"]
