@@ -21,7 +21,11 @@ CASES = {
     "simple": ("paper/simple", {END: 8}),
     "simple-lower": ("paper/simple", {END: 4, "Drive/Layout/Tight span": "lower"}),
     "layered": ("paper/layered", {END: 4}),
-    "layered-pretension": ("tutorial/06b-25-25", {END: 2, "Model/Fidelity": "layered"}),
+    "layered-pretension": (
+        "tutorial/06b-25-25",
+        {END: 2, "Drive/Layout/Start": "taut", "Drive/Layout/Centre distance from": "pretension"},
+    ),
+    "layered-settled": ("tutorial/06b-25-25", {END: 2}),
     "full": ("verification/hard", {**ELASTIC, **TOUCHING_PLATES}),
     "full-half-imported": ("verification/hard", {**ELASTIC, **IMPORTED, "Model/Half model": "true"}),
     "full-imported-rigid": ("verification/hard", {**ELASTIC, **IMPORTED, "Model/Elastic sprockets": "off"}),

@@ -142,6 +142,7 @@ void Contacts::add_springs(const World &world, std::vector<Spring> &springs) con
 void Contacts::refuse_overlap(World &world, const double prestress)
 {
   constexpr double tolerance = 1e-9;
+  const Ledger     ledger    = world.ledger; // no work is done: bodies have been placed
   world.clear_forces();
   add_forces(world, 0.);
   gather_records(world);
@@ -160,6 +161,7 @@ void Contacts::refuse_overlap(World &world, const double prestress)
             where = family->name();
           }
       }
+  world.ledger = ledger;
   world.clear_forces();
   std::string message;
   if (worst != nullptr)
