@@ -84,7 +84,7 @@ Decision half_model(const Parameters &p)
     return {true, "asked for: the middle plane is a plane of symmetry"};
   if (p.model.half == HalfModel::no)
     return {false, "asked for: whole bodies"};
-  if (!elastic_links(p).on || !elastic_rollers(p).on || arrive(p))
+  if (!elastic_links(p).on || !elastic_rollers(p).on)
     return {false, "whole bodies: rigid ones are"};
   if (plate_faces(p).on)
     return {false, "whole bodies: plates touch where something pushes them sideways"};

@@ -71,6 +71,9 @@ int main()
         continue;
       p.output.quantities = {QuantityGroup::tensions, QuantityGroup::plate_stress};
       show("full, tensions and plate stress", p);
+      p.output.quantities   = {QuantityGroup::engagements};
+      p.model.elastic_links = parameters::ElasticLinks::arriving;
+      show("full, engagements, arriving links", p);
 
       // what auto leaves out is as if it were switched off
       p                         = small_drive(fidelity);
