@@ -102,13 +102,14 @@ Projection ToothForm::closest_point(const Point<2> &p) const
   Tensor<1, 2> normal;
   place(half_profile[which], best.end, local, point, normal);
 
-  // the tip's edge is the one corner, and convex: only points outside are nearest to it
-  const Tensor<1, 2> away   = local - point;
-  const bool         corner = (which + 1 == n && best.end < 0) || (which + 2 == n && best.end > 0);
-  if (corner && best.distance > 0.)
-    normal = away / best.distance;
-  else if (away * normal < 0.)
+  const Tensor<1, 2> away = local - point;
+  const Corner corner     = best.end == 0 ? Corner::none : corners[which + (best.end > 0 ? 1 : 0)];
+  if (corner == Corner::concave)
     best.distance = -best.distance;
+  else if (corner == Corner::none && away * normal < 0.)
+    best.distance = -best.distance;
+  if (corner != Corner::none && best.distance != 0.)
+    normal = away / best.distance;
 
   point[1] *= side;
   normal[1] *= side;

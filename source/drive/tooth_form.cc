@@ -247,6 +247,8 @@ ToothForm make_tooth_form(const unsigned int           teeth,
         " leaves a tip land of " + in_mm(t.outside_diameter * (PI / z - edge)) +
         " mm, which must be positive; teeth are pointed at " + in_mm(t.pointed_diameter) + " mm.");
   t.half_profile.push_back(arc_segment(Point<2>(), radius, edge, PI / z));
+  t.corners.resize(t.half_profile.size() + 1, ToothForm::Corner::none);
+  t.corners[t.half_profile.size() - 1] = ToothForm::Corner::convex; // the tip's edge
 
   for (unsigned int k = 0; k < teeth; ++k)
     t.rotations.push_back(Point<2>(std::cos(2. * PI * k / z), std::sin(2. * PI * k / z)));

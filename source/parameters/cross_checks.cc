@@ -106,6 +106,27 @@ void check_times(const Parameters &p, Findings &findings)
   check_window(p, findings);
 }
 
+void check_facets(const Parameters &p, Findings &findings)
+{
+  const unsigned int facets = p.drive.sprockets.facets;
+  if (facets == 0)
+    return;
+  const std::string entry = "Drive/Sprockets/Facets per tooth = " + std::to_string(facets);
+  findings.contradiction(facets < 12 || facets % 2 == 1,
+                         entry + " must be an even number from 12 on, or 0 for smooth teeth.");
+  for (const auto &[role, name] : texts_of<Role>)
+    {
+      const Decision elastic = elastic_sprocket(p, role);
+      findings.contradiction(elastic.on,
+                             entry + " is for rigid teeth, but those of the " + in_words(role) +
+                                 " are elastic (" + elastic.reason +
+                                 "); choose Model/Elastic sprockets = off, or 0.");
+      findings.contradiction(!p.drive.sprockets.with(role).mesh.empty(),
+                             entry + " is for teeth of arcs, but the " + in_words(role) +
+                                 " has the flanks of its mesh; choose 0.");
+    }
+}
+
 void check_chain(const Parameters &p, Findings &findings)
 {
   const Drive     &drive     = p.drive;
@@ -156,6 +177,8 @@ void check_chain(const Parameters &p, Findings &findings)
         "The " + in_words(role) +
             " touches with the flanks of its mesh; Drive/Sprockets/Tooth form serves only to lay "
             "the chain on it.");
+
+  check_facets(p, findings);
 
   findings.contradiction(
       !p.output.rollers.empty() && p.output.rollers.back() >= drive.n_links,

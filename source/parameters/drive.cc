@@ -171,6 +171,15 @@ void Sprockets::declare(Declarations &declarations)
          width,
          "Width of the teeth of both sprockets. auto: 0.93 of the chain's inner width up to a "
          "pitch of 12.7 mm and 0.95 above, as in ISO 606.");
+  add(declarations,
+      "Facets per tooth",
+      facets,
+      0,
+      1000,
+      "Chords in place of the arcs of each tooth of both sprockets, from the bottom of a gap to "
+      "that of the next: the rigid faceted teeth of other programs. An even number from 12 on, or "
+      "0 for the exact, smooth arcs. Teeth must be rigid. Default: smooth teeth, which are exact "
+      "and cost less.");
   const std::string meshed =
       ": a Gmsh .msh file with the named surfaces that meshes/README.md lists, looked up in the "
       "parameter file's directory, then in the one the program is started in. Give it for teeth "

@@ -21,9 +21,8 @@ void Model::declare(Declarations &declarations)
       "Computes only the halves of all bodies on one side of the chain's middle plane, which is a "
       "plane of symmetry as long as nothing pushes the chain sideways; full fidelity only. Forces, "
       "masses and energies are reported of whole bodies. Costs half as much. auto: true where "
-      "links "
-      "and rollers are elastic, all or those that arrive, plates do not touch and no fields are "
-      "asked for, whose pictures show whole bodies.");
+      "links and rollers are elastic, all or those that arrive, plates do not touch and no fields "
+      "are asked for, whose pictures show whole bodies.");
   add(declarations,
       "Mass per pitch in g",
       mass_per_pitch,

@@ -86,17 +86,23 @@ Tensor3 entry_normal(const drive::Layout &layout, const unsigned int i, const Sc
 
 /// The flanks of @p sprocket, which is in the scene as @p body with its mesh in @p part if it has
 /// one; no rollers yet.
-ToothFamily make_flanks(const drive::Drive    &drive,
+ToothFamily make_flanks(const Parameters      &parameters,
+                        const drive::Drive    &drive,
                         const drive::Sprocket &sprocket,
                         const unsigned int     body,
                         const mesh::Part      *part,
                         Scene                 &scene)
 {
-  const bool  imported = !sprocket.mesh.empty();
-  ToothFamily teeth;
-  teeth.name         = "roller-" + text_of(sprocket.role);
-  teeth.sprocket     = body;
-  teeth.form         = std::make_shared<const drive::ToothForm>(sprocket.form);
+  const bool         imported = !sprocket.mesh.empty();
+  const unsigned int facets   = parameters.drive.sprockets.facets;
+  ToothFamily        teeth;
+  teeth.name     = "roller-" + text_of(sprocket.role);
+  teeth.sprocket = body;
+  teeth.form = std::make_shared<const drive::ToothForm>(facets > 0 ? sprocket.form.faceted(facets) :
+                                                                     sprocket.form);
+  if (facets > 0)
+    scene.notes.push_back(teeth.name + ": teeth of " + std::to_string(facets) +
+                          " chords instead of their arcs");
   teeth.teeth        = sprocket.form.teeth;
   teeth.outer_radius = 0.5 * sprocket.form.outside_diameter;
   teeth.half_width   = 0.5 * (imported ? mesh::flank_width(*part) : drive.sprocket_width);
@@ -200,7 +206,8 @@ void add_sprockets(const Parameters               &parameters,
       if (body.motion == Motion::elastic)
         scene.sectors[body.part()] = std::make_shared<const mesh::Sector>(*part);
 
-      const ToothFamily flanks = make_flanks(drive, sprocket, number, part.get(), scene);
+      const ToothFamily flanks =
+          make_flanks(parameters, drive, sprocket, number, part.get(), scene);
       if (n_elastic > 0)
         scene.teeth.push_back(with_elastic_rollers(parameters, drive, scene, flanks));
       if (n_elastic < scene.n_joints)

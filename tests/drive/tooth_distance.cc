@@ -2,7 +2,7 @@
 
 // The nearest point of a profile against a fine polyline of the whole sprocket, for points all
 // around: in gaps, within teeth, over tips, far outside; its sign by counting crossings; continuity
-// along paths; agreement of normal, point and distance.
+// along paths; agreement of normal, point and distance. Faceted teeth are such a polyline.
 
 #include "compare.h"
 
@@ -35,12 +35,15 @@ double distance_to_polyline(const std::vector<Point<2>> &line, const Point<2> &p
 
 void check(const parameters::StandardForm form,
            const unsigned int             z,
-           const drive::ChainDimensions  &chain)
+           const drive::ChainDimensions  &chain,
+           const unsigned int             facets = 0)
 {
   parameters::Sprockets sprockets;
-  sprockets.tooth_form     = form;
-  const drive::ToothForm f = drive::make_tooth_form(z, chain, sprockets, parameters::Role::driver);
-  const std::vector<Point<2>> line  = f.polyline(60);
+  sprockets.tooth_form = form;
+  const drive::ToothForm smooth =
+      drive::make_tooth_form(z, chain, sprockets, parameters::Role::driver);
+  const drive::ToothForm      f     = facets > 0 ? smooth.faceted(facets) : smooth;
+  const std::vector<Point<2>> line  = f.polyline(facets > 0 ? 1 : 60);
   const double                outer = 0.5 * f.outside_diameter, root = 0.5 * f.root_diameter;
 
   std::mt19937                           random(7);
@@ -59,9 +62,18 @@ void check(const parameters::StandardForm form,
           std::remainder(angle - q.tooth_gap * f.pitch_angle(), 2. * dealii::numbers::PI);
       gap_error = std::max(gap_error, std::abs(off) / (0.5 * f.pitch_angle()) - 1.);
     }
-  std::cout << "== " << text_of(form) << ", " << z << " teeth\n";
-  // a chord of the length l strays from an arc of the radius r by l^2 / (8 r)
-  verdict("2000 points agree with the polyline within 0.5 um", worst < 0.5e-6);
+  std::cout << "== " << text_of(form) << ", " << z << " teeth";
+  if (facets > 0)
+    {
+      std::cout << " of " << facets << " chords\n";
+      verdict("2000 points agree with the polyline to 1e-12 mm", worst < 1e-15);
+    }
+  else
+    {
+      std::cout << '\n';
+      // a chord of the length l strays from an arc of the radius r by l^2 / (8 r)
+      verdict("2000 points agree with the polyline within 0.5 um", worst < 0.5e-6);
+    }
   verdict("point + distance x normal is the given point, to 1e-12 mm", mismatch < 1e-15);
   verdict("the gap is that of the point's sector", gap_error < 1e-12);
 
@@ -120,4 +132,7 @@ int main()
                           parameters::StandardForm::ansi})
     for (const unsigned int z : {9u, 15u, 42u})
       check(form, z, chain);
+  check(parameters::StandardForm::iso_min, 15, chain, 16);
+  check(parameters::StandardForm::iso_max, 42, chain, 96);
+  check(parameters::StandardForm::ansi, 9, chain, 24);
 }

@@ -69,6 +69,14 @@ int main()
   });
   check([](Parameters &p) { p.drive.sprockets.driver.mesh = "driver.msh"; });
   check([](Parameters &p) { p.output.rollers = {0, 109, 110}; });
+  check([](Parameters &p) { p.drive.sprockets.facets = 24; });
+  check([](Parameters &p) { p.drive.sprockets.facets = 10; });
+  check([](Parameters &p) {
+    p.drive.sprockets.facets      = 25;
+    p.drive.sprockets.driven.mesh = "driven.msh";
+    p.model.fidelity              = Fidelity::full;
+    p.effects.elastic_driven      = Switch::off;
+  });
 
   std::cout << "fidelity and start" << std::endl;
   check([](Parameters &p) { p.drive.layout.start = Start::concentric; });

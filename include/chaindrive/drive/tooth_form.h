@@ -39,8 +39,17 @@ struct ToothForm
 
   /// From the bottom of gap 0, on +x, to the middle of the tooth at the polar angle pi / z: seat,
   /// flank (ISO) or working arc, straight and topping arc (ANSI) as far as the outside diameter
-  /// leaves them, tip arc.
+  /// leaves them, tip arc. Of faceted() the chords.
   std::vector<Segment> half_profile;
+
+  /// Where the outline has a corner: before segment i at the place i, after the last at the end.
+  enum class Corner : unsigned char
+  {
+    none,
+    convex, ///< only points outside are nearest to it
+    concave ///< only points inside are nearest to it
+  };
+  std::vector<Corner> corners;
 
   std::vector<std::string> derived; ///< sentences on values that no entry gave
 
@@ -63,6 +72,16 @@ struct ToothForm
   /// The profile point nearest to @p p. Exact for any point but the axis itself; the distance is
   /// continuous everywhere, the normal wherever the nearest point is unique. No allocation.
   Projection closest_point(const dealii::Point<2> &p) const;
+
+  /// The form with @p n chords, an even number, in place of the arcs from the bottom of a gap to
+  /// that of the next. Each arc and straight piece has at least one, and those of an arc are
+  /// equally long: one after the other they go to where chords are longest, so that all become
+  /// about equally long, as the edges of a mesh of one size are. Corners of convex arcs lie on the
+  /// arcs. Those of concave arcs, the seats, stand back into the metal by r (1/cos(a/2) - 1), a the
+  /// angle of a chord, so that its middle touches the arc: with corners on it the gaps would be too
+  /// small for the rollers of a new chain. The faceted tooth is thus nowhere outside of the smooth
+  /// one, and inside by no more than about h^2/8r, h the length of a chord.
+  ToothForm faceted(unsigned int n) const;
 
   /// Points of the half profile, from the bottom of gap 0 to the middle of the tooth, with
   /// @p per_segment equal intervals in every segment.

@@ -142,7 +142,8 @@ struct Sprockets
 {
   StandardForm          tooth_form  = StandardForm::iso_min;
   SeatCentre            seat_centre = SeatCentre::iso;
-  std::optional<double> width; ///< m
+  std::optional<double> width;      ///< m
+  unsigned int          facets = 0; ///< chords of a rigid tooth, even; 0: smooth
   Sprocket              driver{15, {}, {}, {}, {}, {}}, driven{42, {}, {}, {}, {}, {}};
 
   const Sprocket &with(const Role role) const { return role == Role::driver ? driver : driven; }
