@@ -34,6 +34,50 @@ double number(const std::string &text)
 
 bool is_cheaper(const StudyResult &a, const StudyResult &b) { return a.cpu < b.cpu; }
 bool is_better(const StudyResult &a, const StudyResult &b) { return a.bound() < b.bound(); }
+
+std::string in_percent(const double value)
+{
+  return (value < 0. ? "" : "+") + to_text(100. * value, 2) + " %";
+}
+
+std::string error_text(const StudyResult &result)
+{
+  return in_percent(result.error) + " (" + in_percent(result.low) + " ... " +
+         in_percent(result.high) + ")";
+}
+
+std::string entries_text(const StudyResult &result)
+{
+  std::string text;
+  for (const std::string &entry : result.overrides)
+    text += (text.empty() ? "" : "; ") + entry;
+  return text;
+}
+
+/// CPU time of the drive of @p command_line as the variant of @p result, s; or why it cannot run.
+std::string cost_here(const StudyResult &result,
+                      const CommandLine &command_line,
+                      const double       before,
+                      const MPI_Comm     comm)
+{
+  std::vector<std::string> overrides = command_line.overrides;
+  overrides.insert(overrides.end(), result.overrides.begin(), result.overrides.end());
+  try
+    {
+      const parameters::Input input =
+          parameters::read_parameters(command_line.parameter_file, overrides);
+      const std::vector<std::string> folders = mesh_folders(command_line.parameter_file);
+      Simulation                     simulation(input.parameters, folders, comm);
+      return simulation.is_idle() ?
+                 "" :
+                 "it takes " + to_text(measure_cost(simulation, folders, before).total(), 3) +
+                     " s here";
+    }
+  catch (const InputError &error)
+    {
+      return std::string("here it cannot run: ") + error.what();
+    }
+}
 } // namespace
 
 double StudyResult::bound() const { return std::max(std::abs(low), std::abs(high)); }
@@ -113,52 +157,6 @@ answers(const std::vector<StudyResult> &results, const std::string &output, cons
     }
   return all;
 }
-
-namespace
-{
-std::string percent(const double value)
-{
-  return (value < 0. ? "" : "+") + to_text(100. * value, 2) + " %";
-}
-
-std::string error_text(const StudyResult &result)
-{
-  return percent(result.error) + " (" + percent(result.low) + " ... " + percent(result.high) + ")";
-}
-
-std::string entries_text(const StudyResult &result)
-{
-  std::string text;
-  for (const std::string &entry : result.overrides)
-    text += (text.empty() ? "" : "; ") + entry;
-  return text;
-}
-
-/// CPU time of the drive of @p command_line as the variant of @p result, s; or why it cannot run.
-std::string cost_here(const StudyResult &result,
-                      const CommandLine &command_line,
-                      const double       before,
-                      const MPI_Comm     comm)
-{
-  std::vector<std::string> overrides = command_line.overrides;
-  overrides.insert(overrides.end(), result.overrides.begin(), result.overrides.end());
-  try
-    {
-      const parameters::Input input =
-          parameters::read_parameters(command_line.parameter_file, overrides);
-      const std::vector<std::string> folders = mesh_folders(command_line.parameter_file);
-      Simulation                     simulation(input.parameters, folders, comm);
-      return simulation.is_idle() ?
-                 "" :
-                 "it takes " + to_text(measure_cost(simulation, folders, before).total(), 3) +
-                     " s here";
-    }
-  catch (const InputError &error)
-    {
-      return std::string("here it cannot run: ") + error.what();
-    }
-}
-} // namespace
 
 void print_answers(std::ostream      &out,
                    const CommandLine &command_line,
