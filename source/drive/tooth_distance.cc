@@ -104,9 +104,7 @@ Projection ToothForm::closest_point(const Point<2> &p) const
 
   const Tensor<1, 2> away = local - point;
   const Corner corner     = best.end == 0 ? Corner::none : corners[which + (best.end > 0 ? 1 : 0)];
-  if (corner == Corner::concave)
-    best.distance = -best.distance;
-  else if (corner == Corner::none && away * normal < 0.)
+  if (corner == Corner::concave || (corner == Corner::none && away * normal < 0.))
     best.distance = -best.distance;
   if (corner != Corner::none && best.distance != 0.)
     normal = away / best.distance;
