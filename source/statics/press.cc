@@ -14,31 +14,48 @@ namespace
 {
 constexpr unsigned int n_strips = 8; ///< of a patch
 
-/// x ln(x^2)
-double kernel(const double x) { return x == 0. ? 0. : x * std::log(x * x); }
+/// pi E* times the displacement at (@p x, @p y) of a half-space by a unit pressure on a rectangle
+/// of half widths @p a and @p b about the origin, m (Love 1929).
+double love(const double x, const double y, const double a, const double b)
+{
+  const auto part = [](const double u, const double v) {
+    return u == 0. ? 0. : u * std::asinh(v / std::abs(u));
+  };
+  return part(x + a, y + b) - part(x + a, y - b) + part(y + b, x + a) - part(y + b, x - a) -
+         part(x - a, y + b) + part(x - a, y - b) - part(y - b, x + a) + part(y - b, x - a);
+}
 
-/// Displacements of strips of one station and both bodies under pressures on strips and on their
-/// mirror images, their means over patches left out, m/Pa.
+/// Displacements of strips (number: strip * n_stations + station) of both bodies under pressures on
+/// strips and on their mirror images, their means over patches left out, m/Pa.
 dealii::FullMatrix<double> within_patches(const PatchGrid &grid, const Material &material)
 {
-  const unsigned int         n      = grid.n_angles * n_strips;
+  const unsigned int         m = grid.n_stations(), n = grid.n_angles * n_strips * m;
   const double               h      = grid.radius * grid.width / n_strips;
   const double               factor = 2. / (dealii::numbers::PI * material.plane_modulus());
   dealii::FullMatrix<double> u(n, n);
-  for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int j = 0; j < n; ++j)
-      for (const double x : {h * (double(i) - double(j)), h * (i + j + 1.)})
-        u(i, j) -= factor * h * (kernel(x / h + 0.5) - kernel(x / h - 0.5));
-  for (unsigned int I = 0; I < grid.n_angles; ++I)
-    for (unsigned int J = 0; J < grid.n_angles; ++J)
+  for (unsigned int s = 0; s < m; ++s)
+    for (unsigned int t = 0; t < m; ++t)
       {
-        double mean = 0.;
-        for (unsigned int i = 0; i < n_strips; ++i)
-          for (unsigned int j = 0; j < n_strips; ++j)
-            mean += u(I * n_strips + i, J * n_strips + j);
-        for (unsigned int i = 0; i < n_strips; ++i)
-          for (unsigned int j = 0; j < n_strips; ++j)
-            u(I * n_strips + i, J * n_strips + j) -= mean / (n_strips * n_strips);
+        const double z = 0.5 * (grid.z[s] + grid.z[s + 1]), w = 0.5 * (grid.z[t] + grid.z[t + 1]),
+                     b = 0.5 * (grid.z[t + 1] - grid.z[t]);
+        // by the distance between strips
+        std::vector<double> at(2 * grid.n_angles * n_strips);
+        for (unsigned int d = 0; d < at.size(); ++d)
+          at[d] = factor * (love(h * d, z - w, 0.5 * h, b) + love(h * d, z + w, 0.5 * h, b));
+        for (unsigned int i = 0; i < grid.n_angles * n_strips; ++i)
+          for (unsigned int j = 0; j < grid.n_angles * n_strips; ++j)
+            u(i * m + s, j * m + t) = at[i < j ? j - i : i - j] + at[i + j + 1];
+        for (unsigned int I = 0; I < grid.n_angles; ++I)
+          for (unsigned int J = 0; J < grid.n_angles; ++J)
+            {
+              double mean = 0.;
+              for (unsigned int i = I * n_strips; i < (I + 1) * n_strips; ++i)
+                for (unsigned int j = J * n_strips; j < (J + 1) * n_strips; ++j)
+                  mean += u(i * m + s, j * m + t) / (n_strips * n_strips);
+              for (unsigned int i = I * n_strips; i < (I + 1) * n_strips; ++i)
+                for (unsigned int j = J * n_strips; j < (J + 1) * n_strips; ++j)
+                  u(i * m + s, j * m + t) -= mean;
+            }
       }
   return u;
 }
@@ -88,8 +105,11 @@ Press::Press(std::vector<Interface> interfaces,
       {
         fine_(i, j)          = flexibility(patch_[i], patch_[j]) / n_strips;
         const unsigned int k = interface_[i];
-        if (interface_[j] == k && station[i] == station[j])
-          fine_(i, j) += within[k](strip_[i], strip_[j]);
+        if (interface_[j] == k)
+          {
+            const unsigned int m = interfaces_[k].grid.n_stations();
+            fine_(i, j) += within[k](strip_[i] * m + station[i], strip_[j] * m + station[j]);
+          }
       }
 }
 

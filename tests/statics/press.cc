@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A pin pressed into a hole by the flexibilities of finite element pieces and the contact between
 // them, against the closed form of conforming contact (drive/stiffness.h, another method): plane
-// strain, a pin with a small bore in a thick-walled, held ring. Light loads approach Hertz' theory.
+// strain, a pin with a small bore in a thick-walled, held ring. With a wide clearance the contact
+// is small, and that of Hertz' theory for a line.
 
 #include <chaindrive/drive/stiffness.h>
 #include <chaindrive/statics/flexibility.h>
@@ -20,7 +21,7 @@ using dealii::Point;
 
 namespace
 {
-constexpr double depth = 1e-3; // m, of the slice
+constexpr double depth = 1e-2; // m, of the slice: long, as seen from a patch
 constexpr double PI    = dealii::numbers::PI;
 
 enum : dealii::types::boundary_id
@@ -107,6 +108,22 @@ int main(int argc, char **argv)
       std::cout << "q " << 1e-3 * q << " N/mm: peak pressure within 4 percent: "
                 << (std::abs(peak) < 0.04 ? "yes" : "NO") << ", half angle to a strip: "
                 << (std::abs(pressed.half_angle[0] - exact.half_angle) < 1.2 * strip ? "yes" : "NO")
+                << '\n';
+    }
+
+  // half width 2 sqrt(q R / (pi E*)), pressure 2 q / (pi times it); E* of two equal materials
+  const double wide = 1e-3, curvature_radius = radius * radius / wide;
+  const Press  hertz(
+      {{grid, [=](const double t) { return wide * (1. - std::cos(t)); }}}, both, steel);
+  for (const double q : {3e5, 1e6, 2e6})
+    {
+      const Pressed pressed = hertz.at(q * 2. * depth);
+      const double  half    = 2. * std::sqrt(q * curvature_radius / (PI * steel.contact_modulus())),
+                   peak = 2. * q / (PI * half), strip = radius * grid.width / 8.;
+      std::cout << "q " << 1e-3 * q << " N/mm: Hertz' pressure to 3 percent: "
+                << (std::abs(pressed.on_line[0] / peak - 1.) < 0.03 ? "yes" : "NO")
+                << ", half width to a strip: "
+                << (std::abs(radius * pressed.half_angle[0] - half) < 1.2 * strip ? "yes" : "NO")
                 << '\n';
     }
 }

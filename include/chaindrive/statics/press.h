@@ -56,11 +56,14 @@ struct Pressed
 /// Frictionless contact of elastic cylinders in one or more interfaces that bear the same force.
 ///
 /// Patches are as wide as elements of the parts; their flexibility is that of the parts. Each is
-/// divided further, and what happens inside of a patch is that of the half-plane: a strip of half
-/// width a under the pressure p moves the surface at the distance x from its middle by
-///   u = - (1 - nu^2)/(pi E) p [(x + a) ln((x + a)^2/a^2) - (x - a) ln((x - a)^2/a^2)] + const
-/// (Johnson, Contact Mechanics, 2.5), of which the mean over patches is left out since it is in
-/// the parts' flexibility.
+/// divided further along the circumference, and what happens inside of a patch is that of the
+/// half-space: a rectangle of half widths a and b under the pressure p moves the surface at (x, y)
+/// from its middle by
+///   u = (1 - nu^2)/(pi E) p sum of +- (x +- a) arsinh((y +- b)/|x +- a|) and the same with x and
+///   y, a and b exchanged
+/// (Love 1929; Johnson, Contact Mechanics, 3.5), of which the mean over patches is left out since
+/// it is in the parts' flexibility. With that of the half-plane, whose stations along the axis know
+/// nothing of each other, the flexibility of narrow stations would not be positive definite.
 class Press
 {
 public:
