@@ -40,6 +40,9 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
       return run_command(command_line, MPI_COMM_WORLD) ? 0 : 4;
     case Command::plan:
       return plan_command(command_line, MPI_COMM_WORLD) ? 0 : 4;
+    case Command::parts:
+      parts_command(command_line, MPI_COMM_WORLD);
+      break;
     case Command::study:
       successor = study_command(command_line, MPI_COMM_WORLD);
       return stop_signal() == 0 ? 0 : 4;

@@ -12,6 +12,7 @@ enum class Command
 {
   run,           ///< compute the drive of a .prm file
   plan,          ///< say what would be computed and what it costs
+  parts,         ///< print masses and stiffnesses of the parts
   study,         ///< run the variants of a study file and compare them
   template_file, ///< print a .prm file to begin with
   document,      ///< print doc/parameters.md

@@ -247,6 +247,29 @@ ElasticPiece::Vector ElasticPiece::solve(const Vector &load) const
 
 double ElasticPiece::displacement(const Vector &u, const Vector &load) const { return u * load; }
 
+double ElasticPiece::largest_stress(const Vector &u, const dealii::types::boundary_id side) const
+{
+  const dealii::QIterated<2> nodes(dealii::QTrapezoid<1>(), 2 * degree);
+  dealii::FEFaceValues<3>    values(mapping_, element_, nodes, dealii::update_gradients);
+  const dealii::FEValuesExtractors::Vector   displacement(0);
+  const Vector                               all = ghosted(u);
+  std::vector<dealii::SymmetricTensor<2, 3>> strain(nodes.size());
+  double                                     largest = 0.;
+  for (const auto &cell : dofs_.active_cell_iterators())
+    if (cell->is_locally_owned())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == side)
+          {
+            values.reinit(cell, f);
+            values[displacement].get_function_symmetric_gradients(all, strain);
+            for (const auto &e : strain)
+              largest = std::max(largest,
+                                 material_.lambda() * dealii::trace(e) +
+                                     2. * material_.mu() * dealii::eigenvalues(e)[0]);
+          }
+  return dealii::Utilities::MPI::max(largest, comm_);
+}
+
 ElasticPiece::Vector ElasticPiece::ghosted(const Vector &u) const
 {
   Vector result(owned_, relevant_, comm_);

@@ -104,7 +104,8 @@ PieceFlexibility flexibility(const Piece             &piece,
       part   = std::move(finer);
       before = after;
     }
-  result.n_cells = part->n_cells();
+  result.n_cells    = part->n_cells();
+  result.n_unknowns = part->n_unknowns();
 
   const std::vector<Vector> loads = loads_of(*part, sides);
   const unsigned int        n     = static_cast<unsigned int>(loads.size());

@@ -16,7 +16,7 @@ using dealii::Point;
 using dealii::numbers::PI;
 
 /// Of what is kept: to be raised with every change that changes results.
-constexpr unsigned int version = 1;
+constexpr unsigned int version = 2;
 
 /// Of a flexibility. Stiffnesses of two parts with their contact are known four times as well: the
 /// contact is much of them.
@@ -53,25 +53,33 @@ std::string text_of_chain(const drive::ChainDimensions &c)
                   c.outer_hole_pitch});
 }
 
+std::string end_of_key(const Material &material, const double tolerance)
+{
+  return "; material" + numbers({material.youngs_modulus, material.poissons_ratio}) +
+         "; tolerance" + numbers({tolerance}) + "; version " + std::to_string(version);
+}
+
 nlohmann::json to_json(const PieceFlexibility &result)
 {
   nlohmann::json values = nlohmann::json::array();
   for (unsigned int i = 0; i < result.values.m(); ++i)
     for (unsigned int j = 0; j < result.values.n(); ++j)
       values.push_back(to_text(1e12 * result.values(i, j), 7)); // the same for any number of ranks
-  return {{"cells", result.n_cells}, {"error", to_text(result.error, 3)}, {"um/MPa", values}};
+  return {{"cells", result.n_cells},
+          {"unknowns", result.n_unknowns},
+          {"error", to_text(result.error, 3)},
+          {"um/MPa", values}};
 }
 
-/// Of @p n patches. Throws what nlohmann::json throws for what it does not expect.
-PieceFlexibility from_json(const nlohmann::json &json, const unsigned int n)
+double number_of(const nlohmann::json &text) { return std::stod(text.get<std::string>()); }
+
+/// Of @p n patches.
+Flexibility values_of(const nlohmann::json &json, const unsigned int n)
 {
-  PieceFlexibility result;
-  result.n_cells = json.at("cells");
-  result.error   = std::stod(json.at("error").get<std::string>());
-  result.values.reinit(n, n);
+  Flexibility result(n, n);
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j)
-      result.values(i, j) = 1e-12 * std::stod(json.at("um/MPa").at(i * n + j).get<std::string>());
+      result(i, j) = 1e-12 * number_of(json.at("um/MPa").at(i * n + j));
   return result;
 }
 
@@ -80,12 +88,6 @@ Interface cylinders(const PatchGrid &grid, const double clearance)
   return {grid, [clearance](const double angle) { return clearance * (1. - std::cos(angle)); }};
 }
 
-void add(Flexibility &sum, const Flexibility &part, const unsigned int first)
-{
-  for (unsigned int i = 0; i < part.m(); ++i)
-    for (unsigned int j = 0; j < part.n(); ++j)
-      sum(first + i, first + j) += part(i, j);
-}
 } // namespace
 
 Library::Library(const Material &material, const std::string &cache_folder, const MPI_Comm comm)
@@ -107,12 +109,20 @@ Flexibility Library::flexibility_of(const std::string            &name,
              numbers({side.grid.radius, side.grid.width, double(side.grid.n_angles)}) + " at" +
              numbers(side.grid.z) + " about" + numbers({side.axis[0], side.axis[1], side.angle});
     }
-  key += "; material" + numbers({material_.youngs_modulus, material_.poissons_ratio}) +
-         "; tolerance" + numbers({tolerance}) + "; version " + std::to_string(version);
+  key += end_of_key(material_, tolerance);
 
   if (const auto known = known_.find(key); known != known_.end())
     return known->second;
+  const nlohmann::json json = result_of(name, key, [&] {
+    return to_json(statics::flexibility(make(), sides, material_, tolerance, comm_));
+  });
+  return known_.emplace(key, values_of(json, n)).first->second;
+}
 
+nlohmann::json Library::result_of(const std::string                     &name,
+                                  const std::string                     &key,
+                                  const std::function<nlohmann::json()> &compute)
+{
   // the first rank has the cache, all have the same answer
   std::string kept;
   if (const auto found = cache_.find(key))
@@ -123,16 +133,18 @@ Flexibility Library::flexibility_of(const std::string            &name,
   const bool is_new = kept.empty();
   if (is_new)
     {
-      const nlohmann::json json =
-          to_json(statics::flexibility(make(), sides, material_, tolerance, comm_));
+      const nlohmann::json json = compute();
       cache_.keep(key, json);
       kept = json.dump();
     }
-  const PieceFlexibility              result = from_json(nlohmann::json::parse(kept), n);
+  const nlohmann::json                result = nlohmann::json::parse(kept);
   const std::chrono::duration<double> time   = std::chrono::steady_clock::now() - start;
-  entries_.push_back({name, result.n_cells, result.error, is_new ? time.count() : 0.});
-  known_.emplace(key, result.values);
-  return result.values;
+  entries_.push_back({name,
+                      result.at("cells"),
+                      result.at("unknowns"),
+                      number_of(result.at("error")),
+                      is_new ? time.count() : 0.});
+  return result;
 }
 
 Press Library::pulled_links(const drive::ChainDimensions &chain, const unsigned int n_angles)
@@ -143,24 +155,30 @@ Press Library::pulled_links(const drive::ChainDimensions &chain, const unsigned 
       patch_width,
       n_angles,
       {0., inside / 3., 2. * inside / 3., inside, inside + 0.5 * plate, inside + plate}};
-  const double bush = 0.5 * chain.inner_hole_pitch, pin = 0.5 * chain.outer_hole_pitch;
-  Flexibility  both = flexibility_of("inner link, pulled",
-                                    text_of_chain(chain),
-                                    [&] { return link_eighth(chain, true); },
-                                    {{mesh::bush_bore_second, grid, Point<2>(bush, 0.), 0., true}});
-  add(both,
-      flexibility_of("outer link, pulled",
-                     text_of_chain(chain),
-                     [&] { return link_eighth(chain, false); },
-                     {{mesh::pin_outside_second, grid, Point<2>(pin, 0.), PI, false}}),
-      0);
-  return Press({cylinders(grid, chain.pin_clearance())}, both, material_);
+  const double            bush = 0.5 * chain.inner_hole_pitch, pin = 0.5 * chain.outer_hole_pitch;
+  const std::string       wide = n_angles > 4 ? ", wide contact" : "";
+  std::vector<GivingPart> parts;
+  parts.push_back({"inner link",
+                   0,
+                   flexibility_of("inner link, pulled" + wide,
+                                  text_of_chain(chain),
+                                  [&] { return link_eighth(chain, true); },
+                                  {{mesh::bush_bore_second, grid, Point<2>(bush, 0.), 0., true}})});
+  parts.push_back(
+      {"outer link",
+       0,
+       flexibility_of("outer link, pulled" + wide,
+                      text_of_chain(chain),
+                      [&] { return link_eighth(chain, false); },
+                      {{mesh::pin_outside_second, grid, Point<2>(pin, 0.), PI, false}})});
+  return Press({cylinders(grid, chain.pin_clearance())}, std::move(parts), material_);
 }
 
 Press Library::pressed_roller(const drive::ChainDimensions &chain,
                               const drive::Sprocket        &sprocket,
                               const double                  width,
-                              const unsigned int            n_angles)
+                              const unsigned int            n_angles,
+                              const double                  position)
 {
   const double              half_width = 0.5 * std::min(chain.roller_length, width);
   const std::vector<double> z          = {0., half_width / 3., 2. * half_width / 3., half_width};
@@ -168,21 +186,24 @@ Press Library::pressed_roller(const drive::ChainDimensions &chain,
       inside{0.5 * chain.bush_diameter, patch_width, n_angles, z};
   const drive::Segment &seat = sprocket.form.half_profile.front();
 
-  Flexibility all = flexibility_of("roller",
-                                   text_of_chain(chain),
-                                   [&] { return roller_quarter(chain); },
-                                   {{mesh::roller_outside, outside, Point<2>(), 0., false},
-                                    {mesh::roller_bore, inside, Point<2>(), 0., true}});
-  add(all,
-      flexibility_of("inner link, pressed",
-                     text_of_chain(chain),
-                     [&] { return link_quarter(chain); },
-                     {{mesh::bush_outside_second,
-                       inside,
-                       Point<2>(0.5 * chain.inner_hole_pitch, 0.),
-                       -0.5 * PI,
-                       false}}),
-      outside.n());
+  std::vector<GivingPart> parts;
+  parts.push_back({"roller",
+                   0,
+                   flexibility_of("roller",
+                                  text_of_chain(chain),
+                                  [&] { return roller_quarter(chain); },
+                                  {{mesh::roller_outside, outside, Point<2>(), 0., false},
+                                   {mesh::roller_bore, inside, Point<2>(), 0., true}})});
+  parts.push_back({"inner link",
+                   outside.n(),
+                   flexibility_of("inner link, pressed",
+                                  text_of_chain(chain),
+                                  [&] { return link_quarter(chain); },
+                                  {{mesh::bush_outside_second,
+                                    inside,
+                                    Point<2>(0.5 * chain.inner_hole_pitch, 0.),
+                                    -0.5 * PI,
+                                    false}})});
 
   // the rigid zone of a rim that has hardly any is made smaller, so that there is something to mesh
   const double root = sprocket.form.root_diameter,
@@ -191,15 +212,60 @@ Press Library::pressed_roller(const drive::ChainDimensions &chain,
   std::string profile = numbers({double(sprocket.form.teeth), shape.hub_diameter, width});
   for (const drive::Segment &s : sprocket.form.half_profile)
     profile += numbers({s.begin[0], s.begin[1], s.end[0], s.end[1], s.radius});
-  add(all,
-      flexibility_of("rim with " + std::to_string(sprocket.form.teeth) + " teeth",
-                     profile,
-                     [&] { return rim_sector(sprocket.form, shape); },
-                     {{mesh::tooth_flanks, outside, seat.centre, PI, true}}),
-      0);
+  // A force beside the radius bends and shears the sector, whose ends are free: it has to be as
+  // wide on either side as it is high.
+  unsigned int n_sectors = 3;
+  if (position != 0.)
+    n_sectors = std::min(
+        1 + 2 * static_cast<unsigned int>(std::ceil(0.5 * (root - hub) / sprocket.form.pitch)),
+        (sprocket.form.teeth - 1) / 2 * 2 + 1);
+  profile += "; sectors " + std::to_string(n_sectors);
+  std::string name = "rim with " + std::to_string(sprocket.form.teeth) + " teeth";
+  if (position != 0.)
+    name += ", " + to_text(position * 180. / PI, 3) + " degrees off";
+  parts.push_back(
+      {"rim",
+       0,
+       flexibility_of(name,
+                      profile,
+                      [&] { return rim_sector(sprocket.form, shape, n_sectors); },
+                      {{mesh::tooth_flanks, outside, seat.centre, PI - position, true}})});
   return Press({cylinders(outside, seat.radius - outside.radius),
                 cylinders(inside, chain.roller_clearance())},
-               all,
+               std::move(parts),
                material_);
+}
+
+PeakStress Library::pulled_plate(const drive::ChainDimensions &chain, const bool inner)
+{
+  constexpr double  accuracy = 0.02;
+  const std::string name     = inner ? "inner plate" : "outer plate";
+  const double      middle   = 0.5 * (inner ? chain.inner_hole_pitch : chain.outer_hole_pitch);
+  const ElasticPiece::Patches load{
+      {hole_side},
+      1,
+      [middle](const Point<3> &x) { return x[0] > middle ? 0U : ElasticPiece::Patches::none; },
+      [middle](const Point<3> &x) {
+        dealii::Tensor<1, 3> r;
+        r[0] = x[0] - middle;
+        r[1] = x[1];
+        // like the cosine, of which the mean along x is 1/2
+        return 2. * r[0] / r.norm_square() * r;
+      }};
+  const nlohmann::json json =
+      result_of(name, name + text_of_chain(chain) + end_of_key(material_, accuracy), [&] {
+        const PeakStress peak =
+            peak_stress(plate_eighth(chain, inner), load, hole_side, material_, accuracy, comm_);
+        return nlohmann::json{{"cells", peak.n_cells},
+                              {"unknowns", peak.n_unknowns},
+                              {"error", to_text(peak.error, 3)},
+                              {"1/mm2", to_text(1e-6 * peak.per_force, 7)}};
+      });
+  PeakStress result;
+  result.per_force  = 1e6 * number_of(json.at("1/mm2"));
+  result.n_cells    = json.at("cells");
+  result.n_unknowns = json.at("unknowns");
+  result.error      = number_of(json.at("error"));
+  return result;
 }
 } // namespace chaindrive::statics

@@ -3,6 +3,7 @@
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/statics/pieces.h>
 
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <cmath>
@@ -124,6 +125,40 @@ Piece link_eighth(const drive::ChainDimensions &chain, const bool inner)
   return link_piece(chain, inner, true);
 }
 
+Piece plate_eighth(const drive::ChainDimensions &chain, const bool inner)
+{
+  const mesh::LinkGrid grid = {n_around, 1, 3, 2, 2};
+  const mesh::Part     link =
+      inner ? mesh::make_inner_link(chain, 1., grid) : mesh::make_outer_link(chain, 1., grid);
+  const drive::Plate plate  = plate_of(chain, inner);
+  const double       middle = 0.5 * (inner ? chain.bush_length : chain.pin_length);
+  dealii::GridTools::shift(-middle * along_z(), *link.mesh);
+  const double radius = 0.5 * plate.hole_diameter;
+  const auto   x_of   = [&plate](const Point<3> &x) {
+    return std::hypot(x[0] - 0.5 * plate.hole_pitch, x[1]);
+  };
+
+  Piece piece;
+  piece.name = inner ? "inner plate" : "outer plate";
+  piece.mesh = keep_cells(link,
+                          [&](const Point<3> &x) {
+                            return x[0] > 0. && x[1] > 0. && x[2] > 0. &&
+                                   x[2] < 0.5 * plate.thickness && x_of(x) > radius;
+                          },
+                          {0, 1, 2});
+  for (const auto &cell : piece.mesh->active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      {
+        bool on_hole = cell->face(f)->at_boundary();
+        for (const unsigned int v : cell->face(f)->vertex_indices())
+          on_hole = on_hole && std::abs(x_of(cell->face(f)->vertex(v)) - radius) < 1e-7 * radius;
+        if (on_hole)
+          cell->face(f)->set_boundary_id(hole_side);
+      }
+  attach_link_manifolds(*piece.mesh, plate, radius, 0.);
+  return piece;
+}
+
 Piece link_quarter(const drive::ChainDimensions &chain) { return link_piece(chain, true, false); }
 
 Piece roller_quarter(const drive::ChainDimensions &chain)
@@ -138,12 +173,14 @@ Piece roller_quarter(const drive::ChainDimensions &chain)
   return piece;
 }
 
-Piece rim_sector(const drive::ToothForm &form, const mesh::SprocketShape &shape)
+Piece rim_sector(const drive::ToothForm    &form,
+                 const mesh::SprocketShape &shape,
+                 const unsigned int         n_sectors)
 {
   const mesh::Part part = mesh::make_sprocket(form, shape, 1., 0, true);
   Piece            piece;
   piece.name         = part.name;
-  const double reach = 3. * dealii::numbers::PI / form.teeth;
+  const double reach = n_sectors * dealii::numbers::PI / form.teeth;
 
   std::vector<unsigned int> chosen;
   for (const auto &cell : part.mesh->active_cell_iterators())

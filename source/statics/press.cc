@@ -70,10 +70,10 @@ unsigned int PatchGrid::number(const double angle, const double height) const
   return static_cast<unsigned int>(a) * n_stations() + static_cast<unsigned int>(station);
 }
 
-Press::Press(std::vector<Interface> interfaces,
-             const Flexibility     &flexibility,
-             const Material        &material)
-    : interfaces_(std::move(interfaces))
+Press::Press(std::vector<Interface>  interfaces,
+             std::vector<GivingPart> parts,
+             const Material         &material)
+    : interfaces_(std::move(interfaces)), parts_(std::move(parts))
 {
   std::vector<unsigned int> station;
   unsigned int              first = 0;
@@ -94,7 +94,14 @@ Press::Press(std::vector<Interface> interfaces,
           }
       first += grid.n();
     }
-  AssertThrow(flexibility.m() == first, dealii::ExcInternalError());
+  Flexibility flexibility(first, first);
+  for (const GivingPart &part : parts_)
+    {
+      AssertThrow(part.first + part.values.m() <= first, dealii::ExcInternalError());
+      for (unsigned int i = 0; i < part.values.m(); ++i)
+        for (unsigned int j = 0; j < part.values.n(); ++j)
+          flexibility(part.first + i, part.first + j) += part.values(i, j);
+    }
   const unsigned int n = static_cast<unsigned int>(gap_.size());
   fine_.reinit(n, n);
   std::vector<dealii::FullMatrix<double>> within;
@@ -207,6 +214,22 @@ Pressed Press::at(const double force) const
               result.reaches_the_end = true;
           }
       first += grid.n();
+    }
+
+  // the work of the pressure on a part over that of the force
+  std::vector<double> mean(first, 0.), weight(first, 0.);
+  for (unsigned int i = 0; i < n; ++i)
+    mean[patch_[i]] += pressure[i] / n_strips;
+  for (unsigned int i = 0; i < n; ++i)
+    weight[patch_[i]] += share_[i] / along_[i] / force;
+  for (const GivingPart &part : parts_)
+    {
+      double way = 0.;
+      for (unsigned int i = 0; i < part.values.m(); ++i)
+        for (unsigned int j = 0; j < part.values.n(); ++j)
+          way += weight[part.first + i] * mean[part.first + i] * part.values(i, j) *
+                 mean[part.first + j];
+      result.given_way.push_back(way);
     }
   return result;
 }

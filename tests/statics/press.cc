@@ -95,9 +95,28 @@ int main(int argc, char **argv)
           asymmetry, std::abs(of_pin.values(i, j) - of_pin.values(j, i)) / of_pin.values(i, i));
   std::cout << "flexibility symmetric to 1e-5: " << (asymmetry < 1e-5 ? "yes" : "NO") << '\n';
 
-  Flexibility both = of_hole.values;
-  both.add(1., of_pin.values);
-  const Press press(
+  // the same pressure on all patches of a ring held outside: Lame, in plane strain
+  const double    outer = 3. * radius, ratio = outer * outer / (radius * radius);
+  const PatchGrid all_round{radius, grid.width, n_around / 2, {0., depth}};
+  Piece           ring = slice(radius, outer, 4);
+  ring.held            = {outer_side};
+  const auto of_ring   = flexibility(
+      ring, {{inner_side, all_round, Point<2>(), 0., true}}, steel, 0.01, MPI_COMM_WORLD);
+  const double exact =
+      radius * (ratio - 1.) / (2. * (steel.lambda() + steel.mu()) + 2. * steel.mu() * ratio);
+  double worst = 0.;
+  for (unsigned int i = 0; i < all_round.n(); ++i)
+    {
+      double u = 0.;
+      for (unsigned int j = 0; j < all_round.n(); ++j)
+        u += of_ring.values(i, j);
+      worst = std::max(worst, std::abs(u / exact - 1.));
+    }
+  std::cout << "ring under even pressure, each patch to 1e-3: " << (worst < 1e-3 ? "yes" : "NO")
+            << '\n';
+
+  const std::vector<GivingPart> both = {{"hole", 0, of_hole.values}, {"pin", 0, of_pin.values}};
+  const Press                   press(
       {{grid, [=](const double t) { return clearance * (1. - std::cos(t)); }}}, both, steel);
   // the four quarters of a slice make a pin of twice its depth
   for (const double q : {2e4, 1e5, 4e5, 1e6})

@@ -87,6 +87,9 @@ public:
   /// The displacement in the sense of @p load, m: of its patch on the average.
   double displacement(const Vector &u, const Vector &load) const;
 
+  /// The largest principal stress on the side @p side, Pa.
+  double largest_stress(const Vector &u, dealii::types::boundary_id side) const;
+
   /// The @p fraction of cells with the largest estimated error in @p u (Kelly et al. 1983): a
   /// further refinement.
   std::set<dealii::CellId> worst_cells(const Vector &u, double fraction);

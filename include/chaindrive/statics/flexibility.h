@@ -22,8 +22,8 @@ struct Side
 struct PieceFlexibility
 {
   Flexibility   values; ///< of the patches of all its sides, one after the other, m/Pa
-  unsigned long n_cells = 0;
-  double        error   = 0.; ///< estimated, of its compliance, relative
+  unsigned long n_cells = 0, n_unknowns = 0;
+  double        error = 0.; ///< estimated, of its compliance, relative
 };
 
 /// Solves for pressure on every patch of @p sides. The mesh is refined where the error is largest

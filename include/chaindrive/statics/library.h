@@ -4,6 +4,7 @@
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/statics/cache.h>
 #include <chaindrive/statics/flexibility.h>
+#include <chaindrive/statics/peak_stress.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -28,18 +29,25 @@ public:
 
   /// A roller pressed on the seat of a @p sprocket's tooth gap by the bush in it. Interface 0:
   /// tooth and roller, 1: roller and bush. Approaches are those of the sprocket's hub, the roller's
-  /// centre of mass and the link's centre of mass.
+  /// centre of mass and the link's centre of mass. The line of pressure is turned by @p position
+  /// [rad] from the bottom of the seat; pressure is symmetric about it, tooth and rim answer with
+  /// their mean of both sides.
   Press pressed_roller(const drive::ChainDimensions &chain,
                        const drive::Sprocket        &sprocket,
                        double                        sprocket_width,
-                       unsigned int                  n_angles);
+                       unsigned int                  n_angles,
+                       double                        position = 0.);
+
+  /// The largest stress on the edge of the hole in a side plate that a pin pulls, per force on one
+  /// of its eighths: the pressure on the far half of the hole is like the cosine of the angle.
+  PeakStress pulled_plate(const drive::ChainDimensions &chain, bool inner);
 
   /// What a part cost, in the order of first use.
   struct Entry
   {
     std::string   name;
-    unsigned long n_cells;
-    double        error;   ///< estimated, of the compliance, relative
+    unsigned long n_cells, n_unknowns;
+    double        error;   ///< estimated, of the compliance or of the peak stress, relative
     double        seconds; ///< to compute it; 0: it was in the cache
   };
   const std::vector<Entry> &entries() const { return entries_; }
@@ -48,6 +56,11 @@ public:
   const std::vector<std::string> &notes() const { return cache_.notes(); }
 
 private:
+  /// What was kept for @p key, else what @p compute gives. Collective; the same on all ranks.
+  nlohmann::json result_of(const std::string                     &name,
+                           const std::string                     &key,
+                           const std::function<nlohmann::json()> &compute);
+
   /// Of a piece with this @p name, which follows from @p geometry, material and sides alone.
   Flexibility flexibility_of(const std::string            &name,
                              const std::string            &geometry,

@@ -6,6 +6,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace chaindrive::statics
@@ -43,6 +44,14 @@ struct Interface
 /// where sides move apart.
 using Flexibility = dealii::FullMatrix<double>;
 
+/// A part that gives way, of the patches from @p first on.
+struct GivingPart
+{
+  std::string  name;
+  unsigned int first;
+  Flexibility  values;
+};
+
 /// What a force presses together.
 struct Pressed
 {
@@ -50,7 +59,10 @@ struct Pressed
   std::vector<std::vector<double>> pressure;   ///< of each interface's patches, on the average, Pa
   std::vector<double>              on_line;    ///< largest pressure on each interface's line, Pa
   std::vector<double>              half_angle; ///< up to which each interface touches, rad
-  bool                             reaches_the_end; ///< of the patches: more angles are needed
+  std::vector<double>              given_way;  ///< by each part along the force, m: the approaches
+                                               ///< are these, gaps that close and what happens
+                                               ///< within patches
+  bool reaches_the_end;                        ///< of the patches: more angles are needed
 };
 
 /// Frictionless contact of elastic cylinders in one or more interfaces that bear the same force.
@@ -67,15 +79,14 @@ struct Pressed
 class Press
 {
 public:
-  Press(std::vector<Interface> interfaces,
-        const Flexibility     &flexibility,
-        const Material        &material);
+  Press(std::vector<Interface> interfaces, std::vector<GivingPart> parts, const Material &material);
 
   /// Pressure >= 0, gap >= 0, one of them zero, at a @p force [N] in each interface.
   Pressed at(double force) const;
 
 private:
   std::vector<Interface>     interfaces_;
+  std::vector<GivingPart>    parts_;
   dealii::FullMatrix<double> fine_;                      ///< m/Pa
   std::vector<double>        gap_;                       ///< m
   std::vector<double>        share_;                     ///< of the force, per pressure, m2
