@@ -2,10 +2,12 @@
 #include <chaindrive/parameters/needs.h>
 #include <chaindrive/statics/part_stiffness.h>
 #include <chaindrive/statics/pieces.h>
+#include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
-#include <exception>
 
 namespace chaindrive::statics
 {
@@ -107,15 +109,21 @@ drive::StiffnessOf part_stiffness(const Parameters &parameters, const MPI_Comm c
       {
         return compute(parameters, drive, load, comm);
       }
-    catch (const std::exception &) // of dimensions that cannot be meshed, on all ranks
+    // on all ranks: dimensions that cannot be meshed, contact or solution not found
+    catch (const InputError &)
       {
-        drive::PartStiffness estimate =
-            drive::estimated_stiffness(drive.chain, load, parameters.material);
-        estimate.notes = {
-            "The parts could not be solved with these dimensions: stiffnesses that are "
-            "auto are estimates, see Model/Stiffness from."};
-        return estimate;
       }
+    catch (const RunError &)
+      {
+      }
+    catch (const dealii::ExceptionBase &)
+      {
+      }
+    drive::PartStiffness estimate =
+        drive::estimated_stiffness(drive.chain, load, parameters.material);
+    estimate.notes = {"The parts could not be solved with these dimensions: stiffnesses that are "
+                      "auto are estimates, see Model/Stiffness from."};
+    return estimate;
   };
 }
 } // namespace chaindrive::statics
