@@ -117,8 +117,18 @@ def markdown(head, body):
 
 
 def table(study):
-    """Both tables in Markdown."""
-    return markdown(*result_rows(study)) + "\n\n" + markdown(*cost_rows(study))
+    """For a document: a line for each output and for what the runs cost, a column for each variant. Of a spectrum the bands
+    an octave apart."""
+    def cell(variant, column):
+        value = number(variant["row"][column])
+        return value if variant is study.reference or value == "-" else f'{value}<br>{error_text(variant["row"], column)}'
+
+    columns = [c for c in study.columns if not c.endswith(" Hz") or c.split(" ")[1] in ("1000", "2000", "4000", "8000", "16000")]
+    return markdown(["", *(v["name"] + (", the reference" if v is study.reference else "") for v in study.variants)],
+                    [[heading(study, c), *(cell(v, c) for v in study.variants)] for c in columns]
+                    + [["runs", *(str(v["row"]["runs"]) for v in study.variants)],
+                       ["steps", *(number(v["row"]["steps"], 6) for v in study.variants)],
+                       ["CPU time of a run (s)", *(number(v["row"]["cpu"], 3) for v in study.variants)]])
 
 
 def write(study, directory):
