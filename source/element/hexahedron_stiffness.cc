@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/element/hexahedron_stiffness.h>
-
-#include <deal.II/lac/lapack_full_matrix.h>
+#include <chaindrive/utilities/eigenvalue.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,17 +53,13 @@ dealii::FullMatrix<double> stiffness(const std::array<mesh::GaussPoint, 8> &poin
 std::vector<double> natural_frequencies(const dealii::FullMatrix<double> &stiffness,
                                         const std::array<double, 8>      &masses)
 {
-  dealii::LAPACKFullMatrix<double> scaled(24, 24);
+  dealii::FullMatrix<double> scaled(24, 24);
   for (unsigned int r = 0; r < 24; ++r)
     for (unsigned int c = 0; c < 24; ++c)
       scaled(r, c) = stiffness(r, c) / std::sqrt(masses[r / 3] * masses[c / 3]);
 
-  const double               bound = 1.01 * scaled.linfty_norm(); // Gershgorin
-  dealii::Vector<double>     eigenvalues;
-  dealii::FullMatrix<double> eigenvectors;
-  scaled.compute_eigenvalues_symmetric(-bound, bound, 0., eigenvalues, eigenvectors);
   std::vector<double> frequencies;
-  for (const double value : eigenvalues)
+  for (const double value : eigenpairs(scaled).values)
     frequencies.push_back(std::sqrt(std::max(0., value)));
   return frequencies;
 }

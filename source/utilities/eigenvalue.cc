@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/utilities/eigenvalue.h>
 
+#include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/tridiagonal_matrix.h>
 
 #include <algorithm>
@@ -101,5 +102,15 @@ double largest_eigenvalue(const std::size_t n, const Product &product)
       here.equ(1. / beside.back(), next);
     }
   return found.first + found.second;
+}
+
+Eigenpairs eigenpairs(const dealii::FullMatrix<double> &matrix)
+{
+  dealii::LAPACKFullMatrix<double> lapack(matrix.m(), matrix.n());
+  lapack             = matrix;
+  const double bound = 1.01 * lapack.linfty_norm(); // Gershgorin
+  Eigenpairs   pairs;
+  lapack.compute_eigenvalues_symmetric(-bound, bound, 0., pairs.values, pairs.vectors);
+  return pairs;
 }
 } // namespace chaindrive

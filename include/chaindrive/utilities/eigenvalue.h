@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
 #include <cstddef>
@@ -15,4 +16,14 @@ using Product = std::function<void(dealii::Vector<double> &, const dealii::Vecto
 /// method (Saad, Numerical Methods for Large Eigenvalue Problems, 6.6), until the residual is less
 /// than a millionth of the value, and above it by this residual.
 double largest_eigenvalue(std::size_t n, const Product &product);
+
+/// Eigenvalues, ascending, and orthonormal eigenvectors, the columns of a matrix.
+struct Eigenpairs
+{
+  dealii::Vector<double>     values;
+  dealii::FullMatrix<double> vectors;
+};
+
+/// All of the symmetric @p matrix, by LAPACK.
+Eigenpairs eigenpairs(const dealii::FullMatrix<double> &matrix);
 } // namespace chaindrive

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/reduction/free_modes.h>
+#include <chaindrive/reduction/pressures.h>
+
+#include <string>
+#include <vector>
+
+namespace chaindrive::reduction
+{
+/// How much of a part's elasticity a basis keeps.
+struct BasisOptions
+{
+  double modes_up_to = 2. * dealii::numbers::PI * 60e3; ///< all free modes below, rad/s
+  double cap = 2. * dealii::numbers::PI * 300e3;        ///< no vector has a higher frequency, rad/s
+  Orders orders;
+  double negligible = 5e-3; ///< of the compliance under a pressure: what gives way less is left out
+};
+
+/// Displacements that stand for the elasticity of a part: u = Phi q with q" + W^2 q = Phi^T f.
+/// First natural modes, then attachment vectors. These are made of what pressures on sides that
+/// touch displace beside the natural modes, so that the statics of such pressures are those of the
+/// mesh; they vibrate, and those that would be faster than the cap do so with its frequency and a
+/// mass to match, without a change of their compliance.
+struct Basis
+{
+  unsigned int        n_natural = 0; ///< of the shapes; the rest are attachments
+  std::vector<double> omega; ///< W: of each shape, ascending among natural ones and others, rad/s
+  std::vector<Vector> shape; ///< Phi: of each, 1/sqrt(kg)
+
+  /// The part of the compliance under a load that the basis lacks.
+  struct Error
+  {
+    std::string load;
+    double      relative; ///< from 0 to 1
+  };
+  std::vector<Error> errors; ///< for contact_loads()
+
+  unsigned int size() const { return static_cast<unsigned int>(omega.size()); }
+};
+
+/// The basis of @p part for some @p pressures, without errors.
+///
+/// With u_j what the pressure j displaces beside the natural modes and C_ij = f_i . u_j, vectors U
+/// V L^-1/2 with the eigenpairs C = V L V^T have unit stiffness; the eigenpairs of their masses, of
+/// values 1/omega^2, are the Ritz vectors of both K and M. The pressures are scaled to unit
+/// compliance before; eigenvectors of C whose value is negligible are left out.
+Basis make_basis(const FreePart            &part,
+                 const std::vector<Vector> &pressures,
+                 const BasisOptions        &options);
+
+/// The part of the compliance f . u under the @p force that the @p basis lacks.
+double static_error(const FreePart &part, const Basis &basis, const Vector &force);
+} // namespace chaindrive::reduction

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/element/elastic_part.h>
+#include <chaindrive/mesh/nodes.h>
+
+#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/sparse_direct.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace chaindrive::reduction
+{
+/// Displacements or forces of all nodes of a part in its own axes, entry 3 node + component.
+using Vector = dealii::Vector<double>;
+
+/// Small vibrations of a part that nothing holds, M u" + K u = f, with the stiffness of its element
+/// blocks and the lumped masses of its nodes: those of an elastic body at rest. The nodes of a half
+/// part in its middle plane have u_z = 0, and its motions are those of one half.
+class FreePart
+{
+public:
+  /// The arguments are read, not kept. @p elastic is that of @p part with @p nodes.
+  FreePart(const mesh::Part &part, const mesh::Nodes &nodes, const element::ElasticPart &elastic);
+
+  unsigned int n_unknowns() const { return stiffness_.m(); }
+
+  const std::string &name() const { return name_; }
+
+  /// K, N/m. Rows and columns of unknowns in the middle plane of a half part are not left out; the
+  /// vectors of this room are zero there.
+  const dealii::SparseMatrix<double> &stiffness() const { return stiffness_; }
+
+  /// M, kg.
+  const dealii::DiagonalMatrix<Vector> &mass() const { return mass_; }
+
+  /// Translations and rotations about the centre of mass, R^T M R = 1, 1/sqrt(kg).
+  const std::vector<Vector> &rigid() const { return rigid_; }
+
+  /// a^T M b.
+  double mass_product(const Vector &a, const Vector &b) const;
+
+  /// Whether the unknown @p i is held: across the middle plane of a half part.
+  bool is_held(const unsigned int i) const { return held_[i] != 0; }
+
+  /// u = G f [m], the displacement under the @p force [N] relative to the motion of a rigid body:
+  /// K u = f - M R R^T f, R^T M u = 0 (inertia relief).
+  Vector displacement(const Vector &force) const;
+
+private:
+  std::string                    name_;
+  dealii::SparsityPattern        pattern_;
+  dealii::SparseMatrix<double>   stiffness_;
+  dealii::DiagonalMatrix<Vector> mass_;
+  std::vector<char>              held_;
+  std::vector<Vector>            rigid_;
+
+  /// As many unknowns as there are rigid motions, which these move by independent amounts: with
+  /// them held the part is supported as a statically determinate body.
+  std::vector<unsigned int> supports_;
+
+  /// Of the supported part, made when first needed.
+  mutable std::unique_ptr<dealii::SparseDirectUMFPACK> inverse_;
+};
+} // namespace chaindrive::reduction

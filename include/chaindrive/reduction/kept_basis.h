@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/parameters/model.h>
+#include <chaindrive/reduction/basis.h>
+#include <chaindrive/statics/cache.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace chaindrive::reduction
+{
+/// The basis of @p part, with its errors in statics, from the @p cache if it is there: the same bit
+/// by bit on all ranks of @p comm, whose first one computes it and reads and writes the cache.
+/// Throws what free_modes() does, and InputError if a side that touches is no cylinder. Collective.
+Basis kept_basis(const mesh::Part           &part,
+                 const Material             &material,
+                 const parameters::Elements &elements,
+                 const BasisOptions         &options,
+                 statics::Cache             &cache,
+                 MPI_Comm                    comm);
+} // namespace chaindrive::reduction

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/reduction/free_part.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace chaindrive::reduction
+{
+/// The highest harmonics about the axis of the pressures in which a part gives way.
+struct Orders
+{
+  unsigned int tube = 4; ///< of rollers and bushes, which become oval
+  unsigned int pin  = 3;
+};
+
+/// Pressures [Pa] cos(n theta), sin(n theta) times 1, zeta and zeta^2 on every cylindrical side of
+/// @p part that touches another part, n up to the @p orders, zeta = z over half of the side's
+/// length; without zeta on a half part. As forces of the nodes, N.
+std::vector<Vector>
+pressures(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders);
+
+/// A load by which the statics of a basis are judged.
+struct Load
+{
+  std::string name;
+  Vector      force; ///< N
+};
+
+/// Loads as contacts make them, pressures of 1 Pa at their peak, on every cylindrical side that
+/// touches:
+/// - pull: cos theta on the half that is pressed, on both joints of a link apart;
+/// - pull at the ends: the same on the outer halves of the length alone;
+/// - side: cos theta on the half towards the chain's side, on one joint;
+/// - patch: even pressure within 22.5 degrees, along the chain and across it.
+std::vector<Load> contact_loads(const mesh::Part &part, const mesh::Nodes &nodes);
+} // namespace chaindrive::reduction

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/reduction/free_part.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace chaindrive::reduction
+{
+namespace
+{
+using dealii::Tensor;
+
+/// The unknown that each of the linearly independent @p motions moves most, less what those before
+/// it move: Gauss' elimination.
+std::vector<unsigned int> pivots(std::vector<Vector> motions)
+{
+  std::vector<unsigned int> found;
+  for (std::size_t m = 0; m < motions.size(); ++m)
+    {
+      const Vector &motion = motions[m];
+      const auto    most =
+          std::max_element(motion.begin(), motion.end(), [](const double a, const double b) {
+            return std::abs(a) < std::abs(b);
+          });
+      found.push_back(static_cast<unsigned int>(most - motion.begin()));
+      for (std::size_t other = m + 1; other < motions.size(); ++other)
+        motions[other].add(-motions[other][found.back()] / *most, motion);
+    }
+  return found;
+}
+
+/// Translations along and rotations about the axes through the centre of mass, 1 and m.
+std::vector<Vector> rigid_motions(const mesh::Nodes &nodes)
+{
+  Tensor<1, 3> centre;
+  double       mass = 0.;
+  for (unsigned int a = 0; a < nodes.size(); ++a)
+    {
+      centre += nodes.mass[a] * nodes.position[a];
+      mass += nodes.mass[a];
+    }
+  centre /= mass;
+
+  std::vector<Vector> motions(6, Vector(3 * nodes.size()));
+  for (unsigned int a = 0; a < nodes.size(); ++a)
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        Tensor<1, 3> axis;
+        axis[d]               = 1.;
+        const Tensor<1, 3> u  = cross_product_3d(axis, nodes.position[a] - centre);
+        motions[d][3 * a + d] = 1.;
+        for (unsigned int i = 0; i < 3; ++i)
+          motions[3 + d][3 * a + i] = u[i];
+      }
+  return motions;
+}
+} // namespace
+
+FreePart::FreePart(const mesh::Part           &part,
+                   const mesh::Nodes          &nodes,
+                   const element::ElasticPart &elastic)
+    : name_(part.name), held_(3 * nodes.size(), 0)
+{
+  std::vector<const element::ElementBlock *> blocks;
+  for (const auto &block : elastic.blocks())
+    blocks.push_back(block.get());
+  element::assemble(blocks, nodes.size(), pattern_, stiffness_);
+
+  Vector mass(3 * nodes.size());
+  for (unsigned int i = 0; i < mass.size(); ++i)
+    {
+      mass[i]  = nodes.mass[i / 3];
+      held_[i] = part.half && i % 3 == 2 && nodes.position[i / 3][2] == 0.;
+    }
+  mass_.reinit(mass);
+
+  for (Vector &motion : rigid_motions(nodes))
+    {
+      bool allowed = true;
+      for (unsigned int i = 0; i < motion.size(); ++i)
+        allowed = allowed && (!is_held(i) || motion[i] == 0.);
+      if (!allowed)
+        continue;
+      for (unsigned int pass = 0; pass < 2; ++pass)
+        for (const Vector &other : rigid_)
+          motion.add(-mass_product(other, motion), other);
+      motion /= std::sqrt(mass_product(motion, motion));
+      rigid_.push_back(motion);
+    }
+  supports_ = pivots(rigid_);
+}
+
+double FreePart::mass_product(const Vector &a, const Vector &b) const
+{
+  double        sum  = 0.;
+  const Vector &mass = mass_.get_vector();
+  for (unsigned int i = 0; i < n_unknowns(); ++i)
+    sum += mass[i] * a[i] * b[i];
+  return sum;
+}
+
+Vector FreePart::displacement(const Vector &force) const
+{
+  std::vector<unsigned int> fixed = supports_;
+  for (unsigned int i = 0; i < n_unknowns(); ++i)
+    if (is_held(i))
+      fixed.push_back(i);
+  if (!inverse_)
+    {
+      dealii::SparseMatrix<double> supported(pattern_);
+      supported.copy_from(stiffness_);
+      for (const unsigned int i : fixed)
+        for (auto entry = supported.begin(i); entry != supported.end(i); ++entry)
+          if (entry->column() != i)
+            {
+              supported.set(entry->column(), i, 0.);
+              entry->value() = 0.;
+            }
+      inverse_ = std::make_unique<dealii::SparseDirectUMFPACK>();
+      inverse_->initialize(supported);
+    }
+
+  Vector balanced = force, u(n_unknowns());
+  for (unsigned int i = 0; i < n_unknowns(); ++i)
+    if (is_held(i))
+      balanced[i] = 0.;
+  for (const Vector &motion : rigid_)
+    {
+      mass_.vmult(u, motion);
+      balanced.add(-(motion * force), u);
+    }
+  for (const unsigned int i : fixed)
+    balanced[i] = 0.;
+  inverse_->vmult(u, balanced);
+  for (const Vector &motion : rigid_)
+    u.add(-mass_product(motion, u), motion);
+  return u;
+}
+} // namespace chaindrive::reduction

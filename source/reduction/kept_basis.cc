@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/reduction/kept_basis.h>
+#include <chaindrive/utilities/checksum.h>
+#include <chaindrive/utilities/first_rank.h>
+#include <chaindrive/utilities/text.h>
+
+#include <cstring>
+
+namespace chaindrive::reduction
+{
+namespace
+{
+/// Of what is kept: to be raised with every change that changes results.
+constexpr unsigned int version = 1;
+
+void add(Checksum &sum, const double *values, const std::size_t n)
+{
+  sum.add(reinterpret_cast<const char *>(values), n * sizeof(double));
+}
+
+/// All that a basis follows from: mesh, material and elements are in the numbers of the matrices
+/// and of the @p pressures.
+std::string
+key_of(const FreePart &part, const std::vector<Vector> &pressures, const BasisOptions &options)
+{
+  Checksum sum;
+  for (unsigned int row = 0; row < part.n_unknowns(); ++row)
+    for (auto entry = part.stiffness().begin(row); entry != part.stiffness().end(row); ++entry)
+      {
+        const double column = entry->column(), value = entry->value();
+        add(sum, &column, 1);
+        add(sum, &value, 1);
+      }
+  const Vector &mass = part.mass().get_vector();
+  add(sum, mass.begin(), mass.size());
+  for (const std::vector<Vector> &vectors : {part.rigid(), pressures})
+    for (const Vector &vector : vectors)
+      add(sum, vector.begin(), vector.size());
+  return "basis of the " + part.name() + "; " + std::to_string(part.n_unknowns()) +
+         " unknowns; matrices and pressures " + std::to_string(sum.value()) + "; modes up to " +
+         to_text(options.modes_up_to, 12) + "; cap " + to_text(options.cap, 12) + "; negligible " +
+         to_text(options.negligible, 12) + "; version " + std::to_string(version) +
+         " of " CHAINDRIVE_VERSION;
+}
+
+/// The numbers of all @p vectors, one after the other, bit by bit.
+std::string to_base64(const std::vector<Vector> &vectors)
+{
+  std::vector<unsigned char> bytes;
+  for (const Vector &vector : vectors)
+    {
+      const auto *first = reinterpret_cast<const unsigned char *>(vector.begin());
+      bytes.insert(bytes.end(), first, first + vector.size() * sizeof(double));
+    }
+  return dealii::Utilities::encode_base64(bytes);
+}
+
+/// @p n of the vectors that to_base64() has written.
+std::vector<Vector> from_base64(const std::string &text, const std::size_t n)
+{
+  const std::vector<unsigned char> bytes = dealii::Utilities::decode_base64(text);
+  const std::size_t                size  = n == 0 ? 0 : bytes.size() / (n * sizeof(double));
+  std::vector<Vector>              vectors(n, Vector(size));
+  for (std::size_t i = 0; i < n; ++i)
+    std::memcpy(
+        vectors[i].begin(), bytes.data() + i * size * sizeof(double), size * sizeof(double));
+  return vectors;
+}
+
+nlohmann::json to_json(const Basis &basis)
+{
+  nlohmann::json errors = nlohmann::json::array();
+  for (const Basis::Error &error : basis.errors)
+    errors.push_back({error.load, error.relative});
+  return {{"natural", basis.n_natural},
+          {"rad/s", basis.omega},
+          {"shapes", to_base64(basis.shape)},
+          {"errors", errors}};
+}
+
+Basis from_json(const nlohmann::json &json)
+{
+  Basis basis;
+  basis.n_natural = json.at("natural");
+  basis.omega     = json.at("rad/s").get<std::vector<double>>();
+  basis.shape     = from_base64(json.at("shapes"), basis.size());
+  for (const nlohmann::json &error : json.at("errors"))
+    basis.errors.push_back({error.at(0), error.at(1)});
+  return basis;
+}
+} // namespace
+
+Basis kept_basis(const mesh::Part           &part,
+                 const Material             &material,
+                 const parameters::Elements &elements,
+                 const BasisOptions         &options,
+                 statics::Cache             &cache,
+                 const MPI_Comm              comm)
+{
+  std::string kept;
+  on_first_rank(comm, [&] {
+    const mesh::Nodes          nodes(part);
+    const element::ElasticPart elastic(part, nodes, material, elements);
+    const FreePart             free(part, nodes, elastic);
+    const std::vector<Vector>  loads = pressures(part, nodes, options.orders);
+    const std::string          key   = key_of(free, loads, options);
+    if (const auto found = cache.find(key))
+      {
+        kept = found->dump();
+        return;
+      }
+    Basis basis = make_basis(free, loads, options);
+    for (const Load &load : contact_loads(part, nodes))
+      basis.errors.push_back({load.name, static_error(free, basis, load.force)});
+    const nlohmann::json json = to_json(basis);
+    cache.keep(key, json);
+    kept = json.dump();
+  });
+  if (n_ranks_in(comm) > 1)
+    kept = dealii::Utilities::MPI::broadcast(comm, kept);
+  return from_json(nlohmann::json::parse(kept));
+}
+} // namespace chaindrive::reduction

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/mesh/surface/cylinder_grid.h>
+#include <chaindrive/reduction/pressures.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace chaindrive::reduction
+{
+namespace
+{
+using dealii::numbers::PI;
+
+/// A cylindrical side that touches another part.
+struct Side
+{
+  mesh::Surface surface;
+  bool          of_pin;
+  double        pulled; ///< angle of the middle of the pressure when the chain is pulled, rad
+  int           joint;  ///< of a link, 0 or 1; none: -1
+};
+
+/// The two joints of a link one after the other.
+constexpr Side all_sides[] = {{mesh::roller_outside, false, 0., -1},
+                              {mesh::roller_bore, false, 0., -1},
+                              {mesh::bush_outside_first, false, PI, 0},
+                              {mesh::bush_outside_second, false, 0., 1},
+                              {mesh::bush_bore_first, false, PI, 0},
+                              {mesh::bush_bore_second, false, 0., 1},
+                              {mesh::pin_outside_first, true, 0., 0},
+                              {mesh::pin_outside_second, true, PI, 1}};
+
+bool has(const mesh::Part &part, const mesh::Surface surface)
+{
+  const auto ids = part.mesh->get_boundary_ids();
+  return std::find(ids.begin(), ids.end(), surface) != ids.end();
+}
+
+/// Pressure over the angle about the axis [rad] and zeta.
+using Pressure = std::function<double(double theta, double zeta)>;
+
+/// Adds the forces of @p pressure on a side, away from its axis.
+void add(const mesh::CylinderGrid &grid,
+         const mesh::Nodes        &nodes,
+         const Pressure           &pressure,
+         Vector                   &force)
+{
+  const double length = std::max(std::abs(grid.stations.front()), std::abs(grid.stations.back()));
+  for (unsigned int s = 0; s < grid.n_stations(); ++s)
+    for (unsigned int c = 0; c < grid.n_columns(); ++c)
+      {
+        const unsigned int node  = nodes.of_vertex[grid.vertex_at(s, c)];
+        const double       theta = grid.angles[c];
+        const double       f     = grid.area(s, c) * pressure(theta, grid.stations[s] / length);
+        force[3 * node] += f * std::cos(theta);
+        force[3 * node + 1] += f * std::sin(theta);
+      }
+}
+} // namespace
+
+std::vector<Vector>
+pressures(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders)
+{
+  std::vector<Vector> forces;
+  for (const Side &side : all_sides)
+    {
+      if (!has(part, side.surface))
+        continue;
+      const mesh::CylinderGrid grid(part, side.surface);
+      const unsigned int       highest = side.of_pin ? orders.pin : orders.tube;
+      for (unsigned int power = 0; power <= 2; power += part.half ? 2 : 1)
+        for (unsigned int n = 0; n <= highest; ++n)
+          for (const bool sine : {false, true})
+            {
+              if (sine && n == 0)
+                continue;
+              forces.emplace_back(3 * nodes.size());
+              add(
+                  grid,
+                  nodes,
+                  [&](const double theta, const double zeta) {
+                    return std::pow(zeta, power) *
+                           (sine ? std::sin(n * theta) : std::cos(n * theta));
+                  },
+                  forces.back());
+            }
+    }
+  return forces;
+}
+
+std::vector<Load> contact_loads(const mesh::Part &part, const mesh::Nodes &nodes)
+{
+  const auto pressed = [](const double angle) {
+    return [angle](const double theta, double) { return std::max(0., std::cos(theta - angle)); };
+  };
+  const auto ends = [](const double angle) {
+    return [angle](const double theta, const double zeta) {
+      const double beyond = std::abs(zeta) - 0.5; // a node on the border is half in it
+      const double share  = beyond > 1e-9 ? 1. : beyond > -1e-9 ? 0.5 : 0.;
+      return share * std::max(0., std::cos(theta - angle));
+    };
+  };
+  const auto patch = [](const double angle) {
+    return [angle](const double theta, double) {
+      return std::cos(theta - angle) > std::cos(PI / 8.) - 1e-9 ? 1. : 0.;
+    };
+  };
+
+  std::vector<Load> loads;
+  for (const Side &side : all_sides)
+    {
+      if (!has(part, side.surface))
+        continue;
+      const mesh::CylinderGrid grid(part, side.surface);
+      const auto               begin = [&](const std::string &what) -> Vector               &{
+        loads.push_back(
+            {what + " of " + mesh::surface_name(side.surface), Vector(3 * nodes.size())});
+        return loads.back().force;
+      };
+      const auto pull = [&](const std::string &what, const auto &pressure) {
+        Vector &force = begin(what);
+        add(grid, nodes, pressure(side.pulled), force);
+        if (side.joint == 0)
+          {
+            const Side &other = (&side)[1];
+            add(mesh::CylinderGrid(part, other.surface), nodes, pressure(other.pulled), force);
+          }
+      };
+      if (side.joint == 1)
+        continue;
+      pull("pull", pressed);
+      pull("pull at the ends", ends);
+      add(grid, nodes, pressed(0.5 * PI), begin("side"));
+      add(grid, nodes, patch(0.), begin("patch along"));
+      add(grid, nodes, patch(0.5 * PI), begin("patch across"));
+    }
+  return loads;
+}
+} // namespace chaindrive::reduction
