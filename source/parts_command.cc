@@ -4,10 +4,13 @@
 #include <chaindrive/files/console.h>
 #include <chaindrive/files/log.h>
 #include <chaindrive/parameters/reader.h>
+#include <chaindrive/reduction/kept_basis.h>
+#include <chaindrive/scene/build.h>
 #include <chaindrive/statics/part_stiffness.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <unistd.h>
@@ -142,6 +145,56 @@ void print_plates(std::ostream &out, statics::Library &library, const drive::Dri
     }
 }
 
+/// The natural frequencies of @p basis [kHz], each once with the number of its shapes.
+void print_frequencies(std::ostream &out, const reduction::Basis &basis)
+{
+  for (unsigned int i = 0, n = 1; i < basis.n_natural; i += n)
+    {
+      const auto frequency = [&](const unsigned int mode) {
+        return to_text(1e-3 * basis.omega[mode] / (2. * PI), 4);
+      };
+      for (n = 1; i + n < basis.n_natural && frequency(i + n) == frequency(i);)
+        ++n;
+      out << "  " << frequency(i) << (n > 1 ? " (" + std::to_string(n) + ")" : "");
+    }
+}
+
+void print_vibrations(std::ostream       &out,
+                      statics::Cache     &cache,
+                      Parameters          parameters,
+                      const drive::Drive &drive,
+                      const MPI_Comm      comm)
+{
+  parameters.model.half = parameters::HalfModel::no; // with shapes that are not symmetric
+  const reduction::BasisOptions options;
+  out << "\nVibration of parts as section Mesh divides them, which nothing holds: natural "
+         "frequencies up to "
+      << to_text(1e-3 * options.modes_up_to / (2. * PI), 4)
+      << " kHz, (2) of two shapes; number of these shapes and of attachment vectors, and by how "
+         "much all of them are too stiff under contact at most\n";
+  for (const char *head : {"natural", "attached", "stiff (%)"})
+    column(out, head);
+  out << "  kHz\n";
+  for (const auto &part : {scene::make_roller_part(parameters, drive),
+                           scene::make_link_part(parameters, drive, true),
+                           scene::make_link_part(parameters, drive, false)})
+    {
+      const reduction::Basis basis = reduction::kept_basis(
+          *part, parameters.material, parameters.elements, options, cache, comm);
+      double worst = 0.;
+      for (const reduction::Basis::Error &error : basis.errors)
+        worst = std::max(worst, error.relative);
+      column(out, std::to_string(basis.n_natural));
+      column(out, std::to_string(basis.size() - basis.n_natural));
+      column(out, to_text(100. * worst, 2));
+      out << "  " << part->name << ':';
+      print_frequencies(out, basis);
+      out << '\n';
+    }
+  for (const std::string &note : cache.notes())
+    out << note << '\n';
+}
+
 void print_parts(std::ostream &out, const statics::Library &library)
 {
   out << "\nElastic solutions: estimated error of the compliance, of plates of the largest "
@@ -180,6 +233,8 @@ void parts_command(const CommandLine &command_line, const MPI_Comm comm)
   for (const drive::Sprocket &sprocket : drive.sprockets)
     print_roller(out, library, drive, sprocket, loads);
   print_plates(out, library, drive);
+  statics::Cache cache(is_first ? statics::Cache::usual_folder() : "");
+  print_vibrations(out, cache, parameters, drive, comm);
   print_parts(out, library);
 }
 } // namespace chaindrive

@@ -22,9 +22,9 @@ bool run_command(const CommandLine &command_line, MPI_Comm comm);
 /// Prints what that run would compute and what it costs. Returns and throws as run_command().
 bool plan_command(const CommandLine &command_line, MPI_Comm comm);
 
-/// Prints what the parts of that drive weigh and how they give way: masses, inertias, stiffness
-/// over the load, stresses of side plates, from elastic solutions that are kept in the cache.
-/// Writes no other file. Throws as run_command(). Collective.
+/// Prints what the parts of that drive weigh, how they give way and how they vibrate: masses,
+/// inertias, stiffness over the load, stresses of side plates, natural frequencies, from elastic
+/// solutions that are kept in the cache. Writes no other file. Throws as run_command(). Collective.
 void parts_command(const CommandLine &command_line, MPI_Comm comm);
 
 /// Expands the study file named on the command line, prepares every run of every variant as

@@ -72,6 +72,14 @@ rising([-row[5] for row in pressed if row[0] == pressed[2][0]], "softness of the
 for factor, howland, _ in table(text, "Side plates"):
     check(1.5 * howland < factor < 2.5 * howland, f"plates: factor {factor}, without pin {howland}")
 
+# the first is the ovalisation of a ring, 42.09 kHz in plane stress and 44.03 kHz in plane strain, in two shapes
+vibrations = table(text, "Vibration of parts")
+check(42 < vibrations[0][3] < 45 and vibrations[0][0] >= 2, f"roller: {vibrations[0]}")
+for natural, attached, stiff, *frequencies in vibrations:
+    check(natural >= len(frequencies) and attached > 10 and stiff < 4, f"basis of {natural} + {attached}, {stiff} %")
+    rising(frequencies, "natural frequencies")
+check(10 < vibrations[2][3] < vibrations[1][3] < 30, "the outer link is the longer and softer one")
+
 # a run takes these
 planned = said_by("plan")
 for said, value in (("Stiffness per pitch", pull[2][1]), ("Roller-tooth stiffness", pressed[2][2]), ("Roller-bush stiffness", pressed[2][3])):
