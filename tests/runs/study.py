@@ -9,6 +9,7 @@
 
 Without Snakemake, h5py or matplotlib `run` and `kill` end with 77: left out."""
 import csv
+import fcntl
 import json
 import os
 import pathlib
@@ -265,6 +266,9 @@ def kill():
     before = ended()
     check(0 < len(before) < 4, f"{len(before)} were finished")
     unfinished = {str(file.parent) for file in pathlib.Path("there").glob("*/*/checkpoint-*.ckpt")} - before.keys()
+    for lock in pathlib.Path("there").glob("*/*/variant.lock"):  # a run that lost its parent writes its checkpoint first
+        with open(lock, encoding="utf-8") as file:
+            fcntl.flock(file, fcntl.LOCK_EX)
     again = time.time_ns()
     study("--quiet")
     after = ended()
