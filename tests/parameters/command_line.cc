@@ -13,7 +13,8 @@
 
 using namespace chaindrive;
 
-const char *const names[] = {"run", "plan", "study", "template", "document", "version", "help"};
+const char *const names[] = {
+    "run", "plan", "parts", "study", "template", "document", "version", "help"};
 
 void parse(std::vector<const char *> arguments)
 {
@@ -53,6 +54,7 @@ int main()
   parse({"a.prm", "--plan", "--quiet"});
   parse({"run", "a.prm"});
   parse({"plan", "a.prm", "--set", "Time/End time in ms=5"});
+  parse({"parts", "a.prm"});
   parse({"study", "a.prm"});
   parse({"study", "a.prm", "--quick", "--cores", "3", "--", "--slurm", "--until", "x"});
   parse({"template"});
