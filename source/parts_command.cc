@@ -91,7 +91,7 @@ void print_roller(std::ostream              &out,
          "rim "
          "alone\n";
   for (const char *head : {"load (N)",
-                           "pressure deg",
+                           "angle deg",
                            "tooth kN/mm",
                            "bush kN/mm",
                            "all kN/mm",
