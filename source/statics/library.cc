@@ -137,7 +137,7 @@ nlohmann::json Library::result_of(const std::string                     &name,
       cache_.keep(key, json);
       kept = json.dump();
     }
-  const nlohmann::json                result = nlohmann::json::parse(kept);
+  nlohmann::json                      result = nlohmann::json::parse(kept);
   const std::chrono::duration<double> time   = std::chrono::steady_clock::now() - start;
   entries_.push_back({name,
                       result.at("cells"),
