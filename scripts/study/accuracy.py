@@ -17,6 +17,8 @@ HEAD = """# SPDX-License-Identifier: LGPL-2.1-or-later
 # What studies found, by scripts/study/accuracy.py: separated by tabs,
 # study, variant, reference, output, error, low, high (percent), CPU time, that of the reference (s), entries of the variant"""
 
+NO_CHOICE = ("Study/", "Model/Stiffness per pitch in N/m")  # the latter belongs to the chain, which may be another
+
 
 def fidelity(folder):
     """That of the run in `folder`."""
@@ -32,7 +34,8 @@ def rows_of(directory):
     study, reference = pathlib.Path(about["file"]).stem, table[about["reference"]]
     for variant in about["variants"]:
         row = table[variant["name"]]
-        entries = {"Model/Fidelity": fidelity(directory / variant["runs"][0]["folder"]), **variant.get("changes", {})}
+        entries = {"Model/Fidelity": fidelity(directory / variant["runs"][0]["folder"]), "Time/Step in us": "auto",
+                   **variant.get("changes", {})}
         for column in (name.removesuffix(" error") for name in row if name.endswith(" error")):
             error, low, high = (float(row[f"{column} error{which}"] or "nan") for which in ("", " low", " high"))
             if variant["name"] == about["reference"] and float(row[column]) != 0.:
@@ -41,7 +44,7 @@ def rows_of(directory):
                 continue
             yield [study, variant["name"], about["reference"], column, f"{error:.4g}", f"{low:.4g}", f"{high:.4g}",
                    f"{float(row['cpu']):.4g}", f"{float(reference['cpu']):.4g}",
-                   *(f"{path}={value}" for path, value in entries.items() if not path.startswith("Study/"))]
+                   *(f"{path}={value}" for path, value in entries.items() if not path.startswith(NO_CHOICE))]
 
 
 def main():
