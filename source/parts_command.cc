@@ -88,8 +88,7 @@ void print_roller(std::ostream              &out,
   out << "\nRoller pressed between the bush in it and the seat of the tooth gap, "
       << sprocket.form.teeth
       << " teeth: stiffness from the hub to the roller, on to the link, in all, and of teeth and "
-         "rim "
-         "alone\n";
+         "rim alone\n";
   for (const char *head : {"load (N)",
                            "angle deg",
                            "tooth kN/mm",

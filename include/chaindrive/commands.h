@@ -27,11 +27,10 @@ bool plan_command(const CommandLine &command_line, MPI_Comm comm);
 /// solutions that are kept in the cache. Writes no other file. Throws as run_command(). Collective.
 void parts_command(const CommandLine &command_line, MPI_Comm comm);
 
-/// Expands the study file named on the command line, prepares every run of every variant as
-/// plan_command() does and throws InputError with a sentence for each variant that cannot run,
-/// before anything is written; then writes a folder with its .prm file for each run. Returns the
-/// words of the command that runs them, which is to take this process's place: Snakemake; nothing
-/// for
-/// `--dry-run`.
+/// Expands the study file named on the command line, prepares the first run of every variant as
+/// plan_command() does, of the other start phases the drive and the scene, and throws InputError
+/// with a sentence for each variant that cannot run, before anything is written; then writes a
+/// folder with its .prm file for each run. Returns the words of the command that runs them, which
+/// is to take this process's place: Snakemake; nothing for `--dry-run`.
 std::vector<std::string> study_command(const CommandLine &command_line, MPI_Comm comm);
 } // namespace chaindrive
