@@ -42,6 +42,8 @@ std::string motion_of(const Body &body)
       return body.inertia[2] > 0. ? "lumped, 3 translations and a spin" : "lumped, 3 translations";
     case Motion::rigid:
       return "rigid, 6 degrees of freedom";
+    case Motion::reduced:
+      return "reduced";
     case Motion::elastic:
       return "elastic";
     }

@@ -14,7 +14,7 @@ using parameters::Role;
 bool Scene::has_elastic_bodies() const
 {
   return std::any_of(bodies.begin(), bodies.end(), [](const Body &body) {
-    return body.motion == Motion::elastic;
+    return deforms(body.motion);
   });
 }
 

@@ -18,6 +18,11 @@ struct Part;
 struct Sector;
 } // namespace chaindrive::mesh
 
+namespace chaindrive::reduction
+{
+struct Basis;
+}
+
 namespace chaindrive::scene
 {
 /// What a body is; pictures and histories tell bodies apart by it.
@@ -47,10 +52,17 @@ struct PartOf
 /// How a body may move.
 enum class Motion
 {
-  lumped, ///< three translations of a rigid shape, and a spin about z if it has an inertia for it
-  rigid,  ///< six degrees of freedom
-  elastic ///< three degrees of freedom per node of the part's mesh; of a sprocket, of its rim
+  lumped,  ///< three translations of a rigid shape, and a spin about z if it has an inertia for it
+  rigid,   ///< six degrees of freedom
+  reduced, ///< the same and the shapes of a basis, which move the nodes of the part's mesh
+  elastic  ///< three degrees of freedom per node of the part's mesh; of a sprocket, of its rim
 };
+
+/// Whether bodies that move so deform: nodes of theirs touch.
+constexpr bool deforms(const Motion motion)
+{
+  return motion == Motion::reduced || motion == Motion::elastic;
+}
 
 /// What holds a body.
 enum class Support
@@ -108,11 +120,12 @@ struct Scene
   bool   plates_bend         = true;  ///< of elastic links, out of their planes
   bool   at_speed            = false; ///< the drive starts at full speed
   int    sense               = 1;     ///< +1: counter-clockwise drive
-  std::map<PartOf, std::shared_ptr<const mesh::Part>>   parts;   ///< those that somebody needs
-  std::map<PartOf, std::shared_ptr<const mesh::Sector>> sectors; ///< of elastic sprockets
-  Material                                              material;
-  parameters::Elements                                  elements;
-  std::vector<Effect>                                   effects;
+  std::map<PartOf, std::shared_ptr<const mesh::Part>>       parts;   ///< those that somebody needs
+  std::map<PartOf, std::shared_ptr<const mesh::Sector>>     sectors; ///< of elastic sprockets
+  std::map<PartOf, std::shared_ptr<const reduction::Basis>> bases;   ///< of reduced bodies
+  Material                                                  material;
+  parameters::Elements                                      elements;
+  std::vector<Effect>                                       effects;
   std::vector<std::string> notes; ///< what the log must say about choices made
 
   std::vector<char>     seated; ///< per joint: it starts on a sprocket, not in a span
