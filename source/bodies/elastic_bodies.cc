@@ -75,6 +75,13 @@ void ElasticBodies::update(BodyBatches       &copies,
                            const double       kick) const
 {
   const std::size_t first = copies.start_of(batch);
+  if (!part_.masses().empty())
+    part_.masses().apply(kernels_,
+                         kick,
+                         step.drag,
+                         copies.velocity.begin() + first,
+                         copies.force.begin() + first,
+                         sums.kinetic);
   kernels_.update({copies.n_nodes(),
                    kick,
                    step.dt,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/element/elastic_part.h>
 #include <chaindrive/element/hexahedra.h>
+#include <chaindrive/mesh/wall_columns.h>
 
 namespace chaindrive::element
 {
@@ -10,7 +11,11 @@ ElasticPart::ElasticPart(const mesh::Part           &part,
                          const mesh::Nodes          &nodes,
                          const Material             &material,
                          const parameters::Elements &elements)
-    : mass_(nodes.mass)
+    : masses_(elements.column_mass_scaling > 0. ?
+                  ColumnMasses(nodes,
+                               mesh::wall_columns(part, nodes, mesh::roller_bore),
+                               elements.column_mass_scaling) :
+                  ColumnMasses(nodes.mass))
 {
   blocks_.push_back(std::make_unique<Hexahedra>(
       part, nodes, material, elements.formulation, elements.hourglass_coefficient));
@@ -31,12 +36,12 @@ double ElasticPart::largest_frequency(const std::vector<double> &springs) const
   std::vector<const ElementBlock *> blocks;
   for (const auto &block : blocks_)
     blocks.push_back(block.get());
-  return element::largest_frequency(blocks, mass_, springs);
+  return element::largest_frequency(blocks, masses_, springs);
 }
 
 std::size_t ElasticPart::memory_consumption() const
 {
-  std::size_t bytes = mass_.size() * sizeof(double);
+  std::size_t bytes = masses_.memory_consumption();
   for (const auto &block : blocks_)
     bytes += block->memory_consumption();
   return bytes;

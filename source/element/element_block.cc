@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/element/column_masses.h>
 #include <chaindrive/element/element_block.h>
 #include <chaindrive/utilities/eigenvalue.h>
 
@@ -46,25 +47,30 @@ void assemble(const std::vector<const ElementBlock *> &blocks,
 }
 
 double largest_frequency(const std::vector<const ElementBlock *> &blocks,
-                         const std::vector<double>               &mass,
+                         const ColumnMasses                      &mass,
                          const std::vector<double>               &springs)
 {
   dealii::SparsityPattern      pattern;
   dealii::SparseMatrix<double> matrix;
-  assemble(blocks, static_cast<unsigned int>(mass.size()), pattern, matrix);
+  assemble(blocks, mass.n_nodes(), pattern, matrix);
 
-  const unsigned int n = 3 * static_cast<unsigned int>(mass.size());
+  const unsigned int n = 3 * mass.n_nodes();
   for (unsigned int i = 0; i < n && !springs.empty(); ++i)
     matrix.diag_element(i) += springs[i / 3];
 
-  dealii::Vector<double> scale(n), scaled(n);
-  for (unsigned int i = 0; i < n; ++i)
-    scale[i] = 1. / std::sqrt(mass[i / 3]);
-  return std::sqrt(largest_eigenvalue(n, [&](auto &product, const auto &x) { // M^-1/2 K M^-1/2
+  dealii::Vector<double> scaled(n);
+  return std::sqrt(largest_eigenvalue(n, [&](auto &product, const auto &x) { // L^-1 K L^-T
     scaled = x;
-    scaled.scale(scale);
+    mass.solve_upper(scaled);
     matrix.vmult(product, scaled);
-    product.scale(scale);
+    mass.solve_lower(product);
   }));
+}
+
+double largest_frequency(const std::vector<const ElementBlock *> &blocks,
+                         const std::vector<double>               &mass,
+                         const std::vector<double>               &springs)
+{
+  return largest_frequency(blocks, ColumnMasses(mass), springs);
 }
 } // namespace chaindrive::element

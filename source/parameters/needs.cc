@@ -118,6 +118,14 @@ Decision plate_faces(const Parameters &p)
               "nothing pushes the chain sideways"};
 }
 
+Decision column_mass_scaling(const Parameters &p)
+{
+  if (!elastic_rollers(p).on)
+    return {false, "rollers are not elastic"};
+  const double factor = p.elements.column_mass_scaling;
+  return {factor > 0., "Elements/Column mass scaling = " + to_entry_text(factor, unit::si)};
+}
+
 Decision fields(const Parameters &p)
 {
   if (!p.output.asks_for(QuantityGroup::fields))

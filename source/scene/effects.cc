@@ -85,6 +85,7 @@ std::vector<Effect> decide_effects(const Parameters &p)
   add("elastic driver", parameters::elastic_sprocket(p, Role::driver));
   add("elastic driven", parameters::elastic_sprocket(p, Role::driven));
   add("plate bending", parameters::plate_bending(p));
+  add("column mass scaling", parameters::column_mass_scaling(p));
   add("plate faces", parameters::plate_faces(p));
   add("half model", parameters::half_model(p));
   add("fields", parameters::fields(p));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/stiffness.h>
+#include <chaindrive/element/elastic_part.h>
 #include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/utilities/text.h>
@@ -47,6 +48,25 @@ void add_foundation(const drive::Drive &drive, Scene &scene, ContactLaw &law)
                         " N/m3, its local compliance, is in series with the penalty of their "
                         "contact");
 }
+/// Says by how much column mass scaling increases the inertia of a roller about its axis.
+void note_column_masses(Scene &scene)
+{
+  const mesh::Part          &part = *scene.parts.at(Kind::roller);
+  const mesh::Nodes          nodes(part);
+  const element::ElasticPart elastic(part, nodes, scene.material, scene.elements);
+  dealii::Vector<double>     turning(3 * nodes.size());
+  double                     inertia = 0.;
+  for (unsigned int n = 0; n < nodes.size(); ++n)
+    {
+      const dealii::Point<3> &x = nodes.position[n];
+      turning[3 * n]            = -x[1];
+      turning[3 * n + 1]        = x[0];
+      inertia += nodes.mass[n] * (x[0] * x[0] + x[1] * x[1]);
+    }
+  scene.notes.push_back(
+      "Column mass scaling increases the inertia of rollers about their axes by " +
+      to_text(100. * elastic.masses().added(turning) / inertia, 2) + " %");
+}
 } // namespace
 
 void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
@@ -56,6 +76,9 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
   scene.parts[Kind::roller]     = make_roller_part(parameters, drive);
   scene.parts[Kind::inner_link] = make_link_part(parameters, drive, true);
   scene.parts[Kind::outer_link] = make_link_part(parameters, drive, false);
+
+  if (is_on(scene.effects, "column mass scaling"))
+    note_column_masses(scene);
 
   // the softer of two surfaces decides how far they may overlap
   const auto law = [&](const Kind                   master,

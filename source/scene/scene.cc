@@ -13,9 +13,8 @@ using parameters::Role;
 
 bool Scene::has_elastic_bodies() const
 {
-  return std::any_of(bodies.begin(), bodies.end(), [](const Body &body) {
-    return deforms(body.motion);
-  });
+  return std::any_of(
+      bodies.begin(), bodies.end(), [](const Body &body) { return deforms(body.motion); });
 }
 
 double Scene::nominal_energy() const

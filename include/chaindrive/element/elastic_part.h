@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/element/column_masses.h>
 #include <chaindrive/element/element_block.h>
 #include <chaindrive/parameters/model.h>
 
@@ -22,6 +23,10 @@ public:
 
   const std::vector<std::unique_ptr<const ElementBlock>> &blocks() const { return blocks_; }
 
+  /// Masses of its nodes; with Elements/Column mass scaling, of the columns through a roller's
+  /// wall.
+  const ColumnMasses &masses() const { return masses_; }
+
   /// Adds the internal forces of all blocks to those of one batch.
   void add_forces(const BatchState &batch) const;
 
@@ -33,6 +38,6 @@ public:
 
 private:
   std::vector<std::unique_ptr<const ElementBlock>> blocks_;
-  std::vector<double>                              mass_; ///< per node, kg
+  ColumnMasses                                     masses_;
 };
 } // namespace chaindrive::element

@@ -85,9 +85,16 @@ void assemble(const std::vector<const ElementBlock *> &blocks,
               dealii::SparsityPattern                 &pattern,
               dealii::SparseMatrix<double>            &matrix);
 
-/// Largest natural frequency [rad/s] of the free part at small amplitudes, from above, by
-/// largest_eigenvalue(). @p mass of each node, kg; @p springs [N/m], if not empty, hold each node
-/// in all directions.
+class ColumnMasses;
+
+/// Largest natural frequency [rad/s] of the free part with the masses @p mass at small amplitudes,
+/// from above, by largest_eigenvalue(). @p springs [N/m], if not empty, hold each node in all
+/// directions.
+double largest_frequency(const std::vector<const ElementBlock *> &blocks,
+                         const ColumnMasses                      &mass,
+                         const std::vector<double>               &springs);
+
+/// The same with @p mass of each node, kg.
 double largest_frequency(const std::vector<const ElementBlock *> &blocks,
                          const std::vector<double>               &mass,
                          const std::vector<double>               &springs);

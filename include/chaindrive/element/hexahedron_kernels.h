@@ -413,6 +413,45 @@ void update(const UpdateArguments &arg)
 }
 
 template <int width>
+void apply_column_masses(const ColumnArguments &arg)
+{
+  using P = Pack<double, width>;
+  const P half_kick(0.5 * arg.kick), kept(1. - 0.5 * arg.kick * arg.drag);
+  for (int lane = 0; lane < n_lanes; lane += width)
+    {
+      P energy = P::load(arg.kinetic_energy + lane);
+      for (unsigned int c = 0; c < arg.n_columns; ++c)
+        for (int d = 0; d < 3; ++d)
+          {
+            const auto place = [&](const unsigned int i) {
+              return (3 * arg.node[i] + d) * n_lanes + lane;
+            };
+            const unsigned int first = arg.begin[c], last = arg.begin[c + 1] - 1;
+            P                  y = P::load(arg.force + place(first));
+            for (unsigned int i = first + 1; i <= last; ++i)
+              {
+                y = P::load(arg.force + place(i)) - P(arg.lower[i]) * y;
+                y.store(arg.force + place(i));
+              }
+            P a = P(arg.pivot[last]) * y, v = P::load(arg.velocity + place(last));
+            (P(arg.mass[arg.node[last]]) * a).store(arg.force + place(last));
+            for (unsigned int i = last; i-- > first;)
+              {
+                const P before = P::load(arg.velocity + place(i));
+                const P here =
+                    P(arg.pivot[i]) * P::load(arg.force + place(i)) - P(arg.lower[i + 1]) * a;
+                const P difference = kept * (v - before) + half_kick * (a - here);
+                energy += P(0.5 * arg.added[i]) * difference * difference;
+                (P(arg.mass[arg.node[i]]) * here).store(arg.force + place(i));
+                a = here;
+                v = before;
+              }
+          }
+      energy.store(arg.kinetic_energy + lane);
+    }
+}
+
+template <int width>
 constexpr Kernels make_kernels(const char *name)
 {
   return {name,
@@ -420,6 +459,7 @@ constexpr Kernels make_kernels(const char *name)
           {add_internal_forces<width, Formulation::one_point>,
            add_internal_forces<width, Formulation::enhanced>,
            add_internal_forces<width, Formulation::full>},
-          update<width>};
+          update<width>,
+          apply_column_masses<width>};
 }
 } // namespace chaindrive::element::packed

@@ -71,6 +71,26 @@ struct UpdateArguments
   double       *momentum;       ///< [component][lane], to which sum m v is added, kg m/s
 };
 
+/// What accelerates the nodes of columns together (ColumnMasses), of one batch. With M' = L D L^T,
+/// L having ones on its diagonal, the accelerations a = M'^-1 f are found and forces become M a. To
+/// the kinetic energy is added what M' has more than M at the instant of the forces, with the
+/// velocities in the middle of the kick.
+struct ColumnArguments
+{
+  unsigned int        n_columns;
+  const unsigned int *begin; ///< per column and for the end: where it begins in what follows
+  const unsigned int *node;
+  const double       *mass;           ///< M, per node of the part, kg
+  const double       *added;          ///< mass between a node and the next of its column, kg
+  const double       *lower;          ///< L: in the row of the node, left of the diagonal; 1
+  const double       *pivot;          ///< 1 / D, 1/kg
+  double              kick;           ///< s
+  double              drag;           ///< 1/s
+  const double       *velocity;       ///< half a step before the instant, m/s
+  double             *force;          ///< N
+  double             *kinetic_energy; ///< [lane], to which is added, J
+};
+
 /// The kernels of one instruction set.
 struct Kernels
 {
@@ -78,6 +98,7 @@ struct Kernels
   int         width; ///< numbers that the machine computes at a time
   void (*add_internal_forces[3])(const ForceArguments &); ///< by Formulation
   void (*update)(const UpdateArguments &);
+  void (*apply_column_masses)(const ColumnArguments &);
 };
 
 /// Kernels of @p width 1, 2, 4 or 8 numbers; null where this machine has none.

@@ -116,6 +116,7 @@ struct Elements
 {
   Formulation formulation           = Formulation::enhanced;
   double      hourglass_coefficient = 0.1; ///< of one point, after Flanagan and Belytschko
+  double      column_mass_scaling   = 0.;  ///< factor of element::ColumnMasses, rollers' walls
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.
