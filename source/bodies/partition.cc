@@ -2,6 +2,7 @@
 #include <chaindrive/bodies/body_batches.h>
 #include <chaindrive/bodies/partition.h>
 #include <chaindrive/mesh/sector.h>
+#include <chaindrive/reduction/basis.h>
 
 #include <algorithm>
 
@@ -20,6 +21,9 @@ struct Deal
 /// What a joint costs the owner of its bore, in elements: some 75 visits of a node, 37 ns each,
 /// beside 16 ns (doc/performance.md).
 constexpr double elements_per_joint = 170.;
+
+/// What the nodes of sides that touch cost a reduced body per shape, in elements.
+constexpr double elements_per_shape = 2.;
 
 /// Deals the batches of each group out to @p n_ranks ranks in turn: equal shares, and what does not
 /// go up to those that have least so far, the last of them, since the first rank has results to
@@ -51,33 +55,38 @@ std::vector<std::vector<unsigned int>> deal(const std::vector<Deal> &groups,
 }
 } // namespace
 
-std::map<scene::PartOf, std::vector<unsigned int>> partition(const scene::Scene &scene,
-                                                             const unsigned int  n_ranks)
+Deals partition(const scene::Scene &scene, const unsigned int n_ranks)
 {
-  std::map<scene::PartOf, unsigned int> n_bodies;
+  using Kind = Deals::key_type;
+  std::map<Kind, unsigned int> n_bodies;
   for (const scene::Body &body : scene.bodies)
-    if (body.motion == scene::Motion::elastic)
-      ++n_bodies[body.part()];
-  std::map<scene::PartOf, unsigned int> n_joints; // at bores of elastic bodies
+    if (deforms(body.motion))
+      ++n_bodies[{body.motion, body.part()}];
+  std::map<Kind, unsigned int> n_joints; // at bores of elastic bodies
   for (const scene::BoreFamily &bores : scene.bores)
     for (const scene::BorePair &pair : bores.pairs)
-      if (bores.elastic && scene.bodies[pair.master].motion == scene::Motion::elastic)
-        ++n_joints[scene.bodies[pair.master].part()];
+      if (const scene::Body &master = scene.bodies[pair.master];
+          bores.elastic && deforms(master.motion))
+        ++n_joints[{master.motion, master.part()}];
 
   std::vector<Deal> deals;
-  for (const auto &[of, n] : n_bodies)
+  for (const auto &[kind, n] : n_bodies)
     {
-      const auto  sector = scene.sectors.find(of);
-      const bool  is_rim = sector != scene.sectors.end();
-      const auto &part   = is_rim ? *sector->second->part : *scene.parts.at(of);
+      const auto &[motion, of] = kind;
+      const auto   sector      = scene.sectors.find(of);
+      const bool   is_rim      = motion == scene::Motion::elastic && sector != scene.sectors.end();
+      const auto  &part        = is_rim ? *sector->second->part : *scene.parts.at(of);
+      const double alone       = motion == scene::Motion::reduced ?
+                                     elements_per_shape * scene.bases.at(of)->size() :
+                                     part.mesh->n_active_cells();
       deals.push_back({BodyBatches::n_batches_of(is_rim ? sector->second->n_sectors : n),
-                       part.mesh->n_active_cells() + elements_per_joint * n_joints[of] / double(n),
+                       alone + elements_per_joint * n_joints[kind] / double(n),
                        is_rim});
     }
   const auto first_batches = deal(deals, n_ranks);
 
-  std::map<scene::PartOf, std::vector<unsigned int>> result;
-  auto                                               first_batch = first_batches.begin();
+  Deals result;
+  auto  first_batch = first_batches.begin();
   for (const auto &entry : n_bodies)
     result[entry.first] = *first_batch++;
   return result;

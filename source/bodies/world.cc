@@ -3,6 +3,7 @@
 #include <chaindrive/bodies/followers.h>
 #include <chaindrive/bodies/hubs.h>
 #include <chaindrive/bodies/partition.h>
+#include <chaindrive/bodies/reduced_bodies.h>
 #include <chaindrive/bodies/rigid_bodies.h>
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/mesh/surface/surface_nodes.h>
@@ -66,7 +67,7 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
                         0.,
                         body.initial.angular_velocity[2],
                         2. * std::atan2(orientation.z, orientation.w)});
-      else if (body.motion == scene::Motion::rigid)
+      else if (body.motion == scene::Motion::rigid || body.motion == scene::Motion::reduced)
         rotations.push_back(
             {b, orientation, angular_momentum(body.initial, body.inertia), body.inertia});
       else if (body.motion == scene::Motion::lumped && body.inertia[2] > 0.)
@@ -75,36 +76,65 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
 
   groups.push_back(std::make_unique<RigidBodies>());
   groups.push_back(std::make_unique<Hubs>());
-  add_elastic_bodies(scene);
-  node_address = elastic_address;
+  elastic_address.resize(n);
+  const Deals deals = partition(scene, n_ranks_);
+  add_elastic_bodies(scene, deals);
+  n_nodal_groups_ = static_cast<unsigned int>(copies.size());
+  add_reduced_bodies(scene, deals);
+  n_elastic_groups_ = static_cast<unsigned int>(copies.size());
+  node_address      = elastic_address;
   add_followers(scene);
 }
 
 World::~World() = default;
 
-void World::add_elastic_bodies(const scene::Scene &scene)
+std::map<scene::PartOf, std::vector<unsigned int>>
+World::bodies_that_move(const scene::Scene &scene, const scene::Motion motion)
 {
-  std::map<scene::PartOf, std::vector<unsigned int>> elastic;
-  for (unsigned int b = 0; b < n_bodies(); ++b)
-    if (scene.bodies[b].motion == scene::Motion::elastic)
-      elastic[scene.bodies[b].part()].push_back(b);
+  std::map<scene::PartOf, std::vector<unsigned int>> found;
+  for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+    if (scene.bodies[b].motion == motion)
+      found[scene.bodies[b].part()].push_back(b);
+  return found;
+}
 
-  auto first_batch = partition(scene, n_ranks_);
-  elastic_address.resize(n_bodies());
-  for (const auto &[of, bodies] : elastic)
+unsigned int World::add_copies(const scene::Scene              &scene,
+                               const scene::PartOf             &of,
+                               const std::vector<unsigned int> &bodies,
+                               const std::vector<unsigned int> &first_batch)
+{
+  const unsigned int group = static_cast<unsigned int>(copies.size());
+  copies.emplace_back(scene.parts.at(of), bodies, scene.bodies, first_batch, comm_);
+  for (unsigned int k = 0; k < bodies.size(); ++k)
+    elastic_address[bodies[k]] = {group, k};
+  return group;
+}
+
+void World::add_elastic_bodies(const scene::Scene &scene, const Deals &deals)
+{
+  constexpr scene::Motion elastic = scene::Motion::elastic;
+  for (const auto &[of, bodies] : bodies_that_move(scene, elastic))
     {
-      const unsigned int group = static_cast<unsigned int>(copies.size());
+      const std::vector<unsigned int> &first_batch = deals.at({elastic, of});
       if (scene.sectors.count(of) != 0)
         {
-          add_rim(scene, bodies.front(), first_batch[of]);
+          add_rim(scene, bodies.front(), first_batch);
           continue;
         }
-      copies.emplace_back(scene.parts.at(of), bodies, scene.bodies, first_batch[of], comm_);
+      const unsigned int group = add_copies(scene, of, bodies, first_batch);
       if (!scene.plates_bend)
         copies.back().stop_plate_bending();
-      for (unsigned int k = 0; k < bodies.size(); ++k)
-        elastic_address[bodies[k]] = {group, k};
       groups.push_back(std::make_unique<ElasticBodies>(scene, *this, group));
+    }
+}
+
+void World::add_reduced_bodies(const scene::Scene &scene, const Deals &deals)
+{
+  constexpr scene::Motion reduced = scene::Motion::reduced;
+  for (const auto &[of, bodies] : bodies_that_move(scene, reduced))
+    {
+      const unsigned int group = add_copies(scene, of, bodies, deals.at({reduced, of}));
+      groups.push_back(std::make_unique<ReducedBodies>(scene, *this, group));
     }
 }
 
@@ -147,7 +177,6 @@ void World::add_followers(const scene::Scene &scene)
           if (elastic_address[body].group == Address::none)
             sides[scene.bodies[body].part()][body].insert(side);
 
-  n_elastic_groups_ = static_cast<unsigned int>(copies.size());
   for (const auto &[of, of_bodies] : sides)
     {
       const unsigned int        group = static_cast<unsigned int>(copies.size());
@@ -189,6 +218,12 @@ void World::place_surfaces(const double earlier)
     group->place_surface(*this, earlier);
 }
 
+void World::place_all_nodes()
+{
+  for (const auto &group : groups)
+    group->place_all_nodes(*this);
+}
+
 void World::gather_forces()
 {
   for (const auto &group : groups)
@@ -216,8 +251,8 @@ void World::sum_over_ranks()
 {
   if (n_ranks_ == 1 && whole == 1.)
     return;
-  // This rank's share of everything, one number after the other; frames of elastic bodies have one
-  // share only, their owner's.
+  // This rank's share of everything, one number after the other; frames of bodies that move by
+  // nodes have one share only, their owner's.
   const auto visit = [this](const auto &item) {
     item(alarm, 1.);
     for (Rim &rim : rims)
@@ -235,7 +270,7 @@ void World::sum_over_ranks()
         ledger.*term = before_.*term + increment;
       }
     for (unsigned int body = 0; body < n_bodies(); ++body)
-      if (elastic_address[body].group != Address::none)
+      if (moves_by_nodes(body))
         {
           Frame       &frame = frames[body];
           const double mine  = owns(body) ? 1. : 0.;
@@ -262,7 +297,7 @@ void World::sum_over_ranks()
           moment.local_element(3 * body + 1) = 0.;
 
   for (unsigned int body = 0; body < n_bodies(); ++body)
-    if (elastic_address[body].group != Address::none)
+    if (moves_by_nodes(body))
       for (unsigned int d = 0; d < 3; ++d)
         {
           displacement.local_element(3 * body + d) = frames[body].position[d] - origin[body][d];
@@ -291,7 +326,7 @@ void World::serialize(const Archive &archive)
   archive.numbers("rotations", rotations);
   archive.numbers("spins", spins);
   archive.numbers("hubs", hubs);
-  for (unsigned int g = 0; g < n_elastic_groups(); ++g)
+  for (unsigned int g = 0; g < n_nodal_groups(); ++g)
     copies[g].serialize(archive / ("copies " + std::to_string(g)));
   for (unsigned int g = 0; g < groups.size(); ++g)
     groups[g]->serialize(archive / ("group " + std::to_string(g)));

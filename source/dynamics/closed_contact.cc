@@ -66,9 +66,26 @@ struct Springs
   }
 };
 
+/// Of each of World::copies: the group that moves it if it vibrates, and its largest eigenvalue
+/// without springs, 1/s2.
+struct Bodies
+{
+  const BodyGroup *group    = nullptr;
+  double           elements = 0.;
+};
+
+/// The largest eigenvalue [1/s2] of springs [N/m] on the masses of @p bodies alone, or [1/s] of
+/// dampers, where @p of_nodes is that of single nodes.
+double
+eigenvalue_on(const Bodies &bodies, const std::vector<double> &springs, const double of_nodes)
+{
+  const auto frequency = bodies.group->frequency_on(springs);
+  return frequency ? *frequency * *frequency : of_nodes;
+}
+
 /// All contacts, held closed, for a step of about @p dt [s].
 std::vector<Held> hold(const World               &world,
-                       const std::vector<double> &elements,
+                       const std::vector<Bodies> &bodies,
                        const contact::Contacts   &contacts,
                        const double               dt)
 {
@@ -96,8 +113,10 @@ std::vector<Held> hold(const World               &world,
       for (unsigned int i = 0; i < 2; ++i)
         if (const ClosedSide &side = kind.sides[i]; side.group != ClosedSide::none)
           {
-            e[i] = elements[side.group];
-            c[i] = (side.stiffness.empty() ? rigid[side.group] : side.eigenvalue) *
+            const Bodies &b = bodies[side.group];
+            e[i]            = b.elements;
+            c[i]            = (side.stiffness.empty() ? rigid[side.group] :
+                                                        eigenvalue_on(b, side.stiffness, side.eigenvalue)) *
                    (1. + 2. * kind.time / dt);
           }
       for (unsigned int i = 0; i < 2; ++i)
@@ -129,27 +148,30 @@ std::vector<Held> hold(const World               &world,
             held[g].damped   = std::max(held[g].damped, held[g].damping[n] / mass);
           }
       }
+  for (unsigned int g = 0; g < held.size(); ++g)
+    if (!held[g].stiffness.empty())
+      {
+        held[g].stiffest = eigenvalue_on(bodies[g], held[g].stiffness, held[g].stiffest);
+        held[g].damped   = eigenvalue_on(bodies[g], held[g].damping, held[g].damped);
+      }
   return held;
 }
 } // namespace
 
 double closed_contact_step(const World &world, const contact::Contacts &contacts, double limit)
 {
-  // of each of the copies: the group that moves it if it vibrates, and its largest eigenvalue
-  std::vector<const BodyGroup *> groups(world.copies.size(), nullptr);
-  std::vector<double>            elements(world.copies.size(), 0.);
+  std::vector<Bodies> bodies(world.copies.size());
   for (const auto &group : world.groups)
     if (const unsigned int g = group->elastic_copies(); g != BodyGroup::none)
       {
         const double step = group->stable_step();
-        groups[g]         = group.get();
-        elements[g]       = 4. / (step * step);
+        bodies[g]         = {group.get(), 4. / (step * step)};
       }
 
-  const std::vector<Held> held = hold(world, elements, contacts, limit);
+  const std::vector<Held> held = hold(world, bodies, contacts, limit);
   for (unsigned int g = 0; g < held.size(); ++g)
     {
-      double step = stable_step_of(elements[g] + held[g].stiffest, held[g].damped);
+      double step = stable_step_of(bodies[g].elements + held[g].stiffest, held[g].damped);
       if (step < limit && !held[g].stiffness.empty())
         // with the dampers of a smaller step the body admits at least this one: from below to it
         for (unsigned int round = 0; round < 2; ++round)
@@ -157,7 +179,7 @@ double closed_contact_step(const World &world, const contact::Contacts &contacts
             std::vector<double> springs(held[g].stiffness);
             for (std::size_t n = 0; n < springs.size(); ++n)
               springs[n] += 2. / step * held[g].damping[n];
-            step = 2. / groups[g]->largest_frequency(springs);
+            step = 2. / bodies[g].group->largest_frequency(springs);
           }
       limit = std::min(limit, step);
     }

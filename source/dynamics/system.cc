@@ -55,8 +55,13 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 //     kick by dt/2: rigid bodies, hubs                n+1  n+1     n+2  n+3/2  n+1
 //     finish: frames take these velocities; close_ledger: and the energies theirs
 //
-// Frames of elastic bodies are booked by evaluate_forces(): their centres of mass at n+1, with the
-// mean of the velocities before and after. Observers and the guard look between two steps;
+// Reduced bodies move as rigid ones do. Their shapes get the first kick in their drift, and the
+// second one from evaluate_forces(), where their energies are booked; between two steps they are
+// where the frames are. Their nodes are placed for contacts, with the velocities of n+1/2, and for
+// observers, who ask for it.
+//
+// Frames of other elastic bodies are booked by evaluate_forces(): their centres of mass at n+1,
+// with the mean of the velocities before and after. Observers and the guard look between two steps;
 // BodyBatches::position_now() gives them nodes at n.
 //
 // ONE EVALUATION OF THE FORCES, in this order. "Owners" are the ranks that own a batch, "first" is
@@ -70,14 +75,17 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 //                        held nodes go to the hub, those between sectors become means       owners
 //   Contacts::add_forces
 //     groups: place_surface   nodes that follow rigid bodies                                first
+//                             nodes of reduced bodies                                       owners
 //     fetch_ghosts            positions and velocities of nodes that other ranks touch      message
 //     search, if it is due
 //     families                forces on nodes of both sides; resultants on bodies, of
 //                             elastic ones too, for results and the guard; energies         owners
 //     send_forces             forces on nodes of other ranks, and halves of rims' means     message
 //     groups: gather_forces   nodes that follow rigid bodies: moments on those              first
+//                             nodes of reduced bodies: moments, and forces on shapes        owners
 //   groups: advance      elastic bodies: internal forces, then kick and drift of the nodes;
 //                        energies, momenta, centres of mass                                 owners
+//                        reduced bodies: second kick of the shapes, and their energies      owners
 //   sum_over_ranks       forces, moments, energies, what ranks ask of each other, frames of
 //                        elastic bodies; with halves all of it doubled                      message
 //   Loads::add_work      load torque on the hub, work of both hubs                          all

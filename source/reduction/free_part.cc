@@ -29,8 +29,23 @@ std::vector<unsigned int> pivots(std::vector<Vector> motions)
   return found;
 }
 
-/// Translations along and rotations about the axes through the centre of mass, 1 and m.
-std::vector<Vector> rigid_motions(const mesh::Nodes &nodes)
+/// Whether the unknown @p i is held: in the middle plane of a half part, across it.
+bool is_held(const mesh::Part &part, const mesh::Nodes &nodes, const unsigned int i)
+{
+  return part.half && i % 3 == 2 && nodes.position[i / 3][2] == 0.;
+}
+
+/// a^T M b.
+double mass_product(const mesh::Nodes &nodes, const Vector &a, const Vector &b)
+{
+  double sum = 0.;
+  for (unsigned int i = 0; i < a.size(); ++i)
+    sum += nodes.mass[i / 3] * a[i] * b[i];
+  return sum;
+}
+} // namespace
+
+std::vector<Vector> rigid_motions(const mesh::Part &part, const mesh::Nodes &nodes)
 {
   Tensor<1, 3> centre;
   double       mass = 0.;
@@ -41,20 +56,30 @@ std::vector<Vector> rigid_motions(const mesh::Nodes &nodes)
     }
   centre /= mass;
 
-  std::vector<Vector> motions(6, Vector(3 * nodes.size()));
-  for (unsigned int a = 0; a < nodes.size(); ++a)
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        Tensor<1, 3> axis;
-        axis[d]               = 1.;
-        const Tensor<1, 3> u  = cross_product_3d(axis, nodes.position[a] - centre);
-        motions[d][3 * a + d] = 1.;
-        for (unsigned int i = 0; i < 3; ++i)
-          motions[3 + d][3 * a + i] = u[i];
-      }
+  std::vector<Vector> motions;
+  for (unsigned int i = 0; i < 6; ++i)
+    {
+      Tensor<1, 3> axis;
+      axis[i % 3] = 1.;
+      Vector motion(3 * nodes.size());
+      bool   allowed = true;
+      for (unsigned int n = 0; n < motion.size(); ++n)
+        {
+          const Tensor<1, 3> u =
+              i < 3 ? axis : cross_product_3d(axis, nodes.position[n / 3] - centre);
+          motion[n] = u[n % 3];
+          allowed   = allowed && (!is_held(part, nodes, n) || motion[n] == 0.);
+        }
+      if (!allowed)
+        continue;
+      for (unsigned int pass = 0; pass < 2; ++pass)
+        for (const Vector &other : motions)
+          motion.add(-mass_product(nodes, other, motion), other);
+      motion /= std::sqrt(mass_product(nodes, motion, motion));
+      motions.push_back(motion);
+    }
   return motions;
 }
-} // namespace
 
 FreePart::FreePart(const mesh::Part           &part,
                    const mesh::Nodes          &nodes,
@@ -70,23 +95,11 @@ FreePart::FreePart(const mesh::Part           &part,
   for (unsigned int i = 0; i < mass.size(); ++i)
     {
       mass[i]  = nodes.mass[i / 3];
-      held_[i] = part.half && i % 3 == 2 && nodes.position[i / 3][2] == 0.;
+      held_[i] = reduction::is_held(part, nodes, i);
     }
   mass_.reinit(mass);
 
-  for (Vector &motion : rigid_motions(nodes))
-    {
-      bool allowed = true;
-      for (unsigned int i = 0; i < motion.size(); ++i)
-        allowed = allowed && (!is_held(i) || motion[i] == 0.);
-      if (!allowed)
-        continue;
-      for (unsigned int pass = 0; pass < 2; ++pass)
-        for (const Vector &other : rigid_)
-          motion.add(-mass_product(other, motion), other);
-      motion /= std::sqrt(mass_product(motion, motion));
-      rigid_.push_back(motion);
-    }
+  rigid_    = rigid_motions(part, nodes);
   supports_ = pivots(rigid_);
 }
 

@@ -69,6 +69,12 @@ public:
   /// the instant @p earlier [s] before now, as in World::velocity_at().
   virtual void place_surface(World & /*world*/, double /*earlier*/) {}
 
+  /// Places all nodes, or these @p nodes of all bodies, where they are now, with the velocities of
+  /// now, if they are not there anyway: for who looks between two steps at nodes that no contact
+  /// sees.
+  virtual void place_all_nodes(World & /*world*/) {}
+  virtual void place_nodes(World & /*world*/, const std::vector<unsigned int> & /*nodes*/) {}
+
   /// Takes the forces on those nodes to where the group needs them.
   virtual void gather_forces(World & /*world*/) {}
 
@@ -91,6 +97,12 @@ public:
 
   /// Largest natural frequency [rad/s] of such a body when @p springs [N/m] hold each node.
   virtual double largest_frequency(const std::vector<double> & /*springs*/) const { return 0.; }
+
+  /// The same when nothing else makes it vibrate, if that is not simply that of the fastest node.
+  virtual std::optional<double> frequency_on(const std::vector<double> & /*springs*/) const
+  {
+    return {};
+  }
 
   /// What finds stresses in the cells of its part; empty for rigid bodies.
   virtual std::vector<std::unique_ptr<const element::StressRecovery>>

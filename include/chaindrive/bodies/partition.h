@@ -4,12 +4,15 @@
 #include <chaindrive/scene/scene.h>
 
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace chaindrive
 {
-/// Which rank owns which batches of elastic bodies: per kind, the first batch of each of @p n_ranks
-/// ranks, and the number of batches. Loads are equal shares of elements and joints.
-std::map<scene::PartOf, std::vector<unsigned int>> partition(const scene::Scene &scene,
-                                                             unsigned int        n_ranks);
+/// Which rank owns which batches of the elastic bodies of one part and motion: the first batch of
+/// each rank, and the number of batches.
+using Deals = std::map<std::pair<scene::Motion, scene::PartOf>, std::vector<unsigned int>>;
+
+/// Deals them out to @p n_ranks ranks. Loads are equal shares of elements, shapes and joints.
+Deals partition(const scene::Scene &scene, unsigned int n_ranks);
 } // namespace chaindrive

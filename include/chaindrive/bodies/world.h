@@ -4,6 +4,7 @@
 #include <chaindrive/bodies/body_batches.h>
 #include <chaindrive/bodies/body_group.h>
 #include <chaindrive/bodies/ledger.h>
+#include <chaindrive/bodies/partition.h>
 #include <chaindrive/bodies/rim.h>
 #include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/rotation.h>
@@ -11,6 +12,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <array>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -21,9 +23,10 @@ namespace chaindrive
 /// rigid body's rotation is no vector. `frames` repeats positions and velocities in the form that
 /// forces are computed from.
 ///
-/// Elastic bodies are dealt out to the ranks of a communicator, all else is repeated on each of
-/// them. While forces are evaluated, a rank adds its own share of resultants, moments and energies
-/// to what it holds; sum_over_ranks() makes the totals of it.
+/// Elastic bodies move by nodes, or are reduced: rigid bodies whose nodes move by shapes as well.
+/// The nodes of both and the shapes are dealt out to the ranks of a communicator, all else is
+/// repeated on each of them. While forces are evaluated, a rank adds its own share of resultants,
+/// moments and energies to what it holds; sum_over_ranks() makes the totals of it.
 class World
 {
 public:
@@ -58,7 +61,7 @@ public:
     double       start_angle; ///< orientation at the start, rad
   };
 
-  /// Where an elastic body of one copy is found.
+  /// Where the nodes of an elastic body of one copy are found.
   struct Address
   {
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
@@ -126,13 +129,21 @@ public:
     return frame.velocity + dealii::cross_product_3d(w, arm);
   }
 
-  /// The first groups of copies are elastic bodies; what comes after them are the meshes of rigid
-  /// ones.
+  /// The first groups of copies are elastic bodies, those that move by nodes before the reduced
+  /// ones; what comes after them are the meshes of rigid ones.
   unsigned int n_elastic_groups() const { return n_elastic_groups_; }
+  unsigned int n_nodal_groups() const { return n_nodal_groups_; }
   bool         has_elastic_bodies() const { return n_elastic_groups_ > 0; }
 
-  /// BodyGroup::place_surface() and gather_forces() of all groups.
+  /// Whether the motion of @p body is that of its nodes: three degrees of freedom each.
+  bool moves_by_nodes(const unsigned int body) const
+  {
+    return elastic_address[body].group < n_nodal_groups_;
+  }
+
+  /// BodyGroup::place_surface(), place_all_nodes() and gather_forces() of all groups.
   void place_surfaces(double earlier);
+  void place_all_nodes();
   void gather_forces();
 
   /// The rim of @p body; null when it has none.
@@ -143,7 +154,7 @@ public:
   double kinetic_energy() const;
 
   /// The state between two steps, whose forces are those of the present time. Nodes that follow
-  /// rigid bodies are placed anew at every step and are none.
+  /// rigid or reduced bodies are placed anew at every step and are none.
   void serialize(const Archive &archive);
 
   /// Bytes held by the state.
@@ -155,9 +166,9 @@ public:
   Vector force;        ///< resultant, N
   Vector moment;       ///< resultant about the centre of mass, N m
 
-  std::vector<double>               mass;         ///< per body, kg
-  std::vector<double>               inverse_mass; ///< per body, 1/kg; 0: held by a hub, or elastic
-  std::vector<dealii::Tensor<1, 3>> origin;       ///< per body, position at the start, m
+  std::vector<double> mass;                 ///< per body, kg
+  std::vector<double> inverse_mass;         ///< per body, 1/kg; 0: held by a hub, or moves by nodes
+  std::vector<dealii::Tensor<1, 3>> origin; ///< per body, position at the start, m
   std::vector<Rotation>             rotations;
   std::vector<Spin>                 spins;
   std::vector<Hub>                  hubs;
@@ -200,7 +211,18 @@ public:
   }
 
 private:
-  void add_elastic_bodies(const scene::Scene &scene);
+  /// The bodies of each part that move by @p motion.
+  static std::map<scene::PartOf, std::vector<unsigned int>>
+  bodies_that_move(const scene::Scene &scene, scene::Motion motion);
+
+  /// Makes the copies of elastic @p bodies of a part, and returns their number in #copies.
+  unsigned int add_copies(const scene::Scene              &scene,
+                          const scene::PartOf             &of,
+                          const std::vector<unsigned int> &bodies,
+                          const std::vector<unsigned int> &first_batch);
+
+  void add_elastic_bodies(const scene::Scene &scene, const Deals &deals);
+  void add_reduced_bodies(const scene::Scene &scene, const Deals &deals);
 
   /// Makes the elastic rim of the sprocket @p body and leaves its hub the inertia of the rest.
   void add_rim(const scene::Scene              &scene,
@@ -210,7 +232,7 @@ private:
   /// Makes copies of the meshes of rigid bodies whose nodes touch. The first rank owns them.
   void add_followers(const scene::Scene &scene);
 
-  unsigned int        n_elastic_groups_ = 0;
+  unsigned int        n_nodal_groups_ = 0, n_elastic_groups_ = 0;
   MPI_Comm            comm_;
   unsigned int        rank_, n_ranks_;
   Ledger              before_; ///< the ledger at clear_forces()

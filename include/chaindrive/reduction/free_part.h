@@ -18,6 +18,10 @@ namespace chaindrive::reduction
 /// Displacements or forces of all nodes of a part in its own axes, entry 3 node + component.
 using Vector = dealii::Vector<double>;
 
+/// The translations and the rotations about the centre of mass of the @p nodes of @p part, of unit
+/// mass, 1/sqrt(kg): R^T M R = 1. A half part has those that leave its nodes in the middle plane.
+std::vector<Vector> rigid_motions(const mesh::Part &part, const mesh::Nodes &nodes);
+
 /// Small vibrations of a part that nothing holds, M u" + K u = f, with the stiffness of its element
 /// blocks and the lumped masses of its nodes: those of an elastic body at rest. The nodes of a half
 /// part in its middle plane have u_z = 0, and its motions are those of one half.

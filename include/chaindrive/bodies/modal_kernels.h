@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+// Plain structures and plain pointers only: the kernels are compiled for several instruction sets
+// (see utilities/pack.h).
+
+namespace chaindrive
+{
+/// How a batch of bodies stands and moves as rigid ones, [lane]: rotation matrix row by row,
+/// position and velocity of the centre of mass, angular velocity, in world axes.
+enum RigidEntry : unsigned int
+{
+  rigid_rotation  = 0,
+  rigid_position  = 9,  ///< m
+  rigid_velocity  = 12, ///< m/s
+  rigid_turning   = 15, ///< rad/s
+  n_rigid_entries = 18
+};
+
+/// Some nodes of a batch of reduced bodies and the shapes that move them. All arrays are aligned to
+/// 64 bytes.
+struct ModalNodes
+{
+  unsigned int        n_nodes; ///< some
+  const unsigned int *node;    ///< their numbers in the part
+  unsigned int        n_modes;
+  const double       *reference; ///< [node of the part][component], body axes, m
+  const double       *shape;     ///< [node of the part][mode][component], body axes, 1/sqrt(kg)
+  const double       *rigid;     ///< [RigidEntry][lane]
+};
+
+/// Where these nodes are and how fast they move:
+///
+///   x = x_c + R (X + Phi q),   v = v_c + s + w x (a - e (w x a + 2 s)),
+///
+/// with the arm a = x - x_c and the speed s = R Phi q' beside the rigid motion: velocities belong
+/// to the instant e before the positions, and are the secants of what moves between (see
+/// World::velocity_at()).
+struct PlaceArguments
+{
+  ModalNodes    nodes;
+  const double *amplitude; ///< q, [mode][lane], m sqrt(kg)
+  const double *rate;      ///< q', [mode][lane]
+  double        earlier;   ///< e, s
+  double       *position;  ///< [node of the part][component][lane], world axes, m
+  double       *velocity;  ///< m/s
+};
+
+/// What forces on these nodes are to the body: its generalised forces Q = sum Phi^T R^T f, and
+/// their couple about its centre of mass. The forces become zero.
+struct GatherArguments
+{
+  ModalNodes    nodes;
+  const double *position;    ///< [node of the part][component][lane], world axes, m
+  double       *force;       ///< N
+  double       *modal_force; ///< Q, [mode][lane], which is set, N/sqrt(kg)
+  double       *moment;      ///< [component][lane], which is set, N m
+  double       *in_body;     ///< room for three numbers per node and lane
+  unsigned int *found;       ///< room for one number per node
+};
+
+/// The kernels of one instruction set.
+struct ModalKernels
+{
+  int width; ///< numbers that the machine computes at a time
+  void (*place)(const PlaceArguments &);
+  void (*gather)(const GatherArguments &);
+};
+
+/// Kernels of @p width 1, 2, 4 or 8 numbers; null where this machine has none, as with
+/// element::kernels().
+const ModalKernels *modal_kernels(int width);
+} // namespace chaindrive

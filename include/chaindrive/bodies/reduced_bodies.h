@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/bodies/body_batches.h>
+#include <chaindrive/bodies/body_group.h>
+#include <chaindrive/bodies/modal_kernels.h>
+
+#include <chaindrive/reduction/basis.h>
+
+#include <deal.II/base/aligned_vector.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <cmath>
+#include <vector>
+
+namespace chaindrive
+{
+/// The shapes of the reduced bodies of one part: rigid motion and a basis,
+///
+///   x_a = x_c + R (X_a + Phi_a q),   q" + W^2 q = sum Phi_a^T R^T f_a.
+///
+/// The rigid motion is that of RigidBodies, with mass and inertia of the nodes. This group has q,
+/// which the ranks that own a batch compute, places the nodes of sides that touch, and takes the
+/// forces on them to q and, as moments, to the bodies. Forces act at displaced nodes, so that their
+/// power is that on R, x_c and q; momentum and moment of momentum are those of a rigid body. What
+/// is left out is the inertia that comes from q itself: its part in the inertia tensor, and
+/// Coriolis and centrifugal forces on it, of the order of the speed of turning over the lowest
+/// frequency.
+///
+/// Central differences in the halves of Newmark's method: the first one is in drift(), the second
+/// in advance(), which books the energies of full steps.
+class ReducedBodies : public BodyGroup
+{
+public:
+  /// Moves the nodes of @p world's copies number @p group, which are of the basis in @p scene.
+  ReducedBodies(const scene::Scene &scene, const World &world, unsigned int group);
+
+  void drift(World &world, const Step &step) override;
+  void place_surface(World &world, double earlier) override;
+  void place_all_nodes(World &world) override { place(world, all_, 0.); }
+  void place_nodes(World &world, const std::vector<unsigned int> &nodes) override
+  {
+    place(world, nodes, 0.);
+  }
+
+  /// Adds the moments of the forces on nodes, which become zero, to those on their bodies. The
+  /// resultant forces are the contact's to add.
+  void gather_forces(World &world) override;
+
+  void advance(World &world, const Step &step, const ForceTimer &timer) override;
+
+  unsigned int          elastic_copies() const override { return group_; }
+  double                stable_step() const override;
+  double                largest_frequency(const std::vector<double> &springs) const override;
+  std::optional<double> frequency_on(const std::vector<double> &springs) const override;
+  std::vector<std::unique_ptr<const element::StressRecovery>>
+  stress_recoveries(const World &world) const override;
+
+  void        serialize(const Archive &archive) override;
+  std::size_t memory_consumption() const override;
+
+  unsigned int n_modes() const { return static_cast<unsigned int>(square_.size()); }
+
+  double omega(const unsigned int m) const { return std::sqrt(square_[m]); } ///< rad/s
+
+  /// q [m sqrt(kg)] and q' of mode @p m of a copy that this rank owns.
+  double &amplitude(const World &world, unsigned int copy, unsigned int m);
+  double &rate(const World &world, unsigned int copy, unsigned int m);
+
+private:
+  using Numbers = dealii::AlignedVector<double>;
+
+  /// Where the numbers of a batch that this rank owns begin in arrays [batch][mode][lane].
+  std::size_t start_of(const BodyBatches &copies, unsigned int batch) const;
+
+  /// The frames of the bodies of @p batch side by side.
+  void take_frames(const World &world, unsigned int batch);
+
+  /// Places @p nodes of all batches of this rank.
+  void place(World &world, const std::vector<unsigned int> &nodes, double earlier);
+
+  /// @p nodes, moved as the frames taken last and the shapes say.
+  ModalNodes modal_nodes(const std::vector<unsigned int> &nodes) const;
+
+  /// Sum of k B^T B over the @p springs k of the nodes, B their displacements by rigid motions and
+  /// shapes of unit mass: shapes first.
+  dealii::FullMatrix<double> spring_matrix(const std::vector<double> &springs) const;
+
+  unsigned int              group_;       ///< in World::copies
+  unsigned int              first_batch_; ///< of this rank
+  Material                  material_;
+  parameters::Elements      elements_;
+  const ModalKernels       &kernels_;
+  std::vector<unsigned int> touching_, all_; ///< nodes
+
+  std::vector<double>            square_;            ///< W^2 per mode, 1/s2
+  Numbers                        shape_, reference_; ///< as in ModalNodes
+  std::vector<reduction::Vector> rigid_motions_;     ///< of unit mass, 1/sqrt(kg)
+
+  Numbers amplitude_, rate_, acceleration_; ///< q, q', q", [batch][mode][lane]
+  Numbers modal_force_;                     ///< Q of contacts, [batch][mode][lane]
+
+  Numbers                   rigid_;            ///< the frames of a batch, see ModalNodes
+  Numbers                   in_body_, moment_; ///< room for the kernels
+  std::vector<unsigned int> found_;
+};
+} // namespace chaindrive

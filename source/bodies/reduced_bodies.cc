@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/reduced_bodies.h>
+#include <chaindrive/bodies/world.h>
+#include <chaindrive/element/elastic_part.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
+#include <chaindrive/utilities/eigenvalue.h>
+#include <chaindrive/utilities/simd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+namespace chaindrive
+{
+namespace
+{
+/// The sides on which reduced bodies of one part touch others with their nodes.
+std::set<unsigned int> sides_that_touch(const scene::Scene &scene, const scene::PartOf &of)
+{
+  std::set<unsigned int> sides;
+  const auto             add = [&](const unsigned int body, const unsigned int side) {
+    const scene::Body  &b    = scene.bodies[body];
+    const scene::PartOf part = b.part();
+    if (b.motion == scene::Motion::reduced && !(part < of) && !(of < part))
+      sides.insert(side);
+  };
+  for (const scene::BoreFamily &bores : scene.bores)
+    for (const scene::BorePair &pair : bores.elastic ? bores.pairs : std::vector<scene::BorePair>())
+      {
+        add(pair.master, pair.master_surface);
+        add(pair.slave.body, pair.slave_surface);
+      }
+  for (const scene::FaceFamily &faces : scene.faces)
+    for (const scene::FacePair &pair : faces.pairs)
+      {
+        add(pair.master, pair.master_surface);
+        add(pair.slave, pair.slave_surface);
+      }
+  const auto add_slaves = [&](const auto &family) {
+    for (const scene::SlavePoint &slave : family.slaves)
+      if (family.elastic)
+        add(slave.body, family.slave_surface);
+  };
+  std::for_each(scene.teeth.begin(), scene.teeth.end(), add_slaves);
+  std::for_each(scene.surfaces.begin(), scene.surfaces.end(), add_slaves);
+  return sides;
+}
+
+/// The largest eigenvalue of a symmetric matrix without negative ones.
+double largest(const dealii::FullMatrix<double> &matrix)
+{
+  const dealii::Vector<double> values = eigenpairs(matrix).values;
+  return values[values.size() - 1];
+}
+} // namespace
+
+ReducedBodies::ReducedBodies(const scene::Scene &scene,
+                             const World        &world,
+                             const unsigned int  group)
+    : group_(group)
+    , material_(scene.material)
+    , elements_(scene.elements)
+    , kernels_(*modal_kernels(simd_width()))
+    , rigid_(n_rigid_entries * n_lanes)
+    , moment_(3 * n_lanes)
+{
+  const BodyBatches      &copies = world.copies[group_];
+  const scene::PartOf     of     = scene.bodies[copies.bodies.front()].part();
+  const reduction::Basis &basis  = *scene.bases.at(of);
+  for (const double omega : basis.omega)
+    square_.push_back(omega * omega);
+  shape_.resize(std::size_t(3) * n_modes() * copies.n_nodes());
+  reference_.resize(3 * copies.n_nodes());
+  for (unsigned int i = 0; i < 3 * copies.n_nodes(); ++i)
+    {
+      reference_[i] = copies.nodes.position[i / 3][i % 3];
+      for (unsigned int m = 0; m < n_modes(); ++m)
+        shape_[(std::size_t(i / 3) * n_modes() + m) * 3 + i % 3] = basis.shape[m][i];
+    }
+  rigid_motions_ = reduction::rigid_motions(*copies.part, copies.nodes);
+
+  std::set<unsigned int> touching;
+  for (const unsigned int side : sides_that_touch(scene, of))
+    {
+      const auto nodes =
+          mesh::SurfaceNodes(*copies.part, copies.nodes, static_cast<mesh::Surface>(side)).node;
+      touching.insert(nodes.begin(), nodes.end());
+    }
+  touching_.assign(touching.begin(), touching.end());
+  all_.resize(copies.n_nodes());
+  std::iota(all_.begin(), all_.end(), 0u);
+
+  first_batch_        = copies.first_owned_batch();
+  const std::size_t n = start_of(copies, copies.end_of_owned_batches());
+  for (Numbers *numbers : {&amplitude_, &rate_, &acceleration_, &modal_force_})
+    numbers->resize(n, 0.);
+  in_body_.resize(3 * n_lanes * touching_.size());
+  found_.resize(touching_.size());
+}
+
+std::size_t ReducedBodies::start_of(const BodyBatches &copies, const unsigned int batch) const
+{
+  return std::size_t(batch - copies.first_owned_batch()) * n_modes() * n_lanes;
+}
+
+double &
+ReducedBodies::amplitude(const World &world, const unsigned int copy, const unsigned int mode)
+{
+  const BodyBatches &copies = world.copies[group_];
+  return amplitude_[start_of(copies, copies.batch_of(copy)) + mode * n_lanes +
+                    copies.lane_of(copy)];
+}
+
+double &ReducedBodies::rate(const World &world, const unsigned int copy, const unsigned int mode)
+{
+  const BodyBatches &copies = world.copies[group_];
+  return rate_[start_of(copies, copies.batch_of(copy)) + mode * n_lanes + copies.lane_of(copy)];
+}
+
+void ReducedBodies::take_frames(const World &world, const unsigned int batch)
+{
+  const BodyBatches &copies = world.copies[group_];
+  const auto         put    = [this](const unsigned int entry, const unsigned int lane, double x) {
+    rigid_[entry * n_lanes + lane] = x;
+  };
+  for (unsigned int lane = 0; lane < n_lanes; ++lane)
+    {
+      const unsigned int copy  = batch + lane * copies.n_batches();
+      const bool         empty = copy >= copies.n_copies();
+      const Frame       &frame = empty ? copies.start.front() : world.frames[copies.bodies[copy]];
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          for (unsigned int j = 0; j < 3; ++j)
+            put(rigid_rotation + 3 * i + j, lane, frame.rotation[i][j]);
+          put(rigid_position + i, lane, frame.position[i]);
+          put(rigid_velocity + i, lane, empty ? 0. : frame.velocity[i]);
+          put(rigid_turning + i, lane, empty ? 0. : frame.angular_velocity[i]);
+        }
+    }
+}
+
+ModalNodes ReducedBodies::modal_nodes(const std::vector<unsigned int> &nodes) const
+{
+  return {static_cast<unsigned int>(nodes.size()),
+          nodes.data(),
+          n_modes(),
+          reference_.data(),
+          shape_.data(),
+          rigid_.data()};
+}
+
+void ReducedBodies::drift(World & /*world*/, const Step &step)
+{
+  for (std::size_t i = 0; i < rate_.size(); ++i)
+    {
+      rate_[i] += 0.5 * step.dt * acceleration_[i];
+      amplitude_[i] += step.dt * rate_[i];
+    }
+}
+
+void ReducedBodies::place(World                           &world,
+                          const std::vector<unsigned int> &nodes,
+                          const double                     earlier)
+{
+  BodyBatches &copies = world.copies[group_];
+  for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
+       ++batch)
+    {
+      take_frames(world, batch);
+      kernels_.place({modal_nodes(nodes),
+                      amplitude_.data() + start_of(copies, batch),
+                      rate_.data() + start_of(copies, batch),
+                      earlier,
+                      copies.position.begin() + copies.start_of(batch),
+                      copies.velocity.begin() + copies.start_of(batch)});
+    }
+}
+
+void ReducedBodies::place_surface(World &world, const double earlier)
+{
+  place(world, touching_, earlier);
+}
+
+void ReducedBodies::gather_forces(World &world)
+{
+  BodyBatches &copies = world.copies[group_];
+  for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
+       ++batch)
+    {
+      take_frames(world, batch);
+      kernels_.gather({modal_nodes(touching_),
+                       copies.position.begin() + copies.start_of(batch),
+                       copies.force.begin() + copies.start_of(batch),
+                       modal_force_.data() + start_of(copies, batch),
+                       moment_.data(),
+                       in_body_.data(),
+                       found_.data()});
+      copies.for_each_copy_of(batch, [&](const unsigned int copy, const unsigned int lane) {
+        for (unsigned int d = 0; d < 3; ++d)
+          world.moment.local_element(3 * copies.bodies[copy] + d) += moment_[d * n_lanes + lane];
+      });
+    }
+}
+
+void ReducedBodies::advance(World &world, const Step &step, const ForceTimer & /*timer*/)
+{
+  const BodyBatches &copies = world.copies[group_];
+  Ledger            &ledger = world.ledger;
+  for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
+       ++batch)
+    for (unsigned int m = 0; m < n_modes(); ++m)
+      {
+        const std::size_t first = start_of(copies, batch) + m * n_lanes;
+        for (std::size_t i = first; i < first + n_lanes; ++i)
+          {
+            const double q = amplitude_[i], half_before = rate_[i];
+            acceleration_[i] = modal_force_[i] - square_[m] * q - step.drag * half_before;
+            rate_[i] += 0.5 * step.dt * acceleration_[i];
+            ledger.kinetic += 0.5 * rate_[i] * rate_[i];
+            ledger.strain += 0.5 * square_[m] * q * q;
+            ledger.drag += step.drag * half_before * half_before * step.dt;
+          }
+      }
+}
+
+double ReducedBodies::stable_step() const
+{
+  return 2. / std::sqrt(*std::max_element(square_.begin(), square_.end()));
+}
+
+dealii::FullMatrix<double> ReducedBodies::spring_matrix(const std::vector<double> &springs) const
+{
+  const unsigned int         n = n_modes(), n_all = n + rigid_motions_.size();
+  dealii::FullMatrix<double> matrix(n_all, n_all);
+  std::vector<double>        row(n_all);
+  for (unsigned int i = 0; i < reference_.size(); ++i)
+    {
+      const double k = springs[i / 3];
+      if (k == 0.)
+        continue;
+      for (unsigned int m = 0; m < n; ++m)
+        row[m] = shape_[(std::size_t(i / 3) * n + m) * 3 + i % 3];
+      for (unsigned int m = n; m < n_all; ++m)
+        row[m] = rigid_motions_[m - n][i];
+      for (unsigned int a = 0; a < n_all; ++a)
+        for (unsigned int b = 0; b < n_all; ++b)
+          matrix(a, b) += k * row[a] * row[b];
+    }
+  return matrix;
+}
+
+double ReducedBodies::largest_frequency(const std::vector<double> &springs) const
+{
+  dealii::FullMatrix<double> matrix = spring_matrix(springs);
+  for (unsigned int m = 0; m < n_modes(); ++m)
+    matrix(m, m) += square_[m];
+  return std::sqrt(largest(matrix));
+}
+
+std::optional<double> ReducedBodies::frequency_on(const std::vector<double> &springs) const
+{
+  return std::sqrt(largest(spring_matrix(springs)));
+}
+
+std::vector<std::unique_ptr<const element::StressRecovery>>
+ReducedBodies::stress_recoveries(const World &world) const
+{
+  const BodyBatches         &copies = world.copies[group_];
+  const element::ElasticPart part(*copies.part, copies.nodes, material_, elements_);
+  std::vector<std::unique_ptr<const element::StressRecovery>> recoveries;
+  for (const auto &block : part.blocks())
+    recoveries.push_back(block->make_stress_recovery(*copies.part, copies.nodes, material_));
+  return recoveries;
+}
+
+void ReducedBodies::serialize(const Archive &archive)
+{
+  const std::size_t per_batch = std::size_t(n_modes()) * n_lanes;
+  for (unsigned int i = 0; i * per_batch < amplitude_.size(); ++i)
+    {
+      const Archive own = archive.of_this_rank() / ("batch " + std::to_string(first_batch_ + i));
+      own.numbers("amplitude", amplitude_.data() + i * per_batch, per_batch);
+      own.numbers("rate", rate_.data() + i * per_batch, per_batch);
+      own.numbers("acceleration", acceleration_.data() + i * per_batch, per_batch);
+    }
+}
+
+std::size_t ReducedBodies::memory_consumption() const
+{
+  return (shape_.size() + reference_.size() + 4 * amplitude_.size() + in_body_.size()) *
+             sizeof(double) +
+         rigid_motions_.size() * reference_.size() * sizeof(double) +
+         (all_.size() + 2 * touching_.size()) * sizeof(unsigned int);
+}
+} // namespace chaindrive
