@@ -79,12 +79,14 @@ def variation(curves):
 
 
 def statistics(values):
-    """Mean, largest, coefficient of variation and largest over smallest; none of fewer than two."""
+    """Mean and largest; of two values and more, coefficient of variation and largest over smallest."""
     values = np.asarray(values, float)
-    if len(values) < 2:
-        return {}
-    return {"mean": float(values.mean()), "max": float(values.max()),
-            "cv": float(values.std(ddof=1) / values.mean()), "max_over_min": float(values.max() / values.min())}
+    found = {}
+    if len(values) > 0:
+        found.update(mean=float(values.mean()), max=float(values.max()))
+    if len(values) > 1:
+        found.update(cv=float(values.std(ddof=1) / values.mean()), max_over_min=float(values.max() / values.min()))
+    return found
 
 
 def _engagements(run, name):

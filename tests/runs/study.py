@@ -127,6 +127,8 @@ def statistics():
 
     curve = np.array([[1., 2., 3.], [0., 0., 0.]])
     close(outputs.variation(np.stack([curve + 0.5, curve - 0.5])), 0.5 / np.sqrt(14. / 6.), 1e-12, "variation")
+    check(outputs.statistics([2.]) == {"mean": 2., "max": 2.} and not outputs.statistics([]),
+          "one value has a mean, none has nothing")
     found = outputs.statistics([1., 2., 3.])
     check(found == {"mean": 2., "max": 3., "cv": 0.5, "max_over_min": 3.}, f"statistics {found}")
 
