@@ -2,6 +2,7 @@
 #include <chaindrive/drive/stiffness.h>
 #include <chaindrive/dynamics/relaxation.h>
 #include <chaindrive/dynamics/time_loop.h>
+#include <chaindrive/reduction/kept_basis.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/simulation.h>
 #include <chaindrive/statics/part_stiffness.h>
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 // READ THIS FILE FIRST. What flows through the program, in the order in which it does:
 //
@@ -59,10 +62,32 @@ struct ShiftOfJoint
   }
 };
 
+/// The bases of the parts of @p parameters, each found once. Collective over @p comm.
+scene::BasisOf part_bases(const Parameters &parameters, const MPI_Comm comm)
+{
+  using Known = std::map<std::string, std::shared_ptr<const reduction::Basis>>;
+  return [&parameters, comm, known = std::make_shared<Known>()](const mesh::Part &part) {
+    auto &basis = (*known)[part.name];
+    if (!basis)
+      {
+        statics::Cache cache(statics::Cache::usual_folder());
+        basis = std::make_shared<const reduction::Basis>(
+            reduction::kept_basis(part,
+                                  parameters.material,
+                                  parameters.elements,
+                                  reduction::options_of(parameters.reduction),
+                                  cache,
+                                  comm));
+      }
+    return basis;
+  };
+}
+
 /// The drive of @p parameters. For a settled start elastic bodies are placed as it suits their own
 /// joints, whose forces are found by straining them.
 drive::Drive make_drive(const Parameters               &parameters,
                         const std::vector<std::string> &folders,
+                        const scene::BasisOf           &basis_of,
                         const MPI_Comm                  comm)
 {
   const drive::StiffnessOf stiffness = statics::part_stiffness(parameters, comm);
@@ -78,7 +103,7 @@ drive::Drive make_drive(const Parameters               &parameters,
       seats(n, ShiftOfJoint{seat_stiffness});
   for (unsigned int i = 0; i < 6; ++i)
     {
-      const scene::Scene scene  = scene::build_scene(parameters, drive, folders);
+      const scene::Scene scene  = scene::build_scene(parameters, drive, folders, basis_of);
       const auto         forces = dynamics::Relaxation(scene, comm).joint_forces();
       const double       much   = 0.2 * drive.layout.prestress;
       double             worst  = 0.;
@@ -101,9 +126,17 @@ drive::Drive make_drive(const Parameters               &parameters,
 Simulation::Simulation(const Parameters               &parameters,
                        const std::vector<std::string> &folders,
                        const MPI_Comm                  comm)
+    : Simulation(parameters, folders, part_bases(parameters, comm), comm)
+{
+}
+
+Simulation::Simulation(const Parameters               &parameters,
+                       const std::vector<std::string> &folders,
+                       const scene::BasisOf           &basis_of,
+                       const MPI_Comm                  comm)
     : parameters(parameters)
-    , drive(make_drive(parameters, folders, comm))
-    , scene(scene::build_scene(parameters, drive, folders))
+    , drive(make_drive(parameters, folders, basis_of, comm))
+    , scene(scene::build_scene(parameters, drive, folders, basis_of))
 {
   if (!scene.has_elastic_bodies() && rank_in(comm) != 0)
     return;

@@ -7,7 +7,7 @@
 #include <chaindrive/observe/recorder.h>
 #include <chaindrive/observe/summary.h>
 #include <chaindrive/parameters/parameters.h>
-#include <chaindrive/scene/scene.h>
+#include <chaindrive/scene/build.h>
 
 #include <mpi.h>
 
@@ -69,6 +69,11 @@ public:
   dynamics::StepChoice step; ///< may be changed before the run: one that is resumed keeps its step
 
 private:
+  Simulation(const Parameters               &parameters,
+             const std::vector<std::string> &folders,
+             const scene::BasisOf           &basis_of,
+             MPI_Comm                        comm);
+
   std::unique_ptr<dynamics::System>  system_;
   std::unique_ptr<dynamics::Guard>   guard_;
   std::unique_ptr<observe::Recorder> recorder_;

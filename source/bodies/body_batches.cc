@@ -183,7 +183,14 @@ dealii::Tensor<1, 3> BodyBatches::position_now(const unsigned int copy,
 dealii::Tensor<1, 3> BodyBatches::displacement_now(const unsigned int copy,
                                                    const unsigned int node) const
 {
-  return position_now(copy, node) - start[copy].position -
+  return displacement_to(position_now(copy, node), copy, node);
+}
+
+dealii::Tensor<1, 3> BodyBatches::displacement_to(const dealii::Tensor<1, 3> &x,
+                                                  const unsigned int          copy,
+                                                  const unsigned int          node) const
+{
+  return x - start[copy].position -
          start[copy].rotation * dealii::Tensor<1, 3>(nodes.position[node]);
 }
 

@@ -90,8 +90,6 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene,
       touching.insert(nodes.begin(), nodes.end());
     }
   touching_.assign(touching.begin(), touching.end());
-  all_.resize(copies.n_nodes());
-  std::iota(all_.begin(), all_.end(), 0u);
 
   first_batch_        = copies.first_owned_batch();
   const std::size_t n = start_of(copies, copies.end_of_owned_batches());
@@ -226,6 +224,58 @@ void ReducedBodies::advance(World &world, const Step &step, const ForceTimer & /
       }
 }
 
+dealii::Tensor<1, 3> ReducedBodies::sum_of_shapes(const World       &world,
+                                                  const Numbers     &numbers,
+                                                  const unsigned int copy,
+                                                  const unsigned int node) const
+{
+  const BodyBatches &copies = world.copies[group_];
+  const double      *of_copy =
+      numbers.data() + start_of(copies, copies.batch_of(copy)) + copies.lane_of(copy);
+  const double        *shape = shape_.data() + std::size_t(3) * n_modes() * node;
+  dealii::Tensor<1, 3> sum;
+  for (unsigned int m = 0; m < n_modes(); ++m)
+    for (unsigned int i = 0; i < 3; ++i)
+      sum[i] += shape[3 * m + i] * of_copy[m * n_lanes];
+  return sum;
+}
+
+dealii::Tensor<1, 3> ReducedBodies::position_now(const World       &world,
+                                                 const unsigned int copy,
+                                                 const unsigned int node) const
+{
+  const BodyBatches &copies = world.copies[group_];
+  const Frame       &frame  = world.frames[copies.bodies[copy]];
+  return frame.position + frame.rotation * (dealii::Tensor<1, 3>(copies.nodes.position[node]) +
+                                            sum_of_shapes(world, amplitude_, copy, node));
+}
+
+dealii::Tensor<1, 3> ReducedBodies::velocity_now(const World       &world,
+                                                 const unsigned int copy,
+                                                 const unsigned int node) const
+{
+  const unsigned int body = world.copies[group_].bodies[copy];
+  return world.velocity_at(body, position_now(world, copy, node), 0.) +
+         world.frames[body].rotation * sum_of_shapes(world, rate_, copy, node);
+}
+
+double ReducedBodies::shape_energy() const
+{
+  return 0.5 * std::inner_product(rate_.begin(), rate_.end(), rate_.begin(), 0.);
+}
+
+void ReducedBodies::rest()
+{
+  std::fill(rate_.begin(), rate_.end(), 0.);
+  std::fill(acceleration_.begin(), acceleration_.end(), 0.);
+}
+
+void ReducedBodies::take_shapes(const BodyGroup &other)
+{
+  amplitude_ = dynamic_cast<const ReducedBodies &>(other).amplitude_;
+  rest();
+}
+
 double ReducedBodies::stable_step() const
 {
   return 2. / std::sqrt(*std::max_element(square_.begin(), square_.end()));
@@ -293,6 +343,6 @@ std::size_t ReducedBodies::memory_consumption() const
   return (shape_.size() + reference_.size() + 4 * amplitude_.size() + in_body_.size()) *
              sizeof(double) +
          rigid_motions_.size() * reference_.size() * sizeof(double) +
-         (all_.size() + 2 * touching_.size()) * sizeof(unsigned int);
+         2 * touching_.size() * sizeof(unsigned int);
 }
 } // namespace chaindrive

@@ -82,7 +82,11 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
   n_nodal_groups_ = static_cast<unsigned int>(copies.size());
   add_reduced_bodies(scene, deals);
   n_elastic_groups_ = static_cast<unsigned int>(copies.size());
-  node_address      = elastic_address;
+  group_of_.resize(n_elastic_groups_);
+  for (const auto &group : groups)
+    if (group->elastic_copies() != BodyGroup::none)
+      group_of_[group->elastic_copies()] = group.get();
+  node_address = elastic_address;
   add_followers(scene);
 }
 
@@ -216,12 +220,6 @@ void World::place_surfaces(const double earlier)
 {
   for (const auto &group : groups)
     group->place_surface(*this, earlier);
-}
-
-void World::place_all_nodes()
-{
-  for (const auto &group : groups)
-    group->place_all_nodes(*this);
 }
 
 void World::gather_forces()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/dynamics/newmark.h>
 #include <chaindrive/dynamics/relaxation.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/errors.h>
@@ -42,11 +43,11 @@ scene::Scene at_rest(const scene::Scene &scene)
   return still;
 }
 
-/// Calls @p visit (copies, index, node) for every node of elastic bodies that this rank owns.
+/// Calls @p visit (copies, index, node) for every node by which elastic bodies of this rank move.
 template <typename Visit>
 void for_each_node(World &world, const Visit &visit)
 {
-  for (unsigned int g = 0; g < world.n_elastic_groups(); ++g)
+  for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
     {
       BodyBatches &copies = world.copies[g];
       for (unsigned int copy = 0; copy < copies.n_copies(); ++copy)
@@ -111,7 +112,7 @@ private:
   dealii::SymmetricTensor<2, 3> inverse_inertia_;
 };
 
-/// All links of @p world that this rank owns.
+/// All links of @p world that move by nodes and that this rank owns.
 std::vector<Held> links_of(const scene::Scene &scene, World &world)
 {
   std::vector<Held> links;
@@ -119,7 +120,7 @@ std::vector<Held> links_of(const scene::Scene &scene, World &world)
     {
       const World::Address &place = world.elastic_address[b];
       const scene::Kind     kind  = scene.bodies[b].kind;
-      if (place.group != World::Address::none && world.copies[place.group].owns(place.copy) &&
+      if (world.moves_by_nodes(b) && world.copies[place.group].owns(place.copy) &&
           (kind == scene::Kind::inner_link || kind == scene::Kind::outer_link))
         links.emplace_back(world.copies[place.group], place.copy);
     }
@@ -129,7 +130,7 @@ std::vector<Held> links_of(const scene::Scene &scene, World &world)
 /// Moves all nodes on with their velocities for the time @p dt, which may be negative.
 void drift(World &world, const double dt)
 {
-  for (unsigned int g = 0; g < world.n_elastic_groups(); ++g)
+  for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
     for (std::size_t i = 0; i < world.copies[g].velocity.locally_owned_size(); ++i)
       world.copies[g].position.local_element(i) += dt * world.copies[g].velocity.local_element(i);
 }
@@ -148,6 +149,69 @@ double slow_down(World &world)
   });
   return dealii::Utilities::MPI::sum(kinetic, world.communicator());
 }
+
+/// Bodies whose shapes are relaxed beside nodes: rigid motions of rollers, and all shapes.
+class Shapes
+{
+public:
+  Shapes(const scene::Scene &scene, World &world) : world_(world)
+  {
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        const bool reduced = scene.bodies[b].motion == scene::Motion::reduced;
+        there_             = there_ || reduced;
+        held_.push_back(!reduced || scene.bodies[b].kind != scene::Kind::roller);
+      }
+  }
+
+  /// Kick and drift, with the forces of the last evaluation.
+  void begin(const double dt)
+  {
+    if (!there_)
+      return;
+    hold();
+    first_half(world_, {dt, world_.time, 0., 0., {}});
+  }
+
+  /// The second kick; returns the kinetic energy of all ranks, J.
+  double end(const double dt)
+  {
+    if (!there_)
+      return 0.;
+    hold();
+    second_half(world_, {dt, world_.time, 0., 0., {}});
+    double of_shapes = 0.;
+    for (const auto &group : world_.groups)
+      of_shapes += group->shape_energy();
+    return world_.kinetic_energy() + dealii::Utilities::MPI::sum(of_shapes, world_.communicator());
+  }
+
+  void rest()
+  {
+    if (!there_)
+      return;
+    for (const auto &group : world_.groups)
+      group->rest();
+    world_.velocity = 0.;
+    for (World::Rotation &rotation : world_.rotations)
+      rotation.momentum = Vector3();
+    for (Frame &frame : world_.frames)
+      frame.velocity = frame.angular_velocity = Vector3();
+  }
+
+private:
+  /// Nothing moves the other bodies as a whole.
+  void hold()
+  {
+    for (unsigned int b = 0; b < held_.size(); ++b)
+      for (unsigned int d = 0; d < 3 && held_[b]; ++d)
+        world_.force.local_element(3 * b + d) = world_.moment.local_element(3 * b + d) = 0.;
+  }
+
+  World            &world_;
+  bool              there_ = false;
+  std::vector<char> held_; ///< per body
+};
 } // namespace
 
 Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm)
@@ -155,6 +219,7 @@ Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm)
 {
   World                  &world = system_.world;
   const std::vector<Held> links = links_of(scene, world);
+  Shapes                  shapes(scene, world);
 
   constexpr double       hardly = 2e-3; // of the stored energy
   constexpr unsigned int most   = 100;  // intervals
@@ -167,15 +232,19 @@ Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm)
     {
       for (unsigned int i = 0; i < steps; ++i)
         {
+          shapes.begin(dt);
           // a step moves nodes at once, before their velocities are what they shall be
           system_.evaluate_forces(dt);
           drift(world, -dt);
           for (const Held &link : links)
             link.hold();
-          const double kinetic = slow_down(world);
+          const double kinetic = slow_down(world) + shapes.end(dt);
           if (kinetic < before)
-            for (unsigned int g = 0; g < world.n_elastic_groups(); ++g)
-              world.copies[g].velocity = 0.;
+            {
+              for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
+                world.copies[g].velocity = 0.;
+              shapes.rest();
+            }
           else
             drift(world, dt);
           before = kinetic < before ? 0. : kinetic;
@@ -190,9 +259,9 @@ Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm)
 
 void Relaxation::strain(World &world) const
 {
-  for (unsigned int g = 0; g < world.n_elastic_groups(); ++g)
+  for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
     world.copies[g].position.copy_locally_owned_data_from(system_.world.copies[g].position);
-  for (unsigned int g = 0; g < world.n_elastic_groups(); ++g)
+  for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
     {
       BodyBatches   &copies = world.copies[g];
       const NodeView position(std::as_const(copies.position));
@@ -209,6 +278,21 @@ void Relaxation::strain(World &world) const
             }
         }
     }
+
+  const World &balanced = system_.world;
+  for (unsigned int g = 0; g < world.groups.size(); ++g)
+    world.groups[g]->take_shapes(*balanced.groups[g]);
+  for (unsigned int b = 0; b < scene_.bodies.size(); ++b)
+    if (scene_.bodies[b].motion == scene::Motion::reduced)
+      {
+        world.frames[b].position = balanced.frames[b].position;
+        world.frames[b].rotation = balanced.frames[b].rotation;
+        for (unsigned int d = 0; d < 3; ++d)
+          world.displacement.local_element(3 * b + d) =
+              balanced.displacement.local_element(3 * b + d);
+      }
+  for (unsigned int r = 0; r < world.rotations.size(); ++r)
+    world.rotations[r].orientation = balanced.rotations[r].orientation;
 }
 
 Relaxation::JointForces Relaxation::joint_forces()

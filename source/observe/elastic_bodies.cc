@@ -9,12 +9,6 @@ namespace chaindrive::observe
 {
 namespace
 {
-dealii::Tensor<1, 3>
-velocity_of(const BodyBatches &copies, const unsigned int copy, const unsigned int node)
-{
-  return NodeView(copies.velocity)[copies.index(copy, node)];
-}
-
 /// The node of a roller's outside, of those next to its middle plane, that lies farthest along
 /// @p direction in body axes.
 unsigned int farthest_node(const BodyBatches &copies, const dealii::Tensor<1, 3> &direction)
@@ -61,6 +55,7 @@ ElasticSnapshot ElasticSnapshots::of(const dynamics::System &system,
                                      const World::Address   &place) const
 {
   const BodyBatches &copies = system.world.copies[place.group];
+  const BodyGroup   &group  = system.world.group_of(place.group);
   const std::size_t  n      = copies.nodes.of_vertex.size();
   ElasticSnapshot    snapshot{
       std::vector<dealii::Tensor<1, 3>>(n), std::vector<dealii::Tensor<1, 3>>(n), {}};
@@ -68,9 +63,9 @@ ElasticSnapshot ElasticSnapshots::of(const dynamics::System &system,
   for (unsigned int node = 0; node < copies.n_nodes(); ++node)
     {
       const unsigned int vertex     = copies.nodes.vertex[node];
-      position[node]                = copies.position_now(place.copy, node);
-      snapshot.displacement[vertex] = copies.displacement_now(place.copy, node);
-      snapshot.velocity[vertex]     = velocity_of(copies, place.copy, node);
+      position[node]                = group.position_now(system.world, place.copy, node);
+      snapshot.displacement[vertex] = copies.displacement_to(position[node], place.copy, node);
+      snapshot.velocity[vertex]     = group.velocity_now(system.world, place.copy, node);
     }
   for (const Rim &rim : system.world.rims) // the hub knows the velocities of nodes that it holds
     if (rim.group == place.group)
@@ -98,10 +93,11 @@ WaistStress Waists::stress(const dynamics::System &system, const unsigned int bo
 {
   const World::Address             &place  = system.world.elastic_address[body];
   const PlateStress                &plates = plates_.at(place.group);
+  const BodyGroup                  &group  = system.world.group_of(place.group);
   std::vector<dealii::Tensor<1, 3>> position;
   position.reserve(plates.nodes().size());
   for (const unsigned int node : plates.nodes())
-    position.push_back(system.world.copies[place.group].position_now(place.copy, node));
+    position.push_back(group.position_now(system.world, place.copy, node));
   return plates(position);
 }
 
@@ -119,6 +115,6 @@ dealii::Tensor<1, 3> RollerSurfaces::velocity(const dynamics::System &system,
                                               const unsigned int      body) const
 {
   const World::Address &place = system.world.elastic_address[body];
-  return velocity_of(system.world.copies[place.group], place.copy, nodes_.at(body));
+  return system.world.group_of(place.group).velocity_now(system.world, place.copy, nodes_.at(body));
 }
 } // namespace chaindrive::observe

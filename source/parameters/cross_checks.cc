@@ -294,6 +294,24 @@ void check_elasticity(const Parameters &p, Findings &findings)
                                  " = on needs elastic rollers, whose nodes touch the teeth, but "
                                  "Effects/Elastic rollers = off; choose auto for one of them.");
     }
+  if (const Decision reduced = reduced_bodies(p); reduced.on)
+    {
+      const std::string here = " reduced bodies (" + reduced.reason + ")";
+      for (const auto &[name, choice] :
+           {std::pair<const char *, Switch>{"Effects/Elastic driver", effects.elastic_driver},
+            {"Effects/Elastic driven", effects.elastic_driven},
+            {"Model/Elastic sprockets", p.model.elastic_sprockets}})
+        findings.contradiction(choice == Switch::on,
+                               std::string(name) + " = on is not possible beside" + here +
+                                   "; choose auto or off, or Fidelity = full.");
+      findings.contradiction(p.contact.plate_faces == Switch::on,
+                             "Contact/Plate faces = on needs plates of finite elements, and not" +
+                                 here + "; choose off, or Fidelity = full.");
+      findings.contradiction(effects.plate_bending == Switch::off,
+                             "Effects/Plate bending = off is for plates of finite elements, and "
+                             "not for" +
+                                 here + "; choose auto, or Fidelity = full.");
+    }
   findings.contradiction(effects.plate_bending == Switch::on && !elastic_links(p).on,
                          "Effects/Plate bending = on needs elastic links; choose Effects/Elastic "
                          "links = on, or Plate bending = auto.");

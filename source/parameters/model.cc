@@ -14,7 +14,9 @@ void Model::declare(Declarations &declarations)
       "tensions, speeds and a first look. layered: rollers, inner and outer links as rigid bodies "
       "with their clearances, for contact forces and the motion of single rollers; costs about "
       "four times as much. full: the same bodies made of elastic finite elements, for what their "
-      "deformation does; costs hundreds of times as much.");
+      "deformation does; costs hundreds of times as much. reduced: bodies whose deformation is "
+      "described by some ten shapes each, found from their finite elements; touch as those of full "
+      "do and cost a tenth of it.");
   add(declarations,
       "Half model",
       half,
@@ -70,6 +72,12 @@ void Model::declare(Declarations &declarations)
       "takes in between Output/Window start in ms and Window end in ms, and two more before and "
       "after them; all others, and both sprockets, are rigid as in layered fidelity. For what "
       "single links feel as they engage, at a fraction of the cost.");
+  add(declarations,
+      "Other links",
+      other_links,
+      "What links and rollers are that do not arrive, with Elastic links = arriving. rigid: as in "
+      "layered fidelity. reduced: as in reduced fidelity, so that their joints are those of the "
+      "elastic ones; costs more.");
   add(declarations,
       "Elastic sprockets",
       elastic_sprockets,
@@ -130,6 +138,33 @@ void Elements::declare(Declarations &declarations)
       "vibration through the wall takes 1.7 times as long, the roller's inertia about its axis "
       "grows by half a percent and the frequency of its ovalisation falls by half a percent. 0: "
       "none.");
+}
+
+void Reduction::declare(Declarations &declarations)
+{
+  const Subsection section(declarations, "Reduction");
+  add(declarations,
+      "Modes up to in kHz",
+      modes_up_to,
+      unit::kilo,
+      between(0., 1e9),
+      "Reduced bodies have all natural modes of their parts up to this frequency.");
+  add(declarations,
+      "Highest frequency in kHz",
+      highest,
+      unit::kilo,
+      above(0., 1e9),
+      "Of the shapes beside natural modes, which give reduced bodies the local compliance of their "
+      "parts under pressures on the sides that touch. Those that would vibrate faster do so with "
+      "this frequency, without a change of their compliance. It limits the step.");
+  add(declarations,
+      "Harmonics of rollers and bushes",
+      tube_order,
+      1,
+      12,
+      "Pressures around rollers and bushes for such shapes are cosines and sines of up to so many "
+      "waves.");
+  add(declarations, "Harmonics of pins", pin_order, 1, 12, "The same on pins.");
 }
 
 namespace

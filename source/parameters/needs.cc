@@ -67,6 +67,8 @@ Decision elastic_sprocket(const Parameters &p, const Role role)
   Decision rim = decide(p, choice_for(p, role), &Needs::sprockets);
   if (rim.on && arrive(p))
     return {false, "rigid beside rigid links: Elastic links = arriving"};
+  if (rim.on && p.model.capabilities().is_reduced)
+    return {false, "rigid beside reduced rollers"};
   if (rim.on && !elastic_rollers(p).on)
     return {false, "a rigid roller meets rigid teeth, whose compliance is not its own"};
   const Switch own = role == Role::driver ? p.effects.elastic_driver : p.effects.elastic_driven;
@@ -118,10 +120,24 @@ Decision plate_faces(const Parameters &p)
               "nothing pushes the chain sideways"};
 }
 
+Decision reduced_bodies(const Parameters &p)
+{
+  if (!elastic_links(p).on && !elastic_rollers(p).on)
+    return {false, "neither links nor rollers are elastic"};
+  if (p.model.capabilities().is_reduced)
+    return {true, "fidelity " + text_of(p.model.fidelity)};
+  if (!arrive(p))
+    return {false, "elastic bodies move by their nodes"};
+  const bool others = p.model.other_links == OtherLinks::reduced;
+  return {others, "Model/Other links = " + text_of(p.model.other_links)};
+}
+
 Decision column_mass_scaling(const Parameters &p)
 {
   if (!elastic_rollers(p).on)
     return {false, "rollers are not elastic"};
+  if (p.model.capabilities().is_reduced)
+    return {false, "rollers move by shapes"};
   const double factor = p.elements.column_mass_scaling;
   return {factor > 0., "Elements/Column mass scaling = " + to_entry_text(factor, unit::si)};
 }

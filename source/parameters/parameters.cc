@@ -10,6 +10,7 @@ void Parameters::declare(parameters::Declarations &declarations)
   material.declare(declarations);
   mesh.declare(declarations);
   elements.declare(declarations);
+  reduction.declare(declarations);
   contact.declare(declarations);
   effects.declare(declarations);
   loads.declare(declarations);

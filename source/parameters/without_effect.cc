@@ -16,10 +16,10 @@ struct Rule
 
 std::vector<Rule> rules(const Parameters &p)
 {
-  const auto [has_clearances, is_elastic] = p.model.capabilities();
-  const std::string        chosen         = "Model/Fidelity = " + text_of(p.model.fidelity);
-  const CentreDistanceFrom from           = p.drive.layout.centre_distance_from;
-  const std::string        layout         = "Drive/Layout/";
+  const auto [has_clearances, is_elastic, is_reduced] = p.model.capabilities();
+  const std::string        chosen = "Model/Fidelity = " + text_of(p.model.fidelity);
+  const CentreDistanceFrom from   = p.drive.layout.centre_distance_from;
+  const std::string        layout = "Drive/Layout/";
 
   std::vector<Rule> rules = {
       {!has_clearances,
@@ -39,12 +39,21 @@ std::vector<Rule> rules(const Parameters &p)
       {!is_elastic,
        {"Contact/Penalty factor",
         "Elements/",
+        "Reduction/",
+        "Model/Other links",
         "Effects/Elastic links",
         "Effects/Elastic rollers",
         "Effects/Elastic driver",
         "Effects/Elastic driven",
         "Effects/Plate bending"},
        chosen + " has no elastic bodies"},
+      {is_elastic && !reduced_bodies(p).on,
+       {"Reduction/"},
+       "no body is reduced: " + reduced_bodies(p).reason},
+      {is_reduced, {"Elements/Column mass scaling"}, "rollers move by shapes"},
+      {is_elastic && p.model.elastic_links == ElasticLinks::all,
+       {"Model/Other links"},
+       "Model/Elastic links = all leaves no others"},
       {!is_elastic && !fields(p).on,
        {"Mesh/"},
        chosen + " needs meshes for pictures only, and none are written: " + fields(p).reason},

@@ -90,6 +90,15 @@ Basis from_json(const nlohmann::json &json)
 }
 } // namespace
 
+BasisOptions options_of(const parameters::Reduction &reduction)
+{
+  BasisOptions options;
+  options.modes_up_to = 2. * dealii::numbers::PI * reduction.modes_up_to;
+  options.cap         = 2. * dealii::numbers::PI * reduction.highest;
+  options.orders      = {reduction.tube_order, reduction.pin_order};
+  return options;
+}
+
 Basis kept_basis(const mesh::Part           &part,
                  const Material             &material,
                  const parameters::Elements &elements,

@@ -31,6 +31,7 @@ auto builder_of(const parameters::Fidelity fidelity)
       return &add_simple_chain;
     case parameters::Fidelity::layered:
       return &add_layered_chain;
+    case parameters::Fidelity::reduced:
     case parameters::Fidelity::full:
       return &add_full_chain;
     }
@@ -96,7 +97,8 @@ ContactLaw make_area_law(const Parameters           &parameters,
 
 Scene build_scene(const Parameters               &parameters,
                   const drive::Drive             &drive,
-                  const std::vector<std::string> &folders)
+                  const std::vector<std::string> &folders,
+                  const BasisOf                  &basis_of)
 {
   const drive::Layout &layout = drive.layout;
   Scene                scene;
@@ -129,6 +131,8 @@ Scene build_scene(const Parameters               &parameters,
 
   builder_of(parameters.model.fidelity)(parameters, drive, scene);
   add_sprockets(parameters, drive, folders, scene);
+  if (is_on(scene.effects, "reduced bodies") && basis_of)
+    add_bases(basis_of, scene);
   return scene;
 }
 } // namespace chaindrive::scene

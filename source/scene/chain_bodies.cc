@@ -71,7 +71,14 @@ void add_chain_bodies(const Parameters        &parameters,
   const double         factor          = link_mass_factor(parameters, drive);
   const bool           elastic_rollers = is_on(scene.effects, "elastic rollers");
   const bool           elastic_links   = is_on(scene.effects, "elastic links");
-  scene.mass_per_pitch                 = drive.roller_solid.mass +
+  const bool           only_reduced    = parameters.model.capabilities().is_reduced;
+  const Motion         deforming       = only_reduced ? Motion::reduced : Motion::elastic;
+  const Motion         others =
+      is_on(scene.effects, "reduced bodies") && !only_reduced ? Motion::reduced : Motion::rigid;
+  const auto motion = [&](const bool effect, const bool arrives) {
+    return !effect ? Motion::rigid : arrives ? deforming : others;
+  };
+  scene.mass_per_pitch = drive.roller_solid.mass +
                          0.5 * factor * (drive.inner_link_solid.mass + drive.outer_link_solid.mass);
   scene.notes.push_back(
       "Mass per pitch " + to_text(scene.mass_per_pitch * 1e3, 4) + " g (" +
@@ -87,7 +94,7 @@ void add_chain_bodies(const Parameters        &parameters,
                     k,
                     drive.roller_solid,
                     1.,
-                    elastic_joint[k] && elastic_rollers ? Motion::elastic : Motion::rigid,
+                    motion(elastic_rollers, elastic_joint[k]),
                     placed(joint.roller, 0., joint.velocity, roller_spin(layout, k))));
     }
   for (unsigned int k = 0; k < n; ++k)
@@ -95,13 +102,13 @@ void add_chain_bodies(const Parameters        &parameters,
       const auto                &link = layout.links[k];
       const dealii::Tensor<1, 2> velocity =
           0.5 * (layout.joints[k].velocity + layout.joints[(k + 1) % n].velocity);
-      const bool elastic = elastic_links && elastic_joint[k] && elastic_joint[(k + 1) % n];
+      const bool arrives = elastic_joint[k] && elastic_joint[(k + 1) % n];
       scene.bodies.push_back(
           make_body(link.inner ? Kind::inner_link : Kind::outer_link,
                     k,
                     link.inner ? drive.inner_link_solid : drive.outer_link_solid,
                     factor,
-                    elastic ? Motion::elastic : Motion::rigid,
+                    motion(elastic_links, arrives),
                     placed(link.centre, link.angle, velocity, link_spin(layout, k))));
     }
 }

@@ -45,9 +45,9 @@ double largest_friction(const Parameters &p)
 
 std::vector<Effect> decide_effects(const Parameters &p)
 {
-  const auto [has_clearances, is_elastic] = p.model.capabilities();
-  const std::string fidelity              = "fidelity " + text_of(p.model.fidelity) + ": ";
-  const double      friction              = largest_friction(p);
+  const auto [has_clearances, is_elastic, is_reduced] = p.model.capabilities();
+  const std::string fidelity = "fidelity " + text_of(p.model.fidelity) + ": ";
+  const double      friction = largest_friction(p);
 
   std::vector<Effect> effects;
   const auto          add = [&effects](const std::string &name, const Decision &decision) {
@@ -58,7 +58,8 @@ std::vector<Effect> decide_effects(const Parameters &p)
   effects.push_back(
       {"chain bars",
        !has_clearances,
-       fidelity + (is_elastic     ? "links are made of finite elements" :
+       fidelity + (is_reduced     ? "links deform by shapes" :
+                   is_elastic     ? "links are made of finite elements" :
                    has_clearances ? "links are rigid, their compliance sits in the joints" :
                                     "plates are elastic bars")});
   effects.push_back(decide(
@@ -85,6 +86,7 @@ std::vector<Effect> decide_effects(const Parameters &p)
   add("elastic driver", parameters::elastic_sprocket(p, Role::driver));
   add("elastic driven", parameters::elastic_sprocket(p, Role::driven));
   add("plate bending", parameters::plate_bending(p));
+  add("reduced bodies", parameters::reduced_bodies(p));
   add("column mass scaling", parameters::column_mass_scaling(p));
   add("plate faces", parameters::plate_faces(p));
   add("half model", parameters::half_model(p));

@@ -77,6 +77,7 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
   scene.parts[Kind::inner_link] = make_link_part(parameters, drive, true);
   scene.parts[Kind::outer_link] = make_link_part(parameters, drive, false);
 
+  weigh_reduced_bodies(scene);
   if (is_on(scene.effects, "column mass scaling"))
     note_column_masses(scene);
 
@@ -115,7 +116,7 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
 
   const drive::ChainDimensions &chain      = drive.chain;
   const auto                    is_elastic = [&scene](const unsigned int body) {
-    return scene.bodies[body].motion == Motion::elastic;
+    return deforms(scene.bodies[body].motion);
   };
   for (unsigned int k = 0; k < scene.n_joints; ++k)
     {
@@ -153,8 +154,7 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
       for (unsigned int k = 0; k < scene.n_joints; ++k)
         {
           const Joint joint = joint_of(k, drive, scene.n_joints);
-          if (scene.bodies[joint.inner].motion == Motion::elastic &&
-              scene.bodies[joint.outer].motion == Motion::elastic)
+          if (is_elastic(joint.inner) && is_elastic(joint.outer))
             plates.pairs.push_back({joint.outer,
                                     joint.inner,
                                     mesh::plate_inner_faces,

@@ -55,7 +55,7 @@ void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, S
     {
       const Joint joint    = joint_of(k, drive, n);
       const auto  is_rigid = [&scene](const unsigned int body) {
-        return scene.bodies[body].motion != Motion::elastic;
+        return !deforms(scene.bodies[body].motion);
       };
       for (const double z : line_stations(chain.roller_length, scene.half))
         if (is_rigid(k) && is_rigid(joint.inner))

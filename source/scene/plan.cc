@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/mesh/sector.h>
+#include <chaindrive/reduction/basis.h>
 #include <chaindrive/scene/plan.h>
 #include <chaindrive/utilities/text.h>
 
@@ -84,6 +85,9 @@ void print_plan(std::ostream &out, const Scene &scene)
       if (body.motion == Motion::elastic)
         out << ", " << size_of(scene, body).first << " elements and " << size_of(scene, body).second
             << " nodes each";
+      const auto basis = scene.bases.find(body.part());
+      if (body.motion == Motion::reduced && basis != scene.bases.end())
+        out << ", 6 degrees of freedom and " << basis->second->size() << " shapes each";
       out << '\n';
     }
 

@@ -118,11 +118,12 @@ ToothFamily make_flanks(const Parameters      &parameters,
   return teeth;
 }
 
-/// The family of the elastic rollers, whose nodes meet the flanks of @p flanks.
+/// The family of the rollers that move by @p motion, whose nodes meet the flanks of @p flanks.
 ToothFamily with_elastic_rollers(const Parameters   &parameters,
                                  const drive::Drive &drive,
                                  const Scene        &scene,
-                                 const ToothFamily  &flanks)
+                                 const ToothFamily  &flanks,
+                                 const Motion        motion)
 {
   ToothFamily              teeth  = flanks;
   const mesh::Part        &roller = *scene.parts.at(Kind::roller);
@@ -140,7 +141,7 @@ ToothFamily with_elastic_rollers(const Parameters   &parameters,
   teeth.elastic       = true;
   teeth.slave_surface = mesh::roller_outside;
   for (unsigned int k = 0; k < scene.n_joints; ++k)
-    if (scene.bodies[k].motion == Motion::elastic)
+    if (scene.bodies[k].motion == motion)
       teeth.slaves.push_back({k, dealii::Point<3>(), 0.5 * drive.chain.roller_diameter, k});
   return teeth;
 }
@@ -169,7 +170,7 @@ ToothFamily with_rigid_rollers(const Parameters   &parameters,
                   .shared_by(roller.motion == Motion::lumped ? 1 : 2);
   for (unsigned int k = 0; k < scene.n_joints; ++k)
     for (const double z : stations)
-      if (scene.bodies[k].motion != Motion::elastic)
+      if (!deforms(scene.bodies[k].motion))
         teeth.slaves.push_back(
             {k, dealii::Point<3>(0., 0., z), 0.5 * drive.chain.roller_diameter, k});
   return teeth;
@@ -181,12 +182,12 @@ void add_sprockets(const Parameters               &parameters,
                    const std::vector<std::string> &folders,
                    Scene                          &scene)
 {
-  const double stiffness = drive.roller_tooth_stiffness;
-  const auto   n_elastic =
-      std::count_if(scene.bodies.begin(),
-                    scene.bodies.begin() + scene.n_joints,
-                    [](const Body &roller) { return roller.motion == Motion::elastic; });
-  if (n_elastic < scene.n_joints)
+  const double stiffness  = drive.roller_tooth_stiffness;
+  const auto   any_roller = [&scene](const auto &is_so) {
+    return std::any_of(scene.bodies.begin(), scene.bodies.begin() + scene.n_joints, is_so);
+  };
+  const bool any_rigid = any_roller([](const Body &roller) { return !deforms(roller.motion); });
+  if (any_rigid)
     scene.notes.push_back(
         "Roller-tooth stiffness " + to_text(stiffness, 4) + " N/m (" +
         (parameters.contact.roller_tooth_stiffness ? "given" : "auto: a pressed roller") +
@@ -208,9 +209,10 @@ void add_sprockets(const Parameters               &parameters,
 
       const ToothFamily flanks =
           make_flanks(parameters, drive, sprocket, number, part.get(), scene);
-      if (n_elastic > 0)
-        scene.teeth.push_back(with_elastic_rollers(parameters, drive, scene, flanks));
-      if (n_elastic < scene.n_joints)
+      for (const Motion motion : {Motion::elastic, Motion::reduced})
+        if (any_roller([motion](const Body &roller) { return roller.motion == motion; }))
+          scene.teeth.push_back(with_elastic_rollers(parameters, drive, scene, flanks, motion));
+      if (any_rigid)
         scene.teeth.push_back(with_rigid_rollers(parameters, drive, stiffness, scene, flanks));
     }
 }

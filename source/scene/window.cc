@@ -64,7 +64,8 @@ elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &s
                         std::to_string(last - first + 1) + " of " + std::to_string(n) +
                         ", and the links between them: they arrive at the driver in Output's "
                         "window, or up to " +
-                        std::to_string(margin) + " links before and after; all else is rigid");
+                        std::to_string(margin) + " links before and after; all else is " +
+                        (is_on(scene.effects, "reduced bodies") ? "reduced" : "rigid"));
   return elastic;
 }
 } // namespace chaindrive::scene

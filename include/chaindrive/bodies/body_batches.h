@@ -104,6 +104,10 @@ public:
   dealii::Tensor<1, 3> position_now(unsigned int copy, unsigned int node) const;
   dealii::Tensor<1, 3> displacement_now(unsigned int copy, unsigned int node) const;
 
+  /// Displacement of a node since the start [m] when it is at @p x [m].
+  dealii::Tensor<1, 3>
+  displacement_to(const dealii::Tensor<1, 3> &x, unsigned int copy, unsigned int node) const;
+
   /// Makes ghosts of these nodes of the batch that holds @p copy, unless this rank owns it. To be
   /// followed by make_ghosts().
   void want(unsigned int copy, const std::vector<unsigned int> &wanted);

@@ -5,6 +5,8 @@
 #include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/timing.h>
 
+#include <deal.II/base/tensor.h>
+
 #include <limits>
 #include <memory>
 #include <optional>
@@ -69,12 +71,6 @@ public:
   /// the instant @p earlier [s] before now, as in World::velocity_at().
   virtual void place_surface(World & /*world*/, double /*earlier*/) {}
 
-  /// Places all nodes, or these @p nodes of all bodies, where they are now, with the velocities of
-  /// now, if they are not there anyway: for who looks between two steps at nodes that no contact
-  /// sees.
-  virtual void place_all_nodes(World & /*world*/) {}
-  virtual void place_nodes(World & /*world*/, const std::vector<unsigned int> & /*nodes*/) {}
-
   /// Takes the forces on those nodes to where the group needs them.
   virtual void gather_forces(World & /*world*/) {}
 
@@ -92,6 +88,12 @@ public:
   /// In World::copies, if its bodies have nodes that vibrate.
   virtual unsigned int elastic_copies() const { return none; }
 
+  /// Kinetic energy [J] of shapes on this rank at the last advance(); shapes come to rest; and they
+  /// take the amplitudes of another group of the same bodies, at rest.
+  virtual double shape_energy() const { return 0.; }
+  virtual void   rest() {}
+  virtual void   take_shapes(const BodyGroup   &/*other*/) {}
+
   /// Stable step [s] of such bodies without contacts.
   virtual double stable_step() const { return std::numeric_limits<double>::infinity(); }
 
@@ -103,6 +105,13 @@ public:
   {
     return {};
   }
+
+  /// Where a node of a copy of this rank is now, m, and its velocity, m/s; of nodes that move by
+  /// themselves, half a step before.
+  virtual dealii::Tensor<1, 3>
+  position_now(const World &world, unsigned int copy, unsigned int node) const;
+  virtual dealii::Tensor<1, 3>
+  velocity_now(const World &world, unsigned int copy, unsigned int node) const;
 
   /// What finds stresses in the cells of its part; empty for rigid bodies.
   virtual std::vector<std::unique_ptr<const element::StressRecovery>>

@@ -37,17 +37,20 @@ public:
 
   void drift(World &world, const Step &step) override;
   void place_surface(World &world, double earlier) override;
-  void place_all_nodes(World &world) override { place(world, all_, 0.); }
-  void place_nodes(World &world, const std::vector<unsigned int> &nodes) override
-  {
-    place(world, nodes, 0.);
-  }
-
   /// Adds the moments of the forces on nodes, which become zero, to those on their bodies. The
   /// resultant forces are the contact's to add.
   void gather_forces(World &world) override;
 
   void advance(World &world, const Step &step, const ForceTimer &timer) override;
+
+  dealii::Tensor<1, 3>
+  position_now(const World &world, unsigned int copy, unsigned int node) const override;
+  dealii::Tensor<1, 3>
+  velocity_now(const World &world, unsigned int copy, unsigned int node) const override;
+
+  double shape_energy() const override;
+  void   rest() override;
+  void   take_shapes(const BodyGroup &other) override;
 
   unsigned int          elastic_copies() const override { return group_; }
   double                stable_step() const override;
@@ -73,6 +76,12 @@ private:
   /// Where the numbers of a batch that this rank owns begin in arrays [batch][mode][lane].
   std::size_t start_of(const BodyBatches &copies, unsigned int batch) const;
 
+  /// Sum over the shapes at @p node of what @p numbers say of a copy, body axes.
+  dealii::Tensor<1, 3> sum_of_shapes(const World   &world,
+                                     const Numbers &numbers,
+                                     unsigned int   copy,
+                                     unsigned int   node) const;
+
   /// The frames of the bodies of @p batch side by side.
   void take_frames(const World &world, unsigned int batch);
 
@@ -91,7 +100,7 @@ private:
   Material                  material_;
   parameters::Elements      elements_;
   const ModalKernels       &kernels_;
-  std::vector<unsigned int> touching_, all_; ///< nodes
+  std::vector<unsigned int> touching_; ///< nodes
 
   std::vector<double>            square_;            ///< W^2 per mode, 1/s2
   Numbers                        shape_, reference_; ///< as in ModalNodes

@@ -141,9 +141,11 @@ public:
     return elastic_address[body].group < n_nodal_groups_;
   }
 
-  /// BodyGroup::place_surface(), place_all_nodes() and gather_forces() of all groups.
+  /// The group that moves the elastic bodies of these #copies.
+  const BodyGroup &group_of(unsigned int of_copies) const { return *group_of_[of_copies]; }
+
+  /// BodyGroup::place_surface() and gather_forces() of all groups.
   void place_surfaces(double earlier);
-  void place_all_nodes();
   void gather_forces();
 
   /// The rim of @p body; null when it has none.
@@ -232,10 +234,11 @@ private:
   /// Makes copies of the meshes of rigid bodies whose nodes touch. The first rank owns them.
   void add_followers(const scene::Scene &scene);
 
-  unsigned int        n_nodal_groups_ = 0, n_elastic_groups_ = 0;
-  MPI_Comm            comm_;
-  unsigned int        rank_, n_ranks_;
-  Ledger              before_; ///< the ledger at clear_forces()
-  std::vector<double> shared_; ///< what sum_over_ranks() sums
+  std::vector<const BodyGroup *> group_of_; ///< per elastic group of copies
+  unsigned int                   n_nodal_groups_ = 0, n_elastic_groups_ = 0;
+  MPI_Comm                       comm_;
+  unsigned int                   rank_, n_ranks_;
+  Ledger                         before_; ///< the ledger at clear_forces()
+  std::vector<double>            shared_; ///< what sum_over_ranks() sums
 };
 } // namespace chaindrive

@@ -17,7 +17,7 @@ namespace chaindrive::parameters
 /// mm is exactly the number 0.643038.
 namespace unit
 {
-inline constexpr int si = 0, milli = -3, micro = -6, giga = 9, percent = -2;
+inline constexpr int si = 0, milli = -3, micro = -6, kilo = 3, giga = 9, percent = -2;
 } // namespace unit
 
 /// The numbers an entry accepts, in the entry's own unit.

@@ -16,18 +16,22 @@ enum class Fidelity
 {
   simple,
   layered,
+  reduced,
   full
 };
 
 template <>
-inline constexpr Texts<Fidelity, 3> texts_of<Fidelity>{
-    {{Fidelity::simple, "simple"}, {Fidelity::layered, "layered"}, {Fidelity::full, "full"}}};
+inline constexpr Texts<Fidelity, 4> texts_of<Fidelity>{{{Fidelity::simple, "simple"},
+                                                        {Fidelity::layered, "layered"},
+                                                        {Fidelity::reduced, "reduced"},
+                                                        {Fidelity::full, "full"}}};
 
 /// What parameters, drive and effects ask of a fidelity: never its name.
 struct Capabilities
 {
   bool has_clearances; ///< rollers, inner and outer links are bodies; else lumps joined by bars
   bool is_elastic;     ///< bodies deform; else their compliance sits in bars and contacts
+  bool is_reduced;     ///< they do so by few shapes
 };
 
 constexpr Capabilities capabilities_of(const Fidelity fidelity)
@@ -35,11 +39,13 @@ constexpr Capabilities capabilities_of(const Fidelity fidelity)
   switch (fidelity)
     {
     case Fidelity::simple:
-      return {false, false};
+      return {false, false, false};
     case Fidelity::layered:
-      return {true, false};
+      return {true, false, false};
+    case Fidelity::reduced:
+      return {true, true, true};
     case Fidelity::full:
-      return {true, true};
+      return {true, true, false};
     }
   return {};
 }
@@ -54,6 +60,17 @@ enum class ElasticLinks
 template <>
 inline constexpr Texts<ElasticLinks, 2> texts_of<ElasticLinks>{
     {{ElasticLinks::all, "all"}, {ElasticLinks::arriving, "arriving"}}};
+
+/// What the others are.
+enum class OtherLinks
+{
+  rigid,
+  reduced
+};
+
+template <>
+inline constexpr Texts<OtherLinks, 2> texts_of<OtherLinks>{
+    {{OtherLinks::rigid, "rigid"}, {OtherLinks::reduced, "reduced"}}};
 
 /// Whether only the halves of bodies at z >= 0 are computed.
 enum class HalfModel
@@ -96,6 +113,7 @@ struct Model
   std::optional<double> driven_inertia; ///< kg m2, of all that turns with the driven hub
   double                chain_damping_ratio = 0.01; ///< of two lumps on their bar, simple only
   ElasticLinks          elastic_links       = ElasticLinks::all;
+  OtherLinks            other_links         = OtherLinks::rigid; ///< beside arriving ones
   Switch elastic_sprockets = Switch::automatic; ///< those on which section Effects does not decide
 
   /// Declares an entry for each member, which takes every value that is set. The object must
@@ -117,6 +135,19 @@ struct Elements
   Formulation formulation           = Formulation::enhanced;
   double      hourglass_coefficient = 0.1; ///< of one point, after Flanagan and Belytschko
   double      column_mass_scaling   = 0.;  ///< factor of element::ColumnMasses, rollers' walls
+
+  /// Declares an entry for each member, which takes every value that is set. The object must
+  /// outlive @p declarations.
+  void declare(Declarations &declarations);
+};
+
+/// Section `Reduction`: the shapes of reduced bodies, see reduction::BasisOptions.
+struct Reduction
+{
+  double       modes_up_to = 60e3;  ///< Hz
+  double       highest     = 300e3; ///< frequency of the other shapes, Hz
+  unsigned int tube_order  = 4;     ///< harmonics about rollers and bushes
+  unsigned int pin_order   = 3;
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.

@@ -86,6 +86,9 @@ Decision half_model(const Parameters &p);
 Decision plate_bending(const Parameters &p);
 Decision plate_faces(const Parameters &p);
 
+/// Whether rollers and links of the chain, or those that do not arrive, move by few shapes.
+Decision reduced_bodies(const Parameters &p);
+
 /// Whether the walls of elastic rollers have more mass for what moves against each other in them.
 Decision column_mass_scaling(const Parameters &p);
 

@@ -16,16 +16,17 @@ namespace chaindrive
 /// Everything a .prm file says, in SI units, one member per section.
 struct Parameters
 {
-  parameters::Drive    drive;
-  parameters::Model    model;
-  parameters::Material material;
-  parameters::Mesh     mesh;
-  parameters::Elements elements;
-  parameters::Contact  contact;
-  parameters::Effects  effects;
-  parameters::Loads    loads;
-  parameters::Time     time;
-  parameters::Output   output;
+  parameters::Drive     drive;
+  parameters::Model     model;
+  parameters::Material  material;
+  parameters::Mesh      mesh;
+  parameters::Elements  elements;
+  parameters::Reduction reduction;
+  parameters::Contact   contact;
+  parameters::Effects   effects;
+  parameters::Loads     loads;
+  parameters::Time      time;
+  parameters::Output    output;
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.

@@ -9,6 +9,9 @@
 
 namespace chaindrive::reduction
 {
+/// The options of section `Reduction`.
+BasisOptions options_of(const parameters::Reduction &reduction);
+
 /// The basis of @p part, with its errors in statics, from the @p cache if it is there: the same bit
 /// by bit on all ranks of @p comm, whose first one computes it and reads and writes the cache.
 /// Throws what free_modes() does, and InputError if a side that touches is no cylinder. Collective.

@@ -4,14 +4,21 @@
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/scene/scene.h>
 
+#include <functional>
+
 namespace chaindrive::scene
 {
+/// The shapes of a part whose bodies are reduced ones.
+using BasisOf = std::function<std::shared_ptr<const reduction::Basis>(const mesh::Part &)>;
+
 /// The scene of the fidelity that @p parameters ask for. A fidelity is nothing but a choice of
 /// bodies, motions and interfaces; what comes after knows only those. Imported meshes are looked
-/// for in @p folders. Throws InputError for masses or meshes that cannot be.
+/// for in @p folders. Without @p basis_of reduced bodies have no bases: such a scene is to look at.
+/// Throws InputError for masses or meshes that cannot be.
 Scene build_scene(const Parameters               &parameters,
                   const drive::Drive             &drive,
-                  const std::vector<std::string> &folders);
+                  const std::vector<std::string> &folders,
+                  const BasisOf                  &basis_of = {});
 
 /// The simple model: one lumped roller of the mass of a pitch per joint, elastic bars between them.
 /// With friction on the teeth the ring of each roller has a spin, or it could not roll.
@@ -22,8 +29,15 @@ void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, S
 void add_layered_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
 
 /// The full model: the same bodies made of elastic finite elements, whose nodes touch; or only
-/// those of elastic_joints(), the others as in the layered model.
+/// those of elastic_joints(), the others as in the layered model or reduced. The reduced model: the
+/// same with few shapes in the place of the nodes' own motion.
 void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
+
+/// Finds the bases of reduced bodies and says what they keep.
+void add_bases(const BasisOf &basis_of, Scene &scene);
+
+/// Gives reduced bodies, whose parts must be there, the mass and inertia of their nodes.
+void weigh_reduced_bodies(Scene &scene);
 
 /// Per joint, whether its roller and bush are elastic in the full model: all of them, or for
 /// Model/Elastic links = arriving those that reach the driver in Output's window, from the first

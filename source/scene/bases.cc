@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/mesh/mass.h>
+#include <chaindrive/reduction/basis.h>
+#include <chaindrive/scene/build.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+
+namespace chaindrive::scene
+{
+namespace
+{
+/// What @p basis of the part called @p name keeps.
+std::string note_of(const std::string &name, const reduction::Basis &basis)
+{
+  const double highest = *std::max_element(basis.omega.begin(), basis.omega.end());
+  std::string  note    = "Reduced " + name + ": " + std::to_string(basis.n_natural) +
+                     " natural modes and " + std::to_string(basis.size() - basis.n_natural) +
+                     " shapes under pressure up to " +
+                     to_text(highest / (2e3 * dealii::numbers::PI), 3) + " kHz";
+  const auto worst =
+      std::max_element(basis.errors.begin(), basis.errors.end(), [](const auto &a, const auto &b) {
+        return a.relative < b.relative;
+      });
+  if (worst != basis.errors.end())
+    note += "; of the mesh's compliance they lack at most " + to_text(100. * worst->relative, 2) +
+            " % (" + worst->load + ")";
+  return note;
+}
+} // namespace
+
+void add_bases(const BasisOf &basis_of, Scene &scene)
+{
+  for (Body &body : scene.bodies)
+    {
+      if (body.motion != Motion::reduced)
+        continue;
+      const mesh::Part &part  = *scene.parts.at(body.part());
+      auto             &basis = scene.bases[body.part()];
+      if (!basis)
+        {
+          basis = basis_of(part);
+          scene.notes.push_back(note_of(part.name, *basis));
+        }
+    }
+}
+
+void weigh_reduced_bodies(Scene &scene)
+{
+  std::map<PartOf, drive::MassProperties> properties;
+  for (Body &body : scene.bodies)
+    {
+      if (body.motion != Motion::reduced)
+        continue;
+      const auto [found, is_new] = properties.try_emplace(body.part());
+      if (is_new)
+        found->second = mesh::lumped_properties(*scene.parts.at(body.part()));
+      body.mass = found->second.mass;
+      for (unsigned int d = 0; d < 3; ++d)
+        body.inertia[d] = found->second.inertia[d][d];
+    }
+}
+} // namespace chaindrive::scene
