@@ -52,8 +52,7 @@ std::set<unsigned int> sides_that_touch(const scene::Scene &scene, const scene::
 /// The largest eigenvalue of a symmetric matrix without negative ones.
 double largest(const dealii::FullMatrix<double> &matrix)
 {
-  const dealii::Vector<double> values = eigenpairs(matrix).values;
-  return values[values.size() - 1];
+  return matrix.linfty_norm() > 0. ? eigenpairs(matrix).values[matrix.m() - 1] : 0.;
 }
 } // namespace
 
