@@ -114,10 +114,10 @@ PieceFlexibility flexibility(const Piece             &piece,
   for (const Side &side : sides)
     for (unsigned int p = 0; p < side.grid.n(); ++p, ++j)
       {
-        const Vector u = part->solve(loads[j]);
+        const Vector u    = part->solve(loads[j]);
+        const double area = (side.across ? 2. : 1.) * side.grid.area(p % side.grid.n_stations());
         for (unsigned int i = 0; i < n; ++i)
-          result.values(i, j) =
-              part->displacement(u, loads[i]) * side.grid.area(p % side.grid.n_stations());
+          result.values(i, j) = part->displacement(u, loads[i]) * area;
       }
   return result;
 }

@@ -16,7 +16,7 @@ using dealii::Point;
 using dealii::numbers::PI;
 
 /// Of what is kept: to be raised with every change that changes results.
-constexpr unsigned int version = 2;
+constexpr unsigned int version = 3;
 
 /// Of a flexibility. Stiffnesses of two parts with their contact are known four times as well: the
 /// contact is much of them.
@@ -203,7 +203,8 @@ Press Library::pressed_roller(const drive::ChainDimensions &chain,
                                     inside,
                                     Point<2>(0.5 * chain.inner_hole_pitch, 0.),
                                     -0.5 * PI,
-                                    false}})});
+                                    false,
+                                    true}})});
 
   // the rigid zone of a rim that has hardly any is made smaller, so that there is something to mesh
   const double root = sprocket.form.root_diameter,
@@ -229,7 +230,7 @@ Press Library::pressed_roller(const drive::ChainDimensions &chain,
        flexibility_of(name,
                       profile,
                       [&] { return rim_sector(sprocket.form, shape, n_sectors); },
-                      {{mesh::tooth_flanks, outside, seat.centre, PI - position, true}})});
+                      {{mesh::tooth_flanks, outside, seat.centre, PI - position, true, true}})});
   return Press({cylinders(outside, seat.radius - outside.radius),
                 cylinders(inside, chain.roller_clearance())},
                std::move(parts),

@@ -16,6 +16,8 @@ struct Side
   dealii::Point<2>           axis;  ///< of the cylinder that presses, m
   double                     angle; ///< of the line along which it is pressed, from +x, rad
   bool                       bore;  ///< the side is pressed away from the axis
+  bool across = false; ///< the piece is there on both sides of the line: patches are twice as large
+                       ///< as those of the grid, and give way by the mean of both
 };
 
 /// How a piece gives way, and how well that is known.
