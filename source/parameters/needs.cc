@@ -93,7 +93,8 @@ Decision half_model(const Parameters &p)
   for (const auto &[role, name] : texts_of<Role>)
     if (!p.drive.sprockets.with(role).mesh.empty())
       return {false, "whole bodies: an imported mesh may lack symmetry"};
-  const std::string who = who_needs(p, &Needs::both_halves);
+  // pictures show both halves: without any, nobody needs them
+  const std::string who = fields(p).on ? who_needs(p, &Needs::both_halves) : "";
   if (!who.empty())
     return {false, "whole bodies: for Output/Quantities = " + who};
   return {true, "the middle plane is a plane of symmetry, and nothing asked for needs both halves"};
