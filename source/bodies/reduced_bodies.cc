@@ -3,7 +3,6 @@
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/element/elastic_part.h>
 #include <chaindrive/mesh/surface/surface_nodes.h>
-#include <chaindrive/utilities/eigenvalue.h>
 #include <chaindrive/utilities/simd.h>
 
 #include <algorithm>
@@ -48,12 +47,6 @@ std::set<unsigned int> sides_that_touch(const scene::Scene &scene, const scene::
   std::for_each(scene.surfaces.begin(), scene.surfaces.end(), add_slaves);
   return sides;
 }
-
-/// The largest eigenvalue of a symmetric matrix without negative ones.
-double largest(const dealii::FullMatrix<double> &matrix)
-{
-  return matrix.linfty_norm() > 0. ? eigenpairs(matrix).values[matrix.m() - 1] : 0.;
-}
 } // namespace
 
 ReducedBodies::ReducedBodies(const scene::Scene &scene,
@@ -94,7 +87,8 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene,
   const std::size_t n = start_of(copies, copies.end_of_owned_batches());
   for (Numbers *numbers : {&amplitude_, &rate_, &acceleration_, &modal_force_})
     numbers->resize(n, 0.);
-  in_body_.resize(3 * n_lanes * touching_.size());
+  displaced_.resize((copies.end_of_owned_batches() - first_batch_) * node_offset(touching_.size()));
+  in_body_.resize(node_offset(touching_.size()));
   found_.resize(touching_.size());
 }
 
@@ -106,6 +100,7 @@ std::size_t ReducedBodies::start_of(const BodyBatches &copies, const unsigned in
 double &
 ReducedBodies::amplitude(const World &world, const unsigned int copy, const unsigned int mode)
 {
+  known_                    = false;
   const BodyBatches &copies = world.copies[group_];
   return amplitude_[start_of(copies, copies.batch_of(copy)) + mode * n_lanes +
                     copies.lane_of(copy)];
@@ -149,8 +144,10 @@ ModalNodes ReducedBodies::modal_nodes(const std::vector<unsigned int> &nodes) co
           rigid_.data()};
 }
 
-void ReducedBodies::drift(World & /*world*/, const Step &step)
+void ReducedBodies::drift(World &world, const Step &step)
 {
+  if (!known_)
+    place_touching(world, 0., true);
   for (std::size_t i = 0; i < rate_.size(); ++i)
     {
       rate_[i] += 0.5 * step.dt * acceleration_[i];
@@ -158,27 +155,29 @@ void ReducedBodies::drift(World & /*world*/, const Step &step)
     }
 }
 
-void ReducedBodies::place(World                           &world,
-                          const std::vector<unsigned int> &nodes,
-                          const double                     earlier)
+void ReducedBodies::place_touching(World &world, const double earlier, const bool with_rates)
 {
   BodyBatches &copies = world.copies[group_];
   for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
        ++batch)
     {
       take_frames(world, batch);
-      kernels_.place({modal_nodes(nodes),
-                      amplitude_.data() + start_of(copies, batch),
-                      rate_.data() + start_of(copies, batch),
+      const std::size_t first = start_of(copies, batch);
+      kernels_.place({modal_nodes(touching_),
+                      amplitude_.data() + first,
+                      with_rates ? rate_.data() + first : nullptr,
+                      2. * earlier,
                       earlier,
+                      displaced_.data() + (batch - first_batch_) * node_offset(touching_.size()),
                       copies.position.begin() + copies.start_of(batch),
                       copies.velocity.begin() + copies.start_of(batch)});
     }
+  known_ = true;
 }
 
 void ReducedBodies::place_surface(World &world, const double earlier)
 {
-  place(world, touching_, earlier);
+  place_touching(world, earlier, earlier == 0.);
 }
 
 void ReducedBodies::gather_forces(World &world)
@@ -204,23 +203,30 @@ void ReducedBodies::gather_forces(World &world)
 
 void ReducedBodies::advance(World &world, const Step &step, const ForceTimer & /*timer*/)
 {
-  const BodyBatches &copies = world.copies[group_];
-  Ledger            &ledger = world.ledger;
-  for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
-       ++batch)
-    for (unsigned int m = 0; m < n_modes(); ++m)
-      {
-        const std::size_t first = start_of(copies, batch) + m * n_lanes;
-        for (std::size_t i = first; i < first + n_lanes; ++i)
-          {
-            const double q = amplitude_[i], half_before = rate_[i];
-            acceleration_[i] = modal_force_[i] - square_[m] * q - step.drag * half_before;
-            rate_[i] += 0.5 * step.dt * acceleration_[i];
-            ledger.kinetic += 0.5 * rate_[i] * rate_[i];
-            ledger.strain += 0.5 * square_[m] * q * q;
-            ledger.drag += step.drag * half_before * half_before * step.dt;
-          }
-      }
+  const double half = 0.5 * step.dt, drag = step.drag;
+  double       kinetic[n_lanes] = {}, strain[n_lanes] = {}, dragged[n_lanes] = {};
+  for (std::size_t first = 0; first < rate_.size(); first += n_lanes)
+    {
+      const double square = square_[first / n_lanes % n_modes()];
+      for (unsigned int lane = 0; lane < n_lanes; ++lane)
+        {
+          const std::size_t i = first + lane;
+          const double      q = amplitude_[i], before = rate_[i];
+          const double      acceleration = modal_force_[i] - square * q - drag * before;
+          const double      now          = before + half * acceleration;
+          acceleration_[i]               = acceleration;
+          rate_[i]                       = now;
+          kinetic[lane] += now * now;
+          strain[lane] += square * q * q;
+          dragged[lane] += before * before;
+        }
+    }
+  for (unsigned int lane = 0; lane < n_lanes; ++lane)
+    {
+      world.ledger.kinetic += 0.5 * kinetic[lane];
+      world.ledger.strain += 0.5 * strain[lane];
+      world.ledger.drag += drag * dragged[lane] * step.dt;
+    }
 }
 
 dealii::Tensor<1, 3> ReducedBodies::sum_of_shapes(const World       &world,
@@ -272,6 +278,7 @@ void ReducedBodies::rest()
 void ReducedBodies::take_shapes(const BodyGroup &other)
 {
   amplitude_ = dynamic_cast<const ReducedBodies &>(other).amplitude_;
+  known_     = false;
   rest();
 }
 
@@ -280,38 +287,30 @@ double ReducedBodies::stable_step() const
   return 2. / std::sqrt(*std::max_element(square_.begin(), square_.end()));
 }
 
-dealii::FullMatrix<double> ReducedBodies::spring_matrix(const std::vector<double> &springs) const
+dealii::FullMatrix<double>
+ReducedBodies::matrix_of_shapes(const std::vector<dealii::SymmetricTensor<2, 3>> &springs) const
 {
-  const unsigned int         n = n_modes(), n_all = n + rigid_motions_.size();
+  const unsigned int n = n_modes(), n_all = n + static_cast<unsigned int>(rigid_motions_.size());
   dealii::FullMatrix<double> matrix(n_all, n_all);
-  std::vector<double>        row(n_all);
-  for (unsigned int i = 0; i < reference_.size(); ++i)
+  for (unsigned int m = 0; m < n; ++m)
+    matrix(m, m) = square_[m];
+  std::vector<dealii::Tensor<1, 3>> moved(n_all); // by each of the motions
+  for (unsigned int node = 0; node < springs.size(); ++node)
     {
-      const double k = springs[i / 3];
-      if (k == 0.)
+      if (springs[node].norm() == 0.)
         continue;
-      for (unsigned int m = 0; m < n; ++m)
-        row[m] = shape_[(std::size_t(i / 3) * n + m) * 3 + i % 3];
-      for (unsigned int m = n; m < n_all; ++m)
-        row[m] = rigid_motions_[m - n][i];
-      for (unsigned int a = 0; a < n_all; ++a)
-        for (unsigned int b = 0; b < n_all; ++b)
-          matrix(a, b) += k * row[a] * row[b];
+      for (unsigned int m = 0; m < n_all; ++m)
+        for (unsigned int d = 0; d < 3; ++d)
+          moved[m][d] = m < n ? shape_[(std::size_t(node) * n + m) * 3 + d] :
+                                rigid_motions_[m - n][3 * node + d];
+      for (unsigned int i = 0; i < n_all; ++i)
+        {
+          const dealii::Tensor<1, 3> force = springs[node] * moved[i];
+          for (unsigned int j = 0; j < n_all; ++j)
+            matrix(i, j) += force * moved[j];
+        }
     }
   return matrix;
-}
-
-double ReducedBodies::largest_frequency(const std::vector<double> &springs) const
-{
-  dealii::FullMatrix<double> matrix = spring_matrix(springs);
-  for (unsigned int m = 0; m < n_modes(); ++m)
-    matrix(m, m) += square_[m];
-  return std::sqrt(largest(matrix));
-}
-
-std::optional<double> ReducedBodies::frequency_on(const std::vector<double> &springs) const
-{
-  return std::sqrt(largest(spring_matrix(springs)));
 }
 
 std::vector<std::unique_ptr<const element::StressRecovery>>
@@ -328,6 +327,8 @@ ReducedBodies::stress_recoveries(const World &world) const
 void ReducedBodies::serialize(const Archive &archive)
 {
   const std::size_t per_batch = std::size_t(n_modes()) * n_lanes;
+  if (archive.reads())
+    known_ = false;
   for (unsigned int i = 0; i * per_batch < amplitude_.size(); ++i)
     {
       const Archive own = archive.of_this_rank() / ("batch " + std::to_string(first_batch_ + i));
@@ -339,7 +340,8 @@ void ReducedBodies::serialize(const Archive &archive)
 
 std::size_t ReducedBodies::memory_consumption() const
 {
-  return (shape_.size() + reference_.size() + 4 * amplitude_.size() + in_body_.size()) *
+  return (shape_.size() + reference_.size() + 4 * amplitude_.size() + displaced_.size() +
+          in_body_.size()) *
              sizeof(double) +
          rigid_motions_.size() * reference_.size() * sizeof(double) +
          2 * touching_.size() * sizeof(unsigned int);

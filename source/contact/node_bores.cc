@@ -6,6 +6,7 @@
 #include <chaindrive/utilities/simd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -39,7 +40,10 @@ ClosedSide closed_side(const mesh::CylinderGrid &grid,
   side.group   = group;
   side.surface = surface;
   if (group < world.n_elastic_groups())
-    side.stiffness.resize(copies.n_nodes());
+    {
+      side.stiffness.resize(copies.n_nodes());
+      side.normal.resize(copies.n_nodes());
+    }
   for (unsigned int s = 0; s < grid.n_stations(); ++s)
     {
       const double k = stiffness * area(s);
@@ -51,7 +55,11 @@ ClosedSide closed_side(const mesh::CylinderGrid &grid,
                 k * (1. / world.mass[copies.bodies.front()] +
                      dealii::Tensor<1, 3>(copies.nodes.position[node]).norm_square() / inertia);
           else
-            side.hold(node, k, copies.nodes.mass[node]);
+            {
+              side.hold(node, k, copies.nodes.mass[node]);
+              side.normal[node][0] = std::cos(grid.angles[c]);
+              side.normal[node][1] = std::sin(grid.angles[c]);
+            }
         }
     }
   return side;
@@ -143,6 +151,8 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
       group.closed       = {
                 {closed_side(bore, master_surface, carried, law_.stiffness, world, master_group),
                  closed_side(cylinder, slave_surface, own, law_.stiffness, world, slave_group)}};
+      for (ClosedSide &side : group.closed)
+        side.half_touches = cylinder.radius < bore.radius;
 
       pairs.erase(std::remove_if(pairs.begin(),
                                  pairs.end(),

@@ -4,6 +4,7 @@
 #include <chaindrive/utilities/ranks.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace chaindrive::contact
 {
@@ -172,6 +173,18 @@ std::vector<ClosedPair> NodeContact::closed_pairs(const World &world) const
   for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
     slave.hold(
         slaves_.node(s), law_.stiffness * slaves_.area(s), batches.nodes.mass[slaves_.node(s)]);
+  if (slave.surface == mesh::roller_outside)
+    {
+      slave.half_touches = true;
+      slave.normal.resize(batches.n_nodes());
+      for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
+        {
+          const dealii::Point<3> &x = batches.nodes.position[slaves_.node(s)];
+          const double            r = std::hypot(x[0], x[1]);
+          for (unsigned int d = 0; d < 2; ++d)
+            slave.normal[slaves_.node(s)][d] = x[d] / r;
+        }
+    }
   pair[0] = surface_->closed_side(world, law_.stiffness, slaves_.side(), batches);
   return {pair};
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/dynamics/closed_contact.h>
+#include <chaindrive/dynamics/closed_shapes.h>
 #include <chaindrive/dynamics/stable_step.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace chaindrive::dynamics
 {
@@ -22,29 +26,60 @@ double damping_time(const scene::ContactLaw &law)
   return normal;
 }
 
+/// Of each of World::copies: the group that moves it if it vibrates, and its largest eigenvalue
+/// without springs, 1/s2.
+struct Bodies
+{
+  const BodyGroup *group    = nullptr;
+  double           elements = 0.;
+  Matrix           free; ///< BodyGroup::matrix_of_shapes() without springs
+};
+
+std::vector<Bodies> bodies_of(const World &world)
+{
+  std::vector<Bodies> bodies(world.copies.size());
+  for (const auto &group : world.groups)
+    if (const unsigned int g = group->elastic_copies(); g != BodyGroup::none)
+      {
+        const double step = group->stable_step();
+        bodies[g]         = {group.get(), 4. / (step * step), group->matrix_of_shapes({})};
+      }
+  return bodies;
+}
+
 /// The springs and dampers that hold the bodies of one group, if the ground bears their other ends.
 struct Held
 {
   std::vector<double> stiffness, damping; ///< per node, N/m and N s/m; empty: rigid bodies
   double              stiffest = 0.;      ///< largest eigenvalue of the springs, 1/s2
   double              damped   = 0.;      ///< the same of the dampers, 1/s
+  OnShapes            shapes;             ///< of bodies that move by shapes
 };
 
-/// t of closed_contact.h from the largest eigenvalues of the elements and of the springs of the
-/// bodies on either side: e0 + (1 + t) c0 = e1 + (1 + 1/t) c1. The fastest mode of a body's
-/// elements is spread over all of them; springs of its surface add about a quarter of their own to
-/// it.
-double ratio(const double e0, double c0, const double e1, double c1)
+/// The largest eigenvalue of a body on springs that are 1 + t times as stiff as they are, about
+/// e + (1 + t) c.
+struct Bound
 {
-  const auto felt = [](const double e, const double c) {
-    return c > 0. ? c * (c + 0.25 * e) / (c + e) : 0.;
+  double e = 0., c = 0.;
+  bool   felt = false; ///< c is what the body feels of the springs, not their largest eigenvalue
+};
+
+/// t of closed_contact.h from the bounds of the bodies on either side: e0 + (1 + t) c0 = e1 +
+/// (1 + 1/t) c1. The fastest mode of a body's elements is spread over all of them; springs of its
+/// surface add about a quarter of their own to it.
+double ratio(Bound b0, Bound b1)
+{
+  const auto feel = [](Bound &b) {
+    if (!b.felt)
+      b.c = b.c > 0. ? b.c * (b.c + 0.25 * b.e) / (b.c + b.e) : 0.;
   };
-  if (e0 > e1)
-    c0 = felt(e0, c0);
-  else if (e1 > e0) // of equal bodies neither: exchanged, they must have 1 / t
-    c1 = felt(e1, c1);
-  const double half = 0.5 * (e0 + c0 - e1 - c1), root = std::sqrt(half * half + c0 * c1);
-  return half > 0. ? c1 / (half + root) : (root - half) / c0;
+  if (b0.e > b1.e)
+    feel(b0);
+  else if (b1.e > b0.e) // of equal bodies neither: exchanged, they must have 1 / t
+    feel(b1);
+  const double half = 0.5 * (b0.e + b0.c - b1.e - b1.c),
+               root = std::sqrt(half * half + b0.c * b1.c);
+  return half > 0. ? b1.c / (half + root) : (root - half) / b0.c;
 }
 
 /// What holds the nodes of one side of one group of bodies.
@@ -66,21 +101,90 @@ struct Springs
   }
 };
 
-/// Of each of World::copies: the group that moves it if it vibrates, and its largest eigenvalue
-/// without springs, 1/s2.
-struct Bodies
+/// The pairs of one kind: factors 1 + t and 1 + 1/t of the springs on either side.
+struct Kind
 {
-  const BodyGroup *group    = nullptr;
-  double           elements = 0.;
+  contact::ClosedPair   sides;
+  std::array<Matrix, 2> on_shapes; ///< see added_to_shapes()
+  std::array<double, 2> factor{{1., 1.}};
+  double                time = 0.;
 };
 
-/// The largest eigenvalue [1/s2] of springs [N/m] on the masses of @p bodies alone, or [1/s] of
-/// dampers, where @p of_nodes is that of single nodes.
-double
-eigenvalue_on(const Bodies &bodies, const std::vector<double> &springs, const double of_nodes)
+std::vector<Kind>
+kinds_of(const World &world, const std::vector<Bodies> &bodies, const contact::Contacts &contacts)
 {
-  const auto frequency = bodies.group->frequency_on(springs);
-  return frequency ? *frequency * *frequency : of_nodes;
+  std::vector<Kind> kinds;
+  for (const auto &family : contacts.families())
+    for (contact::ClosedPair &sides : family->closed_pairs(world))
+      {
+        Kind kind;
+        kind.sides = std::move(sides);
+        kind.time  = damping_time(family->law());
+        for (unsigned int i = 0; i < 2; ++i)
+          if (const ClosedSide &side = kind.sides[i];
+              side.group != ClosedSide::none && !bodies[side.group].free.empty())
+            kind.on_shapes[i] =
+                added_to_shapes(*bodies[side.group].group, side, family->law(), kind.sides[1 - i]);
+        kinds.push_back(std::move(kind));
+      }
+  return kinds;
+}
+
+/// The bound of side @p i of @p kind alone; @p rigid are all springs on a rigid body, 1/s2, and
+/// springs with their dampers are @p damped times as stiff.
+Bound bound_of(const Kind                &kind,
+               const unsigned int         i,
+               const std::vector<Bodies> &bodies,
+               const std::vector<double> &rigid,
+               const double               damped)
+{
+  const ClosedSide &side = kind.sides[i];
+  if (side.group == ClosedSide::none)
+    return {};
+  if (kind.on_shapes[i].empty())
+    return {bodies[side.group].elements,
+            (side.stiffness.empty() ? rigid[side.group] : side.eigenvalue) * damped,
+            false};
+  Matrix once = bodies[side.group].free, twice = once;
+  once.add(damped, kind.on_shapes[i]);
+  twice.add(2. * damped, kind.on_shapes[i]);
+  const double of_once = largest(once), more = largest(twice) - of_once;
+  return {of_once - more, more, true};
+}
+
+/// What bodies that move by shapes feel of their sides; of several kinds that one side may meet
+/// that with the largest factor.
+std::vector<OnShapes> shapes_of(const std::vector<Kind> &kinds, const std::vector<Bodies> &bodies)
+{
+  std::vector<OnShapes> shapes(bodies.size());
+  for (const Kind &kind : kinds)
+    for (unsigned int i = 0; i < 2; ++i)
+      if (!kind.on_shapes[i].empty())
+        {
+          const ClosedSide &side  = kind.sides[i];
+          shapes[side.group].free = bodies[side.group].free;
+          shapes[side.group].sides[side.surface].take(kind.on_shapes[i], kind.factor[i], kind.time);
+        }
+  return shapes;
+}
+
+/// Makes bodies that move by shapes about equally fast: of two that meet the faster one gets less
+/// of the springs between them.
+void balance(std::vector<Kind> &kinds, const std::vector<Bodies> &bodies, const double dt)
+{
+  for (unsigned int round = 0; round < 12; ++round)
+    {
+      std::vector<double> eigenvalue;
+      for (const OnShapes &shapes : shapes_of(kinds, bodies))
+        eigenvalue.push_back(shapes.sides.empty() ? 0. : shapes.eigenvalue(dt));
+      for (Kind &kind : kinds)
+        if (!kind.on_shapes[0].empty() && !kind.on_shapes[1].empty())
+          {
+            const double t = (kind.factor[0] - 1.) * std::sqrt(eigenvalue[kind.sides[1].group] /
+                                                               eigenvalue[kind.sides[0].group]);
+            kind.factor    = {{1. + t, 1. + 1. / t}};
+          }
+    }
 }
 
 /// All contacts, held closed, for a step of about @p dt [s].
@@ -89,49 +193,41 @@ std::vector<Held> hold(const World               &world,
                        const contact::Contacts   &contacts,
                        const double               dt)
 {
-  struct Kind
-  {
-    contact::ClosedPair sides;
-    double              time;
-  };
-  std::vector<Kind>   kinds;
+  std::vector<Kind>   kinds = kinds_of(world, bodies, contacts);
   std::vector<double> rigid(world.copies.size()); // all springs on a rigid body, 1/s2
-  for (const auto &family : contacts.families())
-    for (contact::ClosedPair &sides : family->closed_pairs(world))
-      {
-        for (const ClosedSide &side : sides)
-          if (side.group != ClosedSide::none && side.stiffness.empty())
-            rigid[side.group] += side.eigenvalue;
-        kinds.push_back({std::move(sides), damping_time(family->law())});
-      }
+  for (const Kind &kind : kinds)
+    for (const ClosedSide &side : kind.sides)
+      if (side.group != ClosedSide::none && side.stiffness.empty())
+        rigid[side.group] += side.eigenvalue;
+  for (Kind &kind : kinds)
+    {
+      const double               damped = 1. + 2. * kind.time / dt;
+      const std::array<Bound, 2> bounds = {
+          {bound_of(kind, 0, bodies, rigid, damped), bound_of(kind, 1, bodies, rigid, damped)}};
+      for (unsigned int i = 0; i < 2; ++i)
+        if (kind.sides[i].group != ClosedSide::none)
+          kind.factor[i] = 1. + ratio(bounds[i], bounds[1 - i]);
+    }
+  balance(kinds, bodies, dt);
 
   std::vector<Held>                            held(world.copies.size());
   std::vector<std::map<unsigned int, Springs>> sides(world.copies.size()); // by surface
   for (const Kind &kind : kinds)
-    {
-      std::array<double, 2> e{}, c{};
-      for (unsigned int i = 0; i < 2; ++i)
-        if (const ClosedSide &side = kind.sides[i]; side.group != ClosedSide::none)
-          {
-            const Bodies &b = bodies[side.group];
-            e[i]            = b.elements;
-            c[i]            = (side.stiffness.empty() ? rigid[side.group] :
-                                                        eigenvalue_on(b, side.stiffness, side.eigenvalue)) *
-                   (1. + 2. * kind.time / dt);
-          }
-      for (unsigned int i = 0; i < 2; ++i)
-        if (const ClosedSide &side = kind.sides[i]; side.group != ClosedSide::none)
-          {
-            const double factor = 1. + ratio(e[i], c[i], e[1 - i], c[1 - i]);
-            if (side.stiffness.empty()) // a rigid body feels all its nodes at once
-              {
-                held[side.group].stiffest += factor * side.eigenvalue;
-                held[side.group].damped += factor * side.eigenvalue * kind.time;
-              }
-            else
-              sides[side.group][side.surface].take(side, factor, kind.time);
-          }
-    }
+    for (unsigned int i = 0; i < 2; ++i)
+      if (const ClosedSide &side = kind.sides[i];
+          side.group != ClosedSide::none && kind.on_shapes[i].empty())
+        {
+          if (side.stiffness.empty()) // a rigid body feels all its nodes at once
+            {
+              held[side.group].stiffest += kind.factor[i] * side.eigenvalue;
+              held[side.group].damped += kind.factor[i] * side.eigenvalue * kind.time;
+            }
+          else
+            sides[side.group][side.surface].take(side, kind.factor[i], kind.time);
+        }
+  std::vector<OnShapes> shapes = shapes_of(kinds, bodies);
+  for (unsigned int g = 0; g < held.size(); ++g)
+    held[g].shapes = std::move(shapes[g]);
 
   // a node on the edge of two sides may be in contact on both of them
   for (unsigned int g = 0; g < held.size(); ++g)
@@ -148,52 +244,51 @@ std::vector<Held> hold(const World               &world,
             held[g].damped   = std::max(held[g].damped, held[g].damping[n] / mass);
           }
       }
-  for (unsigned int g = 0; g < held.size(); ++g)
-    if (!held[g].stiffness.empty())
-      {
-        held[g].stiffest = eigenvalue_on(bodies[g], held[g].stiffness, held[g].stiffest);
-        held[g].damped   = eigenvalue_on(bodies[g], held[g].damping, held[g].damped);
-      }
   return held;
 }
 } // namespace
 
 double closed_contact_step(const World &world, const contact::Contacts &contacts, double limit)
 {
-  std::vector<Bodies> bodies(world.copies.size());
-  for (const auto &group : world.groups)
-    if (const unsigned int g = group->elastic_copies(); g != BodyGroup::none)
-      {
-        const double step = group->stable_step();
-        bodies[g]         = {group.get(), 4. / (step * step)};
-      }
-
-  const std::vector<Held> held = hold(world, bodies, contacts, limit);
+  const std::vector<Bodies> bodies = bodies_of(world);
+  const std::vector<Held>   held   = hold(world, bodies, contacts, limit);
   for (unsigned int g = 0; g < held.size(); ++g)
-    {
-      double step = stable_step_of(bodies[g].elements + held[g].stiffest, held[g].damped);
-      if (step < limit && !held[g].stiffness.empty())
-        // with the dampers of a smaller step the body admits at least this one: from below to it
-        for (unsigned int round = 0; round < 2; ++round)
-          {
-            std::vector<double> springs(held[g].stiffness);
-            for (std::size_t n = 0; n < springs.size(); ++n)
-              springs[n] += 2. / step * held[g].damping[n];
-            step = 2. / bodies[g].group->largest_frequency(springs);
-          }
-      limit = std::min(limit, step);
-    }
+    if (!held[g].shapes.sides.empty())
+      limit = std::min(limit, held[g].shapes.stable_step());
+    else
+      {
+        double step = stable_step_of(bodies[g].elements + held[g].stiffest, held[g].damped);
+        if (step < limit && !held[g].stiffness.empty())
+          // with the dampers of a smaller step the body admits at least this one: from below to it
+          for (unsigned int round = 0; round < 2; ++round)
+            {
+              std::vector<double> springs(held[g].stiffness);
+              for (std::size_t n = 0; n < springs.size(); ++n)
+                springs[n] += 2. / step * held[g].damping[n];
+              step = 2. / bodies[g].group->largest_frequency(springs);
+            }
+        limit = std::min(limit, step);
+      }
   return limit;
 }
 
 double closed_contact_step(const World &world, const contact::Family &family)
 {
-  const double time = damping_time(family.law());
-  double       step = std::numeric_limits<double>::infinity();
+  const double              time   = damping_time(family.law());
+  const std::vector<Bodies> bodies = bodies_of(world);
+  double                    step   = std::numeric_limits<double>::infinity();
   for (const contact::ClosedPair &pair : family.closed_pairs(world))
     {
-      const double both = pair[0].eigenvalue + pair[1].eigenvalue;
-      step              = std::min(step, stable_step_of(both, both * time));
+      double both = 0.;
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const ClosedSide &side = pair[i];
+          const bool shapes = side.group != ClosedSide::none && !bodies[side.group].free.empty();
+          both += shapes ? largest(added_to_shapes(
+                               *bodies[side.group].group, side, family.law(), pair[1 - i])) :
+                           side.eigenvalue;
+        }
+      step = std::min(step, stable_step_of(both, both * time));
     }
   return step;
 }

@@ -81,7 +81,20 @@ std::vector<double> energies(dynamics::System &system, const double dt)
   return kept;
 }
 
-/// Nodes of @p copy: mass, position, velocity from place_all_nodes().
+/// Places all nodes where they are now, with their velocities.
+void place_all_nodes(World &world)
+{
+  const ReducedBodies &group  = reduced_group(world, 0);
+  BodyBatches         &copies = world.copies[0];
+  for (unsigned int copy = 0; copy < n_copies; ++copy)
+    for (unsigned int n = 0; n < copies.n_nodes(); ++n)
+      {
+        NodeView(copies.position).set(copies.index(copy, n), group.position_now(world, copy, n));
+        NodeView(copies.velocity).set(copies.index(copy, n), group.velocity_now(world, copy, n));
+      }
+}
+
+/// Nodes of @p copy: mass, position, velocity, where they were placed.
 template <typename Visit>
 void for_each_node(const World &world, const unsigned int copy, const Visit &visit)
 {
@@ -99,7 +112,7 @@ void look_at_nodes(const scene::Scene &scene)
   World           &world = system.world;
   const double     dt    = 0.5 * system.stable_step_limit();
   excite(system, dt);
-  world.place_all_nodes();
+  place_all_nodes(world);
   double linear = 0., angular = 0., centre = 0.;
   for (unsigned int copy = 0; copy < n_copies; ++copy)
     {
@@ -157,7 +170,7 @@ double secant_error(const scene::Scene &scene, const double dt)
   dynamics::System system(scene, false);
   World           &world = system.world;
   excite(system, 1e-9);
-  world.place_all_nodes();
+  place_all_nodes(world);
   std::vector<Vector3> from;
   for (unsigned int copy = 0; copy < n_copies; ++copy)
     for_each_node(world, copy, [&](unsigned int, double, const Vector3 &x, const Vector3 &) {
@@ -195,7 +208,7 @@ void compare_with_elements(const scene::Scene &scene)
     {
       const double q               = 3e-9;
       group.amplitude(world, 0, m) = q;
-      world.place_all_nodes();
+      place_all_nodes(world);
       BodyBatches::Vector            force(copies.force);
       alignas(64) element::BatchSums sums{};
       part.add_forces({copies.position.begin(),
@@ -227,8 +240,8 @@ void resume(const scene::Scene &scene)
   resumed.serialize(reader(items));
   for (dynamics::System *system : {&through, &resumed})
     advance(*system, 50, dt, [] {});
-  through.world.place_all_nodes();
-  resumed.world.place_all_nodes();
+  place_all_nodes(through.world);
+  place_all_nodes(resumed.world);
   bool same = true;
   for (unsigned int i = 0; i < through.world.copies[0].position.locally_owned_size(); ++i)
     same = same &&

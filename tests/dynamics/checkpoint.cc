@@ -3,7 +3,7 @@
 // from there: the motion, the energies and the searches are bit by bit those of the run that went
 // on, for each fidelity. One written by two ranks and read by one: tests/runs/resume.py.
 #include "../support/archive.h"
-#include "../support/scenes.h"
+#include "../support/reduced.h"
 
 #include <chaindrive/scene/build.h>
 #include <chaindrive/utilities/archive.h>
@@ -101,4 +101,7 @@ int main()
   compare("full", build(), 0.9);
   parameters.model.half = parameters::HalfModel::yes;
   compare("half", build(), 0.9);
+  scene::Scene reduced = build();
+  reduce(reduced);
+  compare("half, reduced", reduced, 0.9);
 }

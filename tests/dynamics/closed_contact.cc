@@ -113,8 +113,8 @@ int main(int argc, char **argv)
         Case{"three, finer than the bush", {3, 32, 6}, 1e14, {1., 0., 0., 0., 0.}},
         Case{"one, coarser than the bush", {1, 16, 2}, 1e15, {1., 0., 0., 0., 0.}},
         Case{"reduced", {3, 24, 4}, 1e14, {1., 0., 0., 0., 0.}, true},
-        Case{"reduced, damped, friction", {3, 24, 4}, 1e14, {1., tau, 0.3, 0.8, tau}, true},
-        Case{"reduced, ten times as stiff", {3, 24, 4}, 1e15, {1., 0., 0., 0., 0.}, true}})
+        Case{"reduced, damped", {3, 24, 4}, 1e14, {1., tau, 0., 0., 0.}, true},
+        Case{"reduced, friction", {3, 24, 4}, 1e14, {1., 0., 0.3, 0.8, 0.}, true}})
     {
       scene::Scene scene = make_scene(c.grid, c.stiffness, c.shape);
       if (c.reduced)

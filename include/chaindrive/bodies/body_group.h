@@ -5,7 +5,9 @@
 #include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/timing.h>
 
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
+#include <deal.II/lac/full_matrix.h>
 
 #include <limits>
 #include <memory>
@@ -97,13 +99,16 @@ public:
   /// Stable step [s] of such bodies without contacts.
   virtual double stable_step() const { return std::numeric_limits<double>::infinity(); }
 
-  /// Largest natural frequency [rad/s] of such a body when @p springs [N/m] hold each node.
+  /// Largest natural frequency [rad/s] of such a body when @p springs [N/m] hold each node, if it
+  /// moves by nodes.
   virtual double largest_frequency(const std::vector<double> & /*springs*/) const { return 0.; }
 
-  /// The same when nothing else makes it vibrate, if that is not simply that of the fastest node.
-  virtual std::optional<double> frequency_on(const std::vector<double> & /*springs*/) const
+  /// Of bodies that move by shapes: squared frequencies as a matrix in terms of rigid motions and
+  /// shapes of unit mass when @p springs [N/m, body axes] hold the nodes, 1/s2. Empty for others.
+  virtual dealii::FullMatrix<double>
+  matrix_of_shapes(const std::vector<dealii::SymmetricTensor<2, 3>> & /*springs*/) const
   {
-    return {};
+    return dealii::FullMatrix<double>();
   }
 
   /// Where a node of a copy of this rank is now, m, and its velocity, m/s; of nodes that move by

@@ -31,19 +31,23 @@ struct ModalNodes
 
 /// Where these nodes are and how fast they move:
 ///
-///   x = x_c + R (X + Phi q),   v = v_c + s + w x (a - e (w x a + 2 s)),
+///   x = x_c + R (X + u),   u = Phi q,   v = v_c + s + w x (a - e (w x a + 2 s)),
 ///
-/// with the arm a = x - x_c and the speed s = R Phi q' beside the rigid motion: velocities belong
-/// to the instant e before the positions, and are the secants of what moves between (see
-/// World::velocity_at()).
+/// with the arm a = x - x_c and the speed s beside the rigid motion. Velocities belong to the
+/// instant e before the positions, and are the secants of what moves between (see
+/// World::velocity_at()): s = R Phi q', or, for half of the work, R (u - u_before) / dt after a
+/// step of dt in which q' was the mean.
 struct PlaceArguments
 {
   ModalNodes    nodes;
   const double *amplitude; ///< q, [mode][lane], m sqrt(kg)
-  const double *rate;      ///< q', [mode][lane]
+  const double *rate;      ///< q', [mode][lane]; null: the step tells
+  double        step;      ///< dt, s, without a rate
   double        earlier;   ///< e, s
-  double       *position;  ///< [node of the part][component][lane], world axes, m
-  double       *velocity;  ///< m/s
+  double       *displaced; ///< u, [some node][component][lane], m: before, then now; may be null
+                           ///< with a rate
+  double *position;        ///< [node of the part][component][lane], world axes, m
+  double *velocity;        ///< m/s
 };
 
 /// What forces on these nodes are to the body: its generalised forces Q = sum Phi^T R^T f, and

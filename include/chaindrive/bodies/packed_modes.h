@@ -63,41 +63,63 @@ CHAINDRIVE_ALWAYS_INLINE void place_node(const PlaceArguments &arg,
     }
 }
 
-/// Places two nodes at a time, so that each load of q serves both.
-template <int width>
+/// The displacements of @p count nodes from number @p first on, and their speeds if @p with_rate,
+/// so that each load of q serves all.
+template <int width, int count, bool with_rate>
+CHAINDRIVE_ALWAYS_INLINE void
+place_some(const PlaceArguments &arg, const int lane, const unsigned int first)
+{
+  using P                 = Pack<double, width>;
+  const ModalNodes &nodes = arg.nodes;
+  const double     *shape[count];
+  P                 u[count][3], s[count][3];
+  for (int n = 0; n < count; ++n)
+    {
+      shape[n] =
+          nodes.shape + static_cast<unsigned long>(nodes.node[first + n]) * 3 * nodes.n_modes;
+      for (int d = 0; d < 3; ++d)
+        u[n][d] = s[n][d] = P(0.);
+    }
+#pragma GCC unroll 1
+  for (unsigned int m = 0; m < nodes.n_modes; ++m)
+    {
+      const P q = P::load(arg.amplitude + m * n_lanes + lane);
+      P       rate(0.);
+      if (with_rate)
+        rate = P::load(arg.rate + m * n_lanes + lane);
+      for (int n = 0; n < count; ++n)
+        for (int d = 0; d < 3; ++d)
+          {
+            const P phi(shape[n][3 * m + d]);
+            u[n][d] += phi * q;
+            if (with_rate)
+              s[n][d] += phi * rate;
+          }
+    }
+  for (int n = 0; n < count; ++n)
+    {
+      if (arg.displaced != nullptr)
+        for (int d = 0; d < 3; ++d)
+          {
+            double *before = arg.displaced + (3 * (first + n) + d) * n_lanes + lane;
+            if (!with_rate)
+              s[n][d] = (u[n][d] - P::load(before)) / P(arg.step);
+            u[n][d].store(before);
+          }
+      place_node<width>(arg, lane, nodes.node[first + n], u[n], s[n]);
+    }
+}
+
+template <int width, int count, bool with_rate>
 CHAINDRIVE_ALWAYS_INLINE void place_lanes(const PlaceArguments &arg, const int lane)
 {
-  using P                   = Pack<double, width>;
-  const ModalNodes  &nodes  = arg.nodes;
-  const unsigned int stride = 3 * nodes.n_modes;
+  unsigned int i = 0;
 #pragma GCC unroll 1
-  for (unsigned int i = 0; i < nodes.n_nodes; i += 2)
-    {
-      const unsigned int first  = nodes.node[i],
-                         second = nodes.node[i + 1 < nodes.n_nodes ? i + 1 : i];
-      const double *a           = nodes.shape + static_cast<unsigned long>(first) * stride,
-                   *b           = nodes.shape + static_cast<unsigned long>(second) * stride;
-      P u[2][3], s[2][3];
-      for (int n = 0; n < 2; ++n)
-        for (int d = 0; d < 3; ++d)
-          u[n][d] = s[n][d] = P(0.);
+  for (; i + count <= arg.nodes.n_nodes; i += count)
+    place_some<width, count, with_rate>(arg, lane, i);
 #pragma GCC unroll 1
-      for (unsigned int m = 0; m < nodes.n_modes; ++m)
-        {
-          const P q    = P::load(arg.amplitude + m * n_lanes + lane),
-                  rate = P::load(arg.rate + m * n_lanes + lane);
-          for (int d = 0; d < 3; ++d)
-            {
-              const P of_a(a[3 * m + d]), of_b(b[3 * m + d]);
-              u[0][d] += of_a * q;
-              s[0][d] += of_a * rate;
-              u[1][d] += of_b * q;
-              s[1][d] += of_b * rate;
-            }
-        }
-      place_node<width>(arg, lane, first, u[0], s[0]);
-      place_node<width>(arg, lane, second, u[1], s[1]);
-    }
+  for (; i < arg.nodes.n_nodes; ++i)
+    place_some<width, 1, with_rate>(arg, lane, i);
 }
 
 /// Lists the nodes on which a force acts in any lane, with that force in body axes, and sums up the
@@ -180,11 +202,15 @@ CHAINDRIVE_ALWAYS_INLINE void gather_lanes(const GatherArguments &arg, const int
     project_forces<width, 1>(arg, lane, n, m);
 }
 
+/// As many nodes at a time as keep their sums in registers.
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE void place(const PlaceArguments &arg)
 {
   for (int lane = 0; lane < n_lanes; lane += width)
-    place_lanes<width>(arg, lane);
+    if (arg.rate != nullptr)
+      place_lanes<width, 2, true>(arg, lane);
+    else
+      place_lanes<width, 4, false>(arg, lane);
 }
 
 template <int width>

@@ -37,6 +37,7 @@ public:
 
   void drift(World &world, const Step &step) override;
   void place_surface(World &world, double earlier) override;
+
   /// Adds the moments of the forces on nodes, which become zero, to those on their bodies. The
   /// resultant forces are the contact's to add.
   void gather_forces(World &world) override;
@@ -52,10 +53,10 @@ public:
   void   rest() override;
   void   take_shapes(const BodyGroup &other) override;
 
-  unsigned int          elastic_copies() const override { return group_; }
-  double                stable_step() const override;
-  double                largest_frequency(const std::vector<double> &springs) const override;
-  std::optional<double> frequency_on(const std::vector<double> &springs) const override;
+  unsigned int elastic_copies() const override { return group_; }
+  double       stable_step() const override;
+  dealii::FullMatrix<double>
+  matrix_of_shapes(const std::vector<dealii::SymmetricTensor<2, 3>> &springs) const override;
   std::vector<std::unique_ptr<const element::StressRecovery>>
   stress_recoveries(const World &world) const override;
 
@@ -85,15 +86,12 @@ private:
   /// The frames of the bodies of @p batch side by side.
   void take_frames(const World &world, unsigned int batch);
 
-  /// Places @p nodes of all batches of this rank.
-  void place(World &world, const std::vector<unsigned int> &nodes, double earlier);
+  /// Places the nodes that touch; velocities follow from the rates, or from the step that led here
+  /// and where the nodes were before.
+  void place_touching(World &world, double earlier, bool with_rates);
 
   /// @p nodes, moved as the frames taken last and the shapes say.
   ModalNodes modal_nodes(const std::vector<unsigned int> &nodes) const;
-
-  /// Sum of k B^T B over the @p springs k of the nodes, B their displacements by rigid motions and
-  /// shapes of unit mass: shapes first.
-  dealii::FullMatrix<double> spring_matrix(const std::vector<double> &springs) const;
 
   unsigned int              group_;       ///< in World::copies
   unsigned int              first_batch_; ///< of this rank
@@ -108,6 +106,9 @@ private:
 
   Numbers amplitude_, rate_, acceleration_; ///< q, q', q", [batch][mode][lane]
   Numbers modal_force_;                     ///< Q of contacts, [batch][mode][lane]
+
+  Numbers displaced_;     ///< Phi q of nodes that touch, [batch][node][component][lane], m
+  bool    known_ = false; ///< it belongs to the present q
 
   Numbers                   rigid_;            ///< the frames of a batch, see ModalNodes
   Numbers                   in_body_, moment_; ///< room for the kernels

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <deal.II/base/tensor.h>
+
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -17,6 +19,13 @@ struct ClosedSide
   unsigned int        surface = none;  ///< of their mesh: a node of it is in one contact at a time
   std::vector<double> stiffness;       ///< per node of an elastic body, N/m; empty: a rigid one
   double              eigenvalue = 0.; ///< largest of the springs and the masses alone, 1/s2
+
+  /// Per node with a spring, unit, in body axes: the direction of the springs, to which friction
+  /// acts across. Empty: springs hold nodes in all directions alike.
+  std::vector<dealii::Tensor<1, 3>> normal;
+
+  /// The side is round, and no more than half of it can touch at a time.
+  bool half_touches = false;
 
   /// Holds an elastic body's node of @p mass [kg] by a spring @p k [N/m].
   void hold(const unsigned int node, const double k, const double mass)

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/bodies/body_group.h>
+#include <chaindrive/contact/closed_pair.h>
+#include <chaindrive/scene/contact_law.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <map>
+
+namespace chaindrive::dynamics
+{
+using Matrix = dealii::FullMatrix<double>;
+
+/// The largest eigenvalue of a symmetric matrix without negative ones.
+double largest(const Matrix &matrix);
+
+/// What the springs of a @p side of @p bodies that move by shapes add to
+/// BodyGroup::matrix_of_shapes(), 1/s2. They act along the normals of the side and, with friction,
+/// across. Of a round side of which no more than a half can touch, that half, in the worst of eight
+/// directions. Nodes that carry more springs together than @p of_other, the other side, has of them
+/// have all that it has.
+Matrix added_to_shapes(const BodyGroup           &bodies,
+                       const contact::ClosedSide &side,
+                       const scene::ContactLaw   &law,
+                       const contact::ClosedSide &of_other);
+
+/// Bodies that move by shapes with springs on their sides.
+struct OnShapes
+{
+  /// One side.
+  struct Side
+  {
+    Matrix springs;                      ///< see added_to_shapes()
+    double stiffness = 0., damping = 0.; ///< times these springs, 1 and s
+
+    /// Of several kinds of contact that the side may have the one with the largest factor counts.
+    void take(const Matrix &of_kind, double factor, double time);
+  };
+
+  Matrix                       free;  ///< without springs
+  std::map<unsigned int, Side> sides; ///< by surface
+
+  /// The largest of free + sum (stiffness + 2 damping / @p dt) springs, 1/s2: that of a step of dt
+  /// with dampers at the velocities of half a step before, see stable_step.h.
+  double eigenvalue(double dt) const;
+
+  /// The largest dt [s] with dt^2 eigenvalue(dt) <= 4.
+  double stable_step() const;
+};
+} // namespace chaindrive::dynamics

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/dynamics/closed_shapes.h>
+#include <chaindrive/utilities/eigenvalue.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace chaindrive::dynamics
+{
+namespace
+{
+using Springs = std::vector<dealii::SymmetricTensor<2, 3>>;
+
+/// The springs of the nodes whose normals have no negative part along @p direction, or of all if it
+/// is zero; @p across: stiffness across the normals over that along them.
+Springs springs_of(const contact::ClosedSide  &side,
+                   const double                share,
+                   const double                across,
+                   const dealii::Tensor<1, 3> &direction)
+{
+  const auto unit = dealii::unit_symmetric_tensor<3>();
+  Springs    springs(side.stiffness.size());
+  for (unsigned int n = 0; n < springs.size(); ++n)
+    {
+      const double k = share * side.stiffness[n];
+      if (k == 0.)
+        continue;
+      if (side.normal.empty())
+        springs[n] = k * unit;
+      else if (const auto &e = side.normal[n]; e * direction > -1e-9)
+        springs[n] =
+            k * (across * unit + (1. - across) * dealii::symmetrize(dealii::outer_product(e, e)));
+    }
+  return springs;
+}
+} // namespace
+
+double largest(const Matrix &matrix)
+{
+  return largest_eigenvalue(matrix.m(),
+                            [&](auto &product, const auto &x) { matrix.vmult(product, x); });
+}
+
+Matrix added_to_shapes(const BodyGroup           &bodies,
+                       const contact::ClosedSide &side,
+                       const scene::ContactLaw   &law,
+                       const contact::ClosedSide &of_other)
+{
+  const auto total = [](const std::vector<double> &k) {
+    return std::accumulate(k.begin(), k.end(), 0.);
+  };
+  const double own = total(side.stiffness), other = total(of_other.stiffness),
+               share  = other > 0. ? std::min(1., other / own) : 1.,
+               across = law.friction > 0. ? law.tangential_stiffness / law.stiffness : 0.;
+
+  const bool   half    = side.half_touches && !side.normal.empty();
+  Matrix       worst   = bodies.matrix_of_shapes({});
+  double       fastest = 0.;
+  const Matrix free    = worst;
+  for (unsigned int i = 0; i < (half ? 8 : 1); ++i)
+    {
+      dealii::Tensor<1, 3> direction;
+      if (half)
+        {
+          direction[0] = std::cos(0.25 * i * dealii::numbers::PI);
+          direction[1] = std::sin(0.25 * i * dealii::numbers::PI);
+        }
+      const Matrix matrix = bodies.matrix_of_shapes(springs_of(side, share, across, direction));
+      const double value  = largest(matrix);
+      if (value > fastest)
+        {
+          fastest = value;
+          worst   = matrix;
+        }
+    }
+  worst.add(-1., free);
+  return worst;
+}
+
+void OnShapes::Side::take(const Matrix &of_kind, const double factor, const double time)
+{
+  if (factor > stiffness)
+    {
+      springs   = of_kind;
+      stiffness = factor;
+    }
+  damping = std::max(damping, factor * time);
+}
+
+double OnShapes::eigenvalue(const double dt) const
+{
+  Matrix matrix = free;
+  for (const auto &[surface, side] : sides)
+    matrix.add(side.stiffness + 2. / dt * side.damping, side.springs);
+  return largest(matrix);
+}
+
+double OnShapes::stable_step() const
+{
+  // a step that is too large, then ever smaller brackets: dt^2 eigenvalue(dt) grows with dt
+  double low = 0., high = 2. / std::sqrt(largest(free));
+  while (high - low > 1e-4 * high)
+    {
+      const double middle                                       = 0.5 * (low + high);
+      (middle * middle * eigenvalue(middle) <= 4. ? low : high) = middle;
+    }
+  return low;
+}
+} // namespace chaindrive::dynamics
