@@ -165,7 +165,7 @@ void print_vibrations(std::ostream       &out,
                       const MPI_Comm      comm)
 {
   parameters.model.half = parameters::HalfModel::no; // with shapes that are not symmetric
-  const reduction::BasisOptions options;
+  const reduction::BasisOptions options = reduction::options_of(parameters.reduction);
   out << "\nVibration of parts as section Mesh divides them, which nothing holds: natural "
          "frequencies up to "
       << to_text(1e-3 * options.modes_up_to / (2. * PI), 4)

@@ -19,7 +19,7 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
     : world(scene, comm), bars(scene.bars), contacts(scene, world, search_every_step), loads(scene)
 {
   // a phase that nothing in the scene calls for is not made and has no row in the table
-  if (bars.size() > 0 || world.has_elastic_bodies())
+  if (bars.size() > 0 || world.n_nodal_groups() > 0)
     internal_force_ = timer.add("Internal force");
   integration_ = timer.add("Time integration");
   if (!contacts.families().empty())

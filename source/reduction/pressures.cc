@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/reduction/pressures.h>
+#include <chaindrive/utilities/errors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +69,12 @@ pressures(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders
         continue;
       const mesh::CylinderGrid grid(part, side.surface);
       const unsigned int       highest = side.of_pin ? orders.pin : orders.tube;
+      if (2 * highest >= grid.n_columns())
+        throw InputError(
+            "Reduction/Harmonics of " + std::string(side.of_pin ? "pins" : "rollers and bushes") +
+            " = " + std::to_string(highest) + " needs more than " + std::to_string(2 * highest) +
+            " cells around, but the " + part.name + " has " + std::to_string(grid.n_columns()) +
+            "; choose a lower one, or more cells in section Mesh.");
       for (unsigned int power = 0; power <= 2; power += part.half ? 2 : 1)
         for (unsigned int n = 0; n <= highest; ++n)
           for (const bool sine : {false, true})

@@ -164,6 +164,20 @@ int main()
     p.output.quantities = {QuantityGroup::tensions};
   });
 
+  std::cout << "reduction" << std::endl;
+  check([](Parameters &p) {
+    p.model.fidelity          = Fidelity::reduced;
+    p.model.elastic_sprockets = Switch::on;
+    p.contact.plate_faces     = Switch::on;
+    p.effects.plate_bending   = Switch::off;
+    p.model.mass_per_pitch    = 10e-3;
+  });
+  full([](Parameters &p) { // beside elastic ones
+    p.model.elastic_links   = ElasticLinks::arriving;
+    p.model.other_links     = OtherLinks::reduced;
+    p.effects.plate_bending = Switch::off;
+  });
+
   std::cout << "quantities" << std::endl;
   check([](Parameters &p) {
     p.output.quantities = {QuantityGroup::plate_stress,

@@ -41,6 +41,12 @@ end
 subsection Material
   set Young's modulus in GPa = 206
 end
+subsection Reduction
+  set Modes up to in kHz = 100
+  set Highest frequency in kHz = 250.5
+  set Harmonics of rollers and bushes = 6
+  set Harmonics of pins = 2
+end
 subsection Contact
   set Roller-tooth stiffness in N/m = auto
   set Bush-pin friction = 0.2
@@ -79,6 +85,10 @@ end)"; // without a line break at the end
   std::cout << "model: "
             << (p.model.mass_per_pitch == 0.0107 && p.model.stiffness_per_pitch == 3e8 &&
                 p.model.driven_inertia == 9.88e-3 && p.material.youngs_modulus == 206e9)
+            << std::endl;
+  std::cout << "reduction: "
+            << (p.reduction.modes_up_to == 100e3 && p.reduction.highest == 250.5e3 &&
+                p.reduction.tube_order == 6 && p.reduction.pin_order == 2)
             << std::endl;
   std::cout << "contact: "
             << (!p.contact.roller_tooth_stiffness && p.contact.bush_pin_friction == 0.2 &&

@@ -8,7 +8,10 @@ from a checkpoint gives the same CSV files, bit by bit.
   imported   all bodies elastic, the driver read from a mesh
   half       half of that
   arriving   elastic links among rigid ones
+  reduced    all rollers and links reduced
+  mixed      halves of elastic links among reduced ones
   settled    halves of them, from a settled start
+  settled-reduced  reduced bodies from a settled start
   rigid      the layered model: of two ranks one computes, and both end
   refuse     bad input on two ranks: one sentence and its status
 """
@@ -35,6 +38,9 @@ CASES = {
     "imported": IMPORTED,
     "half": {**IMPORTED, "Model/Half model": "true"},
     "arriving": {"Model/Elastic links": "arriving"},
+    "reduced": {"Model/Fidelity": "reduced"},
+    "mixed": {"Model/Elastic links": "arriving", "Model/Other links": "reduced", "Model/Half model": "true"},
+    "settled-reduced": {"Model/Fidelity": "reduced", "Drive/Layout/Start": "settled", "Loads/Resisting torque in N m": 30},
     "settled": {
         "Model/Elastic links": "arriving",
         "Model/Half model": "true",

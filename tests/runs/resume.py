@@ -2,7 +2,7 @@
 """resume.py CASE PROGRAM REPOSITORY: runs that are interrupted and go on. Every case ends by comparing all
 results with those of a run that nobody disturbed: histories, pictures, lists and summary, byte by byte.
 
-  same FIDELITY     A to C is A to B to C, by a greater end time; simple, layered, full or full2 on two ranks;
+  same FIDELITY     A to C is A to B to C, by a greater end time; simple, layered, reduced, full or full2 on two ranks;
                     from a settled start with the word `settled`
   ranks             a checkpoint of two ranks is read by one and the other way round: equal to round-off
   stop              SIGTERM, SIGINT and the wall-clock limit: a checkpoint, status 4, and what to do next; a signal before the
@@ -61,7 +61,7 @@ FULL = {
 def drive(fidelity, **more):
     """Entries of a small drive."""
     entries = dict(DRIVE)
-    entries.update(FULL if fidelity == "full" else {**RIGID, "Model/Fidelity": fidelity})
+    entries.update({**(FULL if fidelity in ("full", "reduced") else RIGID), "Model/Fidelity": fidelity})
     entries.update(more)
     return entries
 
@@ -119,7 +119,7 @@ def checkpoints(directory):
 def same(fidelity, start="taut"):
     ranks = 2 if fidelity == "full2" else 1
     entries = drive(fidelity.rstrip("2"), **{"Drive/Layout/Start": start})
-    end, middle = (0.06, 0.031) if fidelity.startswith("full") else (3, 1.3)
+    end, middle = (0.06, 0.031) if fidelity.startswith(("full", "reduced")) else (3, 1.3)
     fresh("through", "resumed")
     run("through", {**entries, "Time/End time in ms": end}, ranks=ranks)
     run("resumed", {**entries, "Time/End time in ms": middle, "Output/Checkpoint interval in ms": middle / 3}, ranks=ranks)
