@@ -75,7 +75,9 @@ pressures(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders
             " = " + std::to_string(highest) + " needs more than " + std::to_string(2 * highest) +
             " cells around, but the " + part.name + " has " + std::to_string(grid.n_columns()) +
             "; choose a lower one, or more cells in section Mesh.");
-      for (unsigned int power = 0; power <= 2; power += part.half ? 2 : 1)
+      // a pin bends in its bush, which presses on its ends
+      const unsigned int highest_power = side.of_pin ? 4 : 2;
+      for (unsigned int power = 0; power <= highest_power; power += part.half ? 2 : 1)
         for (unsigned int n = 0; n <= highest; ++n)
           for (const bool sine : {false, true})
             {

@@ -17,8 +17,8 @@ struct Orders
 };
 
 /// Pressures [Pa] cos(n theta), sin(n theta) times 1, zeta and zeta^2 on every cylindrical side of
-/// @p part that touches another part, n up to the @p orders, zeta = z over half of the side's
-/// length; without zeta on a half part. As forces of the nodes, N.
+/// @p part that touches another part, on pins also zeta^3 and zeta^4, n up to the @p orders, zeta =
+/// z over half of the side's length; without odd powers on a half part. As forces of the nodes, N.
 std::vector<Vector>
 pressures(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders);
 
