@@ -164,7 +164,7 @@ void Reduction::declare(Declarations &declarations)
       12,
       "Pressures around rollers and bushes for such shapes are cosines and sines of up to so many "
       "waves.");
-  add(declarations, "Harmonics of pins", pin_order, 1, 12, "The same on pins.");
+  add(declarations, "Harmonics of pins", pin_order, 1, 12, "The same of pressures on pins.");
 }
 
 namespace

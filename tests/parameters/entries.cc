@@ -66,6 +66,7 @@ void check_choices()
                                    check_choice<Switch>("switch"),
                                    check_choice<Formulation>("formulation"),
                                    check_choice<HalfModel>("half model"),
+                                   check_choice<OtherLinks>("other links"),
                                    check_choice<Search>("search"),
                                    check_choice<SpeedRamp>("speed ramp"),
                                    check_choice<Role>("role")};
