@@ -42,6 +42,7 @@ wall_columns(const Part &part, const Nodes &nodes, const Surface surface)
           }
       }
   std::vector<std::vector<unsigned int>> result;
+  result.reserve(columns.size());
   for (auto &entry : columns)
     result.push_back(std::move(entry.second));
   return result;
