@@ -96,6 +96,7 @@ place_some(const PlaceArguments &arg, const int lane, const unsigned int first)
               s[n][d] += phi * rate;
           }
     }
+  const P per_step(1. / arg.step);
   for (int n = 0; n < count; ++n)
     {
       if (arg.displaced != nullptr)
@@ -103,7 +104,7 @@ place_some(const PlaceArguments &arg, const int lane, const unsigned int first)
           {
             double *before = arg.displaced + (3 * (first + n) + d) * n_lanes + lane;
             if (!with_rate)
-              s[n][d] = (u[n][d] - P::load(before)) / P(arg.step);
+              s[n][d] = (u[n][d] - P::load(before)) * per_step;
             u[n][d].store(before);
           }
       place_node<width>(arg, lane, nodes.node[first + n], u[n], s[n]);
