@@ -294,15 +294,11 @@ ReducedBodies::matrix_of_shapes(const std::vector<dealii::SymmetricTensor<2, 3>>
   dealii::FullMatrix<double> matrix(n_all, n_all);
   for (unsigned int m = 0; m < n; ++m)
     matrix(m, m) = square_[m];
-  std::vector<dealii::Tensor<1, 3>> moved(n_all); // by each of the motions
   for (unsigned int node = 0; node < springs.size(); ++node)
     {
       if (springs[node].norm() == 0.)
         continue;
-      for (unsigned int m = 0; m < n_all; ++m)
-        for (unsigned int d = 0; d < 3; ++d)
-          moved[m][d] = m < n ? shape_[(std::size_t(node) * n + m) * 3 + d] :
-                                rigid_motions_[m - n][3 * node + d];
+      const std::vector<dealii::Tensor<1, 3>> moved = motions_of(node);
       for (unsigned int i = 0; i < n_all; ++i)
         {
           const dealii::Tensor<1, 3> force = springs[node] * moved[i];
@@ -311,6 +307,17 @@ ReducedBodies::matrix_of_shapes(const std::vector<dealii::SymmetricTensor<2, 3>>
         }
     }
   return matrix;
+}
+
+std::vector<dealii::Tensor<1, 3>> ReducedBodies::motions_of(const unsigned int node) const
+{
+  const unsigned int                n = n_modes();
+  std::vector<dealii::Tensor<1, 3>> moved(n + rigid_motions_.size());
+  for (unsigned int m = 0; m < moved.size(); ++m)
+    for (unsigned int d = 0; d < 3; ++d)
+      moved[m][d] =
+          m < n ? shape_[(std::size_t(node) * n + m) * 3 + d] : rigid_motions_[m - n][3 * node + d];
+  return moved;
 }
 
 std::vector<std::unique_ptr<const element::StressRecovery>>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/closed_springs.h>
 #include <chaindrive/contact/node_bores.h>
 #include <chaindrive/contact/tributary_area.h>
 #include <chaindrive/mesh/surface/cylinder_grid.h>
@@ -153,6 +154,9 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
                  closed_side(cylinder, slave_surface, own, law_.stiffness, world, slave_group)}};
       for (ClosedSide &side : group.closed)
         side.half_touches = cylinder.radius < bore.radius;
+      if (master_group < world.n_elastic_groups() && slave_group < world.n_elastic_groups())
+        group.closed[1].springs = closed_springs(
+            bore, masters.nodes.of_vertex, cylinder, slaves.nodes.of_vertex, law_.stiffness);
 
       pairs.erase(std::remove_if(pairs.begin(),
                                  pairs.end(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/dynamics/closed_contact.h>
 #include <chaindrive/dynamics/closed_shapes.h>
+#include <chaindrive/dynamics/coupled_shapes.h>
 #include <chaindrive/dynamics/stable_step.h>
 
 #include <algorithm>
@@ -101,6 +102,37 @@ struct Springs
   }
 };
 
+std::vector<ClosedKind> kinds_of(const World &world, const contact::Family &family)
+{
+  std::vector<ClosedKind> kinds;
+  for (contact::ClosedPair &sides : family.closed_pairs(world))
+    kinds.push_back({std::move(sides), family.law(), damping_time(family.law())});
+  return kinds;
+}
+
+bool by_shapes(const std::vector<Bodies> &bodies, const ClosedSide &side)
+{
+  return side.group != ClosedSide::none && !bodies[side.group].free.empty();
+}
+
+/// The stable step [s] of bodies that move by shapes, if they can be treated together; then takes
+/// theirs away from @p kinds. Infinite without such.
+double
+take_coupled(const World &world, const std::vector<Bodies> &bodies, std::vector<ClosedKind> &kinds)
+{
+  auto coupled = CoupledShapes::make(world, kinds);
+  if (!coupled)
+    return std::numeric_limits<double>::infinity();
+  kinds.erase(std::remove_if(kinds.begin(),
+                             kinds.end(),
+                             [&](const ClosedKind &kind) {
+                               return by_shapes(bodies, kind.sides[0]) ||
+                                      by_shapes(bodies, kind.sides[1]);
+                             }),
+              kinds.end());
+  return coupled->stable_step();
+}
+
 /// The pairs of one kind: factors 1 + t and 1 + 1/t of the springs on either side.
 struct Kind
 {
@@ -110,23 +142,20 @@ struct Kind
   double                time = 0.;
 };
 
-std::vector<Kind>
-kinds_of(const World &world, const std::vector<Bodies> &bodies, const contact::Contacts &contacts)
+/// Those of @p closed whose springs are split between their two sides.
+std::vector<Kind> split(std::vector<ClosedKind> closed, const std::vector<Bodies> &bodies)
 {
   std::vector<Kind> kinds;
-  for (const auto &family : contacts.families())
-    for (contact::ClosedPair &sides : family->closed_pairs(world))
-      {
-        Kind kind;
-        kind.sides = std::move(sides);
-        kind.time  = damping_time(family->law());
-        for (unsigned int i = 0; i < 2; ++i)
-          if (const ClosedSide &side = kind.sides[i];
-              side.group != ClosedSide::none && !bodies[side.group].free.empty())
-            kind.on_shapes[i] =
-                added_to_shapes(*bodies[side.group].group, side, family->law(), kind.sides[1 - i]);
-        kinds.push_back(std::move(kind));
-      }
+  for (ClosedKind &of_closed : closed)
+    {
+      Kind kind;
+      kind.sides = std::move(of_closed.sides);
+      kind.time  = of_closed.time;
+      for (unsigned int i = 0; i < 2; ++i)
+        if (const ClosedSide &side = kind.sides[i]; by_shapes(bodies, side))
+          kind.on_shapes[i] = added_to_shapes(*bodies[side.group].group, side, of_closed.law);
+      kinds.push_back(std::move(kind));
+    }
   return kinds;
 }
 
@@ -187,13 +216,13 @@ void balance(std::vector<Kind> &kinds, const std::vector<Bodies> &bodies, const 
     }
 }
 
-/// All contacts, held closed, for a step of about @p dt [s].
+/// The contacts @p closed for a step of about @p dt [s].
 std::vector<Held> hold(const World               &world,
                        const std::vector<Bodies> &bodies,
-                       const contact::Contacts   &contacts,
+                       std::vector<ClosedKind>    closed,
                        const double               dt)
 {
-  std::vector<Kind>   kinds = kinds_of(world, bodies, contacts);
+  std::vector<Kind>   kinds = split(std::move(closed), bodies);
   std::vector<double> rigid(world.copies.size()); // all springs on a rigid body, 1/s2
   for (const Kind &kind : kinds)
     for (const ClosedSide &side : kind.sides)
@@ -251,7 +280,12 @@ std::vector<Held> hold(const World               &world,
 double closed_contact_step(const World &world, const contact::Contacts &contacts, double limit)
 {
   const std::vector<Bodies> bodies = bodies_of(world);
-  const std::vector<Held>   held   = hold(world, bodies, contacts, limit);
+  std::vector<ClosedKind>   kinds;
+  for (const auto &family : contacts.families())
+    for (ClosedKind &kind : kinds_of(world, *family))
+      kinds.push_back(std::move(kind));
+  limit                        = std::min(limit, take_coupled(world, bodies, kinds));
+  const std::vector<Held> held = hold(world, bodies, std::move(kinds), limit);
   for (unsigned int g = 0; g < held.size(); ++g)
     if (!held[g].shapes.sides.empty())
       limit = std::min(limit, held[g].shapes.stable_step());
@@ -274,21 +308,20 @@ double closed_contact_step(const World &world, const contact::Contacts &contacts
 
 double closed_contact_step(const World &world, const contact::Family &family)
 {
-  const double              time   = damping_time(family.law());
   const std::vector<Bodies> bodies = bodies_of(world);
-  double                    step   = std::numeric_limits<double>::infinity();
-  for (const contact::ClosedPair &pair : family.closed_pairs(world))
+  std::vector<ClosedKind>   kinds  = kinds_of(world, family);
+  double                    step   = take_coupled(world, bodies, kinds);
+  for (const ClosedKind &kind : kinds)
     {
       double both = 0.;
       for (unsigned int i = 0; i < 2; ++i)
         {
-          const ClosedSide &side = pair[i];
-          const bool shapes = side.group != ClosedSide::none && !bodies[side.group].free.empty();
-          both += shapes ? largest(added_to_shapes(
-                               *bodies[side.group].group, side, family.law(), pair[1 - i])) :
-                           side.eigenvalue;
+          const ClosedSide &side = kind.sides[i];
+          both += by_shapes(bodies, side) ?
+                      largest(added_to_shapes(*bodies[side.group].group, side, kind.law)) :
+                      side.eigenvalue;
         }
-      step = std::min(step, stable_step_of(both, both * time));
+      step = std::min(step, stable_step_of(both, both * kind.time));
     }
   return step;
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 namespace chaindrive::dynamics
@@ -18,7 +17,6 @@ using Springs = std::vector<dealii::SymmetricTensor<2, 3>>;
 /// The springs of the nodes whose normals have no negative part along @p direction, or of all if it
 /// is zero; @p across: stiffness across the normals over that along them.
 Springs springs_of(const contact::ClosedSide  &side,
-                   const double                share,
                    const double                across,
                    const dealii::Tensor<1, 3> &direction)
 {
@@ -26,7 +24,7 @@ Springs springs_of(const contact::ClosedSide  &side,
   Springs    springs(side.stiffness.size());
   for (unsigned int n = 0; n < springs.size(); ++n)
     {
-      const double k = share * side.stiffness[n];
+      const double k = side.stiffness[n];
       if (k == 0.)
         continue;
       if (side.normal.empty())
@@ -47,15 +45,9 @@ double largest(const Matrix &matrix)
 
 Matrix added_to_shapes(const BodyGroup           &bodies,
                        const contact::ClosedSide &side,
-                       const scene::ContactLaw   &law,
-                       const contact::ClosedSide &of_other)
+                       const scene::ContactLaw   &law)
 {
-  const auto total = [](const std::vector<double> &k) {
-    return std::accumulate(k.begin(), k.end(), 0.);
-  };
-  const double own = total(side.stiffness), other = total(of_other.stiffness),
-               share  = other > 0. ? std::min(1., other / own) : 1.,
-               across = law.friction > 0. ? law.tangential_stiffness / law.stiffness : 0.;
+  const double across = law.friction > 0. ? law.tangential_stiffness / law.stiffness : 0.;
 
   const bool   half    = side.half_touches && !side.normal.empty();
   Matrix       worst   = bodies.matrix_of_shapes({});
@@ -69,7 +61,7 @@ Matrix added_to_shapes(const BodyGroup           &bodies,
           direction[0] = std::cos(0.25 * i * dealii::numbers::PI);
           direction[1] = std::sin(0.25 * i * dealii::numbers::PI);
         }
-      const Matrix matrix = bodies.matrix_of_shapes(springs_of(side, share, across, direction));
+      const Matrix matrix = bodies.matrix_of_shapes(springs_of(side, across, direction));
       const double value  = largest(matrix);
       if (value > fastest)
         {

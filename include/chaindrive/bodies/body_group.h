@@ -111,6 +111,10 @@ public:
     return dealii::FullMatrix<double>();
   }
 
+  /// How such bodies move @p node by unit amplitudes of their shapes and rigid motions, in the
+  /// order of matrix_of_shapes(), body axes, 1/sqrt(kg). Empty for others.
+  virtual std::vector<dealii::Tensor<1, 3>> motions_of(unsigned int /*node*/) const { return {}; }
+
   /// Where a node of a copy of this rank is now, m, and its velocity, m/s; of nodes that move by
   /// themselves, half a step before.
   virtual dealii::Tensor<1, 3>

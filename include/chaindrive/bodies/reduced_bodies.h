@@ -57,6 +57,7 @@ public:
   double       stable_step() const override;
   dealii::FullMatrix<double>
   matrix_of_shapes(const std::vector<dealii::SymmetricTensor<2, 3>> &springs) const override;
+  std::vector<dealii::Tensor<1, 3>> motions_of(unsigned int node) const override;
   std::vector<std::unique_ptr<const element::StressRecovery>>
   stress_recoveries(const World &world) const override;
 

@@ -9,6 +9,16 @@
 
 namespace chaindrive::contact
 {
+/// A spring between a node of a cylinder and the point of the bore that it meets.
+struct ClosedSpring
+{
+  unsigned int                node = 0;      ///< of the cylinder's body
+  std::array<unsigned int, 4> bore_nodes{};  ///< that carry the point
+  std::array<double, 4>       weights{};     ///< of their displacements in that of the point
+  double                      stiffness = 0; ///< N/m
+  dealii::Tensor<1, 3>        normal;        ///< unit, in axes of the cylinder's body
+};
+
 /// What the contact of elastic nodes, all of it held closed, is to one of its two sides: springs
 /// between each node and a ground, if the other side stood still.
 struct ClosedSide
@@ -23,6 +33,9 @@ struct ClosedSide
   /// Per node with a spring, unit, in body axes: the direction of the springs, to which friction
   /// acts across. Empty: springs hold nodes in all directions alike.
   std::vector<dealii::Tensor<1, 3>> normal;
+
+  /// Of a cylinder with elastic nodes in a bore with such: the springs between the two.
+  std::vector<ClosedSpring> springs;
 
   /// The side is round, and no more than half of it can touch at a time.
   bool half_touches = false;

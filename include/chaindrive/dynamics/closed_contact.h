@@ -15,7 +15,8 @@ namespace chaindrive::dynamics
 ///   k (u - v)^2 <= k (1 + t) u^2 + k (1 + 1/t) v^2  for every t > 0,
 /// which leaves each body alone with its elements and the springs of its nodes. The t of two bodies
 /// is that which makes their bounds equal (Weyl: the largest eigenvalues of elements and springs
-/// add up); so the slower body bears most.
+/// add up); so the slower body bears most. Bodies that move by shapes are not taken apart where
+/// they meet only each other and the ground, see CoupledShapes.
 double closed_contact_step(const World &world, const contact::Contacts &contacts, double limit);
 
 /// The stable step [s] of the nodes of @p family alone, held closed on otherwise free bodies;

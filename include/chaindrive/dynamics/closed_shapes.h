@@ -19,12 +19,10 @@ double largest(const Matrix &matrix);
 /// What the springs of a @p side of @p bodies that move by shapes add to
 /// BodyGroup::matrix_of_shapes(), 1/s2. They act along the normals of the side and, with friction,
 /// across. Of a round side of which no more than a half can touch, that half, in the worst of eight
-/// directions. Nodes that carry more springs together than @p of_other, the other side, has of them
-/// have all that it has.
+/// directions.
 Matrix added_to_shapes(const BodyGroup           &bodies,
                        const contact::ClosedSide &side,
-                       const scene::ContactLaw   &law,
-                       const contact::ClosedSide &of_other);
+                       const scene::ContactLaw   &law);
 
 /// Bodies that move by shapes with springs on their sides.
 struct OnShapes

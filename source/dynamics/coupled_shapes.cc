@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/dynamics/coupled_shapes.h>
+#include <chaindrive/dynamics/stable_step.h>
+#include <chaindrive/utilities/eigenvalue.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace chaindrive::dynamics
+{
+namespace
+{
+using contact::ClosedSide;
+using Vector  = dealii::Vector<double>;
+using Matrix  = dealii::FullMatrix<double>;
+using Tensor  = dealii::Tensor<1, 3>;
+using Motions = std::vector<Tensor>;
+
+constexpr unsigned int n_directions = 8;
+
+/// The groups of bodies that move by shapes by their number in World::copies, others nullptr.
+std::vector<const BodyGroup *> groups_of(const World &world)
+{
+  std::vector<const BodyGroup *> groups(world.copies.size(), nullptr);
+  for (const auto &group : world.groups)
+    if (const unsigned int g = group->elastic_copies();
+        g != BodyGroup::none && group->matrix_of_shapes({}).m() > 0)
+      groups[g] = group.get();
+  return groups;
+}
+
+/// Sums of springs, apart by their normals: sector 2 i is the direction i 2 pi / n_directions, 2 i
+/// + 1 all between it and the next.
+class Sectors
+{
+public:
+  /// Of @p n motions; @p across: stiffness across the normals over that along them.
+  Sectors(const std::size_t n, const double across) : n_(n), across_(across), row_(n) {}
+
+  /// Adds a spring @p k [N/m] that @p motions stretch, along @p normal and across; if this is zero,
+  /// in all directions alike.
+  void add(const double k, const Tensor &normal, const Motions &motions)
+  {
+    const bool   all    = normal.norm_square() == 0.;
+    const double across = all ? k : across_ * k;
+    const Tensor axis   = dealii::Point<3>(0., 0., 1.),
+                 along  = all ? Tensor(dealii::Point<3>(1., 0., 0.)) : normal;
+    Matrix &sum         = sums_[sector(along)];
+    if (sum.empty())
+      sum.reinit(n_, n_);
+    add_row(k, along, motions, sum);
+    if (across > 0.)
+      {
+        add_row(across, dealii::cross_product_3d(axis, along), motions, sum);
+        add_row(across, axis, motions, sum);
+      }
+  }
+
+  /// All springs whose normals are at most a right angle from direction @p i.
+  Matrix half(const unsigned int i) const
+  {
+    Matrix matrix(n_, n_);
+    for (const auto &[sector, sum] : sums_)
+      if (const unsigned int apart = (sector + 4 * n_directions - 2 * i) % (2 * n_directions);
+          apart <= n_directions / 2 || apart >= 2 * n_directions - n_directions / 2)
+        matrix.add(1., sum);
+    return matrix;
+  }
+
+  Matrix all() const
+  {
+    Matrix matrix(n_, n_);
+    for (const auto &[sector, sum] : sums_)
+      matrix.add(1., sum);
+    return matrix;
+  }
+
+private:
+  static unsigned int sector(const Tensor &normal)
+  {
+    constexpr int n     = 2 * n_directions;
+    const double  place = std::atan2(normal[1], normal[0]) * n_directions / dealii::numbers::PI;
+    const int     near  = static_cast<int>(std::round(place));
+    // in an even place or else in the odd one next to it
+    const int found = std::abs(place - near) < 1e-6 || near % 2 != 0 ? near :
+                      place > near                                   ? near + 1 :
+                                                                       near - 1;
+    return static_cast<unsigned int>((found + n) % n);
+  }
+
+  void add_row(const double k, const Tensor &along, const Motions &motions, Matrix &sum)
+  {
+    for (unsigned int i = 0; i < n_; ++i)
+      row_[i] = along * motions[i];
+    for (unsigned int i = 0; i < n_; ++i)
+      {
+        const double force = k * row_[i];
+        double      *into  = &sum(i, 0);
+        for (unsigned int j = 0; j < n_; ++j)
+          into[j] += force * row_[j];
+      }
+  }
+
+  std::size_t                    n_;
+  double                         across_;
+  std::vector<double>            row_;
+  std::map<unsigned int, Matrix> sums_; ///< by sector
+};
+
+/// The motions of the point of a bore that @p spring meets, times @p sign.
+void add_point(const std::vector<Motions>  &motions,
+               const contact::ClosedSpring &spring,
+               const double                 sign,
+               Motions                     &sum)
+{
+  const std::size_t first = sum.size();
+  sum.resize(first + motions[spring.bore_nodes[0]].size());
+  for (unsigned int i = 0; i < 4; ++i)
+    for (std::size_t m = first; m < sum.size(); ++m)
+      sum[m] += sign * spring.weights[i] * motions[spring.bore_nodes[i]][m - first];
+}
+
+std::vector<Motions> motions_of(const BodyGroup &group, const unsigned int n_nodes)
+{
+  std::vector<Motions> motions(n_nodes);
+  for (unsigned int node = 0; node < n_nodes; ++node)
+    motions[node] = group.motions_of(node);
+  return motions;
+}
+
+const BodyGroup *group_of(const std::vector<const BodyGroup *> &groups, const ClosedSide &side)
+{
+  return side.group == ClosedSide::none ? nullptr : groups[side.group];
+}
+using Side = std::pair<unsigned int, unsigned int>; // group and surface
+
+/// The kinds of contact that bodies by shapes have.
+struct Sorted
+{
+  std::vector<const ClosedKind *> joints;  ///< between two of them
+  std::vector<const ClosedKind *> grounds; ///< with the ground
+  std::map<Side, unsigned int>    n_kinds; ///< of the joints of a side
+};
+
+/// Sorts @p kinds; false if CoupledShapes::make() makes nothing of them.
+bool sort(const std::vector<ClosedKind>        &kinds,
+          const std::vector<const BodyGroup *> &groups,
+          Sorted                               &sorted)
+{
+  std::map<unsigned int, std::set<unsigned int>> surfaces; // of a group that have joints
+  for (const ClosedKind &kind : kinds)
+    {
+      const auto &[master, slave] = kind.sides;
+      const bool by_shapes[2]     = {group_of(groups, master) != nullptr,
+                                     group_of(groups, slave) != nullptr};
+      if (by_shapes[0] && by_shapes[1] && !slave.springs.empty())
+        {
+          sorted.joints.push_back(&kind);
+          for (const ClosedSide &side : kind.sides)
+            {
+              ++sorted.n_kinds[{side.group, side.surface}];
+              surfaces[side.group].insert(side.surface);
+            }
+        }
+      else if (by_shapes[1] && master.group == ClosedSide::none)
+        sorted.grounds.push_back(&kind);
+      else if (by_shapes[0] || by_shapes[1])
+        return false;
+    }
+  for (const auto &[side, n] : sorted.n_kinds)
+    if (n > 1 && surfaces[side.first].size() > 1)
+      return false;
+  return !sorted.joints.empty() || !sorted.grounds.empty();
+}
+} // namespace
+
+unsigned int CoupledShapes::add_body(const BodyGroup &group)
+{
+  const Matrix free  = group.matrix_of_shapes({});
+  const auto   first = static_cast<unsigned int>(free_.size());
+  for (unsigned int m = 0; m < free.m(); ++m)
+    free_.push_back(free(m, m));
+  return first;
+}
+
+std::optional<CoupledShapes> CoupledShapes::make(const World                   &world,
+                                                 const std::vector<ClosedKind> &kinds)
+{
+  const std::vector<const BodyGroup *> groups = groups_of(world);
+  Sorted                               sorted;
+  if (!sort(kinds, groups, sorted))
+    return {};
+
+  CoupledShapes                                     system;
+  std::map<unsigned int, std::vector<unsigned int>> bodies; // of a group: their first motions
+  const auto                                        body = [&](const ClosedSide &side) {
+    std::vector<unsigned int> &of_group = bodies[side.group];
+    if (of_group.empty() || sorted.n_kinds[{side.group, side.surface}] > 1)
+      of_group.push_back(system.add_body(*groups[side.group]));
+    return of_group.back();
+  };
+  std::set<std::array<unsigned int, 2>> joined;
+  for (const ClosedKind *kind : sorted.joints)
+    {
+      const std::array<unsigned int, 2> first{{body(kind->sides[0]), body(kind->sides[1])}};
+      Interface                         interface;
+      system.add_ways(world, *kind, first, !joined.insert(first).second, interface);
+      system.interfaces_.push_back(std::move(interface));
+    }
+  std::map<Side, std::vector<const ClosedKind *>> on_ground;
+  for (const ClosedKind *kind : sorted.grounds)
+    {
+      if (bodies[kind->sides[1].group].empty())
+        body(kind->sides[1]);
+      on_ground[{kind->sides[1].group, kind->sides[1].surface}].push_back(kind);
+    }
+  for (const auto &[side, of_side] : on_ground)
+    for (const unsigned int first : bodies[side.first])
+      {
+        Interface interface;
+        for (const ClosedKind *kind : of_side)
+          system.add_ways(world, *kind, {{first, first}}, false, interface);
+        system.interfaces_.push_back(std::move(interface));
+      }
+  return system;
+}
+
+void CoupledShapes::add_ways(const World                       &world,
+                             const ClosedKind                  &kind,
+                             const std::array<unsigned int, 2> &first,
+                             const bool                         closes_pitch,
+                             Interface                         &interface)
+{
+  const std::vector<const BodyGroup *> groups = groups_of(world);
+  const ClosedSide                    &slave  = kind.sides[1];
+  const double                         across =
+      kind.law.friction > 0. ? kind.law.tangential_stiffness / kind.law.stiffness : 0.;
+  const auto moved = motions_of(*groups[slave.group], world.copies[slave.group].n_nodes());
+  const auto close = [&](const Sectors &sectors) {
+    if (slave.half_touches)
+      for (unsigned int i = 0; i < n_directions; ++i)
+        interface.ways.push_back({sectors.half(i), kind.time});
+    else
+      interface.ways.push_back({sectors.all(), kind.time});
+  };
+  interface.motions.clear();
+  const auto take_part = [&](const unsigned int from, const std::size_t n) {
+    for (unsigned int i = 0; i < n; ++i)
+      interface.motions.push_back(from + i);
+  };
+  take_part(first[1], moved.front().size());
+  if (kind.sides[0].group == ClosedSide::none)
+    {
+      Sectors sectors(interface.motions.size(), across);
+      for (unsigned int node = 0; node < slave.stiffness.size(); ++node)
+        if (slave.stiffness[node] > 0.)
+          sectors.add(slave.stiffness[node],
+                      slave.normal.empty() ? Tensor() : slave.normal[node],
+                      moved[node]);
+      close(sectors);
+      return;
+    }
+  const unsigned int master = kind.sides[0].group;
+  const auto         bore   = motions_of(*groups[master], world.copies[master].n_nodes());
+  take_part(first[0], bore.front().size());
+  for (const double sign : {-1., 1.})
+    {
+      if (sign > 0. && !closes_pitch)
+        continue;
+      Sectors sectors(interface.motions.size(), across);
+      for (const contact::ClosedSpring &spring : slave.springs)
+        {
+          Motions stretch = moved[spring.node];
+          add_point(bore, spring, sign, stretch);
+          sectors.add(spring.stiffness, spring.normal, stretch);
+        }
+      close(sectors);
+    }
+}
+
+void CoupledShapes::assemble(const double dt, Matrix &matrix) const
+{
+  matrix.reinit(free_.size(), free_.size());
+  for (unsigned int m = 0; m < free_.size(); ++m)
+    matrix(m, m) = free_[m];
+  for (const Interface &interface : interfaces_)
+    {
+      const Closed &closed = interface.ways[interface.way];
+      const double  factor = 1. + 2. * closed.time / dt;
+      for (unsigned int i = 0; i < interface.motions.size(); ++i)
+        for (unsigned int j = 0; j < interface.motions.size(); ++j)
+          matrix(interface.motions[i], interface.motions[j]) += factor * closed.matrix(i, j);
+    }
+}
+
+void CoupledShapes::find_worst(const double dt)
+{
+  constexpr unsigned int    n_rounds = 6, n_steps = 8;
+  const std::size_t         n = free_.size();
+  Matrix                    matrix;
+  Vector                    x(n), y(n), part, product;
+  double                    fastest = 0.;
+  std::vector<unsigned int> worst(interfaces_.size(), 0);
+  for (unsigned int start = 0; start < n_directions; ++start)
+    {
+      for (Interface &interface : interfaces_)
+        interface.way = start % interface.ways.size();
+      for (std::size_t i = 0; i < n; ++i)
+        x[i] = std::sin(1. + 12.9898 * double(i) * double(i));
+      x /= x.l2_norm();
+      double value = 0.;
+      for (unsigned int round = 0; round < n_rounds; ++round)
+        {
+          assemble(dt, matrix);
+          for (unsigned int step = 0; step < n_steps; ++step)
+            {
+              matrix.vmult(y, x);
+              value = x * y;
+              x.equ(1. / y.l2_norm(), y);
+            }
+          if (value > fastest)
+            {
+              fastest = value;
+              for (unsigned int i = 0; i < interfaces_.size(); ++i)
+                worst[i] = interfaces_[i].way;
+            }
+          for (Interface &interface : interfaces_)
+            {
+              part.reinit(interface.motions.size());
+              product.reinit(interface.motions.size());
+              for (unsigned int i = 0; i < interface.motions.size(); ++i)
+                part[i] = x[interface.motions[i]];
+              double most = -1.;
+              for (unsigned int w = 0; w < interface.ways.size(); ++w)
+                {
+                  interface.ways[w].matrix.vmult(product, part);
+                  const double quotient =
+                      (1. + 2. * interface.ways[w].time / dt) * (product * part);
+                  if (quotient > most)
+                    {
+                      most          = quotient;
+                      interface.way = w;
+                    }
+                }
+            }
+        }
+    }
+  for (unsigned int i = 0; i < interfaces_.size(); ++i)
+    interfaces_[i].way = worst[i];
+}
+
+double CoupledShapes::stable_step()
+{
+  Matrix     matrix;
+  const auto largest = [&](const double dt) {
+    assemble(dt, matrix);
+    return largest_eigenvalue(matrix.m(),
+                              [&](auto &product, const auto &x) { matrix.vmult(product, x); });
+  };
+  double time = 0.;
+  for (const Interface &interface : interfaces_)
+    for (const Closed &closed : interface.ways)
+      time = std::max(time, closed.time);
+  // the ways matter more than how strong the dampers are
+  find_worst(2. / std::sqrt(*std::max_element(free_.begin(), free_.end())));
+  constexpr double without_dampers = 1e300;
+  const double     springs         = largest(without_dampers);
+  // from a safe step to a larger one that is safe too, since the dampers soften as it grows
+  double step = stable_step_of(springs, springs * time);
+  for (double before = 0.; step > 1.0001 * before;)
+    {
+      before = step;
+      step   = 2. / std::sqrt(largest(step));
+    }
+  return step;
+}
+} // namespace chaindrive::dynamics
