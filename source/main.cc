@@ -126,16 +126,28 @@ int end_together(const End &end, const bool is_first_rank, const MPI_Comm comm)
   return dealii::Utilities::MPI::max(end.status, comm);
 }
 
-/// Gives this process to @p command, in the environment that it was started in. Returns the status
-/// when that fails.
-int become(Successor command)
+/// What this process was started with, "name=value".
+std::vector<std::string> environment_variables()
 {
-  std::vector<char *> words;
-  for (std::string &word : command)
-    words.push_back(word.data());
-  words.push_back(nullptr);
+  std::vector<std::string> all;
+  for (char **variable = environ; *variable != nullptr; ++variable)
+    all.emplace_back(*variable);
+  return all;
+}
+
+/// Gives this process to @p command, in the environment that it was started in: MPI_Init() leaves
+/// variables behind that let mpirun crash. Returns the status when that fails.
+int become(Successor command, std::vector<std::string> environment)
+{
+  const auto pointers = [](std::vector<std::string> &texts) {
+    std::vector<char *> all;
+    for (std::string &text : texts)
+      all.push_back(text.data());
+    all.push_back(nullptr);
+    return all;
+  };
   std::cout.flush();
-  ::execvp(words.front(), words.data());
+  ::execvpe(command.front().c_str(), pointers(command).data(), pointers(environment).data());
   std::cerr << "chaindrive: " << command.front() << " cannot be started: " << std::strerror(errno)
             << ". ./study installs what studies need." << std::endl;
   return 3;
@@ -154,16 +166,12 @@ int main(int argc, char **argv)
   // A program that was not started by mpirun needs no daemon to talk to other ranks: without it
   // OpenMPI starts a second earlier. Nor does it need OpenMPI's directory in /tmp, which all such
   // programs would share: one that ends takes it away from one that begins.
-  std::vector<const char *> set_here;
+  const std::vector<std::string> environment = environment_variables();
   if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
-    for (const auto &[name, value] :
-         {std::pair<const char *, const char *>{"OMPI_MCA_ess_singleton_isolated", "1"},
-          {"OMPI_MCA_orte_create_session_dirs", "0"}})
-      if (std::getenv(name) == nullptr)
-        {
-          setenv(name, value, 0);
-          set_here.push_back(name);
-        }
+    {
+      setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+      setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+    }
   std::signal(SIGXFSZ, SIG_IGN); // a file at its size limit is a failed write, told in a sentence
   const bool ignore_hang_up = hang_up_is_ignored();
   catch_stop_signals(ignore_hang_up);
@@ -179,7 +187,5 @@ int main(int argc, char **argv)
   }
   if (successor.empty())
     return status;
-  for (const char *name : set_here)
-    unsetenv(name);
-  return become(successor);
+  return become(successor, environment);
 }

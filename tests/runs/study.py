@@ -186,6 +186,7 @@ subsection Study
   set Phases = 2
   set Reference = exact
   set Names = coarse, exact, hopeless
+  set Ranks = {{ 1 | 2 | 1 }}
 end
 subsection Time
   set Step in us = {0.3 | 0.25 | 0.2}
