@@ -275,6 +275,12 @@ void ReducedBodies::rest()
   std::fill(acceleration_.begin(), acceleration_.end(), 0.);
 }
 
+void ReducedBodies::slow_shapes(const World &world, const unsigned int copy, const double share)
+{
+  for (unsigned int m = 0; m < n_modes(); ++m)
+    rate(world, copy, m) *= share;
+}
+
 void ReducedBodies::take_shapes(const BodyGroup &other)
 {
   amplitude_ = dynamic_cast<const ReducedBodies &>(other).amplitude_;

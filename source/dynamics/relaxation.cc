@@ -135,17 +135,25 @@ void drift(World &world, const double dt)
       world.copies[g].position.local_element(i) += dt * world.copies[g].velocity.local_element(i);
 }
 
-/// Keeps nodes from moving too fast; returns the kinetic energy of all ranks, J.
-double slow_down(World &world)
+/// Keeps nodes from moving too fast.
+void slow_down(World &world)
+{
+  for_each_node(world, [&](BodyBatches &copies, const std::size_t at, unsigned int) {
+    const NodeView velocity(copies.velocity);
+    const Vector3  v     = velocity[at];
+    const double   speed = v.norm();
+    if (speed > fastest_node)
+      velocity.set(at, fastest_node / speed * v);
+  });
+}
+
+/// Of all nodes by which elastic bodies of all ranks move, J.
+double kinetic_energy(World &world)
 {
   double kinetic = 0.;
   for_each_node(world, [&](BodyBatches &copies, const std::size_t at, const unsigned int node) {
-    const NodeView velocity(copies.velocity);
-    Vector3        v     = velocity[at];
-    const double   speed = v.norm();
-    if (speed > fastest_node)
-      velocity.set(at, v *= fastest_node / speed);
-    kinetic += 0.5 * copies.nodes.mass[node] * v.norm_square();
+    kinetic +=
+        0.5 * copies.nodes.mass[node] * NodeView(std::as_const(copies.velocity))[at].norm_square();
   });
   return dealii::Utilities::MPI::sum(kinetic, world.communicator());
 }
@@ -164,6 +172,8 @@ public:
       }
   }
 
+  bool are_there() const { return there_; }
+
   /// Kick and drift, with the forces of the last evaluation.
   void begin(const double dt)
   {
@@ -173,13 +183,15 @@ public:
     first_half(world_, {dt, world_.time, 0., 0., {}});
   }
 
-  /// The second kick; returns the kinetic energy of all ranks, J.
+  /// The second kick, after which no node is too fast; returns the kinetic energy of all ranks, J.
   double end(const double dt)
   {
     if (!there_)
       return 0.;
     hold();
     second_half(world_, {dt, world_.time, 0., 0., {}});
+    for (const auto &group : world_.groups)
+      slow_down(*group);
     double of_shapes = 0.;
     for (const auto &group : world_.groups)
       of_shapes += group->shape_energy();
@@ -200,6 +212,24 @@ public:
   }
 
 private:
+  /// Keeps shapes from moving nodes too fast.
+  void slow_down(BodyGroup &group)
+  {
+    if (group.elastic_copies() == BodyGroup::none ||
+        group.elastic_copies() < world_.n_nodal_groups())
+      return;
+    const BodyBatches &copies = world_.copies[group.elastic_copies()];
+    const NodeView     velocity(copies.velocity);
+    for (unsigned int copy = 0; copy < copies.n_copies(); ++copy)
+      {
+        double fastest = fastest_node;
+        for (unsigned int node = 0; copies.owns(copy) && node < copies.n_nodes(); ++node)
+          fastest = std::max(fastest, velocity[copies.index(copy, node)].norm());
+        if (fastest > fastest_node)
+          group.slow_shapes(world_, copy, fastest_node / fastest);
+      }
+  }
+
   /// Nothing moves the other bodies as a whole.
   void hold()
   {
@@ -214,17 +244,16 @@ private:
 };
 } // namespace
 
-Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm)
+Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm, const double change)
     : scene_(scene), system_(at_rest(scene), false, comm)
 {
   World                  &world = system_.world;
   const std::vector<Held> links = links_of(scene, world);
   Shapes                  shapes(scene, world);
 
-  constexpr double       hardly = 2e-3; // of the stored energy
-  constexpr unsigned int most   = 100;  // intervals
+  constexpr unsigned int most   = 100; // intervals
   const Material        &steel  = scene.material;
-  const double           dt     = 0.65 * system_.stable_step_limit();
+  const double           dt     = (shapes.are_there() ? 0.5 : 0.65) * system_.stable_step_limit();
   const double           wave   = scene.pitch / std::sqrt(steel.youngs_modulus / steel.density);
   const unsigned int     steps  = static_cast<unsigned int>(5. * wave / dt) + 1;
   double                 before = 0., stored = 0.;
@@ -236,9 +265,10 @@ Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm)
           // a step moves nodes at once, before their velocities are what they shall be
           system_.evaluate_forces(dt);
           drift(world, -dt);
-          for (const Held &link : links)
+          slow_down(world);
+          for (const Held &link : links) // also of what the slower nodes leave to the others
             link.hold();
-          const double kinetic = slow_down(world) + shapes.end(dt);
+          const double kinetic = kinetic_energy(world) + shapes.end(dt);
           if (kinetic < before)
             {
               for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
@@ -250,7 +280,7 @@ Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm)
           before = kinetic < before ? 0. : kinetic;
         }
       const double now = world.ledger.stored() - world.ledger.kinetic;
-      if (std::abs(now - stored) <= hardly * now)
+      if (std::abs(now - stored) <= change * now)
         return;
       stored = now;
     }

@@ -94,6 +94,9 @@ public:
   /// take the amplitudes of another group of the same bodies, at rest.
   virtual double shape_energy() const { return 0.; }
   virtual void   rest() {}
+
+  /// The rates of the shapes of a copy of this rank are multiplied by @p share.
+  virtual void slow_shapes(const World & /*world*/, unsigned int /*copy*/, double /*share*/) {}
   virtual void   take_shapes(const BodyGroup   &/*other*/) {}
 
   /// Stable step [s] of such bodies without contacts.

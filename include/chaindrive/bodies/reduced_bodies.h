@@ -51,6 +51,7 @@ public:
 
   double shape_energy() const override;
   void   rest() override;
+  void   slow_shapes(const World &world, unsigned int copy, double share) override;
   void   take_shapes(const BodyGroup &other) override;
 
   unsigned int elastic_copies() const override { return group_; }

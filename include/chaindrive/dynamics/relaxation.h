@@ -15,14 +15,15 @@ namespace chaindrive::dynamics
 /// forces are those of the run. Dynamic relaxation with kinetic damping (Barnes, Int. J. Space
 /// Structures 14, 1999, 89) moves it: whenever the kinetic energy has passed a maximum, all comes
 /// to a stop. The first step after a stop goes down the gradient of the energy, for which the step
-/// must be below sqrt(2) over the largest frequency. No node is let move faster than contacts
-/// foresee, so that deep overlaps are pressed out and no contact is missed. It ends when the stored
-/// energy hardly falls any more while waves run along a link several times.
+/// must be below sqrt(2) over the largest frequency; shapes, which stop a step later, need a
+/// shorter one. No node is let move faster than contacts
+/// foresee, so that deep overlaps are pressed out and no contact is missed.
 class Relaxation
 {
 public:
-  /// Collective. RunError if no balance is found.
-  Relaxation(const scene::Scene &scene, MPI_Comm comm);
+  /// Collective. It ends when the stored energy changes by less than the share @p change of itself
+  /// while waves run along a link five times. RunError if no balance is found.
+  Relaxation(const scene::Scene &scene, MPI_Comm comm, double change = 2e-3);
 
   /// Strains the bodies of @p world, which is made of the same scene and dealt out alike; nodes
   /// move as their bodies do at the start.
