@@ -6,6 +6,7 @@
 #include <chaindrive/utilities/simd.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -62,34 +63,79 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene,
   const BodyBatches      &copies = world.copies[group_];
   const scene::PartOf     of     = scene.bodies[copies.bodies.front()].part();
   const reduction::Basis &basis  = *scene.bases.at(of);
-  for (const double omega : basis.omega)
-    square_.push_back(omega * omega);
-  shape_.resize(std::size_t(3) * n_modes() * copies.n_nodes());
   reference_.resize(3 * copies.n_nodes());
   for (unsigned int i = 0; i < 3 * copies.n_nodes(); ++i)
-    {
-      reference_[i] = copies.nodes.position[i / 3][i % 3];
-      for (unsigned int m = 0; m < n_modes(); ++m)
-        shape_[(std::size_t(i / 3) * n_modes() + m) * 3 + i % 3] = basis.shape[m][i];
-    }
+    reference_[i] = copies.nodes.position[i / 3][i % 3];
+  take_basis(copies.nodes, basis);
   rigid_motions_ = reduction::rigid_motions(*copies.part, copies.nodes);
 
-  std::set<unsigned int> touching;
+  std::set<unsigned int> touching, orbits;
   for (const unsigned int side : sides_that_touch(scene, of))
     {
       const auto nodes =
           mesh::SurfaceNodes(*copies.part, copies.nodes, static_cast<mesh::Surface>(side)).node;
       touching.insert(nodes.begin(), nodes.end());
     }
-  touching_.assign(touching.begin(), touching.end());
+  for (const unsigned int node : touching)
+    orbits.insert(orbit_[node]);
+  touching_.assign(orbits.begin(), orbits.end());
+  const unsigned int n_images = symmetry_.n_classes();
+  node_.assign(touching_.size() * n_images, ModalNodes::none);
+  for (const unsigned int node : touching)
+    {
+      const auto at = std::lower_bound(touching_.begin(), touching_.end(), orbit_[node]);
+      node_[(at - touching_.begin()) * n_images + image_[node]] = node;
+    }
 
   first_batch_        = copies.first_owned_batch();
   const std::size_t n = start_of(copies, copies.end_of_owned_batches());
   for (Numbers *numbers : {&amplitude_, &rate_, &acceleration_, &modal_force_})
     numbers->resize(n, 0.);
-  displaced_.resize((copies.end_of_owned_batches() - first_batch_) * node_offset(touching_.size()));
-  in_body_.resize(node_offset(touching_.size()));
+  displaced_.resize((copies.end_of_owned_batches() - first_batch_) * node_offset(node_.size()));
+  in_body_.resize(node_offset(node_.size()));
   found_.resize(touching_.size());
+}
+
+void ReducedBodies::take_basis(const mesh::Nodes &nodes, const reduction::Basis &basis)
+{
+  symmetry_                   = reduction::make_symmetry(nodes, basis.reflections);
+  const unsigned int n_images = symmetry_.n_classes();
+  for (unsigned int g = 0; g < n_images; ++g)
+    for (unsigned int d = 0; d < 3; ++d)
+      sign_.push_back(symmetry_.sign(g, d));
+
+  std::vector<unsigned int> modes; // numbers in the basis
+  for (unsigned int c = 0; c < n_images; ++c)
+    {
+      first_mode_.push_back(static_cast<unsigned int>(modes.size()));
+      for (unsigned int m = 0; m < basis.size(); ++m)
+        if (basis.symmetry[m] == c)
+          {
+            modes.push_back(m);
+            class_.push_back(c);
+            square_.push_back(basis.omega[m] * basis.omega[m]);
+          }
+    }
+  first_mode_.push_back(static_cast<unsigned int>(modes.size()));
+
+  orbit_.assign(nodes.size(), ModalNodes::none);
+  image_.resize(nodes.size());
+  unsigned int n_orbits = 0;
+  for (unsigned int node = 0; node < nodes.size(); ++node)
+    {
+      if (orbit_[node] != ModalNodes::none)
+        continue;
+      for (unsigned int g = n_images; g-- > 0;) // on a plane of symmetry the lowest image counts
+        {
+          const unsigned int image = symmetry_.image(node, g);
+          orbit_[image]            = n_orbits;
+          image_[image]            = g;
+        }
+      ++n_orbits;
+      for (const unsigned int m : modes)
+        for (unsigned int d = 0; d < 3; ++d)
+          shape_.push_back(basis.shape[m][3 * node + d]);
+    }
 }
 
 std::size_t ReducedBodies::start_of(const BodyBatches &copies, const unsigned int batch) const
@@ -134,11 +180,15 @@ void ReducedBodies::take_frames(const World &world, const unsigned int batch)
     }
 }
 
-ModalNodes ReducedBodies::modal_nodes(const std::vector<unsigned int> &nodes) const
+ModalNodes ReducedBodies::modal_nodes() const
 {
-  return {static_cast<unsigned int>(nodes.size()),
-          nodes.data(),
+  return {static_cast<unsigned int>(touching_.size()),
+          touching_.data(),
+          symmetry_.n_classes(),
+          node_.data(),
+          sign_.data(),
           n_modes(),
+          first_mode_.data(),
           reference_.data(),
           shape_.data(),
           rigid_.data()};
@@ -163,12 +213,12 @@ void ReducedBodies::place_touching(World &world, const double earlier, const boo
     {
       take_frames(world, batch);
       const std::size_t first = start_of(copies, batch);
-      kernels_.place({modal_nodes(touching_),
+      kernels_.place({modal_nodes(),
                       amplitude_.data() + first,
                       with_rates ? rate_.data() + first : nullptr,
                       2. * earlier,
                       earlier,
-                      displaced_.data() + (batch - first_batch_) * node_offset(touching_.size()),
+                      displaced_.data() + (batch - first_batch_) * node_offset(node_.size()),
                       copies.position.begin() + copies.start_of(batch),
                       copies.velocity.begin() + copies.start_of(batch)});
     }
@@ -187,7 +237,7 @@ void ReducedBodies::gather_forces(World &world)
        ++batch)
     {
       take_frames(world, batch);
-      kernels_.gather({modal_nodes(touching_),
+      kernels_.gather({modal_nodes(),
                        copies.position.begin() + copies.start_of(batch),
                        copies.force.begin() + copies.start_of(batch),
                        modal_force_.data() + start_of(copies, batch),
@@ -229,6 +279,17 @@ void ReducedBodies::advance(World &world, const Step &step, const ForceTimer & /
     }
 }
 
+dealii::Tensor<1, 3> ReducedBodies::shape_at(const unsigned int node, const unsigned int m) const
+{
+  const unsigned int   g   = image_[node];
+  const double        *at  = shape_.data() + 3 * (std::size_t(orbit_[node]) * n_modes() + m);
+  const bool           odd = (std::bitset<32>(g & class_[m]).count() & 1u) != 0;
+  dealii::Tensor<1, 3> shape;
+  for (unsigned int d = 0; d < 3; ++d)
+    shape[d] = (odd ? -sign_[3 * g + d] : sign_[3 * g + d]) * at[d];
+  return shape;
+}
+
 dealii::Tensor<1, 3> ReducedBodies::sum_of_shapes(const World       &world,
                                                   const Numbers     &numbers,
                                                   const unsigned int copy,
@@ -237,11 +298,9 @@ dealii::Tensor<1, 3> ReducedBodies::sum_of_shapes(const World       &world,
   const BodyBatches &copies = world.copies[group_];
   const double      *of_copy =
       numbers.data() + start_of(copies, copies.batch_of(copy)) + copies.lane_of(copy);
-  const double        *shape = shape_.data() + std::size_t(3) * n_modes() * node;
   dealii::Tensor<1, 3> sum;
   for (unsigned int m = 0; m < n_modes(); ++m)
-    for (unsigned int i = 0; i < 3; ++i)
-      sum[i] += shape[3 * m + i] * of_copy[m * n_lanes];
+    sum += of_copy[m * n_lanes] * shape_at(node, m);
   return sum;
 }
 
@@ -319,10 +378,11 @@ std::vector<dealii::Tensor<1, 3>> ReducedBodies::motions_of(const unsigned int n
 {
   const unsigned int                n = n_modes();
   std::vector<dealii::Tensor<1, 3>> moved(n + rigid_motions_.size());
-  for (unsigned int m = 0; m < moved.size(); ++m)
+  for (unsigned int m = 0; m < n; ++m)
+    moved[m] = shape_at(node, m);
+  for (unsigned int m = n; m < moved.size(); ++m)
     for (unsigned int d = 0; d < 3; ++d)
-      moved[m][d] =
-          m < n ? shape_[(std::size_t(node) * n + m) * 3 + d] : rigid_motions_[m - n][3 * node + d];
+      moved[m][d] = rigid_motions_[m - n][3 * node + d];
   return moved;
 }
 
@@ -357,6 +417,7 @@ std::size_t ReducedBodies::memory_consumption() const
           in_body_.size()) *
              sizeof(double) +
          rigid_motions_.size() * reference_.size() * sizeof(double) +
-         2 * touching_.size() * sizeof(unsigned int);
+         (2 * touching_.size() + node_.size() + (2 + symmetry_.axis.size()) * orbit_.size()) *
+             sizeof(unsigned int);
 }
 } // namespace chaindrive

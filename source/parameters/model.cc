@@ -163,7 +163,7 @@ void Reduction::declare(Declarations &declarations)
       1,
       12,
       "Pressures around rollers and bushes for such shapes are cosines and sines of up to so many "
-      "waves.");
+      "waves, as far as the mesh has more than two cells for each.");
   add(declarations, "Harmonics of pins", pin_order, 1, 12, "The same of pressures on pins.");
 }
 

@@ -45,27 +45,83 @@ void remove(const FreePart &part, const std::vector<Mode> &modes, Vector &u)
       u.add(-part.mass_product(mode.shape, u), mode.shape);
 }
 
-/// Shapes of unit stiffness from what @p pressures displace beside the natural @p modes.
-std::vector<Vector> attachments(const FreePart            &part,
-                                const std::vector<Mode>   &modes,
-                                const std::vector<Vector> &pressures,
-                                const double               negligible)
+/// What a load of unit compliance displaces beside natural modes, and its forces.
+struct Attachment
+{
+  Vector force, displacement;
+};
+
+/// The loads of the class @p c of the part's symmetry; of those that differ by a factor only one.
+std::vector<Attachment>
+of_class(const FreePart &part, const std::vector<Attachment> &all, const unsigned int c)
+{
+  std::vector<Attachment> found;
+  for (const Attachment &one : all)
+    {
+      Vector       force = part.part_of_class(one.force, c);
+      const double size  = force.l2_norm();
+      if (size < 1e-9 * one.force.l2_norm() ||
+          std::any_of(found.begin(), found.end(), [&](const Attachment &other) {
+            return std::abs(force * other.force) > (1. - 1e-9) * size * other.force.l2_norm();
+          }))
+        continue;
+      found.push_back({force, part.part_of_class(one.displacement, c)});
+    }
+  return found;
+}
+
+/// The natural modes of the class @p c: of modes of equal frequency, which can be any of their
+/// combinations, those combinations that have one.
+std::vector<Mode>
+of_class(const FreePart &part, const std::vector<Mode> &modes, const unsigned int c)
+{
+  const auto mass = [&part](const Vector &a, const Vector &b) { return part.mass_product(a, b); };
+  const auto work = [&part](const Vector &a, const Vector &b) {
+    return part.stiffness().matrix_scalar_product(a, b);
+  };
+  std::vector<Vector> parts;
+  for (const Mode &mode : modes)
+    if (Vector of_mode = part.part_of_class(mode.shape, c); mass(of_mode, of_mode) > 1e-6)
+      parts.push_back(of_mode);
+  if (parts.empty())
+    return {};
+  const Eigenpairs   of_mass = eigenpairs(products(parts, parts, mass));
+  const unsigned int n       = static_cast<unsigned int>(parts.size());
+  const auto         first   = std::upper_bound(of_mass.values.begin(), of_mass.values.end(), 1e-6);
+  const unsigned int none    = static_cast<unsigned int>(first - of_mass.values.begin());
+  dealii::FullMatrix<double> weights(n, n - none);
+  for (unsigned int i = 0; i < weights.m(); ++i)
+    for (unsigned int j = 0; j < weights.n(); ++j)
+      weights(i, j) = of_mass.vectors(i, none + j) / std::sqrt(of_mass.values[none + j]);
+  const std::vector<Vector> unit      = combinations(parts, weights);
+  const Eigenpairs          stiffness = eigenpairs(products(unit, unit, work));
+  const std::vector<Vector> shapes    = combinations(unit, stiffness.vectors);
+  std::vector<Mode>         found;
+  for (unsigned int i = 0; i < shapes.size(); ++i)
+    found.push_back({std::sqrt(stiffness.values[i]), shapes[i]});
+  return found;
+}
+
+/// Shapes of unit stiffness from what the @p loads displace beside the natural @p modes.
+std::vector<Vector> stiff_shapes(const FreePart                &part,
+                                 const std::vector<Mode>       &modes,
+                                 const std::vector<Attachment> &loads,
+                                 const double                   negligible)
 {
   std::vector<Vector> forces, displacements;
-  for (const Vector &pressure : pressures)
+  for (const Attachment &load : loads)
     {
-      Vector       u     = part.displacement(pressure);
-      const double scale = 1. / std::sqrt(pressure * u); // to unit compliance
-      remove(part, modes, u);
-      u *= scale;
-      displacements.push_back(u);
-      forces.push_back(pressure);
+      const double scale = 1. / std::sqrt(load.force * load.displacement); // to unit compliance
+      displacements.push_back(load.displacement);
+      remove(part, modes, displacements.back());
+      displacements.back() *= scale;
+      forces.push_back(load.force);
       forces.back() *= scale;
     }
   const Eigenpairs compliance = eigenpairs(
       products(forces, displacements, [](const Vector &f, const Vector &u) { return f * u; }));
 
-  const unsigned int n = static_cast<unsigned int>(pressures.size());
+  const unsigned int n = static_cast<unsigned int>(loads.size());
   const auto         first =
       std::upper_bound(compliance.values.begin(), compliance.values.end(), negligible);
   const unsigned int n_left_out = static_cast<unsigned int>(first - compliance.values.begin());
@@ -76,6 +132,45 @@ std::vector<Vector> attachments(const FreePart            &part,
           compliance.vectors(i, n_left_out + j) / std::sqrt(compliance.values[n_left_out + j]);
   return combinations(displacements, weights);
 }
+
+struct Shape
+{
+  double       omega;
+  Vector       shape;
+  unsigned int symmetry;
+};
+
+/// The Ritz vectors of K and M among @p stiff shapes of unit stiffness and of the class @p c.
+void add_ritz_vectors(const FreePart            &part,
+                      const std::vector<Vector> &stiff,
+                      const double               cap,
+                      const unsigned int         c,
+                      std::vector<Shape>        &shapes)
+{
+  const Eigenpairs    mass = eigenpairs(products(
+      stiff, stiff, [&part](const Vector &a, const Vector &b) { return part.mass_product(a, b); }));
+  std::vector<Vector> ritz = combinations(stiff, mass.vectors);
+  for (std::size_t i = ritz.size(); i-- > 0;) // values are 1/omega^2
+    {
+      const double omega = std::min(cap, 1. / std::sqrt(mass.values[i]));
+      ritz[i] *= omega;
+      shapes.push_back({omega, ritz[i], c});
+    }
+}
+
+/// Adds @p shapes to the @p basis, the slowest first.
+void add(std::vector<Shape> shapes, Basis &basis)
+{
+  std::stable_sort(shapes.begin(), shapes.end(), [](const Shape &a, const Shape &b) {
+    return a.omega < b.omega;
+  });
+  for (const Shape &shape : shapes)
+    {
+      basis.omega.push_back(shape.omega);
+      basis.shape.push_back(shape.shape);
+      basis.symmetry.push_back(shape.symmetry);
+    }
+}
 } // namespace
 
 Basis make_basis(const FreePart            &part,
@@ -83,26 +178,29 @@ Basis make_basis(const FreePart            &part,
                  const BasisOptions        &options)
 {
   const std::vector<Mode> modes = free_modes(part, options.modes_up_to);
-  Basis                   basis;
-  basis.n_natural = static_cast<unsigned int>(modes.size());
-  for (const Mode &mode : modes)
-    {
-      basis.omega.push_back(mode.omega);
-      basis.shape.push_back(mode.shape);
-    }
-  if (pressures.empty())
-    return basis;
+  std::vector<Attachment> loads;
+  for (const Vector &pressure : pressures)
+    loads.push_back({pressure, part.displacement(pressure)});
 
-  const std::vector<Vector> stiff = attachments(part, modes, pressures, options.negligible);
-  const Eigenpairs          mass  = eigenpairs(products(
-      stiff, stiff, [&part](const Vector &a, const Vector &b) { return part.mass_product(a, b); }));
-  std::vector<Vector>       ritz  = combinations(stiff, mass.vectors);
-  for (std::size_t i = ritz.size(); i-- > 0;) // values are 1/omega^2
+  std::vector<Shape> natural, attached;
+  for (unsigned int c = 0; c < part.symmetry().n_classes(); ++c)
     {
-      basis.omega.push_back(std::min(options.cap, 1. / std::sqrt(mass.values[i])));
-      ritz[i] *= basis.omega.back();
-      basis.shape.push_back(ritz[i]);
+      const std::vector<Mode>       modes_here = of_class(part, modes, c);
+      const std::vector<Attachment> loads_here = of_class(part, loads, c);
+      for (const Mode &mode : modes_here)
+        natural.push_back({mode.omega, mode.shape, c});
+      if (!loads_here.empty())
+        add_ritz_vectors(part,
+                         stiff_shapes(part, modes_here, loads_here, options.negligible),
+                         options.cap,
+                         c,
+                         attached);
     }
+  Basis basis;
+  basis.n_natural   = static_cast<unsigned int>(natural.size());
+  basis.reflections = part.symmetry().axis;
+  add(natural, basis);
+  add(attached, basis);
   return basis;
 }
 

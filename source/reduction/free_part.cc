@@ -35,6 +35,17 @@ bool is_held(const mesh::Part &part, const mesh::Nodes &nodes, const unsigned in
   return part.half && i % 3 == 2 && nodes.position[i / 3][2] == 0.;
 }
 
+/// What the reflection @p r makes of @p u.
+Vector reflected(const Vector &u, const Symmetry &symmetry, const unsigned int r)
+{
+  Vector image(u.size());
+  for (unsigned int node = 0; node < symmetry.mirror[r].size(); ++node)
+    for (unsigned int d = 0; d < 3; ++d)
+      image[3 * symmetry.mirror[r][node] + d] =
+          d == symmetry.axis[r] ? -u[3 * node + d] : u[3 * node + d];
+  return image;
+}
+
 /// a^T M b.
 double mass_product(const mesh::Nodes &nodes, const Vector &a, const Vector &b)
 {
@@ -101,6 +112,47 @@ FreePart::FreePart(const mesh::Part           &part,
 
   rigid_    = rigid_motions(part, nodes);
   supports_ = pivots(rigid_);
+
+  for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      Symmetry one;
+      one.axis   = {axis};
+      one.mirror = {mirror_images(nodes, axis)};
+      if (!one.mirror[0].empty() && commutes(one))
+        {
+          symmetry_.axis.push_back(axis);
+          symmetry_.mirror.push_back(one.mirror[0]);
+        }
+    }
+}
+
+bool FreePart::commutes(const Symmetry &reflection) const
+{
+  Vector u(n_unknowns());
+  for (unsigned int i = 0; i < u.size(); ++i)
+    u[i] = std::sin(1. + 12.9898 * i); // no symmetry
+  const auto differ = [](Vector a, const Vector &b) {
+    const double size = b.linfty_norm();
+    a -= b;
+    return a.linfty_norm() > 1e-9 * size;
+  };
+  const Vector image = reflected(u, reflection, 0);
+  Vector       of_u(u.size()), of_image(u.size());
+  stiffness_.vmult(of_u, u);
+  stiffness_.vmult(of_image, image);
+  if (differ(of_image, reflected(of_u, reflection, 0)))
+    return false;
+  mass_.vmult(of_u, u);
+  mass_.vmult(of_image, image);
+  return !differ(of_image, reflected(of_u, reflection, 0));
+}
+
+Vector FreePart::part_of_class(const Vector &u, const unsigned int c) const
+{
+  Vector part = u;
+  for (unsigned int r = 0; r < symmetry_.axis.size(); ++r)
+    part.sadd(0.5, (c >> r & 1u) != 0 ? -0.5 : 0.5, reflected(part, symmetry_, r));
+  return part;
 }
 
 double FreePart::mass_product(const Vector &a, const Vector &b) const

@@ -11,7 +11,7 @@ namespace chaindrive::reduction
 namespace
 {
 /// Of what is kept: to be raised with every change that changes results.
-constexpr unsigned int version = 1;
+constexpr unsigned int version = 2;
 
 void add(Checksum &sum, const double *values, const std::size_t n)
 {
@@ -75,15 +75,19 @@ nlohmann::json to_json(const Basis &basis)
   return {{"natural", basis.n_natural},
           {"rad/s", basis.omega},
           {"shapes", to_base64(basis.shape)},
+          {"reflections", basis.reflections},
+          {"symmetry", basis.symmetry},
           {"errors", errors}};
 }
 
 Basis from_json(const nlohmann::json &json)
 {
   Basis basis;
-  basis.n_natural = json.at("natural");
-  basis.omega     = json.at("rad/s").get<std::vector<double>>();
-  basis.shape     = from_base64(json.at("shapes"), basis.size());
+  basis.n_natural   = json.at("natural");
+  basis.omega       = json.at("rad/s").get<std::vector<double>>();
+  basis.shape       = from_base64(json.at("shapes"), basis.size());
+  basis.reflections = json.at("reflections").get<std::vector<unsigned int>>();
+  basis.symmetry    = json.at("symmetry").get<std::vector<unsigned int>>();
   for (const nlohmann::json &error : json.at("errors"))
     basis.errors.push_back({error.at(0), error.at(1)});
   return basis;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/reduction/pressures.h>
-#include <chaindrive/utilities/errors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +16,20 @@ struct Side
 {
   mesh::Surface surface;
   bool          of_pin;
+  unsigned int  power;  ///< highest of zeta: a pin bends, and presses on the ends of its bush
   double        pulled; ///< angle of the middle of the pressure when the chain is pulled, rad
   int           joint;  ///< of a link, 0 or 1; none: -1
 };
 
 /// The two joints of a link one after the other.
-constexpr Side all_sides[] = {{mesh::roller_outside, false, 0., -1},
-                              {mesh::roller_bore, false, 0., -1},
-                              {mesh::bush_outside_first, false, PI, 0},
-                              {mesh::bush_outside_second, false, 0., 1},
-                              {mesh::bush_bore_first, false, PI, 0},
-                              {mesh::bush_bore_second, false, 0., 1},
-                              {mesh::pin_outside_first, true, 0., 0},
-                              {mesh::pin_outside_second, true, PI, 1}};
+constexpr Side all_sides[] = {{mesh::roller_outside, false, 2, 0., -1},
+                              {mesh::roller_bore, false, 2, 0., -1},
+                              {mesh::bush_outside_first, false, 2, PI, 0},
+                              {mesh::bush_outside_second, false, 2, 0., 1},
+                              {mesh::bush_bore_first, false, 4, PI, 0},
+                              {mesh::bush_bore_second, false, 4, 0., 1},
+                              {mesh::pin_outside_first, true, 6, 0., 0},
+                              {mesh::pin_outside_second, true, 6, PI, 1}};
 
 bool has(const mesh::Part &part, const mesh::Surface surface)
 {
@@ -68,16 +68,9 @@ pressures(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders
       if (!has(part, side.surface))
         continue;
       const mesh::CylinderGrid grid(part, side.surface);
-      const unsigned int       highest = side.of_pin ? orders.pin : orders.tube;
-      if (2 * highest >= grid.n_columns())
-        throw InputError(
-            "Reduction/Harmonics of " + std::string(side.of_pin ? "pins" : "rollers and bushes") +
-            " = " + std::to_string(highest) + " needs more than " + std::to_string(2 * highest) +
-            " cells around, but the " + part.name + " has " + std::to_string(grid.n_columns()) +
-            "; choose a lower one, or more cells in section Mesh.");
-      // a pin bends in its bush, which presses on its ends
-      const unsigned int highest_power = side.of_pin ? 4 : 2;
-      for (unsigned int power = 0; power <= highest_power; power += part.half ? 2 : 1)
+      const unsigned int       highest =
+          std::min(side.of_pin ? orders.pin : orders.tube, (grid.n_columns() - 1) / 2);
+      for (unsigned int power = 0; power <= side.power; power += part.half ? 2 : 1)
         for (unsigned int n = 0; n <= highest; ++n)
           for (const bool sine : {false, true})
             {

@@ -45,26 +45,33 @@ double time_of(const std::function<void()> &work)
 
 int main(int argc, char **argv)
 {
-  const unsigned int n_nodes = argc > 1 ? std::stoi(argv[1]) : 500,
-                     n_modes = argc > 2 ? std::stoi(argv[2]) : 80;
-  using Numbers              = dealii::AlignedVector<double>;
-  const auto numbers         = [](const std::size_t n) {
+  const unsigned int n_nodes  = argc > 1 ? std::stoi(argv[1]) : 500,
+                     n_modes  = argc > 2 ? std::stoi(argv[2]) : 80,
+                     n_images = argc > 3 ? std::stoi(argv[3]) : 4;
+  using Numbers               = dealii::AlignedVector<double>;
+  const auto numbers          = [](const std::size_t n) {
     Numbers x(n);
     for (std::size_t i = 0; i < n; ++i)
       x[i] = 1e-3 * std::sin(1. + i);
     return x;
   };
+  const unsigned int        n_orbits = n_nodes / n_images;
   const std::size_t         field = 3 * n_nodes * n_lanes, modes = n_modes * n_lanes;
-  std::vector<unsigned int> node(n_nodes), found(n_nodes);
+  std::vector<unsigned int> orbit(n_orbits), node(n_orbits * n_images), found(n_orbits), first_mode;
+  std::iota(orbit.begin(), orbit.end(), 0u);
   std::iota(node.begin(), node.end(), 0u);
-  const Numbers reference = numbers(3 * n_nodes), shape = numbers(3 * n_nodes * n_modes),
-                rigid = numbers(n_rigid_entries * n_lanes), amplitude = numbers(modes),
-                rate = numbers(modes), pushed = numbers(field);
+  for (unsigned int c = 0; c <= n_images; ++c)
+    first_mode.push_back(c * n_modes / n_images);
+  const Numbers sign(3 * n_images, 1.),
+      reference = numbers(3 * n_nodes), shape = numbers(3 * n_orbits * n_modes),
+      rigid = numbers(n_rigid_entries * n_lanes), amplitude = numbers(modes), rate = numbers(modes),
+      pushed        = numbers(field);
   Numbers displaced = numbers(field), position = numbers(field), velocity = numbers(field),
           force = numbers(field), modal_force = numbers(modes), moment = numbers(3 * n_lanes),
           in_body = numbers(field);
-  std::printf("%u nodes, %u shapes; ns per body, node and shape\n%6s%14s%14s%14s\n",
+  std::printf("%u nodes, %u images each, %u shapes; ns per body, node and shape\n%6s%14s%14s%14s\n",
               n_nodes,
+              n_images,
               n_modes,
               "width",
               "place, rates",
@@ -75,9 +82,17 @@ int main(int argc, char **argv)
       const ModalKernels *kernels = modal_kernels(width);
       if (kernels == nullptr)
         continue;
-      const ModalNodes nodes{
-          n_nodes, node.data(), n_modes, reference.data(), shape.data(), rigid.data()};
-      PlaceArguments place{nodes,
+      const ModalNodes nodes{n_orbits,
+                             orbit.data(),
+                             n_images,
+                             node.data(),
+                             sign.data(),
+                             n_modes,
+                             first_mode.data(),
+                             reference.data(),
+                             shape.data(),
+                             rigid.data()};
+      PlaceArguments   place{nodes,
                            amplitude.data(),
                            rate.data(),
                            1e-7,
@@ -85,10 +100,10 @@ int main(int argc, char **argv)
                            displaced.data(),
                            position.data(),
                            velocity.data()};
-      const double   with_rates = time_of([&] { kernels->place(place); });
-      place.rate                = nullptr;
-      const double with_step    = time_of([&] { kernels->place(place); });
-      const double gather       = time_of([&] {
+      const double     with_rates = time_of([&] { kernels->place(place); });
+      place.rate                  = nullptr;
+      const double with_step      = time_of([&] { kernels->place(place); });
+      const double gather         = time_of([&] {
         std::copy(pushed.begin(), pushed.end(), force.begin());
         kernels->gather({nodes,
                          position.data(),
@@ -98,7 +113,7 @@ int main(int argc, char **argv)
                          in_body.data(),
                          found.data()});
       });
-      const double per          = 1e9 / (double(n_nodes) * n_modes * n_lanes);
+      const double per            = 1e9 / (double(n_nodes) * n_modes * n_lanes);
       std::printf(
           "%6d%14.3f%14.3f%14.3f\n", width, per * with_rates, per * with_step, per * gather);
     }

@@ -97,7 +97,7 @@ public:
 
   /// The rates of the shapes of a copy of this rank are multiplied by @p share.
   virtual void slow_shapes(const World & /*world*/, unsigned int /*copy*/, double /*share*/) {}
-  virtual void   take_shapes(const BodyGroup   &/*other*/) {}
+  virtual void take_shapes(const BodyGroup & /*other*/) {}
 
   /// Stable step [s] of such bodies without contacts.
   virtual double stable_step() const { return std::numeric_limits<double>::infinity(); }

@@ -17,16 +17,23 @@ enum RigidEntry : unsigned int
   n_rigid_entries = 18
 };
 
-/// Some nodes of a batch of reduced bodies and the shapes that move them. All arrays are aligned to
-/// 64 bytes.
+/// Some nodes of a batch of reduced bodies and the shapes that move them, by a Symmetry of the part
+/// (reduction/symmetry.h): an orbit is a node and its images, and the table of shapes has the
+/// motion of the first of them alone. All arrays are aligned to 64 bytes.
 struct ModalNodes
 {
-  unsigned int        n_nodes; ///< some
-  const unsigned int *node;    ///< their numbers in the part
+  static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+  unsigned int        n_orbits; ///< some
+  const unsigned int *orbit;    ///< their numbers in the table of shapes
+  unsigned int        n_images; ///< as many as classes: 1, 2, 4 or 8
+  const unsigned int *node; ///< [some orbit][image], numbers in the part; none: not of these nodes
+  const double       *sign; ///< [image][component], S_g
   unsigned int        n_modes;
-  const double       *reference; ///< [node of the part][component], body axes, m
-  const double       *shape;     ///< [node of the part][mode][component], body axes, 1/sqrt(kg)
-  const double       *rigid;     ///< [RigidEntry][lane]
+  const unsigned int *first_mode; ///< [class], and n_modes: modes are in the order of classes
+  const double       *reference;  ///< [node of the part][component], body axes, m
+  const double       *shape;      ///< [orbit][mode][component], body axes, 1/sqrt(kg)
+  const double       *rigid;      ///< [RigidEntry][lane]
 };
 
 /// Where these nodes are and how fast they move:
@@ -44,10 +51,9 @@ struct PlaceArguments
   const double *rate;      ///< q', [mode][lane]; null: the step tells
   double        step;      ///< dt, s, without a rate
   double        earlier;   ///< e, s
-  double       *displaced; ///< u, [some node][component][lane], m: before, then now; may be null
-                           ///< with a rate
-  double *position;        ///< [node of the part][component][lane], world axes, m
-  double *velocity;        ///< m/s
+  double *displaced; ///< u, [some orbit][image][component][lane], m, before, then now, without S_g
+  double *position;  ///< [node of the part][component][lane], world axes, m
+  double *velocity;  ///< m/s
 };
 
 /// What forces on these nodes are to the body: its generalised forces Q = sum Phi^T R^T f, and
@@ -59,8 +65,8 @@ struct GatherArguments
   double       *force;       ///< N
   double       *modal_force; ///< Q, [mode][lane], which is set, N/sqrt(kg)
   double       *moment;      ///< [component][lane], which is set, N m
-  double       *in_body;     ///< room for three numbers per node and lane
-  unsigned int *found;       ///< room for one number per node
+  double       *in_body;     ///< room for three numbers per orbit, image and lane
+  unsigned int *found;       ///< room for one number per orbit
 };
 
 /// The kernels of one instruction set.

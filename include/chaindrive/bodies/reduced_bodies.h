@@ -76,8 +76,14 @@ public:
 private:
   using Numbers = dealii::AlignedVector<double>;
 
+  /// The shapes of @p basis, which are those of a part with @p nodes.
+  void take_basis(const mesh::Nodes &nodes, const reduction::Basis &basis);
+
   /// Where the numbers of a batch that this rank owns begin in arrays [batch][mode][lane].
   std::size_t start_of(const BodyBatches &copies, unsigned int batch) const;
+
+  /// Phi of mode @p m at @p node, body axes.
+  dealii::Tensor<1, 3> shape_at(unsigned int node, unsigned int m) const;
 
   /// Sum over the shapes at @p node of what @p numbers say of a copy, body axes.
   dealii::Tensor<1, 3> sum_of_shapes(const World   &world,
@@ -92,24 +98,32 @@ private:
   /// and where the nodes were before.
   void place_touching(World &world, double earlier, bool with_rates);
 
-  /// @p nodes, moved as the frames taken last and the shapes say.
-  ModalNodes modal_nodes(const std::vector<unsigned int> &nodes) const;
+  /// The nodes that touch, moved as the frames taken last and the shapes say.
+  ModalNodes modal_nodes() const;
 
-  unsigned int              group_;       ///< in World::copies
-  unsigned int              first_batch_; ///< of this rank
-  Material                  material_;
-  parameters::Elements      elements_;
-  const ModalKernels       &kernels_;
-  std::vector<unsigned int> touching_; ///< nodes
+  unsigned int         group_;       ///< in World::copies
+  unsigned int         first_batch_; ///< of this rank
+  Material             material_;
+  parameters::Elements elements_;
+  const ModalKernels  &kernels_;
 
-  std::vector<double>            square_;            ///< W^2 per mode, 1/s2
-  Numbers                        shape_, reference_; ///< as in ModalNodes
-  std::vector<reduction::Vector> rigid_motions_;     ///< of unit mass, 1/sqrt(kg)
+  // in the order of classes of the part's symmetry
+  std::vector<unsigned int> class_;      ///< of each mode
+  std::vector<unsigned int> first_mode_; ///< as in ModalNodes
+  std::vector<double>       square_;     ///< W^2 per mode, 1/s2
+
+  reduction::Symmetry       symmetry_;
+  std::vector<unsigned int> orbit_, image_; ///< of each node
+  std::vector<unsigned int> touching_;      ///< orbits with nodes that touch
+  std::vector<unsigned int> node_;          ///< those nodes, as in ModalNodes
+  Numbers                   sign_, shape_, reference_;
+
+  std::vector<reduction::Vector> rigid_motions_; ///< of unit mass, 1/sqrt(kg)
 
   Numbers amplitude_, rate_, acceleration_; ///< q, q', q", [batch][mode][lane]
   Numbers modal_force_;                     ///< Q of contacts, [batch][mode][lane]
 
-  Numbers displaced_;     ///< Phi q of nodes that touch, [batch][node][component][lane], m
+  Numbers displaced_;     ///< as in PlaceArguments, of each batch, m
   bool    known_ = false; ///< it belongs to the present q
 
   Numbers                   rigid_;            ///< the frames of a batch, see ModalNodes

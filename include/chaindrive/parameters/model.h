@@ -146,8 +146,8 @@ struct Reduction
 {
   double       modes_up_to = 60e3;  ///< Hz
   double       highest     = 300e3; ///< frequency of the other shapes, Hz
-  unsigned int tube_order  = 4;     ///< harmonics about rollers and bushes
-  unsigned int pin_order   = 3;
+  unsigned int tube_order  = 8;     ///< harmonics about rollers and bushes
+  unsigned int pin_order   = 6;
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.

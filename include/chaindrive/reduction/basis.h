@@ -15,7 +15,7 @@ struct BasisOptions
   double modes_up_to = 2. * dealii::numbers::PI * 60e3; ///< all free modes below, rad/s
   double cap = 2. * dealii::numbers::PI * 300e3;        ///< no vector has a higher frequency, rad/s
   Orders orders;
-  double negligible = 5e-3; ///< of the compliance under a pressure: what gives way less is left out
+  double negligible = 3e-3; ///< of the compliance under a pressure: what gives way less is left out
 };
 
 /// Displacements that stand for the elasticity of a part: u = Phi q with q" + W^2 q = Phi^T f.
@@ -28,6 +28,9 @@ struct Basis
   unsigned int        n_natural = 0; ///< of the shapes; the rest are attachments
   std::vector<double> omega; ///< W: of each shape, ascending among natural ones and others, rad/s
   std::vector<Vector> shape; ///< Phi: of each, 1/sqrt(kg)
+
+  std::vector<unsigned int> reflections; ///< the axes of the part's Symmetry
+  std::vector<unsigned int> symmetry;    ///< the class of each shape
 
   /// The part of the compliance under a load that the basis lacks.
   struct Error
@@ -45,7 +48,9 @@ struct Basis
 /// With u_j what the pressure j displaces beside the natural modes and C_ij = f_i . u_j, vectors U
 /// V L^-1/2 with the eigenpairs C = V L V^T have unit stiffness; the eigenpairs of their masses, of
 /// values 1/omega^2, are the Ritz vectors of both K and M. The pressures are scaled to unit
-/// compliance before; eigenvectors of C whose value is negligible are left out.
+/// compliance before; eigenvectors of C whose value is negligible are left out. All of this is done
+/// for each class of the part's symmetry apart, with the parts of pressures and natural modes that
+/// are of this class, so that every shape is of one.
 Basis make_basis(const FreePart            &part,
                  const std::vector<Vector> &pressures,
                  const BasisOptions        &options);

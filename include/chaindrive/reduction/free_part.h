@@ -3,6 +3,7 @@
 
 #include <chaindrive/element/elastic_part.h>
 #include <chaindrive/mesh/nodes.h>
+#include <chaindrive/reduction/symmetry.h>
 
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/sparse_direct.h>
@@ -45,6 +46,12 @@ public:
   /// Translations and rotations about the centre of mass, R^T M R = 1, 1/sqrt(kg).
   const std::vector<Vector> &rigid() const { return rigid_; }
 
+  /// The reflections that leave K and M what they are.
+  const Symmetry &symmetry() const { return symmetry_; }
+
+  /// The part of @p u of the class @p c of symmetry(); all parts add up to it.
+  Vector part_of_class(const Vector &u, unsigned int c) const;
+
   /// a^T M b.
   double mass_product(const Vector &a, const Vector &b) const;
 
@@ -56,12 +63,16 @@ public:
   Vector displacement(const Vector &force) const;
 
 private:
+  /// Whether K and M commute with this reflection, as they do if it is a symmetry.
+  bool commutes(const Symmetry &reflection) const;
+
   std::string                    name_;
   dealii::SparsityPattern        pattern_;
   dealii::SparseMatrix<double>   stiffness_;
   dealii::DiagonalMatrix<Vector> mass_;
   std::vector<char>              held_;
   std::vector<Vector>            rigid_;
+  Symmetry                       symmetry_;
 
   /// As many unknowns as there are rigid motions, which these move by independent amounts: with
   /// them held the part is supported as a statically determinate body.

@@ -12,13 +12,15 @@ namespace chaindrive::reduction
 /// The highest harmonics about the axis of the pressures in which a part gives way.
 struct Orders
 {
-  unsigned int tube = 4; ///< of rollers and bushes, which become oval
-  unsigned int pin  = 3;
+  unsigned int tube = 8; ///< of rollers and bushes, which become oval
+  unsigned int pin  = 6;
 };
 
-/// Pressures [Pa] cos(n theta), sin(n theta) times 1, zeta and zeta^2 on every cylindrical side of
-/// @p part that touches another part, on pins also zeta^3 and zeta^4, n up to the @p orders, zeta =
-/// z over half of the side's length; without odd powers on a half part. As forces of the nodes, N.
+/// Pressures [Pa] cos(n theta), sin(n theta) times powers of zeta on every cylindrical side of
+/// @p part that touches another part, n up to the @p orders as long as there are more than two
+/// columns of nodes for a wave, zeta = z over half of the side's length. The powers go up to 2, on
+/// bores of bushes to 4 and on pins, which bend in them, to 6, without odd ones on a half part. As
+/// forces of the nodes, N.
 std::vector<Vector>
 pressures(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders);
 
