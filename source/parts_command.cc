@@ -117,9 +117,14 @@ void print_roller(std::ostream              &out,
   };
   for (const double load : loads)
     row(load, 0.);
+  // among them the position of Contact/Tooth stiffness
+  std::vector<double> positions = {statics::seat_end(sprocket.form)};
   for (const double degrees : {20., 40., 60.})
     if (degrees * PI / 180. < end)
-      row(drive.reference_load, degrees * PI / 180.);
+      positions.push_back(degrees * PI / 180.);
+  std::sort(positions.begin(), positions.end());
+  for (const double position : positions)
+    row(drive.reference_load, position);
 }
 
 void print_plates(std::ostream &out, statics::Library &library, const drive::Drive &drive)

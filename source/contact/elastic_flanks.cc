@@ -136,6 +136,7 @@ scene::SurfaceFamily on_flanks(const scene::ToothFamily &family, const World &wo
           family.law,
           family.slaves,
           family.elastic,
-          family.slave_surface};
+          family.slave_surface,
+          family.tooth_stiffness};
 }
 } // namespace chaindrive::contact

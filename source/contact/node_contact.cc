@@ -29,6 +29,7 @@ NodeContact::NodeContact(const scene::SurfaceFamily &scene,
     , surface_(scene.surface)
     , slaves_(world, bodies_of(scene.slaves), scene.slave_surface)
     , every_step_(search_every_step)
+    , surface_stiffness_(scene.surface_stiffness)
 {
   for (unsigned int i = 0; i < slaves_.n_bodies(); ++i)
     owner_.push_back(slaves_.owner(world, i));
@@ -85,14 +86,18 @@ void NodeContact::add_body_forces(World &world, const unsigned int i, const doub
   Record &record = records_[i];
   record.gap     = std::numeric_limits<double>::max();
   record.force   = dealii::Tensor<1, 3>();
-  Resultant           sum;
-  Surface::Projection projection; // once for all, since not every surface has one
-  for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
+  Resultant sum;
+  if (surface_stiffness_ > 0.)
+    add_forces_on_deflected(world, i, dt, sum);
+  else
     {
-      if (every_step_ || node(i, s).cadence.is_due(clock_))
-        add_node_force(world, i, s, dt, projection, sum);
-      record.gap = std::min(record.gap, node(i, s).gap);
+      Surface::Projection projection; // once for all, since not every surface has one
+      for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
+        if (is_due(i, s))
+          add_node_force(world, i, visit(world, i, s, projection), dt, projection, sum);
     }
+  for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
+    record.gap = std::min(record.gap, node(i, s).gap);
 
   for (unsigned int d = 0; d < 3; ++d) // for the motion of the centre of mass
     world.force.local_element(3 * record.slave + d) += record.force[d];
@@ -105,39 +110,91 @@ void NodeContact::add_body_forces(World &world, const unsigned int i, const doub
     }
 }
 
-void NodeContact::add_node_force(World               &world,
-                                 const unsigned int   i,
-                                 const unsigned int   s,
-                                 const double         dt,
-                                 Surface::Projection &projection,
-                                 Resultant           &sum)
+void NodeContact::add_forces_on_deflected(World             &world,
+                                          const unsigned int i,
+                                          const double       dt,
+                                          Resultant         &sum)
 {
-  Node                      &node   = this->node(i, s);
-  Record                    &record = records_[i];
-  const Frame               &master = world.frames[surface_->body()];
-  const dealii::Tensor<1, 3> x      = slaves_.position(world, i, s);
-  const double               z      = axis_of(master, 2) * (x - master.position);
-  const double               area   = slaves_.cover(z, surface_->half_width(), s) * slaves_.area(s);
-  const scene::ContactLaw    law    = law_.times(area);
-  const bool                 left_alone = node.cadence.left_alone(clock_);
+  Surface::Projection none; // the surface is rigid
+  visits_.clear();
+  overlapping_.clear();
+  for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
+    if (is_due(i, s))
+      {
+        visits_.push_back(visit(world, i, s, none));
+        const Visit &v = visits_.back();
+        if (v.may_touch && v.gap < 0.)
+          {
+            const dealii::Tensor<1, 3> relative =
+                surface_->relative_velocity(world, v.x, none, slaves_.velocity(world, i, s), dt);
+            overlapping_.push_back({v.law.stiffness, -v.gap, -(relative * v.touch.normal)});
+          }
+      }
+  const Deflection deflection = deflection_under(surface_stiffness_, overlapping_);
+  for (Visit &v : visits_)
+    {
+      if (v.gap < 0.)
+        {
+          v.touch.gap += deflection.depth;
+          v.receding = deflection.rate;
+        }
+      add_node_force(world, i, v, dt, none, sum);
+    }
+  TouchState now;
+  now.overlap = deflection.depth;
+  now.normal  = sum.normal_force;
+  book_deflection(surface_stiffness_, states_[i], now, world.ledger);
+  states_[i] = now;
+}
+
+NodeContact::Visit NodeContact::visit(const World         &world,
+                                      const unsigned int   i,
+                                      const unsigned int   s,
+                                      Surface::Projection &projection)
+{
+  const Frame &master = world.frames[surface_->body()];
+  Node        &node   = this->node(i, s);
+  Visit        visit;
+  visit.s           = s;
+  visit.x           = slaves_.position(world, i, s);
+  const double z    = axis_of(master, 2) * (visit.x - master.position);
+  const double area = slaves_.cover(z, surface_->half_width(), s) * slaves_.area(s);
+  visit.law         = law_.times(area);
+  visit.may_touch   = area > 0.;
 
   // what overlaps is looked for as deep as it may be, and deeper
   const double far = node.touch.overlap > 0. ? std::max(within, 2. * senseless_overlap()) : within;
-  const Touch  touch    = surface_->project(world, x, 0., far, node.hint, projection);
-  const bool   found    = touch.gap != std::numeric_limits<double>::max();
-  const auto   relative = [&]() {
-    return surface_->relative_velocity(world, x, projection, slaves_.velocity(world, i, s), dt);
+  visit.touch      = surface_->project(world, visit.x, 0., far, node.hint, projection);
+  visit.gap        = visit.touch.gap;
+  return visit;
+}
+
+void NodeContact::add_node_force(World                     &world,
+                                 const unsigned int         i,
+                                 const Visit               &visit,
+                                 const double               dt,
+                                 const Surface::Projection &projection,
+                                 Resultant                 &sum)
+{
+  Node        &node       = this->node(i, visit.s);
+  Record      &record     = records_[i];
+  const Touch &touch      = visit.touch;
+  const bool   left_alone = node.cadence.left_alone(clock_);
+  const bool   found      = visit.gap != std::numeric_limits<double>::max();
+  const auto   relative   = [&]() {
+    return surface_->relative_velocity(
+        world, visit.x, projection, slaves_.velocity(world, i, visit.s), dt);
   };
 
-  node.gap = area > 0. ? touch.gap : std::numeric_limits<double>::max();
-  if (touch.gap >= 0. || area == 0.)
+  node.gap = visit.may_touch ? touch.gap : std::numeric_limits<double>::max();
+  if (touch.gap >= 0. || !visit.may_touch)
     {
       if (found)
-        come_apart(law, dt, node.touch, world.ledger);
+        come_apart(visit.law, dt, node.touch, world.ledger);
       else if (node.touch.overlap > 0.)
-        lose_touch(law, node.touch, world.ledger);
+        lose_touch(visit.law, node.touch, world.ledger);
       node.cadence.restart(
-          clock_, holding_time(std::clamp(touch.gap, 0., within), relative().norm(), unforeseen_));
+          clock_, holding_time(std::clamp(visit.gap, 0., within), relative().norm(), unforeseen_));
       return;
     }
   if (left_alone)
@@ -145,15 +202,15 @@ void NodeContact::add_node_force(World               &world,
   node.cadence.restart(clock_, 0.);
 
   const dealii::Tensor<1, 3> v     = relative();
-  const PointForce           force = press(law,
+  const PointForce           force = press(visit.law,
                                  touch,
-                                 v,
+                                 v + visit.receding * touch.normal,
                                  surface_->slip_velocity(world, touch, projection, v),
                                  dt,
                                  node.touch,
                                  world.ledger);
-  slaves_.add_force(world, i, s, force.total);
-  surface_->add_opposite(world, x, touch, projection, force);
+  slaves_.add_force(world, i, visit.s, force.total);
+  surface_->add_opposite(world, visit.x, touch, projection, force);
 
   record.force += force.total;
   record.feature = touch.feature;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/drive/rest.h>
+#include <chaindrive/parameters/needs.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
@@ -194,6 +195,17 @@ Drive make_drive(const Parameters  &parameters,
   d.roller_bush_stiffness  = contact.roller_bush_stiffness.value_or(parts.roller_bush);
   d.roller_tooth_stiffness = contact.roller_tooth_stiffness.value_or(
       model.has_clearances ? parts.roller_tooth : parts.pressed_roller());
+  for (unsigned int i = 0; i < d.sprockets.size(); ++i)
+    d.sprockets[i].tooth_stiffness = contact.tooth_stiffness.value_or(
+        parts.teeth.empty() ?
+            tooth_stiffness(std::min(d.chain.roller_length, d.sprocket_width), steel) :
+            parts.teeth[i]);
+  if (contact.tooth_stiffness && parameters::tooth_compliance(parameters).on)
+    refuse_soft("Contact/Tooth stiffness in N/m",
+                *contact.tooth_stiffness,
+                hardest_pull(parameters, 0.5 * driven.pitch_diameter),
+                0.5 * d.chain.roller_diameter,
+                "rollers");
   if (!model.is_elastic) // there the elastic bodies give way
     {
       const Pull load = hardest_pull(parameters, 0.5 * driven.pitch_diameter);

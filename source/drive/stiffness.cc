@@ -33,6 +33,11 @@ double line_contact_stiffness(const double length, const Material &steel)
   return 0.25 * PI * steel.contact_modulus() * length;
 }
 
+double tooth_stiffness(const double width, const Material &steel)
+{
+  return 2. * line_contact_stiffness(width, steel);
+}
+
 ConformingContact conforming_contact(const double    radius,
                                      const double    clearance,
                                      const double    q,
@@ -120,6 +125,7 @@ estimated_stiffness(const ChainDimensions &chain, const double load, const Mater
   return {chain_stiffness(chain, load, steel),
           line_contact_stiffness(chain.roller_length, steel),
           roller_bush_stiffness(chain, load, steel),
+          {},
           {"Stiffnesses that are auto are estimates from dimensions alone."}};
 }
 } // namespace chaindrive::drive

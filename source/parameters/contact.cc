@@ -24,6 +24,14 @@ void Contact::declare(Declarations &declarations)
       "Force over approach of roller and bush; layered fidelity only. auto: a roller "
       "pressed between tooth and bush, see Model/Stiffness from.");
   add(declarations,
+      "Tooth stiffness in N/m",
+      tooth_stiffness,
+      unit::si,
+      above(0., 1e13),
+      "Force over deflection of a tooth and the rim below it under an elastic roller, if "
+      "Effects/Tooth compliance is on. auto: of each sprocket that of its elastic rim, pressed "
+      "near the end of the seat, where rollers of a new chain bear; see Model/Stiffness from.");
+  add(declarations,
       "Damping ratio",
       damping_ratio,
       unit::si,

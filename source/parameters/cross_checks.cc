@@ -272,7 +272,8 @@ void check_elasticity(const Parameters &p, Findings &findings)
         {"Elastic rollers", effects.elastic_rollers},
         {"Elastic driver", effects.elastic_driver},
         {"Elastic driven", effects.elastic_driven},
-        {"Plate bending", effects.plate_bending}})
+        {"Plate bending", effects.plate_bending},
+        {"Tooth compliance", effects.tooth_compliance}})
     findings.contradiction(!elastic && choice == Switch::on,
                            std::string("Effects/") + name + " = on contradicts " + chosen +
                                ", in which no body is elastic; choose auto or off, or Model/"
@@ -312,6 +313,11 @@ void check_elasticity(const Parameters &p, Findings &findings)
                              "not for" +
                                  here + "; choose auto, or Fidelity = full.");
     }
+  if (const Decision teeth = tooth_compliance(p); effects.tooth_compliance == Switch::on)
+    findings.contradiction(!teeth.on,
+                           "Effects/Tooth compliance = on is for elastic rollers on a rigid "
+                           "sprocket, but " +
+                               teeth.reason + "; choose auto or off.");
   findings.contradiction(effects.plate_bending == Switch::on && !elastic_links(p).on,
                          "Effects/Plate bending = on needs elastic links; choose Effects/Elastic "
                          "links = on, or Plate bending = auto.");

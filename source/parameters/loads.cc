@@ -61,6 +61,11 @@ void Effects::declare(Declarations &declarations)
       "one, of all but its physical volume hub zone. It needs elastic rollers";
   effect("Elastic driver", elastic_driver, rim + needed + "the sprocket is rigid.");
   effect("Elastic driven", elastic_driven, rim + needed + "the sprocket is rigid.");
+  effect("Tooth compliance",
+         tooth_compliance,
+         "Rigid sprockets give way under each elastic or reduced roller by Contact/Tooth stiffness "
+         "in N/m, as a spring without mass behind the contact. auto: on in reduced fidelity, whose "
+         "sprockets are rigid. off: teeth of rigid sprockets do not give way.");
   effect("Plate bending",
          plate_bending,
          "Bending of the plates out of their planes. auto: on in elastic links. off: the "

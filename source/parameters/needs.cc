@@ -78,6 +78,22 @@ Decision elastic_sprocket(const Parameters &p, const Role role)
   return rim;
 }
 
+Decision tooth_compliance(const Parameters &p)
+{
+  const Switch choice = p.effects.tooth_compliance;
+  if (!p.model.capabilities().is_elastic)
+    return {false, "no group of bodies is elastic in this fidelity"};
+  if (!elastic_rollers(p).on)
+    return {false, "rollers are rigid: their contact with rigid teeth has one stiffness"};
+  if (elastic_sprocket(p, Role::driver).on && elastic_sprocket(p, Role::driven).on)
+    return {false, "sprockets are elastic"};
+  if (choice != Switch::automatic)
+    return {choice == Switch::on, "switched " + text_of(choice) + " in section Effects"};
+  const bool reduced = p.model.capabilities().is_reduced;
+  return {reduced,
+          reduced ? "reduced rollers press rigid sprockets" : "teeth of rigid sprockets are rigid"};
+}
+
 Decision half_model(const Parameters &p)
 {
   if (!p.model.capabilities().is_elastic)

@@ -85,6 +85,7 @@ std::vector<Effect> decide_effects(const Parameters &p)
   add("elastic rollers", parameters::elastic_rollers(p));
   add("elastic driver", parameters::elastic_sprocket(p, Role::driver));
   add("elastic driven", parameters::elastic_sprocket(p, Role::driven));
+  add("tooth compliance", parameters::tooth_compliance(p));
   add("plate bending", parameters::plate_bending(p));
   add("reduced bodies", parameters::reduced_bodies(p));
   add("column mass scaling", parameters::column_mass_scaling(p));

@@ -119,10 +119,12 @@ ToothFamily make_flanks(const Parameters      &parameters,
 }
 
 /// The family of the rollers that move by @p motion, whose nodes meet the flanks of @p flanks.
+/// These give way by @p tooth_stiffness [N/m] where they are rigid.
 ToothFamily with_elastic_rollers(const Parameters   &parameters,
                                  const drive::Drive &drive,
                                  const Scene        &scene,
                                  const ToothFamily  &flanks,
+                                 const double        tooth_stiffness,
                                  const Motion        motion)
 {
   ToothFamily              teeth  = flanks;
@@ -138,7 +140,9 @@ ToothFamily with_elastic_rollers(const Parameters   &parameters,
     }
   teeth.law =
       make_area_law(parameters, scene.effects, thickness, parameters.contact.roller_tooth_friction);
-  teeth.elastic       = true;
+  teeth.elastic = true;
+  if (is_on(scene.effects, "tooth compliance") && sector == scene.sectors.end())
+    teeth.tooth_stiffness = (scene.half ? 0.5 : 1.) * tooth_stiffness;
   teeth.slave_surface = mesh::roller_outside;
   for (unsigned int k = 0; k < scene.n_joints; ++k)
     if (scene.bodies[k].motion == motion)
@@ -209,9 +213,14 @@ void add_sprockets(const Parameters               &parameters,
 
       const ToothFamily flanks =
           make_flanks(parameters, drive, sprocket, number, part.get(), scene);
+      if (is_on(scene.effects, "tooth compliance") && body.motion == Motion::rigid)
+        scene.notes.push_back(flanks.name + ": tooth and rim give way under a roller by " +
+                              to_text(sprocket.tooth_stiffness, 4) + " N/m (" +
+                              (parameters.contact.tooth_stiffness ? "given" : "auto") + ")");
       for (const Motion motion : {Motion::elastic, Motion::reduced})
         if (any_roller([motion](const Body &roller) { return roller.motion == motion; }))
-          scene.teeth.push_back(with_elastic_rollers(parameters, drive, scene, flanks, motion));
+          scene.teeth.push_back(with_elastic_rollers(
+              parameters, drive, scene, flanks, sprocket.tooth_stiffness, motion));
       if (any_rigid)
         scene.teeth.push_back(with_rigid_rollers(parameters, drive, stiffness, scene, flanks));
     }

@@ -147,6 +147,11 @@ nlohmann::json Library::result_of(const std::string                     &name,
   return result;
 }
 
+double seat_end(const drive::ToothForm &form)
+{
+  return std::max(0., form.seat_half_angle - patch_width);
+}
+
 Press Library::pulled_links(const drive::ChainDimensions &chain, const unsigned int n_angles)
 {
   const double    plate = chain.inner_plate_thickness, inside = 0.5 * (chain.bush_length - plate);

@@ -37,13 +37,19 @@ std::string origin(const Library &library, const double load)
          " N, " + (cached ? "from the cache (" : "computed (") + parts + ").";
 }
 
+/// Whether rigid sprockets give way by a stiffness that is auto.
+bool teeth_give_way(const Parameters &p)
+{
+  return parameters::tooth_compliance(p).on && !p.contact.tooth_stiffness;
+}
+
 /// Whether anything in the model gives way by these values: rigid bodies, or a start whose
 /// prestress is found with them.
 bool are_needed(const Parameters &p)
 {
   return !p.model.capabilities().is_elastic || !parameters::elastic_links(p).on ||
          !parameters::elastic_rollers(p).on ||
-         p.model.elastic_links == parameters::ElasticLinks::arriving ||
+         p.model.elastic_links == parameters::ElasticLinks::arriving || teeth_give_way(p) ||
          p.drive.layout.start == parameters::Start::settled;
 }
 
@@ -81,6 +87,19 @@ drive::PartStiffness compute(const Parameters   &parameters,
       result.roller_tooth = rounded(load / tooth);
       result.roller_bush  = rounded(load / bush);
     }
+  if (teeth_give_way(parameters))
+    for (const drive::Sprocket &sprocket : drive.sprockets)
+      result.teeth.push_back(rounded(load / at_force(
+                                                [&](const unsigned int n_angles) {
+                                                  return library.pressed_roller(
+                                                      drive.chain,
+                                                      sprocket,
+                                                      drive.sprocket_width,
+                                                      n_angles,
+                                                      seat_end(sprocket.form));
+                                                },
+                                                load)
+                                                .given_way.back()));
   if (!library.entries().empty())
     result.notes.push_back(origin(library, load));
   for (const std::string &note : library.notes())

@@ -163,6 +163,16 @@ int main()
     p.model.half        = HalfModel::yes;
     p.output.quantities = {QuantityGroup::tensions};
   });
+  check([](Parameters &p) { p.effects.tooth_compliance = Switch::on; });
+  full([](Parameters &p) { p.effects.tooth_compliance = Switch::on; });
+  full([](Parameters &p) {
+    p.effects.tooth_compliance = Switch::on;
+    p.effects.elastic_rollers  = Switch::off;
+  });
+  full([](Parameters &p) { // which is possible
+    p.effects.tooth_compliance = Switch::on;
+    p.effects.elastic_driven   = Switch::off;
+  });
 
   std::cout << "reduction" << std::endl;
   check([](Parameters &p) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Scenes with reduced bodies: which bodies they are, that masses are those of their nodes, also of
-// halves; that contact is that of full; and which parts have a basis.
+// halves; that contact is that of full; which parts have a basis; and which teeth give way.
 #include "../support/scenes.h"
 
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/mesh/nodes.h>
 #include <chaindrive/reduction/basis.h>
 #include <chaindrive/scene/build.h>
+#include <chaindrive/utilities/errors.h>
 
 #include <numeric>
 
@@ -74,6 +75,55 @@ double error_of_masses(const scene::Scene &scene)
       }
   return largest;
 }
+
+/// The stiffness of teeth under the rollers of each family.
+void show_teeth(const std::string &what, const Parameters &p)
+{
+  std::cout << what << ": teeth, kN/mm";
+  const scene::Scene scene = build(p);
+  for (const scene::ToothFamily &teeth : scene.teeth)
+    std::cout << ' ' << 1e-6 * teeth.tooth_stiffness;
+  std::cout << (scene::is_on(scene.effects, "tooth compliance") ? ", on\n" : ", off\n");
+}
+
+void check_teeth()
+{
+  using parameters::Switch;
+  Parameters p              = drive_of(Fidelity::reduced);
+  p.contact.tooth_stiffness = 3e8;
+  p.model.half              = parameters::HalfModel::no;
+  show_teeth("reduced", p);
+  p.model.half = parameters::HalfModel::yes;
+  show_teeth("halves", p);
+  p.model.half               = parameters::HalfModel::automatic;
+  p.effects.tooth_compliance = Switch::off;
+  show_teeth("switched off", p);
+  p.effects.tooth_compliance = Switch::automatic;
+  p.model.elastic_links      = parameters::ElasticLinks::arriving;
+  p.output.window_start      = 28e-3;
+  show_teeth("reduced rollers, then rigid ones", p);
+  p.model.elastic_links    = parameters::ElasticLinks::all;
+  p.model.fidelity         = Fidelity::full;
+  p.effects.elastic_driven = Switch::off;
+  p.model.half             = parameters::HalfModel::no;
+  show_teeth("full, rigid driven sprocket", p);
+  p.effects.tooth_compliance = Switch::on;
+  show_teeth("switched on", p);
+  p.contact.tooth_stiffness.reset();
+  ratio("from dimensions, against the half-space of a tooth",
+        build(p).teeth[1].tooth_stiffness,
+        0.25 * dealii::numbers::PI * p.material.plane_modulus() *
+            drive::make_drive(p).chain.roller_length);
+  p.contact.tooth_stiffness = 1e5;
+  try
+    {
+      build(p);
+    }
+  catch (const InputError &error)
+    {
+      std::cout << error.what() << '\n';
+    }
+}
 } // namespace
 
 int main()
@@ -99,4 +149,5 @@ int main()
   p.model.fidelity    = Fidelity::full;
   p.model.other_links = parameters::OtherLinks::reduced;
   show("elastic among reduced ones", build(p));
+  check_teeth();
 }

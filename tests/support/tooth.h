@@ -30,6 +30,7 @@ struct Tooth
   unsigned int refinement = 1;    ///< of a generated sprocket
   double       softness   = 1.;   ///< of the contact springs
   double       friction   = 0.;
+  double       stiffness  = 0.; ///< with which rigid teeth give way, N/m; 0: they do not
   double       turned     = 0.; ///< sprocket, rad
   Vector3      moved;           ///< roller, from 5 um above the bottom of gap 0, m
   Vector3      velocity = vector(-1.3, 0.);
@@ -104,18 +105,19 @@ inline scene::Scene make_scene(const Tooth &c)
       law.tangential_stiffness = 0.8 * law.stiffness;
     }
   scene::ToothFamily family;
-  family.name          = "roller-driver";
-  family.sprocket      = 1;
-  family.form          = form;
-  family.facets        = facets;
-  family.teeth         = form->teeth;
-  family.outer_radius  = 0.5 * form->outside_diameter;
-  family.half_width    = 3.6e-3;
-  family.law           = law;
-  family.slaves        = {{0, dealii::Point<3>(), 0.5 * chain.roller_diameter, 0}};
-  family.elastic       = true;
-  family.slave_surface = mesh::roller_outside;
-  scene.teeth          = {family};
+  family.name            = "roller-driver";
+  family.sprocket        = 1;
+  family.form            = form;
+  family.facets          = facets;
+  family.teeth           = form->teeth;
+  family.outer_radius    = 0.5 * form->outside_diameter;
+  family.half_width      = 3.6e-3;
+  family.law             = law;
+  family.slaves          = {{0, dealii::Point<3>(), 0.5 * chain.roller_diameter, 0}};
+  family.elastic         = true;
+  family.slave_surface   = mesh::roller_outside;
+  family.tooth_stiffness = c.stiffness;
+  scene.teeth            = {family};
   return scene;
 }
 

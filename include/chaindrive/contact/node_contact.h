@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/contact/deflection.h>
 #include <chaindrive/contact/search_cadence.h>
 #include <chaindrive/contact/slave_nodes.h>
 #include <chaindrive/contact/surface_contact.h>
@@ -21,6 +22,9 @@ namespace chaindrive::contact
 /// Bodies near the surface are found as for rigid ones. A node of theirs that does not touch is
 /// left alone until its gap may have closed, see PointCadence. A node that is found to touch after
 /// it has been left alone is counted as missed.
+///
+/// A rigid surface may give way under all nodes of a body as a whole, see deflection_under(): what
+/// it is made of bends behind the contact. Under each body it does so by itself.
 class NodeContact : public SurfaceContact
 {
 public:
@@ -62,16 +66,39 @@ private:
   /// Takes over the near bodies that @p rank evaluates.
   void find_own(unsigned int rank);
 
+  /// A node that is due.
+  struct Visit
+  {
+    unsigned int         s; ///< its number
+    dealii::Tensor<1, 3> x; ///< where it is, m, world
+    scene::ContactLaw    law;
+    Touch                touch;
+    double               gap;               ///< from the surface where it stands undeflected, m
+    double               receding  = 0.;    ///< speed at which the surface gives way, m/s
+    bool                 may_touch = false; ///< it lies over the surface's width
+  };
+
   /// Contact of body @p i with its record.
   void add_body_forces(World &world, unsigned int i, double dt);
 
-  /// Contact of its node @p s, which is due.
-  void add_node_force(World               &world,
-                      unsigned int         i,
-                      unsigned int         s,
-                      double               dt,
-                      Surface::Projection &projection,
-                      Resultant           &sum);
+  /// The same of all its nodes, on a surface that gives way.
+  void add_forces_on_deflected(World &world, unsigned int i, double dt, Resultant &sum);
+
+  bool is_due(const unsigned int i, const unsigned int s)
+  {
+    return every_step_ || node(i, s).cadence.is_due(clock_);
+  }
+
+  /// Where node @p s of body @p i is on the surface, which carries it by @p projection.
+  Visit visit(const World &world, unsigned int i, unsigned int s, Surface::Projection &projection);
+
+  /// Contact of a node of body @p i.
+  void add_node_force(World                     &world,
+                      unsigned int               i,
+                      const Visit               &visit,
+                      double                     dt,
+                      const Surface::Projection &projection,
+                      Resultant                 &sum);
 
   Node &node(const unsigned int i, const unsigned int s)
   {
@@ -85,5 +112,9 @@ private:
   bool                           every_step_;
   SearchClock                    clock_;
   double                         unforeseen_ = 0.; ///< see unforeseen_speed(), m/s
+
+  double                   surface_stiffness_; ///< see scene::SurfaceFamily, N/m
+  std::vector<Visit>       visits_;            ///< of one body, on a surface that gives way
+  std::vector<SpringPoint> overlapping_;       ///< nodes of it
 };
 } // namespace chaindrive::contact

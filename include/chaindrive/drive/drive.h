@@ -23,6 +23,8 @@ struct Sprocket
   double           hub_diameter; ///< of the rigid zone
   MassProperties   solid;
   std::string      mesh; ///< a Gmsh file that takes the place of the form; empty: none
+
+  double tooth_stiffness = 0.; ///< of tooth and rim under a roller, given or auto, N/m
 };
 
 /// The geometry of a whole drive with what follows from it. SI units.

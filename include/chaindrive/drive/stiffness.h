@@ -17,6 +17,8 @@ struct PartStiffness
   double roller_tooth; ///< of a sprocket's hub and the roller's centre
   double roller_bush;  ///< of the roller's centre and the link's
 
+  std::vector<double> teeth; ///< of each sprocket's tooth and rim alone; empty: not found
+
   std::vector<std::string> notes; ///< sentences for the log: where the values come from
 
   /// Of a sprocket's hub and the link: of a roller pressed between them.
@@ -35,6 +37,9 @@ PartStiffness estimated_stiffness(const ChainDimensions &chain, double load, con
 /// Two equal materials that touch along a line, pi/4 E* L with 1/E* = 2 (1 - nu^2)/E (Johnson,
 /// Contact Mechanics, 4.2: nearly independent of the load).
 double line_contact_stiffness(double length, const Material &steel);
+
+/// A tooth of this @p width [m] without bending: the half-space of the above that is its material.
+double tooth_stiffness(double width, const Material &steel);
 
 /// Contact of a pin of radius R in a hole of radius R + clearance under the load per length q,
 /// equal materials in plane strain without friction (Persson 1964; Ciavarella and Decuzzi 2001).

@@ -25,6 +25,7 @@ struct Contact
 {
   std::optional<double> roller_tooth_stiffness;     ///< N/m; auto: Model/Stiffness from
   std::optional<double> roller_bush_stiffness;      ///< N/m; auto: Model/Stiffness from
+  std::optional<double> tooth_stiffness;            ///< N/m; auto: Model/Stiffness from
   double                damping_ratio        = 0.1; ///< of the two bodies on the penalty spring
   double                friction_coefficient = 0.1; ///< of every interface not named below
   std::optional<double> roller_tooth_friction, roller_bush_friction, bush_pin_friction;

@@ -49,11 +49,12 @@ struct Effects
   Switch drag    = Switch::automatic; ///< automatic: on when the coefficient is not zero
   Switch roller_bush_clearance = Switch::automatic; ///< automatic: on in models that have joints
   Switch bush_pin_clearance    = Switch::automatic;
-  Switch elastic_links   = Switch::automatic; ///< of these automatic: on where what is asked for
-  Switch elastic_rollers = Switch::automatic; ///< needs them, see needs.h
-  Switch elastic_driver  = Switch::automatic;
-  Switch elastic_driven  = Switch::automatic;
-  Switch plate_bending   = Switch::automatic; ///< automatic: on in elastic links
+  Switch elastic_links    = Switch::automatic; ///< of these automatic: on where what is asked for
+  Switch elastic_rollers  = Switch::automatic; ///< needs them, see needs.h
+  Switch elastic_driver   = Switch::automatic;
+  Switch elastic_driven   = Switch::automatic;
+  Switch plate_bending    = Switch::automatic; ///< automatic: on in elastic links
+  Switch tooth_compliance = Switch::automatic; ///< automatic: on under reduced rollers
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.

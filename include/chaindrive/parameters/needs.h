@@ -79,6 +79,9 @@ Decision elastic_links(const Parameters &p);
 Decision elastic_rollers(const Parameters &p);
 Decision elastic_sprocket(const Parameters &p, Role role);
 
+/// Whether rigid sprockets give way under elastic rollers.
+Decision tooth_compliance(const Parameters &p);
+
 /// Whether only the halves of bodies at z >= 0 are computed.
 Decision half_model(const Parameters &p);
 

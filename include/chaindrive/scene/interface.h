@@ -87,6 +87,8 @@ struct ToothFamily
   bool                                      elastic = false; ///< the slaves are elastic bodies
   unsigned int slave_surface = 0; ///< of elastic slaves: the side of their mesh that touches
   std::vector<SlavePoint> slaves;
+  double tooth_stiffness = 0.; ///< of a rigid sprocket's tooth and rim behind the contact with an
+                               ///< elastic slave, N/m; 0: they do not give way
 };
 
 /// Slaves that may meet a surface of some body: what needs no chain, such as a block on an incline
@@ -98,7 +100,9 @@ struct SurfaceFamily
   ContactLaw                              law; ///< of elastic slaves, whose nodes touch: per m2
   std::vector<SlavePoint>                 slaves;
   bool                                    elastic = false; ///< the slaves are elastic bodies
-  unsigned int slave_surface = 0; ///< of elastic slaves: the side of their mesh that touches
+  unsigned int slave_surface     = 0;  ///< of elastic slaves: the side of their mesh that touches
+  double       surface_stiffness = 0.; ///< of a rigid surface that gives way as a whole under each
+                                       ///< elastic slave, N/m; 0: it does not
 };
 
 /// A massless elastic bar between the centres of two bodies.

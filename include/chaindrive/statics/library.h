@@ -15,6 +15,10 @@
 
 namespace chaindrive::statics
 {
+/// Where a roller of a new chain bears: a patch before the end of the seat, as an angle from its
+/// bottom, rad.
+double seat_end(const drive::ToothForm &form);
+
 /// Elastic parts of one material whose flexibilities are computed once: they are kept in memory and
 /// in a cache.
 class Library

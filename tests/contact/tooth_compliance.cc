@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Rigid teeth that give way under an elastic roller as a spring without mass. Equal springs on the
+// tooth's are in series with it, others have the least energy of all deflections. The force of a
+// roller in the seat is the derivative of the contact's energy, what the roller feels the hub does,
+// and the energy of an impact closes with the square of the step. A surface that is as good as
+// rigid gives the forces of a rigid one. A reduced roller that is pressed near the end of the seat,
+// where rollers of a new chain bear, comes as near to the hub as on elastic teeth, with the
+// stiffness that statics finds; what statics gives itself is met with a hard penalty.
+#include "../support/reduced.h"
+#include "../support/tooth.h"
+
+#include <chaindrive/statics/part_stiffness.h>
+
+#include <algorithm>
+
+using namespace test;
+
+namespace
+{
+using contact::SpringPoint;
+
+/// Energy [J] of @p points on a surface of this @p stiffness that is deflected by @p t.
+double energy(const double stiffness, const std::vector<SpringPoint> &points, const double t)
+{
+  double sum = 0.5 * stiffness * t * t;
+  for (const SpringPoint &p : points)
+    sum += 0.5 * p.stiffness * std::pow(std::max(0., p.overlap - t), 2);
+  return sum;
+}
+
+void check_law()
+{
+  constexpr double               k = 2e7, stiffness = 3e8, overlap = 4e-6, speed = 0.7;
+  const std::vector<SpringPoint> equal(9, {k, overlap, speed});
+  const contact::Deflection      series = contact::deflection_under(stiffness, equal);
+  const double                   in_all = 1. / (1. / (9. * k) + 1. / stiffness);
+  ratio("nine equal springs: force", stiffness * series.depth, in_all * overlap, 6);
+  ratio("  speed of the tooth", stiffness * series.rate, in_all * speed, 6);
+
+  // springs from weak to stiff, most of which the deflection of the others leaves behind
+  std::vector<SpringPoint> points;
+  for (unsigned int i = 0; i < 40; ++i)
+    points.push_back({k * (1. + i % 7), overlap * (i * i % 41) / 40., 0.});
+  const double t   = contact::deflection_under(stiffness, points).depth;
+  double       low = 0., high = overlap; // the slope of the energy by bisection
+  for (unsigned int i = 0; i < 60; ++i)
+    {
+      const double middle = 0.5 * (low + high), h = 1e-9;
+      (energy(stiffness, points, middle + h) > energy(stiffness, points, middle - h) ? high : low) =
+          middle;
+    }
+  ratio("forty springs: deflection against that of least energy", t, low, 6);
+  std::cout << "  of which touch "
+            << std::count_if(points.begin(),
+                             points.end(),
+                             [t](const SpringPoint &p) { return p.overlap > t; })
+            << '\n';
+  verdict("no springs: no deflection", contact::deflection_under(stiffness, {}).depth == 0.);
+}
+
+void check_forces()
+{
+  Tooth c;
+  c.elastic   = false;
+  c.stiffness = 1e9;
+  c.moved     = vector(-9e-6, 4e-6);
+  Tooth rigid = c, nearly = c;
+  rigid.stiffness  = 0.;
+  nearly.stiffness = 1e18;
+  const Vector3 f  = force(c);
+  std::cout << "in the seat, over the force of rigid teeth: " << std::fixed << std::setprecision(3)
+            << f.norm() / force(rigid).norm() << std::defaultfloat << '\n';
+  verdict("  of nearly rigid ones: one to 1e-6", error(force(nearly), force(rigid)) < 1e-6);
+  Vector3 difference;
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      Tooth before = c, after = c;
+      before.moved[d] -= 1e-9;
+      after.moved[d] += 1e-9;
+      const auto none = [](World &) {};
+      difference[d] =
+          (force_and_energy(before, none).second - force_and_energy(after, none).second) / 2e-9;
+    }
+  verdict("  it is the derivative of the energy to 1e-5", error(difference, f) < 1e-5);
+}
+
+/// A roller that spins and hits the seat with friction.
+scene::Scene impact()
+{
+  Tooth c;
+  c.elastic          = false;
+  c.stiffness        = 1e9;
+  c.moved            = vector(0., 3e-6);
+  c.friction         = 0.1;
+  c.spin             = 300.;
+  scene::Scene scene = make_scene(c);
+  return scene;
+}
+
+/// The largest imbalance of its energy, over all there is.
+double imbalance(const double dt)
+{
+  dynamics::System system(impact(), false);
+  const World     &world = system.world;
+  const double     all   = world.kinetic_energy() + world.ledger.kinetic;
+  double           worst = 0.;
+  advance(system, std::lround(150e-6 / dt), dt, [&]() {
+    worst = std::max(worst, std::abs(world.ledger.imbalance()) / all);
+  });
+  return worst;
+}
+
+/// Forces on the nodes of the roller and on the hub cancel.
+void check_balance()
+{
+  dynamics::System system(impact(), false);
+  World           &world = system.world;
+  double           force = 0., moment = 0., largest = 0.;
+  advance(system, 1500, 4e-8, [&]() {
+    world.clear_forces(); // those of the contact alone
+    system.contacts.add_forces(world, 0.);
+    BodyBatches   &nodes    = world.copies[0];
+    const NodeView of_force = NodeView(nodes.force), at = NodeView(nodes.position);
+    Vector3        f, m;
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        f[d] = world.force.local_element(3 * 1 + d);
+        m[d] = world.moment.local_element(3 * 1 + d);
+      }
+    largest = std::max(largest, f.norm());
+    for (unsigned int n = 0; n < nodes.n_nodes(); ++n)
+      {
+        const Vector3 on_node = of_force[nodes.index(0, n)];
+        f += on_node;
+        m += cross_product_3d(at[nodes.index(0, n)], on_node);
+      }
+    force  = std::max(force, f.norm());
+    moment = std::max(moment, m.norm());
+  });
+  verdict("impact: forces cancel to 1e-12", largest > 100. && force < 1e-12 * largest);
+  verdict("  and so do moments", moment < 1e-12 * 0.04 * largest);
+}
+
+void check_energy()
+{
+  const double coarse = imbalance(8e-8), order = std::log2(coarse / imbalance(1e-8)) / 3.;
+  verdict("  energy closes to 3e-4", coarse < 3e-4);
+  verdict("  order of its error in the step from 1.7 to 2.3", order > 1.7 && order < 2.3);
+}
+
+/// Thickness of the elements below a side, as scene/sprockets.cc takes it, m.
+double thickness_below(const mesh::Part &part, const mesh::Surface side)
+{
+  return mesh::SurfaceNodes(part, mesh::Nodes(part), side).thickness;
+}
+
+constexpr double load = 1412.; // N
+
+/// A roller before the seat of a tooth gap, near its end, and a link whose bush presses it there
+/// with its weight. Teeth are elastic under a roller of elements, or rigid and give way by
+/// @p stiffness [N/m] under a reduced one; penalties have the @p factor of section Contact.
+scene::Scene pressed(const bool elastic, const double stiffness, const double factor)
+{
+  Tooth c;
+  c.elastic             = elastic;
+  c.stiffness           = stiffness;
+  scene::Scene scene    = make_scene(c);
+  const auto   chain    = drive::make_chain(parameters::Chain());
+  const double density  = scene.material.density;
+  const auto   set_part = [&](const scene::Kind kind, mesh::Part &&part) {
+    scene.parts[kind] = std::make_shared<const mesh::Part>(std::move(part));
+  };
+  set_part(scene::Kind::roller, mesh::make_roller(chain, density, mesh::RollerGrid(3, 64, 6)));
+  set_part(scene::Kind::inner_link,
+           mesh::make_inner_link(chain, density, mesh::inner_link_grid(0)));
+
+  const drive::Segment &seat   = scene.teeth[0].form->half_profile.front();
+  const double          radius = 0.5 * chain.roller_diameter,
+               angle           = dealii::numbers::PI - statics::seat_end(*scene.teeth[0].form);
+  const auto    turn           = to_matrix(rotation_about_z(-0.5 * dealii::numbers::PI - angle));
+  const Vector3 outward        = vector(std::cos(angle), std::sin(angle)),
+                centre         = vector(seat.centre[0], seat.centre[1]);
+  scene.bodies[1].initial.rotation = turn;
+  scene.bodies[0].initial.position = turn * (centre + (seat.radius - radius) * outward);
+  scene.bodies[0].initial.velocity = Vector3();
+  constexpr double mass            = 1.; // kg, so that the roller's own weight bends it little
+  const Vector3    arm             = vector(0.5 * chain.inner_hole_pitch, 0.);
+  const double     clearance       = 0.5 * (chain.roller_bore - chain.bush_diameter);
+  scene.bodies.push_back(body(scene::Motion::rigid,
+                              scene::Support::none,
+                              mass,
+                              vector(1., 1., 1.), // it does not turn
+                              scene.bodies[0].initial.position + arm - vector(0., clearance)));
+  scene.bodies.back().kind = scene::Kind::inner_link;
+
+  double thickness = thickness_below(*scene.parts[scene::Kind::roller], mesh::roller_outside);
+  if (elastic)
+    thickness = std::max(thickness,
+                         thickness_below(*scene.parts[scene::Kind::sprocket], mesh::tooth_flanks));
+  scene.teeth[0].law = {factor * scene.material.bulk_modulus() / thickness, 3.6e6, 0., 0., 0.};
+  scene::BoreFamily joint;
+  joint.name    = "roller-bush";
+  joint.elastic = true;
+  joint.law     = {9.8e13, 3.6e6, 0., 0., 0.};
+  joint.pairs.push_back({0,
+                         dealii::Point<3>(),
+                         0.5 * chain.roller_bore,
+                         {2, dealii::Point<3>(-arm), 0.5 * chain.bush_diameter, 0},
+                         mesh::roller_bore,
+                         mesh::bush_outside_first});
+  scene.bores.push_back(joint);
+  if (!elastic)
+    reduce(scene);
+  scene.loads.gravity = load / (mass + scene.bodies[0].mass);
+  scene.loads.drag    = 2e4;
+  return scene;
+}
+
+/// How far the roller comes nearer to the hub, m.
+double approach(const scene::Scene &scene)
+{
+  dynamics::System system(scene, false);
+  const double     dt = 0.9 * system.stable_step_limit();
+  advance(system, std::lround(1.5e-3 / dt), dt, []() {});
+  return scene.bodies[0].initial.position[1] - system.world.frames[0].position[1];
+}
+
+void check_series()
+{
+  const parameters::Material steel;
+  const auto                 chain = drive::make_chain(parameters::Chain());
+  drive::Sprocket            sprocket;
+  sprocket.form         = tooth_form(chain);
+  sprocket.bore         = 25e-3; // as in support/tooth.h
+  sprocket.hub_diameter = 33e-3;
+  statics::Library library(steel, statics::Cache::usual_folder(), MPI_COMM_WORLD);
+  const auto       exact = statics::at_force(
+      [&](const unsigned int n) {
+        return library.pressed_roller(chain, sprocket, 7.2e-3, n, statics::seat_end(sprocket.form));
+      },
+      load);
+  const double tooth = load / exact.given_way.back(), all = exact.approach[0];
+  std::cout << "pressed near the end of the seat, over the approach of statics\n"
+            << std::fixed << std::setprecision(1);
+  const auto show = [&](const std::string &what, const double obtained) {
+    std::cout << "  " << what << ": " << obtained / all << '\n';
+    return obtained;
+  };
+  show("rigid teeth", approach(pressed(false, 0., 0.5)));
+  const double reduced = show("teeth that give way", approach(pressed(false, tooth, 0.5))),
+               stiffer = approach(pressed(false, tooth, 5.)),
+               elastic = show("elastic teeth", approach(pressed(true, 0., 0.5)));
+  verdict("  that give way and elastic ones differ by less than 3 %",
+          std::abs(reduced / elastic - 1.) < 0.03);
+  verdict("  with ten times the penalty it is that of statics to 7 %",
+          std::abs(stiffer / all - 1.) < 0.07);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  check_law();
+  check_forces();
+  check_balance();
+  check_energy();
+  check_series();
+}
