@@ -4,6 +4,7 @@
 #include <chaindrive/bodies/ledger.h>
 #include <chaindrive/contact/penalty.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace chaindrive::contact
