@@ -141,6 +141,7 @@ int become(Successor command, std::vector<std::string> environment)
 {
   const auto pointers = [](std::vector<std::string> &texts) {
     std::vector<char *> all;
+    all.reserve(texts.size() + 1);
     for (std::string &text : texts)
       all.push_back(text.data());
     all.push_back(nullptr);

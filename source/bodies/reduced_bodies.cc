@@ -48,6 +48,12 @@ std::set<unsigned int> sides_that_touch(const scene::Scene &scene, const scene::
   std::for_each(scene.surfaces.begin(), scene.surfaces.end(), add_slaves);
   return sides;
 }
+
+/// Whether motions of class @p c are opposite at image @p g, but for S_g.
+bool is_opposite(const unsigned int g, const unsigned int c)
+{
+  return (std::bitset<32>(g & c).count() & 1u) != 0;
+}
 } // namespace
 
 ReducedBodies::ReducedBodies(const scene::Scene &scene,
@@ -281,12 +287,11 @@ void ReducedBodies::advance(World &world, const Step &step, const ForceTimer & /
 
 dealii::Tensor<1, 3> ReducedBodies::shape_at(const unsigned int node, const unsigned int m) const
 {
-  const unsigned int   g   = image_[node];
-  const double        *at  = shape_.data() + 3 * (std::size_t(orbit_[node]) * n_modes() + m);
-  const bool           odd = (std::bitset<32>(g & class_[m]).count() & 1u) != 0;
+  const unsigned int   g  = image_[node];
+  const double        *at = shape_.data() + 3 * (std::size_t(orbit_[node]) * n_modes() + m);
   dealii::Tensor<1, 3> shape;
   for (unsigned int d = 0; d < 3; ++d)
-    shape[d] = (odd ? -sign_[3 * g + d] : sign_[3 * g + d]) * at[d];
+    shape[d] = (is_opposite(g, class_[m]) ? -sign_[3 * g + d] : sign_[3 * g + d]) * at[d];
   return shape;
 }
 
@@ -298,9 +303,19 @@ dealii::Tensor<1, 3> ReducedBodies::sum_of_shapes(const World       &world,
   const BodyBatches &copies = world.copies[group_];
   const double      *of_copy =
       numbers.data() + start_of(copies, copies.batch_of(copy)) + copies.lane_of(copy);
+  const unsigned int   g  = image_[node];
+  const double        *at = shape_.data() + std::size_t(3) * n_modes() * orbit_[node];
   dealii::Tensor<1, 3> sum;
-  for (unsigned int m = 0; m < n_modes(); ++m)
-    sum += of_copy[m * n_lanes] * shape_at(node, m);
+  for (unsigned int c = 0; c < symmetry_.n_classes(); ++c)
+    {
+      dealii::Tensor<1, 3> of_class;
+      for (unsigned int m = first_mode_[c]; m < first_mode_[c + 1]; ++m)
+        for (unsigned int d = 0; d < 3; ++d)
+          of_class[d] += at[3 * m + d] * of_copy[m * n_lanes];
+      sum += is_opposite(g, c) ? -of_class : of_class;
+    }
+  for (unsigned int d = 0; d < 3; ++d)
+    sum[d] *= sign_[3 * g + d];
   return sum;
 }
 

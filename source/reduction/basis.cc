@@ -179,6 +179,7 @@ Basis make_basis(const FreePart            &part,
 {
   const std::vector<Mode> modes = free_modes(part, options.modes_up_to);
   std::vector<Attachment> loads;
+  loads.reserve(pressures.size());
   for (const Vector &pressure : pressures)
     loads.push_back({pressure, part.displacement(pressure)});
 
