@@ -156,9 +156,12 @@ int main(int argc, char **argv)
   mesh::LinkGrid       fine = link;
   fine.wall                 = 2;
   fine.along                = 8;
+  mesh::LinkGrid finer      = fine;
+  finer.along               = 12;
   for (const Grids &grids : {Grids{"meshes of full.prm", {3, 32, 6}, link, 0},
-                             Grids{"2 cells through and 8 along bushes", {3, 32, 6}, fine, 0}})
-    for (const double factor : {0.5, 5.})
+                             Grids{"2 cells through and 8 along bushes", {3, 32, 6}, fine, 0},
+                             Grids{"2 cells through and 12 along bushes", {3, 32, 6}, finer, 0}})
+    for (const double factor : {0.5, 5., 20.})
       {
         std::cout << grids.name << ", penalty factor " << factor << ": force over that of statics"
                   << std::fixed << std::setprecision(2);
