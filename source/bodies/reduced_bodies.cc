@@ -6,7 +6,6 @@
 #include <chaindrive/utilities/simd.h>
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -47,12 +46,6 @@ std::set<unsigned int> sides_that_touch(const scene::Scene &scene, const scene::
   std::for_each(scene.teeth.begin(), scene.teeth.end(), add_slaves);
   std::for_each(scene.surfaces.begin(), scene.surfaces.end(), add_slaves);
   return sides;
-}
-
-/// Whether motions of class @p c are opposite at image @p g, but for S_g.
-bool is_opposite(const unsigned int g, const unsigned int c)
-{
-  return (std::bitset<32>(g & c).count() & 1u) != 0;
 }
 } // namespace
 
@@ -106,9 +99,6 @@ void ReducedBodies::take_basis(const mesh::Nodes &nodes, const reduction::Basis 
 {
   symmetry_                   = reduction::make_symmetry(nodes, basis.reflections);
   const unsigned int n_images = symmetry_.n_classes();
-  for (unsigned int g = 0; g < n_images; ++g)
-    for (unsigned int d = 0; d < 3; ++d)
-      sign_.push_back(symmetry_.sign(g, d));
 
   std::vector<unsigned int> modes; // numbers in the basis
   for (unsigned int c = 0; c < n_images; ++c)
@@ -192,7 +182,7 @@ ModalNodes ReducedBodies::modal_nodes() const
           touching_.data(),
           symmetry_.n_classes(),
           node_.data(),
-          sign_.data(),
+          {symmetry_.reflection(0), symmetry_.reflection(1), symmetry_.reflection(2)},
           n_modes(),
           first_mode_.data(),
           reference_.data(),
@@ -287,11 +277,10 @@ void ReducedBodies::advance(World &world, const Step &step, const ForceTimer & /
 
 dealii::Tensor<1, 3> ReducedBodies::shape_at(const unsigned int node, const unsigned int m) const
 {
-  const unsigned int   g  = image_[node];
   const double        *at = shape_.data() + 3 * (std::size_t(orbit_[node]) * n_modes() + m);
   dealii::Tensor<1, 3> shape;
   for (unsigned int d = 0; d < 3; ++d)
-    shape[d] = (is_opposite(g, class_[m]) ? -sign_[3 * g + d] : sign_[3 * g + d]) * at[d];
+    shape[d] = symmetry_.sign(image_[node], class_[m], d) * at[d];
   return shape;
 }
 
@@ -303,19 +292,17 @@ dealii::Tensor<1, 3> ReducedBodies::sum_of_shapes(const World       &world,
   const BodyBatches &copies = world.copies[group_];
   const double      *of_copy =
       numbers.data() + start_of(copies, copies.batch_of(copy)) + copies.lane_of(copy);
-  const unsigned int   g  = image_[node];
-  const double        *at = shape_.data() + std::size_t(3) * n_modes() * orbit_[node];
+  const double        *shape = shape_.data() + 3 * std::size_t(orbit_[node]) * n_modes();
   dealii::Tensor<1, 3> sum;
   for (unsigned int c = 0; c < symmetry_.n_classes(); ++c)
     {
       dealii::Tensor<1, 3> of_class;
       for (unsigned int m = first_mode_[c]; m < first_mode_[c + 1]; ++m)
         for (unsigned int d = 0; d < 3; ++d)
-          of_class[d] += at[3 * m + d] * of_copy[m * n_lanes];
-      sum += is_opposite(g, c) ? -of_class : of_class;
+          of_class[d] += shape[3 * m + d] * of_copy[m * n_lanes];
+      for (unsigned int d = 0; d < 3; ++d)
+        sum[d] += symmetry_.sign(image_[node], c, d) * of_class[d];
     }
-  for (unsigned int d = 0; d < 3; ++d)
-    sum[d] *= sign_[3 * g + d];
   return sum;
 }
 

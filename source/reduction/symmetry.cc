@@ -17,12 +17,12 @@ unsigned int Symmetry::image(unsigned int node, const unsigned int g) const
   return node;
 }
 
-double Symmetry::sign(const unsigned int g, const unsigned int d) const
+unsigned int Symmetry::reflection(const unsigned int d) const
 {
   for (unsigned int r = 0; r < axis.size(); ++r)
-    if ((g >> r & 1u) != 0 && axis[r] == d)
-      return -1.;
-  return 1.;
+    if (axis[r] == d)
+      return 1u << r;
+  return 0;
 }
 
 std::vector<unsigned int> mirror_images(const mesh::Nodes &nodes, const unsigned int axis)

@@ -62,10 +62,9 @@ int main(int argc, char **argv)
   std::iota(node.begin(), node.end(), 0u);
   for (unsigned int c = 0; c <= n_images; ++c)
     first_mode.push_back(c * n_modes / n_images);
-  const Numbers sign(3 * n_images, 1.),
-      reference = numbers(3 * n_nodes), shape = numbers(3 * n_orbits * n_modes),
-      rigid = numbers(n_rigid_entries * n_lanes), amplitude = numbers(modes), rate = numbers(modes),
-      pushed        = numbers(field);
+  const Numbers reference = numbers(3 * n_nodes), shape = numbers(3 * n_orbits * n_modes),
+                rigid = numbers(n_rigid_entries * n_lanes), amplitude = numbers(modes),
+                rate = numbers(modes), pushed = numbers(field);
   Numbers displaced = numbers(field), position = numbers(field), velocity = numbers(field),
           force = numbers(field), modal_force = numbers(modes), moment = numbers(3 * n_lanes),
           in_body = numbers(field);
@@ -86,7 +85,7 @@ int main(int argc, char **argv)
                              orbit.data(),
                              n_images,
                              node.data(),
-                             sign.data(),
+                             {1u % n_images, 2u % n_images, 4u % n_images},
                              n_modes,
                              first_mode.data(),
                              reference.data(),

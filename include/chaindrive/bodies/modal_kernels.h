@@ -28,7 +28,7 @@ struct ModalNodes
   const unsigned int *orbit;    ///< their numbers in the table of shapes
   unsigned int        n_images; ///< as many as classes: 1, 2, 4 or 8
   const unsigned int *node; ///< [some orbit][image], numbers in the part; none: not of these nodes
-  const double       *sign; ///< [image][component], S_g
+  unsigned int        reflection[3]; ///< Symmetry::reflection(), [component]
   unsigned int        n_modes;
   const unsigned int *first_mode; ///< [class], and n_modes: modes are in the order of classes
   const double       *reference;  ///< [node of the part][component], body axes, m
@@ -51,9 +51,9 @@ struct PlaceArguments
   const double *rate;      ///< q', [mode][lane]; null: the step tells
   double        step;      ///< dt, s, without a rate
   double        earlier;   ///< e, s
-  double *displaced; ///< u, [some orbit][image][component][lane], m, before, then now, without S_g
-  double *position;  ///< [node of the part][component][lane], world axes, m
-  double *velocity;  ///< m/s
+  double       *displaced; ///< u, [some orbit][image][component][lane], m, before, then now
+  double       *position;  ///< [node of the part][component][lane], world axes, m
+  double       *velocity;  ///< m/s
 };
 
 /// What forces on these nodes are to the body: its generalised forces Q = sum Phi^T R^T f, and

@@ -27,77 +27,61 @@ load_rigid(const double *rigid, const int first, const int lane, P (&to)[n])
     to[i] = P::load(rigid + (first + i) * n_lanes + lane);
 }
 
-constexpr unsigned int most_images = 8;
-
 /// Sums over the classes of what they move, with the signs of each image, in place: the transform
-/// of Walsh and Hadamard, which is its own transpose. Entry g or c of a node is @p stride further.
-template <typename P>
-CHAINDRIVE_ALWAYS_INLINE void
-exchange_classes_and_images(P *values, const unsigned int stride, const unsigned int n)
+/// of Walsh and Hadamard, which is its own transpose.
+template <unsigned int n, unsigned int half = 1, typename P>
+CHAINDRIVE_ALWAYS_INLINE void exchange_classes_and_images(P (&values)[n][3])
 {
-#pragma GCC unroll 1
-  for (unsigned int half = 1; half < n; half *= 2)
-#pragma GCC unroll 1
-    for (unsigned int i = 0; i < n; ++i)
-      if ((i & half) == 0)
-        {
-          P *a = values + i * stride, *b = values + (i + half) * stride;
-#pragma GCC unroll 12
-          for (unsigned int d = 0; d < stride; ++d)
+  if constexpr (half < n)
+    {
+#pragma GCC unroll 8
+      for (unsigned int i = 0; i < n; ++i)
+        if ((i & half) == 0)
+          for (int d = 0; d < 3; ++d)
             {
-              const P sum = a[d] + b[d], difference = a[d] - b[d];
-              a[d] = sum;
-              b[d] = difference;
+              const P sum         = values[i][d] + values[i | half][d],
+                      difference  = values[i][d] - values[i | half][d];
+              values[i][d]        = sum;
+              values[i | half][d] = difference;
             }
-        }
+      exchange_classes_and_images<n, 2 * half>(values);
+    }
 }
 
-/// How a batch stands and moves as rigid bodies, in registers.
+/// How bodies carry nodes at y with the speed s in body axes: x = x_c + R y, v = v_c + A y + B s,
+/// with w = [w] as a matrix A = w (R - e w R), B = R - 2 e w R.
 template <int width>
 struct Rigid
 {
   using P = Pack<double, width>;
-  P rotation[9], position[3], velocity[3], turning[3];
-
-  CHAINDRIVE_ALWAYS_INLINE Rigid(const double *rigid, const int lane)
-  {
-    load_rigid(rigid, rigid_rotation, lane, rotation);
-    load_rigid(rigid, rigid_position, lane, position);
-    load_rigid(rigid, rigid_velocity, lane, velocity);
-    load_rigid(rigid, rigid_turning, lane, turning);
-  }
+  P position[3], velocity[3], rotation[9], by_place[9], by_speed[9];
 };
 
-/// Places one node that the shapes move by @p u with the speed @p s, both in body axes.
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE void place_node(const PlaceArguments &arg,
-                                         const Rigid<width>   &rigid,
-                                         const int             lane,
-                                         const unsigned int    node,
-                                         const Pack<double, width> (&u)[3],
-                                         const Pack<double, width> (&s)[3])
+CHAINDRIVE_ALWAYS_INLINE void
+find_rigid(const double *rigid, const int lane, const double earlier, Rigid<width> &c)
 {
   using P = Pack<double, width>;
-  P y[3], arm[3], speed[3], turned[3], velocity[3];
-  for (int i = 0; i < 3; ++i)
-    y[i] = P(arg.nodes.reference[3 * node + i]) + u[i];
-  for (int i = 0; i < 3; ++i)
+  P turning[3];
+  load_rigid(rigid, rigid_position, lane, c.position);
+  load_rigid(rigid, rigid_velocity, lane, c.velocity);
+  load_rigid(rigid, rigid_rotation, lane, c.rotation);
+  load_rigid(rigid, rigid_turning, lane, turning);
+  const P e(earlier);
+#pragma GCC unroll 3
+  for (int j = 0; j < 3; ++j)
     {
-      const P *row = rigid.rotation + 3 * i;
-      arm[i]       = row[0] * y[0] + row[1] * y[1] + row[2] * y[2];
-      speed[i]     = row[0] * s[0] + row[1] * s[1] + row[2] * s[2];
-    }
-  const P earlier(arg.earlier);
-  cross(rigid.turning, arm, turned);
-  P before[3];
-  for (int i = 0; i < 3; ++i)
-    before[i] = arm[i] - earlier * (turned[i] + speed[i] + speed[i]);
-  cross(rigid.turning, before, velocity);
-  for (int i = 0; i < 3; ++i)
-    {
-      const unsigned int at = (3 * node + i) * n_lanes + lane;
-      (rigid.position[i] + arm[i]).store(arg.position + at);
-      (rigid.velocity[i] + speed[i] + velocity[i]).store(arg.velocity + at);
+      const P column[3] = {c.rotation[j], c.rotation[3 + j], c.rotation[6 + j]};
+      P       turned[3], before[3], by_place[3];
+      cross(turning, column, turned);
+      for (int i = 0; i < 3; ++i)
+        {
+          before[i]             = column[i] - e * turned[i];
+          c.by_speed[3 * i + j] = before[i] - e * turned[i];
+        }
+      cross(turning, before, by_place);
+      for (int i = 0; i < 3; ++i)
+        c.by_place[3 * i + j] = by_place[i];
     }
 }
 
@@ -148,56 +132,92 @@ CHAINDRIVE_ALWAYS_INLINE void sum_of_class(const PlaceArguments &arg,
       }
 }
 
+/// Places the nodes of the orbit number @p orbit, which the classes move by @p u with the speeds @p
+/// s.
+template <int width, unsigned int n_images, bool with_rate>
+CHAINDRIVE_ALWAYS_INLINE void place_orbit(const PlaceArguments &arg,
+                                          const Rigid<width>   &rigid,
+                                          const int             lane,
+                                          const unsigned int    orbit,
+                                          Pack<double, width> (&u)[n_images][3],
+                                          Pack<double, width> (&s)[n_images][3])
+{
+  using P                       = Pack<double, width>;
+  const unsigned int *node      = arg.nodes.node + orbit * n_images;
+  double             *displaced = arg.displaced + 3 * orbit * n_images * n_lanes + lane;
+  const P             per_step(1. / arg.step);
+  exchange_classes_and_images(u);
+  if constexpr (with_rate)
+    exchange_classes_and_images(s);
+#pragma GCC unroll 8
+  for (unsigned int g = 0; g < n_images; ++g)
+    {
+      if (node[g] == ModalNodes::none)
+        continue;
+      P y[3];
+      for (int d = 0; d < 3; ++d)
+        {
+          double *before = displaced + (3 * g + d) * n_lanes;
+          if (!with_rate)
+            s[g][d] = (u[g][d] - P::load(before)) * per_step;
+          u[g][d].store(before);
+          y[d] = P(arg.nodes.reference[3 * node[g] + d]) + u[g][d];
+        }
+      for (int i = 0; i < 3; ++i)
+        {
+          const unsigned int at = (3 * node[g] + i) * n_lanes + lane;
+          P                  x = rigid.position[i], v = rigid.velocity[i];
+          for (int d = 0; d < 3; ++d)
+            {
+              x += rigid.rotation[3 * i + d] * y[d];
+              v += rigid.by_place[3 * i + d] * y[d];
+              v += rigid.by_speed[3 * i + d] * s[g][d];
+            }
+          x.store(arg.position + at);
+          v.store(arg.velocity + at);
+        }
+    }
+}
+
 /// Places the nodes of @p count orbits from number @p first on.
-template <int width, int count, bool with_rate>
+template <int width, unsigned int n_images, int count, bool with_rate>
 CHAINDRIVE_ALWAYS_INLINE void place_some(const PlaceArguments &arg,
                                          const Rigid<width>   &rigid,
                                          const int             lane,
                                          const unsigned int    first)
 {
-  using P                   = Pack<double, width>;
-  const ModalNodes  &nodes  = arg.nodes;
-  const unsigned int n_here = nodes.n_images;
-  P                  u[most_images][count][3], s[most_images][count][3];
+  using P = Pack<double, width>;
+  P u[count][n_images][3], s[count][n_images][3];
 #pragma GCC unroll 1
-  for (unsigned int c = 0; c < n_here; ++c)
-    sum_of_class<width, count, with_rate>(arg, lane, first, c, u[c], s[c]);
-  exchange_classes_and_images(&u[0][0][0], 3 * count, n_here);
-  if (with_rate)
-    exchange_classes_and_images(&s[0][0][0], 3 * count, n_here);
-
-  const P per_step(1. / arg.step);
-  for (int n = 0; n < count; ++n)
-#pragma GCC unroll 1
-    for (unsigned int g = 0; g < n_here; ++g)
-      {
-        const unsigned int i = (first + n) * n_here + g, node = nodes.node[i];
-        if (node == ModalNodes::none)
-          continue;
-        P moved[3], speed[3];
+  for (unsigned int c = 0; c < n_images; ++c)
+    {
+      P moved[count][3], speed[count][3];
+      sum_of_class<width, count, with_rate>(arg, lane, first, c, moved, speed);
+      for (int n = 0; n < count; ++n)
         for (int d = 0; d < 3; ++d)
           {
-            const P sign(nodes.sign[3 * g + d]);
-            double *before = arg.displaced + (3 * i + d) * n_lanes + lane;
-            moved[d]       = sign * u[g][n][d];
-            speed[d] = sign * (with_rate ? s[g][n][d] : (u[g][n][d] - P::load(before)) * per_step);
-            u[g][n][d].store(before);
+            u[n][c ^ arg.nodes.reflection[d]][d] = moved[n][d];
+            if (with_rate)
+              s[n][c ^ arg.nodes.reflection[d]][d] = speed[n][d];
           }
-        place_node<width>(arg, rigid, lane, node, moved, speed);
-      }
+    }
+#pragma GCC unroll 1
+  for (int n = 0; n < count; ++n)
+    place_orbit<width, n_images, with_rate>(arg, rigid, lane, first + n, u[n], s[n]);
 }
 
-template <int width, int count, bool with_rate>
+template <int width, unsigned int n_images, int count, bool with_rate>
 CHAINDRIVE_ALWAYS_INLINE void place_lanes(const PlaceArguments &arg, const int lane)
 {
-  const Rigid<width> rigid(arg.nodes.rigid, lane);
-  unsigned int       i = 0;
+  Rigid<width> rigid;
+  find_rigid(arg.nodes.rigid, lane, arg.earlier, rigid);
+  unsigned int i = 0;
 #pragma GCC unroll 1
   for (; i + count <= arg.nodes.n_orbits; i += count)
-    place_some<width, count, with_rate>(arg, rigid, lane, i);
+    place_some<width, n_images, count, with_rate>(arg, rigid, lane, i);
 #pragma GCC unroll 1
   for (; i < arg.nodes.n_orbits; ++i)
-    place_some<width, 1, with_rate>(arg, rigid, lane, i);
+    place_some<width, n_images, 1, with_rate>(arg, rigid, lane, i);
 }
 
 /// The force on a node in body axes, which becomes zero, if there is one in any lane; adds its
@@ -234,7 +254,7 @@ CHAINDRIVE_ALWAYS_INLINE bool take_force(const GatherArguments &arg,
 
 /// Lists the orbits on which a force acts in any lane, with what these forces are to each class,
 /// and sums up the couples. Returns their number.
-template <int width>
+template <int width, unsigned int n_images>
 CHAINDRIVE_ALWAYS_INLINE unsigned int take_forces(const GatherArguments &arg, const int lane)
 {
   using P                 = Pack<double, width>;
@@ -246,29 +266,26 @@ CHAINDRIVE_ALWAYS_INLINE unsigned int take_forces(const GatherArguments &arg, co
 #pragma GCC unroll 1
   for (unsigned int i = 0; i < nodes.n_orbits; ++i)
     {
-      P    f[most_images][3];
+      P    f[n_images][3];
       bool any = false;
-#pragma GCC unroll 1
-      for (unsigned int g = 0; g < nodes.n_images; ++g)
+#pragma GCC unroll 8
+      for (unsigned int g = 0; g < n_images; ++g)
         {
           for (int d = 0; d < 3; ++d)
             f[g][d] = P(0.);
-          const unsigned int node = nodes.node[i * nodes.n_images + g];
+          const unsigned int node = nodes.node[i * n_images + g];
           if (node != ModalNodes::none &&
               take_force<width>(arg, lane, node, rotation, centre, moment, f[g]))
-            {
-              any = true;
-              for (int d = 0; d < 3; ++d)
-                f[g][d] = P(nodes.sign[3 * g + d]) * f[g][d];
-            }
+            any = true;
         }
       if (!any)
         continue;
-      exchange_classes_and_images(&f[0][0], 3, nodes.n_images);
+      exchange_classes_and_images(f);
 #pragma GCC unroll 1
-      for (unsigned int c = 0; c < nodes.n_images; ++c)
+      for (unsigned int c = 0; c < n_images; ++c)
         for (int d = 0; d < 3; ++d)
-          f[c][d].store(arg.in_body + ((n * nodes.n_images + c) * 3 + d) * n_lanes + lane);
+          f[c ^ nodes.reflection[d]][d].store(arg.in_body + ((n * n_images + c) * 3 + d) * n_lanes +
+                                              lane);
       arg.found[n++] = nodes.orbit[i];
     }
   for (int d = 0; d < 3; ++d)
@@ -276,7 +293,8 @@ CHAINDRIVE_ALWAYS_INLINE unsigned int take_forces(const GatherArguments &arg, co
   return n;
 }
 
-/// The generalised forces of @p count modes of class @p c from @p first on.
+/// The generalised forces of @p count modes of class @p c from @p first on. Few modes have one sum
+/// for each direction, so that additions need not wait for each other.
 template <int width, int count>
 CHAINDRIVE_ALWAYS_INLINE void project_forces(const GatherArguments &arg,
                                              const int              lane,
@@ -284,10 +302,12 @@ CHAINDRIVE_ALWAYS_INLINE void project_forces(const GatherArguments &arg,
                                              const unsigned int     c,
                                              const unsigned int     first)
 {
-  using P = Pack<double, width>;
-  P sum[count];
+  using P              = Pack<double, width>;
+  constexpr int n_sums = count > 4 ? 1 : 3;
+  P             sum[count][n_sums];
   for (int m = 0; m < count; ++m)
-    sum[m] = P(0.);
+    for (int d = 0; d < n_sums; ++d)
+      sum[m][d] = P(0.);
 #pragma GCC unroll 1
   for (unsigned int i = 0; i < n; ++i)
     {
@@ -300,18 +320,22 @@ CHAINDRIVE_ALWAYS_INLINE void project_forces(const GatherArguments &arg,
       for (int d = 0; d < 3; ++d)
 #pragma GCC unroll 8
         for (int m = 0; m < count; ++m)
-          sum[m] += P(shape[3 * m + d]) * f[d];
+          sum[m][d % n_sums] += P(shape[3 * m + d]) * f[d];
     }
   for (int m = 0; m < count; ++m)
-    sum[m].store(arg.modal_force + (first + m) * n_lanes + lane);
+    {
+      for (int d = 1; d < n_sums; ++d)
+        sum[m][0] += sum[m][d];
+      sum[m][0].store(arg.modal_force + (first + m) * n_lanes + lane);
+    }
 }
 
-template <int width>
+template <int width, unsigned int n_images>
 CHAINDRIVE_ALWAYS_INLINE void gather_lanes(const GatherArguments &arg, const int lane)
 {
-  const unsigned int n = take_forces<width>(arg, lane);
+  const unsigned int n = take_forces<width, n_images>(arg, lane);
 #pragma GCC unroll 1
-  for (unsigned int c = 0; c < arg.nodes.n_images; ++c)
+  for (unsigned int c = 0; c < n_images; ++c)
     {
       unsigned int       m   = arg.nodes.first_mode[c];
       const unsigned int end = arg.nodes.first_mode[c + 1];
@@ -319,26 +343,62 @@ CHAINDRIVE_ALWAYS_INLINE void gather_lanes(const GatherArguments &arg, const int
         project_forces<width, 8>(arg, lane, n, c, m);
       for (; m + 4 <= end; m += 4)
         project_forces<width, 4>(arg, lane, n, c, m);
+      for (; m + 2 <= end; m += 2)
+        project_forces<width, 2>(arg, lane, n, c, m);
       for (; m < end; ++m)
         project_forces<width, 1>(arg, lane, n, c, m);
     }
 }
 
 /// As many orbits at a time as keep their sums in registers.
+template <int width, unsigned int n_images>
+CHAINDRIVE_ALWAYS_INLINE void place_all(const PlaceArguments &arg)
+{
+#pragma GCC unroll 1
+  for (int lane = 0; lane < n_lanes; lane += width)
+    if (arg.rate != nullptr)
+      place_lanes<width, n_images, width == 8 ? 4 : 2, true>(arg, lane);
+    else
+      place_lanes<width, n_images, 4, false>(arg, lane);
+}
+
+template <int width, unsigned int n_images>
+CHAINDRIVE_ALWAYS_INLINE void gather_all(const GatherArguments &arg)
+{
+#pragma GCC unroll 1
+  for (int lane = 0; lane < n_lanes; lane += width)
+    gather_lanes<width, n_images>(arg, lane);
+}
+
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE void place(const PlaceArguments &arg)
 {
-  for (int lane = 0; lane < n_lanes; lane += width)
-    if (arg.rate != nullptr)
-      place_lanes<width, width == 8 ? 4 : 2, true>(arg, lane);
-    else
-      place_lanes<width, 4, false>(arg, lane);
+  switch (arg.nodes.n_images)
+    {
+    case 1:
+      return place_all<width, 1>(arg);
+    case 2:
+      return place_all<width, 2>(arg);
+    case 4:
+      return place_all<width, 4>(arg);
+    default:
+      return place_all<width, 8>(arg);
+    }
 }
 
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE void gather(const GatherArguments &arg)
 {
-  for (int lane = 0; lane < n_lanes; lane += width)
-    gather_lanes<width>(arg, lane);
+  switch (arg.nodes.n_images)
+    {
+    case 1:
+      return gather_all<width, 1>(arg);
+    case 2:
+      return gather_all<width, 2>(arg);
+    case 4:
+      return gather_all<width, 4>(arg);
+    default:
+      return gather_all<width, 8>(arg);
+    }
 }
 } // namespace chaindrive::packed

@@ -116,7 +116,7 @@ private:
   std::vector<unsigned int> orbit_, image_; ///< of each node
   std::vector<unsigned int> touching_;      ///< orbits with nodes that touch
   std::vector<unsigned int> node_;          ///< those nodes, as in ModalNodes
-  Numbers                   sign_, shape_, reference_;
+  Numbers                   shape_, reference_;
 
   std::vector<reduction::Vector> rigid_motions_; ///< of unit mass, 1/sqrt(kg)
 

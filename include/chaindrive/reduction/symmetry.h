@@ -27,8 +27,16 @@ struct Symmetry
   /// The image @p g of @p node.
   unsigned int image(unsigned int node, unsigned int g) const;
 
-  /// The diagonal entry @p d of S_g.
-  double sign(unsigned int g, unsigned int d) const;
+  /// The reflection that changes the sign of component @p d, as the bit of it; 0 if none does. The
+  /// signs above are those of (-1)^|g and (c xor this)|.
+  unsigned int reflection(unsigned int d) const;
+
+  /// The sign above of component @p d.
+  double sign(const unsigned int g, const unsigned int c, const unsigned int d) const
+  {
+    const unsigned int bits = g & (c ^ reflection(d));
+    return ((bits ^ (bits >> 1) ^ (bits >> 2)) & 1u) != 0 ? -1. : 1.;
+  }
 };
 
 /// The node at the mirror image of each of the @p nodes in the plane through the origin across
