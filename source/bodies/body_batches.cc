@@ -109,6 +109,31 @@ void BodyBatches::make_ghosts()
       with_ghosts.copy_locally_owned_data_from(*vector);
       vector->swap(with_ghosts);
     }
+  if (!counts_readers())
+    return;
+  for (const auto &[begin, end] : position.get_partitioner()->import_indices())
+    for (std::size_t at = begin; at < end; at += numbers_per_node)
+      add_readers(static_cast<unsigned int>(first_owned_batch() + at / stride()),
+                  {static_cast<unsigned int>(at % stride() / numbers_per_node)},
+                  1);
+}
+
+void BodyBatches::count_readers()
+{
+  const std::size_t n = end_of_owned_batches() - first_owned_batch();
+  readers_.assign(n * n_nodes(), 0);
+  reader_changes_.assign(n, 0);
+}
+
+void BodyBatches::add_readers(const unsigned int               batch,
+                              const std::vector<unsigned int> &nodes,
+                              const int                        more)
+{
+  if (!counts_readers() || batch < first_owned_batch() || batch >= end_of_owned_batches())
+    return;
+  for (const unsigned int node : nodes)
+    readers_[(batch - first_owned_batch()) * n_nodes() + node] += more;
+  ++reader_changes_[batch - first_owned_batch()];
 }
 
 void BodyBatches::fetch_ghosts(std::vector<BodyBatches> &copies)
@@ -212,6 +237,7 @@ std::size_t BodyBatches::memory_consumption() const
   return position.memory_consumption() + velocity.memory_consumption() +
          force.memory_consumption() +
          nodes.size() * (2 * sizeof(unsigned int) + sizeof(dealii::Point<3>) + sizeof(double)) +
-         nodes.cells.size() * sizeof(nodes.cells[0]);
+         nodes.cells.size() * sizeof(nodes.cells[0]) + readers_.size() * sizeof(unsigned short) +
+         reader_changes_.size() * sizeof(unsigned long);
 }
 } // namespace chaindrive

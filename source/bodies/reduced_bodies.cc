@@ -65,37 +65,29 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene,
   reference_.resize(3 * copies.n_nodes());
   for (unsigned int i = 0; i < 3 * copies.n_nodes(); ++i)
     reference_[i] = copies.nodes.position[i / 3][i % 3];
-  take_basis(copies.nodes, basis);
+  std::vector<char> touches(copies.n_nodes(), 0);
+  for (const unsigned int side : sides_that_touch(scene, of))
+    for (const unsigned int node :
+         mesh::SurfaceNodes(*copies.part, copies.nodes, static_cast<mesh::Surface>(side)).node)
+      touches[node] = 1;
+  take_basis(copies.nodes, basis, touches);
   rigid_motions_ = reduction::rigid_motions(*copies.part, copies.nodes);
 
-  std::set<unsigned int> touching, orbits;
-  for (const unsigned int side : sides_that_touch(scene, of))
-    {
-      const auto nodes =
-          mesh::SurfaceNodes(*copies.part, copies.nodes, static_cast<mesh::Surface>(side)).node;
-      touching.insert(nodes.begin(), nodes.end());
-    }
-  for (const unsigned int node : touching)
-    orbits.insert(orbit_[node]);
-  touching_.assign(orbits.begin(), orbits.end());
-  const unsigned int n_images = symmetry_.n_classes();
-  node_.assign(touching_.size() * n_images, ModalNodes::none);
-  for (const unsigned int node : touching)
-    {
-      const auto at = std::lower_bound(touching_.begin(), touching_.end(), orbit_[node]);
-      node_[(at - touching_.begin()) * n_images + image_[node]] = node;
-    }
-
-  first_batch_        = copies.first_owned_batch();
-  const std::size_t n = start_of(copies, copies.end_of_owned_batches());
+  first_batch_                 = copies.first_owned_batch();
+  const unsigned int n_batches = copies.end_of_owned_batches() - first_batch_;
   for (Numbers *numbers : {&amplitude_, &rate_, &acceleration_, &modal_force_})
-    numbers->resize(n, 0.);
-  displaced_.resize((copies.end_of_owned_batches() - first_batch_) * node_offset(node_.size()));
+    numbers->resize(std::size_t(n_batches) * n_modes() * n_lanes, 0.);
+  displaced_.resize(n_batches * node_offset(node_.size()));
   in_body_.resize(node_offset(node_.size()));
-  found_.resize(touching_.size());
+  found_.resize(n_touching_);
+  ReadOrbits nobody;
+  nobody.was_placed.resize(n_touching_, 0);
+  read_.assign(n_batches, nobody);
 }
 
-void ReducedBodies::take_basis(const mesh::Nodes &nodes, const reduction::Basis &basis)
+void ReducedBodies::take_basis(const mesh::Nodes       &nodes,
+                               const reduction::Basis  &basis,
+                               const std::vector<char> &touches)
 {
   symmetry_                   = reduction::make_symmetry(nodes, basis.reflections);
   const unsigned int n_images = symmetry_.n_classes();
@@ -116,22 +108,34 @@ void ReducedBodies::take_basis(const mesh::Nodes &nodes, const reduction::Basis 
 
   orbit_.assign(nodes.size(), ModalNodes::none);
   image_.resize(nodes.size());
+  const auto any_touches = [&](const unsigned int node) {
+    for (unsigned int g = 0; g < n_images; ++g)
+      if (touches[symmetry_.image(node, g)] != 0)
+        return true;
+    return false;
+  };
   unsigned int n_orbits = 0;
+  for (const bool touching : {true, false})
+    for (unsigned int node = 0; node < nodes.size(); ++node)
+      {
+        if (orbit_[node] != ModalNodes::none || any_touches(node) != touching)
+          continue;
+        for (unsigned int g = n_images; g-- > 0;) // on a plane of symmetry the lowest image counts
+          {
+            const unsigned int image = symmetry_.image(node, g);
+            orbit_[image]            = n_orbits;
+            image_[image]            = g;
+          }
+        ++n_orbits;
+        n_touching_ += touching ? 1 : 0;
+        for (const unsigned int m : modes)
+          for (unsigned int d = 0; d < 3; ++d)
+            shape_.push_back(basis.shape[m][3 * node + d]);
+      }
+  node_.assign(n_touching_ * n_images, ModalNodes::none);
   for (unsigned int node = 0; node < nodes.size(); ++node)
-    {
-      if (orbit_[node] != ModalNodes::none)
-        continue;
-      for (unsigned int g = n_images; g-- > 0;) // on a plane of symmetry the lowest image counts
-        {
-          const unsigned int image = symmetry_.image(node, g);
-          orbit_[image]            = n_orbits;
-          image_[image]            = g;
-        }
-      ++n_orbits;
-      for (const unsigned int m : modes)
-        for (unsigned int d = 0; d < 3; ++d)
-          shape_.push_back(basis.shape[m][3 * node + d]);
-    }
+    if (touches[node] != 0)
+      node_[orbit_[node] * n_images + image_[node]] = node;
 }
 
 std::size_t ReducedBodies::start_of(const BodyBatches &copies, const unsigned int batch) const
@@ -142,7 +146,7 @@ std::size_t ReducedBodies::start_of(const BodyBatches &copies, const unsigned in
 double &
 ReducedBodies::amplitude(const World &world, const unsigned int copy, const unsigned int mode)
 {
-  known_                    = false;
+  forget_places();
   const BodyBatches &copies = world.copies[group_];
   return amplitude_[start_of(copies, copies.batch_of(copy)) + mode * n_lanes +
                     copies.lane_of(copy)];
@@ -176,10 +180,10 @@ void ReducedBodies::take_frames(const World &world, const unsigned int batch)
     }
 }
 
-ModalNodes ReducedBodies::modal_nodes() const
+ModalNodes ReducedBodies::modal_nodes(const std::vector<unsigned int> &orbits) const
 {
-  return {static_cast<unsigned int>(touching_.size()),
-          touching_.data(),
+  return {static_cast<unsigned int>(orbits.size()),
+          orbits.data(),
           symmetry_.n_classes(),
           node_.data(),
           {symmetry_.reflection(0), symmetry_.reflection(1), symmetry_.reflection(2)},
@@ -190,10 +194,49 @@ ModalNodes ReducedBodies::modal_nodes() const
           rigid_.data()};
 }
 
+void ReducedBodies::update_read(const BodyBatches &copies, const unsigned int batch)
+{
+  ReadOrbits &orbits = read_[batch - first_batch_];
+  if (orbits.changes == copies.reader_changes(batch))
+    return;
+  orbits.changes = copies.reader_changes(batch);
+  orbits.placed.clear();
+  orbits.fresh.clear();
+  const unsigned int n_images = symmetry_.n_classes();
+  for (unsigned int orbit = 0; orbit < n_touching_; ++orbit)
+    {
+      const auto first   = node_.begin() + orbit * n_images;
+      const bool is_read = std::any_of(first, first + n_images, [&](const unsigned int node) {
+        return node != ModalNodes::none && copies.is_read(batch, node);
+      });
+      if (!is_read)
+        orbits.was_placed[orbit] = 0;
+      else
+        (orbits.was_placed[orbit] != 0 ? orbits.placed : orbits.fresh).push_back(orbit);
+    }
+}
+
+void ReducedBodies::forget_places()
+{
+  for (ReadOrbits &orbits : read_)
+    {
+      orbits.fresh.insert(orbits.fresh.end(), orbits.placed.begin(), orbits.placed.end());
+      orbits.placed.clear();
+      std::fill(orbits.was_placed.begin(), orbits.was_placed.end(), 0);
+    }
+}
+
 void ReducedBodies::drift(World &world, const Step &step)
 {
-  if (!known_)
-    place_touching(world, 0., true);
+  const BodyBatches &copies = world.copies[group_];
+  bool               known  = true;
+  for (unsigned int batch = first_batch_; batch < copies.end_of_owned_batches(); ++batch)
+    {
+      update_read(copies, batch);
+      known = known && read_[batch - first_batch_].fresh.empty();
+    }
+  if (!known) // the step begins there
+    place_surface(world, 0.);
   for (std::size_t i = 0; i < rate_.size(); ++i)
     {
       rate_[i] += 0.5 * step.dt * acceleration_[i];
@@ -201,29 +244,33 @@ void ReducedBodies::drift(World &world, const Step &step)
     }
 }
 
-void ReducedBodies::place_touching(World &world, const double earlier, const bool with_rates)
-{
-  BodyBatches &copies = world.copies[group_];
-  for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
-       ++batch)
-    {
-      take_frames(world, batch);
-      const std::size_t first = start_of(copies, batch);
-      kernels_.place({modal_nodes(),
-                      amplitude_.data() + first,
-                      with_rates ? rate_.data() + first : nullptr,
-                      2. * earlier,
-                      earlier,
-                      displaced_.data() + (batch - first_batch_) * node_offset(node_.size()),
-                      copies.position.begin() + copies.start_of(batch),
-                      copies.velocity.begin() + copies.start_of(batch)});
-    }
-  known_ = true;
-}
-
 void ReducedBodies::place_surface(World &world, const double earlier)
 {
-  place_touching(world, earlier, earlier == 0.);
+  BodyBatches &copies = world.copies[group_];
+  for (unsigned int batch = first_batch_; batch < copies.end_of_owned_batches(); ++batch)
+    {
+      take_frames(world, batch);
+      update_read(copies, batch);
+      ReadOrbits       &orbits = read_[batch - first_batch_];
+      const std::size_t first  = start_of(copies, batch);
+      const double     *rate   = rate_.data() + first;
+      const auto        place  = [&](const std::vector<unsigned int> &some, const double *known) {
+        kernels_.place({modal_nodes(some),
+                        amplitude_.data() + first,
+                        known,
+                        2. * earlier,
+                        earlier,
+                        displaced_.data() + (batch - first_batch_) * node_offset(node_.size()),
+                        copies.position.begin() + copies.start_of(batch),
+                        copies.velocity.begin() + copies.start_of(batch)});
+      };
+      place(orbits.placed, earlier == 0. ? rate : nullptr);
+      place(orbits.fresh, rate);
+      for (const unsigned int orbit : orbits.fresh)
+        orbits.was_placed[orbit] = 1;
+      orbits.placed.insert(orbits.placed.end(), orbits.fresh.begin(), orbits.fresh.end());
+      orbits.fresh.clear();
+    }
 }
 
 void ReducedBodies::gather_forces(World &world)
@@ -233,7 +280,7 @@ void ReducedBodies::gather_forces(World &world)
        ++batch)
     {
       take_frames(world, batch);
-      kernels_.gather({modal_nodes(),
+      kernels_.gather({modal_nodes(read_[batch - first_batch_].placed),
                        copies.position.begin() + copies.start_of(batch),
                        copies.force.begin() + copies.start_of(batch),
                        modal_force_.data() + start_of(copies, batch),
@@ -345,7 +392,7 @@ void ReducedBodies::slow_shapes(const World &world, const unsigned int copy, con
 void ReducedBodies::take_shapes(const BodyGroup &other)
 {
   amplitude_ = dynamic_cast<const ReducedBodies &>(other).amplitude_;
-  known_     = false;
+  forget_places();
   rest();
 }
 
@@ -403,7 +450,7 @@ void ReducedBodies::serialize(const Archive &archive)
 {
   const std::size_t per_batch = std::size_t(n_modes()) * n_lanes;
   if (archive.reads())
-    known_ = false;
+    forget_places();
   for (unsigned int i = 0; i * per_batch < amplitude_.size(); ++i)
     {
       const Archive own = archive.of_this_rank() / ("batch " + std::to_string(first_batch_ + i));
@@ -419,7 +466,8 @@ std::size_t ReducedBodies::memory_consumption() const
           in_body_.size()) *
              sizeof(double) +
          rigid_motions_.size() * reference_.size() * sizeof(double) +
-         (2 * touching_.size() + node_.size() + (2 + symmetry_.axis.size()) * orbit_.size()) *
+         ((1 + read_.size()) * n_touching_ + node_.size() +
+          (2 + symmetry_.axis.size()) * orbit_.size()) *
              sizeof(unsigned int);
 }
 } // namespace chaindrive

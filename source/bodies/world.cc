@@ -24,6 +24,22 @@ namespace chaindrive
 {
 namespace
 {
+/// The @p bodies in such an order that the copies of a batch are neighbours along the chain: they
+/// touch others at about the same nodes. Neighbours are dealt out to @p n_in_turn batches in turn:
+/// two of rollers then belong to one of links, with the first and with the second bush.
+std::vector<unsigned int> neighbours_in_batches(const std::vector<unsigned int> &bodies,
+                                                const unsigned int               n_in_turn)
+{
+  const unsigned int        n_batches = BodyBatches::n_batches_of(bodies.size());
+  std::vector<unsigned int> copies(bodies.size());
+  auto                      next = bodies.begin();
+  for (unsigned int first = 0; first < n_batches; first += n_in_turn)
+    for (unsigned int lane = 0; lane < n_lanes; ++lane)
+      for (unsigned int batch = first; batch < std::min(first + n_in_turn, n_batches); ++batch)
+        if (const unsigned int copy = lane * n_batches + batch; copy < copies.size())
+          copies[copy] = *next++;
+  return copies;
+}
 /// Angular momentum R I R^T w of a body with principal moments @p inertia.
 dealii::Tensor<1, 3> angular_momentum(const Frame &frame, const dealii::Tensor<1, 3> &inertia)
 {
@@ -137,7 +153,12 @@ void World::add_reduced_bodies(const scene::Scene &scene, const Deals &deals)
   constexpr scene::Motion reduced = scene::Motion::reduced;
   for (const auto &[of, bodies] : bodies_that_move(scene, reduced))
     {
-      const unsigned int group = add_copies(scene, of, bodies, deals.at({reduced, of}));
+      const unsigned int group =
+          add_copies(scene,
+                     of,
+                     neighbours_in_batches(bodies, of.kind == scene::Kind::roller ? 2 : 1),
+                     deals.at({reduced, of}));
+      copies.back().count_readers();
       groups.push_back(std::make_unique<ReducedBodies>(scene, *this, group));
     }
 }

@@ -78,10 +78,12 @@ void Contacts::search_if_due(const World &world, const double dt)
 
 void Contacts::add_forces(World &world, const double dt)
 {
-  world.place_surfaces(0.5 * dt);
-  BodyBatches::fetch_ghosts(world.copies);
   if (needs_search_)
     search_if_due(world, dt);
+  for (const auto &family : families_)
+    family->announce(world, dt);
+  world.place_surfaces(0.5 * dt);
+  BodyBatches::fetch_ghosts(world.copies);
   for (const auto &family : families_)
     if (family->is_dealt_out() || world.is_first_rank())
       family->add_forces(world, dt);
@@ -120,7 +122,7 @@ void Contacts::gather_records(const World &world)
     }
 }
 
-void Contacts::serialize(const Archive &archive, const World &world)
+void Contacts::serialize(const Archive &archive, World &world)
 {
   cadence_.serialize(archive);
   archive("statistics", statistics_);
@@ -131,6 +133,9 @@ void Contacts::serialize(const Archive &archive, const World &world)
   for (unsigned int f = 0; f < families_.size(); ++f)
     families_[f]->serialize(archive / ("family " + std::to_string(f)),
                             rank_in(world.communicator()));
+  if (archive.reads())
+    for (const auto &family : families_)
+      family->announce(world, {});
 }
 
 void Contacts::add_springs(const World &world, std::vector<Spring> &springs) const

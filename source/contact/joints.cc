@@ -183,6 +183,20 @@ unsigned int JointBatch::search_lane(const int lane, const double reach)
   return missed;
 }
 
+void JointBatch::mark_columns(const int lane, const bool of_slave, std::vector<char> &columns) const
+{
+  const unsigned int n = shape_.slave_columns, n_master = shape_.master_columns;
+  for (unsigned int i = 0; i < window_.count[lane]; ++i)
+    {
+      const unsigned int column = (window_.first[lane] + i) % n;
+      if (of_slave)
+        columns[column] = 1;
+      else // its cell lies between two columns
+        for (unsigned int side = 0; side < 4; ++side)
+          columns[(cell_[column * n_lanes + lane] + n_master - 1 + side) % n_master] = 1;
+    }
+}
+
 void JointBatch::add_forces(const double dt)
 {
   connect();

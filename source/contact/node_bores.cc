@@ -143,6 +143,15 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
       const mesh::CylinderGrid bore(*masters.part, static_cast<mesh::Surface>(master_surface));
       const mesh::CylinderGrid cylinder(*slaves.part, static_cast<mesh::Surface>(slave_surface));
 
+      const auto nodes_of = [](const mesh::CylinderGrid &grid, const BodyBatches &copies) {
+        std::vector<unsigned int> nodes;
+        for (const unsigned int vertex : grid.vertex)
+          nodes.push_back(copies.nodes.of_vertex[vertex]);
+        return nodes;
+      };
+      const std::vector<unsigned int> bore_nodes     = nodes_of(bore, masters),
+                                      cylinder_nodes = nodes_of(cylinder, slaves);
+
       Group group;
       group.tables       = std::make_unique<JointTables>(bore, cylinder);
       group.master_nodes = node_offsets(bore, masters.nodes.vertex);
@@ -172,6 +181,15 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
         return std::make_pair(masters.batch_of(i), i) < std::make_pair(masters.batch_of(j), j);
       });
       group.pairs = pairs;
+      group.sides = {{{master_group, bore_nodes, bore.n_columns(), {}, {}},
+                      {slave_group, cylinder_nodes, cylinder.n_columns(), {}, {}}}};
+      for (const unsigned int i : pairs)
+        {
+          group.sides[0].copy.push_back(world.node_address[scene.pairs[i].master].copy);
+          group.sides[1].copy.push_back(world.node_address[scene.pairs[i].slave.body].copy);
+        }
+      for (Group::Side &side : group.sides)
+        side.read.resize(n_batches_of(pairs.size()));
       groups_.push_back(std::move(group));
       Group &placed = groups_.back();
       for (unsigned int i = 0; i < pairs.size(); ++i)
@@ -193,6 +211,54 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
     }
 }
 
+void NodeBores::announce(World &world, const std::optional<double> dt)
+{
+  for (Group &group : groups_)
+    for (unsigned int b = 0; b < group.batches.size(); ++b)
+      if (!dt)
+        announce_joints(world, group, b, every_step_);
+      else if (every_step_ || group.batches[b]->search_due(*dt))
+        announce_joints(world, group, b, true);
+}
+
+void NodeBores::announce_joints(World             &world,
+                                Group             &group,
+                                const unsigned int b,
+                                const bool         all) const
+{
+  const JointBatch &batch = *group.batches[b];
+  const JointShape &shape = batch.shape();
+  for (unsigned int is_slave = 0; is_slave < 2; ++is_slave)
+    {
+      Group::Side &side   = group.sides[is_slave];
+      BodyBatches &copies = world.copies[side.group];
+      if (!copies.counts_readers())
+        continue;
+      std::map<unsigned int, std::vector<char>> columns; // of batches of bodies
+      for (unsigned int i = b * n_lanes;
+           i < std::min<std::size_t>((b + 1) * n_lanes, side.copy.size());
+           ++i)
+        {
+          std::vector<char> &near = columns[copies.batch_of(side.copy[i])];
+          near.resize(side.n_columns, all ? 1 : 0);
+          if (!all)
+            batch.mark_columns(i % n_lanes, is_slave != 0, near);
+        }
+      for (auto &[bodies, nodes] : side.read[b])
+        copies.add_readers(bodies, nodes, -1);
+      side.read[b].clear();
+      for (const auto &[bodies, near] : columns)
+        {
+          std::vector<unsigned int> &nodes = side.read[b][bodies];
+          for (unsigned int n = 0; n < side.node.size(); ++n)
+            if (near[n % side.n_columns] != 0 ||
+                (is_slave == 0 && n % side.n_columns % shape.axis_stride == 0))
+              nodes.push_back(side.node[n]);
+          copies.add_readers(bodies, nodes, 1);
+        }
+    }
+}
+
 void NodeBores::add_forces(World &world, const double dt)
 {
   const double unforeseen = unforeseen_speed(world);
@@ -201,7 +267,10 @@ void NodeBores::add_forces(World &world, const double dt)
       {
         JointBatch &batch = *group.batches[b];
         if (every_step_ || batch.search_due(dt))
-          n_missed_ += batch.search(every_step_ ? 0. : reach, unforeseen);
+          {
+            n_missed_ += batch.search(every_step_ ? 0. : reach, unforeseen);
+            announce_joints(world, group, b, every_step_);
+          }
         batch.add_forces(dt);
 
         const JointSums &sums = batch.sums();

@@ -121,6 +121,13 @@ NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool se
       if (!slaves.owns(slave.copy))
         continue;
       const SidePair &sides = side_pairs_[entry->second];
+      for (const Faces &faces : sides.faces)
+        {
+          world.copies[master.group].add_readers(
+              masters.batch_of(master.copy), faces.masters->nodes(), 1);
+          world.copies[slave.group].add_readers(
+              slaves.batch_of(slave.copy), faces.slaves->nodes(), 1);
+        }
       for (unsigned int f = 0; f < sides.faces.size(); ++f)
         {
           const Faces             &faces = sides.faces[f];

@@ -52,6 +52,18 @@ SlaveNodes::SlaveNodes(const World                     &world,
     }
 }
 
+void SlaveNodes::announce(World &world, const std::vector<unsigned int> &bodies)
+{
+  BodyBatches &copies = world.copies[group_];
+  if (!copies.counts_readers() || bodies == read_)
+    return;
+  for (const unsigned int body : read_)
+    copies.add_readers(copies.batch_of(copy_[body]), side_->node, -1);
+  for (const unsigned int body : bodies)
+    copies.add_readers(copies.batch_of(copy_[body]), side_->node, 1);
+  read_ = bodies;
+}
+
 double SlaveNodes::cover(const double z, const double half_width, const unsigned int s) const
 {
   const double from = std::max(z - extent_[s][0], -half_width);

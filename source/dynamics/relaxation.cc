@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -169,6 +170,14 @@ public:
         const bool reduced = scene.bodies[b].motion == scene::Motion::reduced;
         there_             = there_ || reduced;
         held_.push_back(!reduced || scene.bodies[b].kind != scene::Kind::roller);
+      }
+    for (unsigned int g = world_.n_nodal_groups(); g < world_.copies.size(); ++g)
+      {
+        BodyBatches              &copies = world_.copies[g];
+        std::vector<unsigned int> all(copies.n_nodes()); // slow_down() reads them
+        std::iota(all.begin(), all.end(), 0u);
+        for (unsigned int b = copies.first_owned_batch(); b < copies.end_of_owned_batches(); ++b)
+          copies.add_readers(b, all, 1);
       }
   }
 

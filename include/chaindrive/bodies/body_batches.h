@@ -19,8 +19,9 @@ namespace chaindrive
 /// deal.II's distributed vectors numbered [batch][node][component][lane]; lanes without a body hold
 /// a copy of the first body at rest, which nothing touches.
 ///
-/// Copy k sits in batch k modulo n_batches: neighbours along the chain lie in the same lane of
-/// neighbouring batches, so that the joints of one batch meet one other batch.
+/// Copy k sits in batch k modulo n_batches. Copies of elastic bodies are in the order of the chain:
+/// neighbours lie in the same lane of neighbouring batches, so that the joints of one batch meet
+/// one other batch. Those of reduced bodies are in an order that makes neighbours lie in one batch.
 ///
 /// Whole batches are dealt out to the ranks. A rank sees of the batches of others the nodes that it
 /// asked for, as ghosts: their positions and velocities come with fetch_ghosts(), and forces that
@@ -115,6 +116,25 @@ public:
   /// Gives the vectors room for all ghosts that any rank wants. Collective.
   void make_ghosts();
 
+  /// From now on counts who reads which nodes of this rank's batches: nodes that nobody reads need
+  /// not be placed. Ghosts of other ranks are read.
+  void count_readers();
+  bool counts_readers() const { return !readers_.empty(); }
+
+  /// So many more, or fewer, read the @p nodes of @p batch. Others' batches are left to them.
+  void add_readers(unsigned int batch, const std::vector<unsigned int> &nodes, int more);
+
+  bool is_read(const unsigned int batch, const unsigned int node) const
+  {
+    return readers_[(batch - first_owned_batch()) * n_nodes() + node] > 0;
+  }
+
+  /// How often readers of @p batch have come or gone.
+  unsigned long reader_changes(const unsigned int batch) const
+  {
+    return reader_changes_[batch - first_owned_batch()];
+  }
+
   /// For all @p copies, whose messages travel side by side. Collective.
   static void fetch_ghosts(std::vector<BodyBatches> &copies);
   static void send_forces(std::vector<BodyBatches> &copies);
@@ -148,5 +168,8 @@ private:
   unsigned int              rank_;
   std::vector<unsigned int> first_batch_; ///< per rank, and their number
   dealii::IndexSet          ghosts_;
+
+  std::vector<unsigned short> readers_;        ///< [batch of this rank][node]; empty: not counted
+  std::vector<unsigned long>  reader_changes_; ///< [batch of this rank]
 };
 } // namespace chaindrive

@@ -24,10 +24,10 @@ struct ModalNodes
 {
   static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
-  unsigned int        n_orbits; ///< some
-  const unsigned int *orbit;    ///< their numbers in the table of shapes
-  unsigned int        n_images; ///< as many as classes: 1, 2, 4 or 8
-  const unsigned int *node; ///< [some orbit][image], numbers in the part; none: not of these nodes
+  unsigned int        n_orbits;      ///< some
+  const unsigned int *orbit;         ///< their numbers in the table of shapes
+  unsigned int        n_images;      ///< as many as classes: 1, 2, 4 or 8
+  const unsigned int *node;          ///< [orbit][image], numbers in the part; none: does not touch
   unsigned int        reflection[3]; ///< Symmetry::reflection(), [component]
   unsigned int        n_modes;
   const unsigned int *first_mode; ///< [class], and n_modes: modes are in the order of classes
@@ -51,7 +51,7 @@ struct PlaceArguments
   const double *rate;      ///< q', [mode][lane]; null: the step tells
   double        step;      ///< dt, s, without a rate
   double        earlier;   ///< e, s
-  double       *displaced; ///< u, [some orbit][image][component][lane], m, before, then now
+  double       *displaced; ///< u, [orbit][image][component][lane], m, before, then now
   double       *position;  ///< [node of the part][component][lane], world axes, m
   double       *velocity;  ///< m/s
 };

@@ -203,7 +203,8 @@ CHAINDRIVE_ALWAYS_INLINE void place_some(const PlaceArguments &arg,
     }
 #pragma GCC unroll 1
   for (int n = 0; n < count; ++n)
-    place_orbit<width, n_images, with_rate>(arg, rigid, lane, first + n, u[n], s[n]);
+    place_orbit<width, n_images, with_rate>(
+        arg, rigid, lane, arg.nodes.orbit[first + n], u[n], s[n]);
 }
 
 template <int width, unsigned int n_images, int count, bool with_rate>
@@ -273,7 +274,7 @@ CHAINDRIVE_ALWAYS_INLINE unsigned int take_forces(const GatherArguments &arg, co
         {
           for (int d = 0; d < 3; ++d)
             f[g][d] = P(0.);
-          const unsigned int node = nodes.node[i * n_images + g];
+          const unsigned int node = nodes.node[nodes.orbit[i] * n_images + g];
           if (node != ModalNodes::none &&
               take_force<width>(arg, lane, node, rotation, centre, moment, f[g]))
             any = true;

@@ -76,8 +76,11 @@ public:
 private:
   using Numbers = dealii::AlignedVector<double>;
 
-  /// The shapes of @p basis, which are those of a part with @p nodes.
-  void take_basis(const mesh::Nodes &nodes, const reduction::Basis &basis);
+  /// The shapes of @p basis, which are those of a part with @p nodes, and the orbits, first those
+  /// with nodes of which @p touches is not 0.
+  void take_basis(const mesh::Nodes       &nodes,
+                  const reduction::Basis  &basis,
+                  const std::vector<char> &touches);
 
   /// Where the numbers of a batch that this rank owns begin in arrays [batch][mode][lane].
   std::size_t start_of(const BodyBatches &copies, unsigned int batch) const;
@@ -94,12 +97,23 @@ private:
   /// The frames of the bodies of @p batch side by side.
   void take_frames(const World &world, unsigned int batch);
 
-  /// Places the nodes that touch; velocities follow from the rates, or from the step that led here
-  /// and where the nodes were before.
-  void place_touching(World &world, double earlier, bool with_rates);
+  /// The orbits of a batch with nodes that somebody reads (BodyBatches::is_read()).
+  struct ReadOrbits
+  {
+    std::vector<unsigned int> placed;      ///< last time, and read since: #displaced_ is known
+    std::vector<unsigned int> fresh;       ///< others
+    std::vector<char>         was_placed;  ///< per orbit that may touch
+    unsigned long             changes = 0; ///< BodyBatches::reader_changes() of these lists
+  };
 
-  /// The nodes that touch, moved as the frames taken last and the shapes say.
-  ModalNodes modal_nodes() const;
+  /// Brings the lists of @p batch up to date.
+  void update_read(const BodyBatches &copies, unsigned int batch);
+
+  /// Amplitudes have changed by themselves: where nodes were tells no speed.
+  void forget_places();
+
+  /// Some @p orbits, moved as the frames taken last and the shapes say.
+  ModalNodes modal_nodes(const std::vector<unsigned int> &orbits) const;
 
   unsigned int         group_;       ///< in World::copies
   unsigned int         first_batch_; ///< of this rank
@@ -113,9 +127,9 @@ private:
   std::vector<double>       square_;     ///< W^2 per mode, 1/s2
 
   reduction::Symmetry       symmetry_;
-  std::vector<unsigned int> orbit_, image_; ///< of each node
-  std::vector<unsigned int> touching_;      ///< orbits with nodes that touch
-  std::vector<unsigned int> node_;          ///< those nodes, as in ModalNodes
+  std::vector<unsigned int> orbit_, image_;  ///< of each node
+  unsigned int              n_touching_ = 0; ///< orbits with nodes that may touch, the first ones
+  std::vector<unsigned int> node_;           ///< of these, as in ModalNodes
   Numbers                   shape_, reference_;
 
   std::vector<reduction::Vector> rigid_motions_; ///< of unit mass, 1/sqrt(kg)
@@ -123,8 +137,8 @@ private:
   Numbers amplitude_, rate_, acceleration_; ///< q, q', q", [batch][mode][lane]
   Numbers modal_force_;                     ///< Q of contacts, [batch][mode][lane]
 
-  Numbers displaced_;     ///< as in PlaceArguments, of each batch, m
-  bool    known_ = false; ///< it belongs to the present q
+  Numbers                 displaced_; ///< as in PlaceArguments, of each batch, m
+  std::vector<ReadOrbits> read_;      ///< of each batch
 
   Numbers                   rigid_;            ///< the frames of a batch, see ModalNodes
   Numbers                   in_body_, moment_; ///< room for the kernels

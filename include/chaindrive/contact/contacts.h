@@ -35,7 +35,7 @@ public:
   void gather_records(const World &world);
 
   /// What searches and pairs remember between two steps. Collective.
-  void serialize(const Archive &archive, const World &world);
+  void serialize(const Archive &archive, World &world);
 
   /// The springs of all pairs within reach, held closed.
   void add_springs(const World &world, std::vector<Spring> &springs) const;

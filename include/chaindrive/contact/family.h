@@ -36,6 +36,11 @@ public:
   /// Chooses the pairs that may touch before any body has moved by @p reach [m].
   virtual void search(const World &world, double reach) = 0;
 
+  /// Tells bodies that place only nodes that are read (BodyBatches::add_readers()) which ones those
+  /// are: what add_forces() with @p dt is going to look at; without it, what a step without a
+  /// search would.
+  virtual void announce(World &, std::optional<double> /*dt*/) {}
+
   /// Adds the contact forces at the present state and books their energy. @p dt is the time since
   /// the last call [s], zero at the first one.
   virtual void add_forces(World &world, double dt) = 0;

@@ -78,6 +78,13 @@ public:
   /// Gaps of all slave nodes [slave node][lane], m, measured now; see GapArguments.
   const dealii::AlignedVector<double> &measure_gaps();
 
+  /// Marks the columns of a side of @p lane that add_forces() reads until the next search: of the
+  /// cylinder those in its window, of the bore those that they may meet, with one more on either
+  /// side, since nothing slides by a column while a search holds. To be called after search().
+  void mark_columns(int lane, bool of_slave, std::vector<char> &columns) const;
+
+  const JointShape &shape() const { return shape_; }
+
   /// Slave nodes that add_forces() visits in all joints.
   unsigned int n_visited() const;
 

@@ -4,6 +4,7 @@
 #include <chaindrive/contact/family.h>
 #include <chaindrive/contact/joints.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <vector>
@@ -23,6 +24,7 @@ public:
   static void want_ghosts(const scene::BoreFamily &scene, World &world);
 
   void search(const World &, double) override {}
+  void announce(World &world, std::optional<double> dt) override;
   void add_forces(World &world, double dt) override;
   void add_springs(const World &, std::vector<Spring> &) const override {}
   bool needs_search() const override { return false; }
@@ -40,9 +42,25 @@ private:
     std::vector<unsigned int>                         master_nodes, slave_nodes; ///< node_offsets()
     std::map<unsigned int, std::vector<unsigned int>> ghost_nodes; ///< same, of batches of others
     std::vector<std::unique_ptr<JointBatch>>          batches;
-    std::vector<unsigned int> pairs;  ///< of this rank, in the order of the lanes
-    ClosedPair                closed; ///< bore and cylinder
+    std::vector<unsigned int> pairs; ///< of this rank, in the order of the lanes
+
+    /// A side of the joints, as body batches are read by a batch of joints.
+    struct Side
+    {
+      unsigned int              group;
+      std::vector<unsigned int> node; ///< [station][column]
+      unsigned int              n_columns;
+      std::vector<unsigned int> copy; ///< of each pair
+      /// [batch of joints]: nodes by batches of bodies
+      std::vector<std::map<unsigned int, std::vector<unsigned int>>> read;
+    };
+    std::array<Side, 2> sides;  ///< bore and cylinder
+    ClosedPair          closed; ///< bore and cylinder
   };
+
+  /// Announces what the batch of joints number @p b reads: the sides of its bodies, or what is in
+  /// its windows.
+  void announce_joints(World &world, Group &group, unsigned int b, bool all) const;
 
   std::vector<Group> groups_;
   bool               every_step_;

@@ -32,6 +32,10 @@ public:
   NodeContact(const scene::SurfaceFamily &scene, const World &world, bool search_every_step);
 
   void search(const World &world, double reach) override;
+  void announce(World &world, std::optional<double> /*dt*/) override
+  {
+    slaves_.announce(world, own_);
+  }
   void add_forces(World &world, double dt) override;
   void add_springs(const World &, std::vector<Spring> &) const override {}
 

@@ -38,6 +38,9 @@ public:
     return batches(world).owner_of(copy_[body]);
   }
 
+  /// From now on the nodes of these @p bodies of this rank are read, and no others of this.
+  void announce(World &world, const std::vector<unsigned int> &bodies);
+
   /// The part of the area of node @p s that lies between -@p half_width and half_width when the
   /// node is at @p z [m]: 0 ... 1.
   double cover(double z, double half_width, unsigned int s) const;
@@ -75,5 +78,6 @@ private:
   std::vector<std::array<double, 2>>        extent_; ///< of the nodes' areas along the axis, m
   std::vector<unsigned int>                 copy_;   ///< per body
   std::vector<std::size_t>                  first_;  ///< per body of this rank: its first node
+  std::vector<unsigned int>                 read_;   ///< bodies announced last
 };
 } // namespace chaindrive::contact
