@@ -298,13 +298,12 @@ void ReducedBodies::advance(World &world, const Step &step, const ForceTimer & /
 {
   const double half = 0.5 * step.dt, drag = step.drag;
   double       kinetic[n_lanes] = {}, strain[n_lanes] = {}, dragged[n_lanes] = {};
-  for (std::size_t first = 0; first < rate_.size(); first += n_lanes)
-    {
-      const double square = square_[first / n_lanes % n_modes()];
+  for (std::size_t first = 0; first < rate_.size(); first += n_modes() * n_lanes)
+    for (unsigned int m = 0; m < n_modes(); ++m)
       for (unsigned int lane = 0; lane < n_lanes; ++lane)
         {
-          const std::size_t i = first + lane;
-          const double      q = amplitude_[i], before = rate_[i];
+          const std::size_t i = first + m * n_lanes + lane;
+          const double      q = amplitude_[i], before = rate_[i], square = square_[m];
           const double      acceleration = modal_force_[i] - square * q - drag * before;
           const double      now          = before + half * acceleration;
           acceleration_[i]               = acceleration;
@@ -313,7 +312,6 @@ void ReducedBodies::advance(World &world, const Step &step, const ForceTimer & /
           strain[lane] += square * q * q;
           dragged[lane] += before * before;
         }
-    }
   for (unsigned int lane = 0; lane < n_lanes; ++lane)
     {
       world.ledger.kinetic += 0.5 * kinetic[lane];

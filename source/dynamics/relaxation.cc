@@ -9,6 +9,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -228,14 +229,20 @@ private:
         group.elastic_copies() < world_.n_nodal_groups())
       return;
     const BodyBatches &copies = world_.copies[group.elastic_copies()];
-    const NodeView     velocity(copies.velocity);
-    for (unsigned int copy = 0; copy < copies.n_copies(); ++copy)
+    for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
+         ++batch)
       {
-        double fastest = fastest_node;
-        for (unsigned int node = 0; copies.owns(copy) && node < copies.n_nodes(); ++node)
-          fastest = std::max(fastest, velocity[copies.index(copy, node)].norm());
-        if (fastest > fastest_node)
-          group.slow_shapes(world_, copy, fastest_node / fastest);
+        std::array<double, n_lanes> fastest{}; // squares
+        const double               *v = copies.velocity.begin() + copies.start_of(batch);
+        for (unsigned int node = 0; node < copies.n_nodes(); ++node, v += numbers_per_node)
+          for (unsigned int lane = 0; lane < n_lanes; ++lane)
+            fastest[lane] = std::max(fastest[lane],
+                                     v[lane] * v[lane] + v[n_lanes + lane] * v[n_lanes + lane] +
+                                         v[2 * n_lanes + lane] * v[2 * n_lanes + lane]);
+        copies.for_each_copy_of(batch, [&](const unsigned int copy, const unsigned int lane) {
+          if (fastest[lane] > fastest_node * fastest_node)
+            group.slow_shapes(world_, copy, fastest_node / std::sqrt(fastest[lane]));
+        });
       }
   }
 
