@@ -21,8 +21,8 @@ from hard_cases import CASES, SMALL, SOON
 from program import start
 
 HERE = Path(__file__).resolve().parent
-MODELS = {"s": "simple", "l": "layered", "f": "full"}
-STEP = {"s": 0.08, "l": 0.15, "f": 0.9}  # over the stable one
+MODELS = {"s": "simple", "l": "layered", "f": "full", "r": "reduced"}
+STEP = {"s": 0.08, "l": 0.15, "f": 0.9, "r": 0.9}  # over the stable one
 MOMENTUM = 1e-9  # largest imbalance, over the momentum of all bodies
 TURNS = 5e-4  # rad, least angle of the driven sprocket: a drive in which nothing happens holds nothing
 
@@ -30,11 +30,16 @@ TURNS = 5e-4  # rad, least angle of the driven sprocket: a drive in which nothin
 ALLOWED = {"steps": 1.05, "overlap_um": 2.0, "drive_work": 1.2, "driven_angle": 1.1}
 
 
+def models_of(case):
+    """Letters of the models that are to hold a case: reduced ones where full ones are."""
+    return case.models.replace("f", "fr")
+
+
 def entries(case, model, directory, quick):
     """What is changed in hard.prm."""
     changes = {"Model/Fidelity": MODELS[model], "Output/Directory": directory}
     changes["Model/Stiffness from"] = "dimensions"  # each chain would take seconds more
-    changes |= (SMALL if model == "f" else {}) | case.changes | case.of_model.get(model, {})
+    changes |= (SMALL if model in "fr" else {}) | case.changes | case.of_model.get("f" if model == "r" else model, {})
     if quick and changes.get("Time/End time in ms", 10) > SOON["Time/End time in ms"]:
         changes |= SOON
     return changes
@@ -125,7 +130,7 @@ def read_baseline(path):
 
 
 def write_baseline(path, baseline):
-    known = [(case.name, MODELS[model]) for case in CASES for model in case.models]
+    known = [(case.name, MODELS[model]) for case in CASES for model in models_of(case)]
     baseline = {key: baseline[key] for key in known if key in baseline}
     rows = [f"{'case':28}|{'model':8}|" + "|".join(f"{name:>12}" for name in ALLOWED)]
     rows += [
@@ -139,24 +144,24 @@ def write_baseline(path, baseline):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME", help="only cases whose names contain one of these")
-    parser.add_argument("--models", default="slf", help="s: simple, l: layered, f: full; default: slf")
+    parser.add_argument("--models", default="slfr", help="s: simple, l: layered, f: full, r: reduced; default: slfr")
     parser.add_argument("--program", type=Path, default=program.PROGRAM)
     parser.add_argument("--results", type=Path, default=Path("results/hard"))
     parser.add_argument("--jobs", type=int, default=1, help="cases at a time")
     parser.add_argument(
-        "--quick", action="store_true", help="2.5 ms of the simple and layered models, without the baseline: a minute"
+        "--quick", action="store_true", help="2.5 ms of all but full models, without the baseline: a minute or two"
     )
     parser.add_argument("--record", action="store_true", help="makes what is found the baseline")
     options = parser.parse_args()
 
     path = HERE / "hard.baseline"
     baseline = read_baseline(path) if path.exists() else {}
-    models = "sl" if options.quick else options.models
+    models = options.models.replace("f", "") if options.quick else options.models
     compare = not (options.quick or options.record)
     chosen = [
         (case, model)
         for case in CASES
-        for model in case.models
+        for model in models_of(case)
         if model in models and any(name in case.name for name in options.names or [""])
         if not (options.quick and model in case.long)
     ]

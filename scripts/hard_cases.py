@@ -3,8 +3,8 @@
 
 from typing import NamedTuple
 
-# What full models are made of in these cases: a small drive, or they would take hours. It turns until
-# the next roller has come in.
+# What full and reduced models are made of in these cases: a small drive, or they would take hours. It
+# turns until the next roller has come in.
 SMALL = {
     "Drive/Number of links": 22,
     "Drive/Driver teeth": 9,
@@ -37,7 +37,7 @@ def for_long(ms):
 
 class Case(NamedTuple):
     name: str
-    models: str  # s: simple, l: layered, f: full
+    models: str  # s: simple, l: layered, f: full, and reduced with the same changes
     changes: dict  # of hard.prm, for all models
     of_model: dict = {}  # {model letter: further changes}
     refusal: str = ""  # a regular expression in what the program must say instead of running
