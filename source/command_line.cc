@@ -89,6 +89,7 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   add("retry-failed", c.retry, "study: run those again that failed");
   add("plan", switches.plan, "the same as the command plan");
   add("quiet", c.quiet, "print warnings and errors only");
+  add("strict", c.strict, "run, plan: refuse a drive that a design check warns of");
   add("version", switches.version, "print versions, SIMD and MPI facts");
   add("help", switches.help, "print this text");
   return visible;
@@ -218,6 +219,9 @@ void check_belonging(const CommandLine &c)
                        " belongs to studies: chaindrive study FILE.prm.");
   if (!c.accuracy.empty() && c.command != Command::plan && c.command != Command::help)
     throw InputError("The option --accuracy belongs to plans: chaindrive plan FILE.prm.");
+  if (c.strict && c.command != Command::run && c.command != Command::plan &&
+      c.command != Command::help)
+    throw InputError("The option --strict belongs to runs and plans.");
   if (c.cores > most_cores)
     throw InputError("The option --cores takes 1 to " + std::to_string(most_cores) + ".");
   if (is_study && !c.resume.empty())

@@ -2,6 +2,8 @@
 #include <chaindrive/accuracy.h>
 #include <chaindrive/commands.h>
 #include <chaindrive/cost.h>
+#include <chaindrive/drive/checks.h>
+#include <chaindrive/drive/facts.h>
 #include <chaindrive/element/part_report.h>
 #include <chaindrive/files/console.h>
 #include <chaindrive/files/directory.h>
@@ -71,6 +73,7 @@ struct Prepared
       , fixed(fixed_text(input, simulation.drive, folders))
       , resume(command_line.resume.empty() ? input.parameters.output.resume : command_line.resume)
       , directory(output_directory(command_line, input.parameters))
+      , strict(command_line.strict)
   {
   }
 
@@ -82,6 +85,7 @@ struct Prepared
   const std::string              fixed;  ///< fixed_text()
   const std::string              resume; ///< from what the run is to go on, if from anything
   files::Directory               directory;
+  const bool                     strict; ///< whether what the checks find is not run
 };
 
 /// Whether a signal came to any rank while the run was prepared; says so. Collective.
@@ -115,7 +119,19 @@ void print_step(std::ostream &log, const dynamics::StepChoice &choice, const uns
       << " steps\n";
 }
 
-/// Notes, warnings, and what will be computed.
+/// Says what the checks of the drive find. InputError if that is not to be run.
+void print_checks(Prepared &prepared)
+{
+  const auto checks =
+      drive::check_design(prepared.simulation.parameters, prepared.simulation.facts);
+  for (const drive::Check &check : checks)
+    prepared.log.warn(check.sentence);
+  if (prepared.strict && !checks.empty())
+    throw InputError("With --strict a drive with warnings is not run; there are " +
+                     std::to_string(checks.size()) + ", above.");
+}
+
+/// The drive, notes, warnings, and what will be computed.
 void print_plan(Prepared &prepared)
 {
   Simulation         &simulation = prepared.simulation;
@@ -123,6 +139,7 @@ void print_plan(Prepared &prepared)
   files::Log         &log        = prepared.log;
   const double        step       = simulation.step.step;
   const unsigned long n_steps    = simulation.n_steps();
+  drive::print(log, simulation.facts);
   for (const std::string &note : prepared.input.notes)
     log << note << '\n';
   for (const std::string &warning : prepared.input.warnings)
@@ -132,6 +149,7 @@ void print_plan(Prepared &prepared)
         "Output/History interval in us = " + to_text(parameters.output.history_interval * 1e6) +
         " is shorter than the step of " + to_text(step * 1e6, 4) + " us: every step is a sample, " +
         std::to_string(n_steps + 1) + " in all.");
+  print_checks(prepared);
   scene::print_plan(log, simulation.scene);
   for (const auto &[of, part] : simulation.scene.parts)
     element::print(log, element::make_report(*part, parameters.material));

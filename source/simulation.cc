@@ -136,6 +136,7 @@ Simulation::Simulation(const Parameters               &parameters,
                        const MPI_Comm                  comm)
     : parameters(parameters)
     , drive(make_drive(parameters, folders, basis_of, comm))
+    , facts(drive::make_facts(parameters, drive))
     , scene(scene::build_scene(parameters, drive, folders, basis_of))
 {
   if (!scene.has_elastic_bodies() && rank_in(comm) != 0)
@@ -171,6 +172,8 @@ observe::Summary Simulation::summary() const
   files::Json &values = summary.values;
   recorder_->summarize(values);
   add_balances(values, *guard_);
+  values["checks"]       = drive::to_json(drive::check_design(parameters, facts));
+  values["drive"]        = drive::to_json(facts);
   values["stable_step"]  = step.limit;
   values["step"]         = step.step;
   values["steps"]        = done_;

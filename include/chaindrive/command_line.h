@@ -28,7 +28,8 @@ struct CommandLine
   std::vector<std::string> overrides;        ///< "Section/Entry=value", in the order given
   std::string              output_directory; ///< empty: what the .prm file says
   std::string              resume;           ///< empty: what the .prm file says
-  bool                     quiet = false;    ///< warnings and errors only
+  bool                     quiet  = false;   ///< warnings and errors only
+  bool                     strict = false;   ///< run, plan: no drive that a check finds fault with
   std::vector<std::string> accuracy;         ///< plan: "OUTPUT=PERCENT"
   unsigned int             cores   = 0;      ///< study: runs at a time; 0: as many as there are
   bool                     quick   = false;  ///< study: with the changes of Study/Quick

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/drive/checks.h>
 #include <chaindrive/drive/drive.h>
+#include <chaindrive/drive/facts.h>
 #include <chaindrive/dynamics/guard.h>
 #include <chaindrive/dynamics/system.h>
 #include <chaindrive/observe/recorder.h>
@@ -65,6 +67,7 @@ public:
 
   const Parameters    &parameters;
   const drive::Drive   drive;
+  const drive::Facts   facts; ///< what to expect of it
   const scene::Scene   scene;
   dynamics::StepChoice step; ///< may be changed before the run: one that is resumed keeps its step
 

@@ -41,6 +41,7 @@ CatalogueChain iso_a(const std::string &designation,
                      const double       d2,
                      const double       h2,
                      const double       ansi_t,
+                     const double       strength,
                      const bool         has_rollers = true)
 {
   return {designation,
@@ -52,7 +53,7 @@ CatalogueChain iso_a(const std::string &designation,
           0.82 * p * mm,
           ansi_t * mm,
           ansi_t * mm,
-          0.,
+          strength * kN,
           0.,
           has_rollers};
 }
@@ -82,10 +83,13 @@ CatalogueChain iso_b(const std::string &designation,
           mass};
 }
 
-CatalogueChain
-motorcycle(const std::string &designation, const double p, const double d1, const double b1)
+CatalogueChain motorcycle(const std::string &designation,
+                          const double       p,
+                          const double       d1,
+                          const double       b1,
+                          const double       strength)
 {
-  return {designation, p * mm, d1 * mm, b1 * mm, 0., 0., 0., 0., 0., 0., 0.};
+  return {designation, p * mm, d1 * mm, b1 * mm, 0., 0., 0., 0., 0., strength * kN, 0.};
 }
 } // namespace
 
@@ -112,20 +116,20 @@ const std::vector<CatalogueChain> &ansi_chains()
 const std::vector<CatalogueChain> &iso_a_chains()
 {
   static const std::vector<CatalogueChain> rows = {
-      iso_a("04C", 6.350, 3.30, 3.10, 2.31, 6.02, 0.76, false),
-      iso_a("06C", 9.525, 5.08, 4.68, 3.60, 9.05, 1.27, false),
-      iso_a("085", 12.70, 7.77, 6.25, 3.60, 9.91, 1.27),
-      iso_a("08A", 12.70, 7.92, 7.85, 3.98, 12.07, 1.52),
-      iso_a("10A", 15.875, 10.16, 9.40, 5.09, 15.09, 2.03),
-      iso_a("12A", 19.05, 11.91, 12.57, 5.96, 18.10, 2.39),
-      iso_a("16A", 25.40, 15.88, 15.75, 7.94, 24.13, 3.18),
-      iso_a("20A", 31.75, 19.05, 18.90, 9.54, 30.17, 3.96),
-      iso_a("24A", 38.10, 22.23, 25.22, 11.11, 36.20, 4.75),
-      iso_a("28A", 44.45, 25.40, 25.22, 12.71, 42.23, 5.56),
-      iso_a("32A", 50.80, 28.58, 31.55, 14.29, 48.26, 6.35),
-      iso_a("36A", 57.15, 35.71, 35.48, 17.46, 54.30, 7.14),
-      iso_a("40A", 63.50, 39.67, 37.85, 19.85, 60.33, 7.92),
-      iso_a("48A", 76.20, 47.63, 47.35, 23.81, 72.39, 9.53)};
+      iso_a("04C", 6.350, 3.30, 3.10, 2.31, 6.02, 0.76, 3.5, false),
+      iso_a("06C", 9.525, 5.08, 4.68, 3.60, 9.05, 1.27, 7.9, false),
+      iso_a("085", 12.70, 7.77, 6.25, 3.60, 9.91, 1.27, 6.7),
+      iso_a("08A", 12.70, 7.92, 7.85, 3.98, 12.07, 1.52, 13.9),
+      iso_a("10A", 15.875, 10.16, 9.40, 5.09, 15.09, 2.03, 21.8),
+      iso_a("12A", 19.05, 11.91, 12.57, 5.96, 18.10, 2.39, 31.3),
+      iso_a("16A", 25.40, 15.88, 15.75, 7.94, 24.13, 3.18, 55.6),
+      iso_a("20A", 31.75, 19.05, 18.90, 9.54, 30.17, 3.96, 87.0),
+      iso_a("24A", 38.10, 22.23, 25.22, 11.11, 36.20, 4.75, 125.0),
+      iso_a("28A", 44.45, 25.40, 25.22, 12.71, 42.23, 5.56, 170.0),
+      iso_a("32A", 50.80, 28.58, 31.55, 14.29, 48.26, 6.35, 223.0),
+      iso_a("36A", 57.15, 35.71, 35.48, 17.46, 54.30, 7.14, 281.0),
+      iso_a("40A", 63.50, 39.67, 37.85, 19.85, 60.33, 7.92, 347.0),
+      iso_a("48A", 76.20, 47.63, 47.35, 23.81, 72.39, 9.53, 500.0)};
   return rows;
 }
 
@@ -150,13 +154,13 @@ const std::vector<CatalogueChain> &iso_b_chains()
 const std::vector<CatalogueChain> &motorcycle_chains()
 {
   static const std::vector<CatalogueChain> rows = [] {
-    std::vector<CatalogueChain> chains = {motorcycle("420", 12.70, 7.77, 6.35),
-                                          motorcycle("428", 12.70, 8.51, 7.94),
-                                          motorcycle("520", 15.875, 10.16, 6.35),
-                                          motorcycle("525", 15.875, 10.16, 7.94),
-                                          motorcycle("530", 15.875, 10.16, 9.53),
-                                          motorcycle("532", 15.875, 11.10, 9.53),
-                                          motorcycle("630", 19.05, 11.91, 9.53)};
+    std::vector<CatalogueChain> chains = {motorcycle("420", 12.70, 7.77, 6.35, 15.6),
+                                          motorcycle("428", 12.70, 8.51, 7.94, 16.7),
+                                          motorcycle("520", 15.875, 10.16, 6.35, 26.5),
+                                          motorcycle("525", 15.875, 10.16, 7.94, 26.5),
+                                          motorcycle("530", 15.875, 10.16, 9.53, 26.5),
+                                          motorcycle("532", 15.875, 11.10, 9.53, 0.),
+                                          motorcycle("630", 19.05, 11.91, 9.53, 35.3)};
     // Table 2 of Zheng et al.; plates of the heights of a 10A, which has the same pitch and roller
     CatalogueChain &chain_525       = chains[3];
     chain_525.pin_diameter          = 5.24 * mm;

@@ -30,8 +30,8 @@ const std::vector<CatalogueChain> &iso_a_chains();
 /// ISO 606 series B (05B to 48B).
 const std::vector<CatalogueChain> &iso_b_chains();
 
-/// Motorcycle chains 420 to 630 (ISO 10190): pitch, roller and inner width. The 525 has besides the
-/// pin and plate thickness of the chain of Zheng et al. (2004).
+/// Motorcycle chains 420 to 630 (ISO 10190): pitch, roller, inner width and strength. The 525 has
+/// besides the pin and plate thickness of the chain of Zheng et al. (2004).
 const std::vector<CatalogueChain> &motorcycle_chains();
 
 /// The row of @p designation in any of the tables; null if there is none.

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/drive/drive.h>
+#include <chaindrive/files/json.h>
+
+#include <array>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace chaindrive::drive
+{
+/// What a designer wants to know of a drive before it runs: closed forms for steady running at full
+/// speed under full load. They know nothing of impacts and swinging. SI units, angles in rad.
+struct Facts
+{
+  struct Sprocket
+  {
+    std::string  name;
+    unsigned int teeth;
+    double       pitch_diameter;
+    double       wrap;             ///< of the chain around it
+    double       speed;            ///< mean, rad/s
+    double       torque;           ///< mean without losses, N m
+    double       polygon_effect;   ///< 1 - cos(pi / z): rise and fall of the chain's speed over it
+    double       seating_velocity; ///< pitch times speed: with which a link meets the sprocket, m/s
+  };
+
+  struct Span
+  {
+    bool         tight;
+    unsigned int links;
+    double       length;     ///< between the points where it leaves the pitch circles
+    double       slack, sag; ///< at the start
+    double       tension;    ///< mean, with the centrifugal one
+    double       frequency;  ///< first, of a string that moves
+    double       resonance;  ///< driver speed at which the tooth frequency is that, rad/s
+  };
+
+  std::string  chain;
+  unsigned int links;
+  double       pitch;        ///< nominal
+  double       loaded_pitch; ///< mean distance of rollers under load
+  double       mass_per_metre;
+  double       tensile_strength; ///< least, of the standard's table; 0: not listed there
+  double       bearing_area;     ///< of a joint: pin diameter times length of the bush
+
+  std::array<Sprocket, 2> sprockets; ///< driver and driven one
+  double                  ratio;     ///< teeth of the driven one over those of the driver
+  double                  centre_distance;
+  std::vector<Span>       spans;
+
+  double power;
+  double chain_speed;
+  double tooth_frequency; ///< Hz
+  double pitch_time;
+
+  double effective_tension;   ///< that does the work: power over chain speed
+  double centrifugal_tension; ///< loads the chain, but neither teeth nor shafts
+  double start_tension;       ///< of the tight span while the speed grows; 0: starts settled
+  double joint_pressure;      ///< of the tight span's tension on the bearing area, Pa
+  double safety;              ///< tensile strength over the tight span's tension; 0: unknown
+  double shaft_load;          ///< resultant of both spans on either shaft
+
+  double driven_inertia;   ///< of all that turns with the driven sprocket, kg m2
+  double driven_frequency; ///< of that on the tight span, the driver held, Hz
+  double driven_resonance; ///< driver speed at which the tooth frequency is that, rad/s
+
+  double rated_power;   ///< usual limit for this size, teeth and speed
+  double highest_speed; ///< usual limit of the driver, rad/s
+
+  const Span &span(bool tight) const;
+};
+
+Facts make_facts(const Parameters &parameters, const Drive &drive);
+
+/// Member `drive` of summary.json: doc/output.md.
+files::Json to_json(const Facts &facts);
+
+/// The block at the top of plan and log.
+void print(std::ostream &out, const Facts &facts);
+
+/// First frequency [Hz] of a string of this @p length [m] and @p mass per metre [kg/m] that moves
+/// along itself at @p speed [m/s], under @p tension [N] with the centrifugal one.
+double string_frequency(double length, double mass, double tension, double speed);
+
+/// Speed [m/s] at which a chain of this @p pitch [m] meets that frequency with its teeth;
+/// @p tension [N] without the centrifugal one, which grows with the speed.
+double string_resonance(double length, double mass, double tension, double pitch);
+
+/// Sag [m] of a span of this @p length with this @p slack [m], and the tension [N] in its middle
+/// from its weight per metre [N/m]; zero without slack.
+double parabola_sag(double length, double slack);
+double parabola_tension(double length, double slack, double weight);
+} // namespace chaindrive::drive

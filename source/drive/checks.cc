@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/checks.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace chaindrive::drive
+{
+using dealii::numbers::PI;
+
+namespace
+{
+// Rules of thumb of makers' catalogues and textbooks on machine elements.
+constexpr double       least_safety         = 7.;           // static, against breaking
+constexpr double       usual_pressure       = 35e6;         // Pa, of a lubricated joint
+constexpr double       least_wrap           = 2. * PI / 3.; // 120 degrees
+constexpr unsigned int least_teeth          = 13;           // above the speed of the next line
+constexpr double       slow                 = 1.;           // m/s
+constexpr double       resonance_margin     = 0.1;          // of the frequency
+constexpr double       most_start_tension   = 3.;           // of the tight span's tension
+constexpr double       least_window_pitches = 10.;
+
+std::string newton(const double force)
+{
+  return force < 1e4 ? to_text(force, 4) + " N" : to_text(force * 1e-3, 4) + " kN";
+}
+
+std::string rpm(const double speed) { return to_text(speed * 30. / PI, 4) + " rpm"; }
+std::string ms(const double time) { return to_text(time * 1e3, 4) + " ms"; }
+
+struct Checks
+{
+  const Parameters  &p;
+  const Facts       &facts;
+  std::vector<Check> found;
+
+  void add(const bool is_found, const std::string &name, const std::string &sentence)
+  {
+    if (is_found)
+      found.push_back({name, sentence});
+  }
+
+  void strength()
+  {
+    // the load may become larger at its step
+    const double after    = p.loads.torque_step_time ? std::abs(p.loads.torque_after_step) : 0.;
+    const double factor   = 2. * PI / (facts.sprockets[1].teeth * facts.loaded_pitch);
+    const double more     = std::max(0., after * factor - facts.effective_tension);
+    const double tension  = facts.span(true).tension + more;
+    const double strength = facts.tensile_strength;
+    if (strength <= 0. || tension <= 0.)
+      return;
+    const std::string figures = "The tight span pulls with " + newton(tension) +
+                                ", and the chain " + facts.chain + " breaks at " + newton(strength);
+    const std::string advice =
+        " Choose a larger chain, larger sprockets, or a Loads/Resisting torque in N m of at most " +
+        to_text(strength / least_safety / factor, 3) + ".";
+    add(tension >= strength, "strength", figures + ": it would not hold." + advice);
+    add(tension < strength && tension * least_safety > strength,
+        "strength",
+        figures + ": a safety of " + to_text(strength / tension, 3) + ", where at least " +
+            to_text(least_safety) + " is usual." + advice);
+  }
+
+  void size()
+  {
+    add(facts.joint_pressure > usual_pressure,
+        "joint_pressure",
+        "The joints carry " + to_text(facts.joint_pressure * 1e-6, 3) +
+            " MPa, and wear fast above some " + to_text(usual_pressure * 1e-6, 3) +
+            " MPa: choose a larger chain, or larger sprockets for the same power.");
+    add(facts.power > facts.rated_power && facts.power > 0.,
+        "power",
+        "At " + rpm(facts.sprockets[0].speed) + " " + to_text(facts.power * 1e-3, 3) +
+            " kW are more than the " + to_text(facts.rated_power * 1e-3, 3) +
+            " kW that a chain of this pitch usually transmits over the smaller sprocket: choose a "
+            "larger chain, more teeth or less power.");
+    add(facts.sprockets[0].speed > facts.highest_speed,
+        "speed",
+        "The driver turns at " + rpm(facts.sprockets[0].speed) +
+            ", and joints of this pitch gall above " + rpm(facts.highest_speed) +
+            ": choose a smaller pitch or a lower Loads/Driver speed in rad/s.");
+  }
+
+  void sprockets()
+  {
+    for (const Facts::Sprocket &sprocket : facts.sprockets)
+      {
+        add(sprocket.wrap < least_wrap,
+            "wrap",
+            "The chain wraps the " + sprocket.name + " by " +
+                to_text(sprocket.wrap * 180. / PI, 4) +
+                " degrees only, 120 or more are usual: take more links for a larger centre "
+                "distance, or a smaller ratio.");
+        add(sprocket.teeth < least_teeth && facts.chain_speed > slow,
+            "teeth",
+            "The " + sprocket.name + " has " + std::to_string(sprocket.teeth) +
+                " teeth at a chain speed of " + to_text(facts.chain_speed, 3) +
+                " m/s, so that the speed rises and falls by " +
+                to_text(100. * sprocket.polygon_effect, 3) + " %: take at least " +
+                std::to_string(least_teeth) + " teeth, better 17.");
+      }
+  }
+
+  void resonances()
+  {
+    const double tooth = facts.tooth_frequency;
+    const auto   near  = [tooth](const double f) {
+      return f > 0. && tooth > 0. && std::abs(tooth / f - 1.) < resonance_margin;
+    };
+    const auto sentence = [&](const std::string &what, const double f) {
+      return "The tooth frequency of " + to_text(tooth, 4) + " Hz meets " + what + " at " +
+             to_text(f, 4) + " Hz: ";
+    };
+    add(near(facts.driven_frequency),
+        "driven_resonance",
+        sentence("the driven inertia on the tight span", facts.driven_frequency) +
+            "change the speed, the number of teeth or Model/Driven inertia in kg m2.");
+    for (const Facts::Span &span : facts.spans)
+      add(near(span.frequency),
+          "span_resonance",
+          sentence(std::string("the ") + (span.tight ? "tight" : "slack") + " span as a string",
+                   span.frequency) +
+              "change the speed, the centre distance or guide the span.");
+  }
+
+  void start()
+  {
+    const double tension = facts.span(true).tension, least = most_start_tension * tension;
+    add(facts.start_tension > least && tension > 0.,
+        "start",
+        "While the speed grows the tight span pulls with " + newton(facts.start_tension) + ", " +
+            to_text(facts.start_tension / std::max(tension, 1e-300), 3) +
+            " times as much as in operation: choose Loads/Ramp time in ms of at least " +
+            to_text(p.loads.ramp_time * 1e3 * (facts.start_tension - facts.effective_tension) /
+                        std::max(least - facts.effective_tension, 1e-300),
+                    2) +
+            ", or Drive/Layout/Start = settled.");
+  }
+
+  void window()
+  {
+    if (!p.output.window_start || facts.pitch_time == 0.)
+      {
+        const bool few = facts.pitch_time > 0. && p.output.window_pitches < least_window_pitches;
+        add(few,
+            "window",
+            "The window has " + std::to_string(p.output.window_pitches) +
+                " pitches; means and peaks settle over ten or more: choose a larger Output/Window "
+                "length in pitches.");
+        return;
+      }
+    const double from    = std::max(*p.output.window_start, p.time.start);
+    const double to      = p.output.window_end.value_or(p.time.end);
+    const double pitches = (to - from) / facts.pitch_time;
+    add(pitches < least_window_pitches,
+        "window",
+        "The window has " + to_text(pitches, 3) +
+            " pitches; means and peaks settle over ten or more: choose Time/End time in ms of at "
+            "least " +
+            to_text(std::ceil((from + least_window_pitches * facts.pitch_time) * 1e3), 4) +
+            ", or judge several start phases by a study.");
+    const bool   settled = p.drive.layout.start == parameters::Start::settled;
+    const double over    = p.time.start + (settled ? 0. : p.loads.ramp_time) + facts.pitch_time;
+    add(!settled && from < over,
+        "start_up",
+        "The window begins at " + ms(from) + ", but the start-up is not over before " + ms(over) +
+            ", a pitch after the ramp: choose a later Output/Window start in ms, or settled.");
+  }
+};
+} // namespace
+
+std::vector<Check> check_design(const Parameters &parameters, const Facts &facts)
+{
+  Checks checks{parameters, facts, {}};
+  checks.strength();
+  checks.size();
+  checks.sprockets();
+  checks.resonances();
+  checks.start();
+  checks.window();
+  return std::move(checks.found);
+}
+
+files::Json to_json(const std::vector<Check> &checks)
+{
+  files::Json json = files::Json::array();
+  for (const Check &check : checks)
+    json.push_back({{"name", check.name}, {"severity", "warning"}, {"sentence", check.sentence}});
+  return json;
+}
+} // namespace chaindrive::drive

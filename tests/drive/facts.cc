@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The figures of a drive before it runs: strings and parabolas against each other and against
+// integration, the drive of the paper against figures computed by hand; and every check of a
+// design, which is silent on one side of its limit and fires on the other.
+
+#include "compare.h"
+
+#include <chaindrive/drive/checks.h>
+
+#include <cmath>
+
+using namespace chaindrive;
+
+namespace
+{
+drive::Facts facts_of(const Parameters &p) { return make_facts(p, drive::make_drive(p)); }
+
+/// Length of a parabola of this chord and sag, by Simpson's rule.
+double parabola_length(const double chord, const double sag)
+{
+  const int n   = 1000;
+  double    sum = 0.;
+  for (int i = 0; i <= n; ++i)
+    {
+      const double slope = 4. * sag / chord * (1. - 2. * i / n);
+      sum += (i == 0 || i == n ? 1. : (i % 2 == 1 ? 4. : 2.)) * std::sqrt(1. + slope * slope);
+    }
+  return sum * chord / (3. * n);
+}
+
+bool fires(const std::string &name, const Parameters &p)
+{
+  for (const drive::Check &check : drive::check_design(p, facts_of(p)))
+    if (check.name == name)
+      {
+        std::cout << "  " << check.sentence << '\n';
+        return true;
+      }
+  return false;
+}
+
+/// A drive of which no check warns.
+Parameters sound_drive()
+{
+  Parameters p;
+  p.time.end = 60e-3;
+  return p;
+}
+
+template <typename Change>
+void test_check(const std::string &name,
+                const Change      &change,
+                const double       silent,
+                const double       loud)
+{
+  Parameters below = sound_drive(), above = sound_drive();
+  change(below, silent);
+  change(above, loud);
+  const bool is_silent = !fires(name, below), is_loud = fires(name, above);
+  verdict(name + " silent at " + std::to_string(silent) + ", fires at " + std::to_string(loud),
+          is_silent && is_loud);
+}
+} // namespace
+
+int main()
+{
+  std::cout << "== strings and parabolas\n";
+  compare("handbook's tight span, Hz",
+          drive::string_frequency(0.63968, 0.872, 1431.8, 4.5759),
+          31.27,
+          2);
+  compare("standing string, Hz", drive::string_frequency(0.5, 0.25, 100., 0.), 20., 9);
+  const double speed = drive::string_resonance(0.64, 0.87, 1400., 0.015875);
+  compare("at its resonance the string has the tooth frequency, ratio",
+          drive::string_frequency(0.64, 0.87, 1400. + 0.87 * speed * speed, speed) * 0.015875 /
+              speed,
+          1.,
+          9);
+  for (const double sag : {0.02, 0.01}) // of the chord; the error falls with its square
+    {
+      const double slack = parabola_length(1., sag) - 1.;
+      std::cout << "sag " << sag << ": " << drive::parabola_sag(1., slack) / sag << ", tension "
+                << drive::parabola_tension(1., slack, 10.) * sag * 8. / 10. << '\n';
+    }
+
+  std::cout << "== the paper's drive\n";
+  const drive::Facts f = facts_of(Parameters());
+  compare("chain speed, m/s", f.chain_speed, 4.5759, 4);
+  compare("tooth frequency, Hz", f.tooth_frequency, 288.25, 2);
+  compare("power, kW", f.power * 1e-3, 6.468, 3);
+  compare("effective tension, N", f.effective_tension, 1413.5, 1);
+  compare("driver torque, N m", f.sprockets[0].torque, 53.571, 3);
+  compare("polygon effect, %", 100. * f.sprockets[0].polygon_effect, 2.185, 3);
+  compare("seating velocity, m/s", f.sprockets[0].seating_velocity, 1.9167, 4);
+  compare("wrap, deg", f.sprockets[0].wrap * 180. / M_PI, 167.857, 1);
+  compare(
+      "wraps together, deg", (f.sprockets[0].wrap + f.sprockets[1].wrap) * 180. / M_PI, 360., 9);
+  compare("links in all", f.span(true).links + f.span(false).links + 6. + 22., f.links, 0);
+  compare("sag, mm",
+          f.span(false).sag * 1e3,
+          drive::parabola_sag(f.span(false).length, f.span(false).slack) * 1e3,
+          0);
+  compare("torque on the driven shaft from its pull, N m",
+          f.effective_tension * f.loaded_pitch * 42. / (2. * M_PI),
+          150.,
+          9);
+  verdict("no check warns of the sound drive",
+          drive::check_design(sound_drive(), facts_of(sound_drive())).empty());
+
+  std::cout << "== checks\n";
+  const auto torque = [](Parameters &p, const double x) { p.loads.resisting_torque = x; };
+  test_check("strength", torque, 390., 5000.);
+  test_check("strength", torque, 390., 420.);
+  test_check("joint_pressure", torque, 220., 235.);
+  test_check("power", torque, 180., 187.);
+  test_check(
+      "speed", [](Parameters &p, const double x) { p.loads.driver_speed = x; }, 560., 575.);
+  test_check(
+      "wrap",
+      [](Parameters &p, const double x) {
+        p.drive.sprockets.driven.teeth = 90;
+        p.drive.n_links                = static_cast<unsigned int>(x);
+      },
+      110.,
+      104.);
+  test_check(
+      "teeth",
+      [](Parameters &p, const double x) {
+        p.drive.sprockets.driver.teeth = static_cast<unsigned int>(x);
+      },
+      13.,
+      12.);
+  const double w = f.driven_resonance;
+  test_check(
+      "driven_resonance",
+      [](Parameters &p, const double x) { p.loads.driver_speed = x; },
+      1.15 * w,
+      1.02 * w);
+  const double tight = f.span(true).resonance;
+  test_check(
+      "span_resonance",
+      [](Parameters &p, const double x) { p.loads.driver_speed = x; },
+      1.3 * tight,
+      tight);
+  test_check(
+      "start", [](Parameters &p, const double x) { p.loads.ramp_time = x; }, 5e-3, 2e-3);
+  test_check(
+      "window", [](Parameters &p, const double x) { p.time.end = x; }, 50e-3, 40e-3);
+  test_check(
+      "start_up", [](Parameters &p, const double x) { p.loads.ramp_time = x; }, 6e-3, 7e-3);
+}
