@@ -45,86 +45,100 @@ scene::Scene at_rest(const scene::Scene &scene)
   return still;
 }
 
-/// Calls @p visit (copies, index, node) for every node by which elastic bodies of this rank move.
+/// Calls @p visit (copies, index, node) for every node by which elastic bodies of this rank move,
+/// as they lie in memory.
 template <typename Visit>
 void for_each_node(World &world, const Visit &visit)
 {
   for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
     {
       BodyBatches &copies = world.copies[g];
-      for (unsigned int copy = 0; copy < copies.n_copies(); ++copy)
-        for (unsigned int node = 0; copies.owns(copy) && node < copies.n_nodes(); ++node)
-          visit(copies, copies.index(copy, node), node);
+      for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
+           ++batch)
+        for (unsigned int node = 0; node < copies.n_nodes(); ++node)
+          copies.for_each_copy_of(batch, [&](unsigned int, const unsigned int lane) {
+            visit(copies, copies.start_of(batch) + node_offset(node) + lane, node);
+          });
     }
 }
 
-/// An elastic body that may not move as a whole.
+/// The elastic bodies of a batch, which may not move as a whole.
 class Held
 {
 public:
-  Held(BodyBatches &copies, const unsigned int copy) : copies_(copies), copy_(copy)
+  Held(BodyBatches &copies, const unsigned int batch) : copies_(copies), batch_(batch)
   {
     const NodeView position(std::as_const(copies_.position));
-    for_each([&](const std::size_t at, const double mass) {
-      centre_ += mass / copies_.mass * position[at];
+    for_each([&](const unsigned int lane, const std::size_t at, const double mass) {
+      centre_[lane] += mass / copies_.mass * position[at];
     });
-    dealii::SymmetricTensor<2, 3> inertia;
-    for_each([&](const std::size_t at, const double mass) {
-      const Vector3 arm = position[at] - centre_;
-      inertia += mass * (arm.norm_square() * dealii::unit_symmetric_tensor<3>() -
-                         dealii::symmetrize(dealii::outer_product(arm, arm)));
+    std::array<dealii::SymmetricTensor<2, 3>, n_lanes> inertia;
+    for_each([&](const unsigned int lane, const std::size_t at, const double mass) {
+      const Vector3 arm = position[at] - centre_[lane];
+      inertia[lane] += mass * (arm.norm_square() * dealii::unit_symmetric_tensor<3>() -
+                               dealii::symmetrize(dealii::outer_product(arm, arm)));
     });
-    if (copies_.part->half) // turns about z only
-      inverse_inertia_[2][2] = 1. / inertia[2][2];
-    else
-      inverse_inertia_ = dealii::invert(inertia);
+    copies_.for_each_copy_of(batch_, [&](unsigned int, const unsigned int lane) {
+      if (copies_.part->half) // turns about z only
+        inverse_inertia_[lane][2][2] = 1. / inertia[lane][2][2];
+      else
+        inverse_inertia_[lane] = dealii::invert(inertia[lane]);
+    });
   }
 
-  /// Takes from the velocities of its nodes what moves it as a whole.
+  /// Takes from the velocities of their nodes what moves them as a whole.
   void hold() const
   {
-    const NodeView position(std::as_const(copies_.position));
-    const NodeView velocity(copies_.velocity);
-    Vector3        momentum, spin;
-    for_each([&](const std::size_t at, const double mass) {
+    const NodeView               position(std::as_const(copies_.position));
+    const NodeView               velocity(copies_.velocity);
+    std::array<Vector3, n_lanes> momentum, spin;
+    for_each([&](const unsigned int lane, const std::size_t at, const double mass) {
       const Vector3 p = mass * velocity[at];
-      momentum += p;
-      spin += cross_product_3d(position[at] - centre_, p);
+      momentum[lane] += p;
+      spin[lane] += cross_product_3d(position[at] - centre_[lane], p);
     });
-    Vector3 v = momentum / copies_.mass;
-    if (copies_.part->half)
-      v[2] = 0.;
-    const Vector3 w = inverse_inertia_ * spin;
-    for_each([&](const std::size_t at, double) {
-      velocity.add(at, -v - cross_product_3d(w, position[at] - centre_));
+    std::array<Vector3, n_lanes> v, w;
+    copies_.for_each_copy_of(batch_, [&](unsigned int, const unsigned int lane) {
+      v[lane] = momentum[lane] / copies_.mass;
+      if (copies_.part->half)
+        v[lane][2] = 0.;
+      w[lane] = inverse_inertia_[lane] * spin[lane];
+    });
+    for_each([&](const unsigned int lane, const std::size_t at, double) {
+      velocity.add(at, -v[lane] - cross_product_3d(w[lane], position[at] - centre_[lane]));
     });
   }
 
 private:
+  /// Calls @p visit (lane, index, mass) for every node.
   template <typename Visit>
   void for_each(const Visit &visit) const
   {
     for (unsigned int node = 0; node < copies_.n_nodes(); ++node)
-      visit(copies_.index(copy_, node), copies_.nodes.mass[node]);
+      copies_.for_each_copy_of(batch_, [&](unsigned int, const unsigned int lane) {
+        visit(lane, copies_.start_of(batch_) + node_offset(node) + lane, copies_.nodes.mass[node]);
+      });
   }
 
-  BodyBatches                  &copies_;
-  unsigned int                  copy_;
-  Vector3                       centre_;
-  dealii::SymmetricTensor<2, 3> inverse_inertia_;
+  BodyBatches                                       &copies_;
+  unsigned int                                       batch_;
+  std::array<Vector3, n_lanes>                       centre_;
+  std::array<dealii::SymmetricTensor<2, 3>, n_lanes> inverse_inertia_;
 };
 
 /// All links of @p world that move by nodes and that this rank owns.
 std::vector<Held> links_of(const scene::Scene &scene, World &world)
 {
   std::vector<Held> links;
-  for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+  for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
     {
-      const World::Address &place = world.elastic_address[b];
-      const scene::Kind     kind  = scene.bodies[b].kind;
-      if (world.moves_by_nodes(b) && world.copies[place.group].owns(place.copy) &&
-          (kind == scene::Kind::inner_link || kind == scene::Kind::outer_link))
-        links.emplace_back(world.copies[place.group], place.copy);
+      BodyBatches      &copies = world.copies[g];
+      const scene::Kind kind   = scene.bodies[copies.bodies.front()].kind;
+      if (kind != scene::Kind::inner_link && kind != scene::Kind::outer_link)
+        continue;
+      for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
+           ++batch)
+        links.emplace_back(copies, batch);
     }
   return links;
 }
@@ -282,8 +296,8 @@ Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm, const dou
           system_.evaluate_forces(dt);
           drift(world, -dt);
           slow_down(world);
-          for (const Held &link : links) // also of what the slower nodes leave to the others
-            link.hold();
+          for (const Held &batch : links) // also of what the slower nodes leave to the others
+            batch.hold();
           const double kinetic = kinetic_energy(world) + shapes.end(dt);
           if (kinetic < before)
             {
