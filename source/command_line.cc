@@ -87,6 +87,19 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   add("quick", c.quick, "study: with the changes of Study/Quick");
   add("dry-run", c.dry_run, "study: check all variants and say what would be run");
   add("retry-failed", c.retry, "study: run those again that failed");
+  visible.add_options()("chain",
+                        options::value(&c.design.chain)->value_name("NAME"),
+                        "template: chain of the drive, such as 10B");
+  visible.add_options()("teeth",
+                        options::value(&c.design.teeth)->value_name("Z1/Z2"),
+                        "template: teeth of driver and driven sprocket");
+  visible.add_options()("centre",
+                        options::value(&c.design.centre)->value_name("MM"),
+                        "template: centre distance, met by an even number of links");
+  visible.add_options()(
+      "rpm", options::value(&c.design.rpm)->value_name("RPM"), "template: speed of the driver");
+  visible.add_options()(
+      "kW", options::value(&c.design.kilowatt)->value_name("KW"), "template: power of the load");
   add("plan", switches.plan, "the same as the command plan");
   add("quiet", c.quiet, "print warnings and errors only");
   add("strict", c.strict, "run, plan: refuse a drive that a design check warns of");
@@ -219,6 +232,9 @@ void check_belonging(const CommandLine &c)
                        " belongs to studies: chaindrive study FILE.prm.");
   if (!c.accuracy.empty() && c.command != Command::plan && c.command != Command::help)
     throw InputError("The option --accuracy belongs to plans: chaindrive plan FILE.prm.");
+  if (c.design.is_given() && c.command != Command::template_file && c.command != Command::help)
+    throw InputError("The options --chain, --teeth, --centre, --rpm and --kW belong to templates: "
+                     "chaindrive template.");
   if (c.strict && c.command != Command::run && c.command != Command::plan &&
       c.command != Command::help)
     throw InputError("The option --strict belongs to runs and plans.");

@@ -48,7 +48,7 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
       return stop_signal() == 0 ? 0 : 4;
     case Command::template_file:
       if (is_first_rank)
-        parameters::write_template(std::cout);
+        template_command(command_line.design, std::cout);
       break;
     case Command::document:
       if (is_first_rank)

@@ -35,7 +35,23 @@ struct CommandLine
   bool                     quick   = false;  ///< study: with the changes of Study/Quick
   bool                     dry_run = false;  ///< study: say what would be run
   bool                     retry   = false;  ///< study: run those again that failed
-  std::vector<std::string> rest;             ///< study: options of Snakemake, after `--`
+  /// template: the drive that it is for.
+  struct Design
+  {
+    std::string chain, teeth;                         ///< such as 10B and 21/63
+    double      centre = 0., rpm = 0., kilowatt = 0.; ///< mm; of the driver; of the load
+
+    bool is_given() const
+    {
+      return !chain.empty() || !teeth.empty() || centre != 0. || rpm != 0. || kilowatt != 0.;
+    }
+    bool is_complete() const
+    {
+      return !chain.empty() && !teeth.empty() && centre != 0. && rpm != 0. && kilowatt != 0.;
+    }
+  };
+  Design                   design;
+  std::vector<std::string> rest; ///< study: options of Snakemake, after `--`
 };
 
 /// Reads the arguments of main(): `chaindrive [COMMAND] [FILE.prm] [OPTION]...`, where the command

@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,11 @@ bool plan_command(const CommandLine &command_line, MPI_Comm comm);
 /// inertias, stiffness over the load, stresses of side plates, natural frequencies, from elastic
 /// solutions that are kept in the cache. Writes no other file. Throws as run_command(). Collective.
 void parts_command(const CommandLine &command_line, MPI_Comm comm);
+
+/// Writes a .prm file to begin with to @p out: one that can be run for @p design, whose number of
+/// links is the even one that comes nearest to its centre distance; without a design every entry
+/// with its default. Throws InputError for a drive that cannot be.
+void template_command(const CommandLine::Design &design, std::ostream &out);
 
 /// Expands the study file named on the command line, prepares the first run of every variant as
 /// plan_command() does, of the other start phases the drive and the scene, and throws InputError

@@ -75,6 +75,28 @@ void Effects::declare(Declarations &declarations)
          "their deformation but that of a bar, which is simple fidelity.");
 }
 
+namespace
+{
+/// A quantity that another entry gives, in the unit that a designer has. What is given here is
+/// converted to that entry when all are read (reader.cc), and stored nowhere else.
+void add_other_form(Declarations      &declarations,
+                    const std::string &name,
+                    const Range       &range,
+                    const std::string &meaning)
+{
+  declarations.add(
+      name,
+      "auto",
+      "auto or " + range.text(),
+      meaning,
+      [range](const std::string &text) {
+        const std::optional<double> value = from_entry_text(text, unit::si);
+        return text == "auto" || (value && range.contains(*value));
+      },
+      [](const std::string &) {});
+}
+} // namespace
+
 void Loads::declare(Declarations &declarations)
 {
   const Subsection section(declarations, "Loads");
@@ -86,6 +108,11 @@ void Loads::declare(Declarations &declarations)
       "Speed of the driver after the ramp; 1 rad/s is 9.549 revolutions per minute. Its sense "
       "follows from Drive/Layout/Tight span. Default: 1153 rpm, a motorcycle at 50 km/h, as in "
       "prm/paper.");
+  add_other_form(declarations,
+                 "Driver speed in rpm",
+                 between(0., 1e6),
+                 "The same in revolutions per minute, in place of Driver speed in rad/s. auto: as "
+                 "given there.");
   add(declarations,
       "Speed ramp",
       speed_ramp,
@@ -105,6 +132,13 @@ void Loads::declare(Declarations &declarations)
       between(0., 1e7),
       "Torque of the load, which resists the rotation of the driven sprocket. Default: as in "
       "prm/paper.");
+  add_other_form(
+      declarations,
+      "Power in kW",
+      between(0., 1e6),
+      "What the load takes at the driver's full speed, in place of Resisting torque in "
+      "N m: that is the power over the mean speed of the driven sprocket. auto: as given "
+      "there.");
   add(declarations,
       "Torque ramp angle in rad",
       torque_ramp_angle,

@@ -9,6 +9,8 @@
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -192,6 +194,25 @@ public:
     return paths;
   }
 
+  /// Converts what was given in units of designers to the entries that the program goes by.
+  void convert_other_forms()
+  {
+    const Parameters &p = input_.parameters;
+    convert("Driver speed in rpm", "Driver speed in rad/s", [](const double rpm) {
+      return rpm * dealii::numbers::PI / 30.;
+    });
+    convert("Power in kW", "Resisting torque in N m", [&](const double kilowatt) {
+      const Sprockets &sprockets = p.drive.sprockets;
+      if (p.loads.driver_speed == 0.)
+        errors_.emplace_back(
+            "Loads/Power in kW needs a speed, but that of the driver is zero; give "
+            "Loads/Resisting torque in N m.");
+      return p.loads.driver_speed == 0. ? 0. :
+                                          1e3 * kilowatt / p.loads.driver_speed *
+                                              sprockets.driven.teeth / sprockets.driver.teeth;
+    });
+  }
+
   std::string fixed() const
   {
     const bool  arrive = input_.parameters.model.elastic_links == ElasticLinks::arriving;
@@ -354,6 +375,24 @@ private:
       }
   }
 
+  /// Replaces the entry @p other of section Loads by @p entry, which has the value @p converted.
+  template <typename Convert>
+  void convert(const std::string &other, const std::string &entry, const Convert &converted)
+  {
+    const auto given = values_.find("Loads/" + other);
+    if (given == values_.end() || given->second == "auto")
+      return;
+    if (const auto twice = values_.find("Loads/" + entry); twice != values_.end())
+      {
+        errors_.push_back("Loads/" + other + " = " + given->second + " and Loads/" + entry + " = " +
+                          twice->second + " are two forms of one quantity: give one of them.");
+        return;
+      }
+    const double value = converted(*from_entry_text(given->second, unit::si));
+    values_.erase(given);
+    set_value(*declarations_.find("Loads", entry), to_entry_text(value, unit::si), "");
+  }
+
   static constexpr std::size_t most_files = 20;
 
   Input                                            &input_;
@@ -372,8 +411,10 @@ private:
 namespace
 {
 /// What holds across entries, once all are read.
-void finish(Input &input, const Reader &reader)
+void finish(Input &input, Reader &reader)
 {
+  reader.throw_errors();
+  reader.convert_other_forms();
   reader.throw_errors();
   for (const std::string &note : cross_check(input.parameters))
     input.notes.push_back(note);

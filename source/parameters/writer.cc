@@ -73,6 +73,9 @@ void write_prm(std::ostream                             &out,
         out << '\n';
 
       const std::string indent(2 * open.size(), ' ');
+      if (documented && entry.section != "Material" &&
+          entry.meaning.find("prm/paper") != std::string::npos)
+        out << indent << "# TO BE SET: the default is that of the motorcycle in prm/paper.\n";
       if (documented)
         for (const std::string &line : dealii::Utilities::break_text_into_lines(
                  entry.meaning + " Allowed: " + entry.allowed + ".", 96 - indent.size()))

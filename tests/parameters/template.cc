@@ -4,6 +4,7 @@
 #include <chaindrive/parameters/declarations.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/parameters/writer.h>
+#include <chaindrive/utilities/errors.h>
 
 #include <fstream>
 #include <iostream>
@@ -46,6 +47,36 @@ int main()
   for (std::string line; std::getline(lines, line);)
     if (line.find("default:") != std::string::npos)
       std::cout << line << std::endl;
+
+  // speed in rpm and power in kW stand for rad/s and N m: 3000 W / (50 rad/s * 21/63) = 180 N m
+  std::ofstream("other_forms.prm")
+      << "subsection Drive\nset Driver teeth = 21\nset Driven teeth = 63\nend\n"
+         "subsection Loads\nset Driver speed in rpm = 477.46482927568605\n"
+         "set Power in kW = 3\nend\n";
+  const Input other_forms = read_parameters("other_forms.prm");
+  std::ofstream("other_forms_resolved.prm") << other_forms.resolved;
+  for (const parameters::Loads &loads :
+       {other_forms.parameters.loads, read_parameters("other_forms_resolved.prm").parameters.loads})
+    std::cout << "rpm and kW: " << loads.driver_speed << " rad/s, " << loads.resisting_torque
+              << " N m" << std::endl;
+  for (const char *both : {"Loads/Driver speed in rad/s=50", "Loads/Resisting torque in N m=180"})
+    try
+      {
+        read_parameters("other_forms.prm", {both});
+        std::cout << "NOT REFUSED" << std::endl;
+      }
+    catch (const InputError &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
+
+  std::ostringstream text;
+  write_template(text);
+  unsigned int n_to_be_set = 0;
+  for (std::size_t at = text.str().find("TO BE SET"); at != std::string::npos;
+       at             = text.str().find("TO BE SET", at + 1))
+    ++n_to_be_set;
+  std::cout << "entries to be set in the template: " << n_to_be_set << std::endl;
 
   unsigned int n_undocumented = 0, n_without_full_stop = 0;
   for (const Entry &entry : declarations.entries())

@@ -75,4 +75,18 @@ with h5py.File("results/histories.h5", "r") as histories:
         compare("tight span as a string, Hz", peak(*spectrum(histories, "spans/tight_offset", 20, 60)), tight["frequency"]),
         compare("driven inertia, Hz", mean(*spectrum(histories, "hubs/driven_speed", 310, 430)), drive["driven_frequency"]),
     ]
+
+# the file that a template for a drive is: 3 kW over a chain at 21 * 15.875 mm * 1450 / min pull 372.4 N
+design = ("--chain", "10B", "--teeth", "21/63", "--centre", "500", "--rpm", "1450", "--kW", "3")
+made = program.start([PROGRAM, "template", *design])
+program.check(made.returncode == 0, made.stderr)
+pathlib.Path("drive.prm").write_text(made.stdout)
+program.run(pathlib.Path("drive.prm").resolve(), {"Output/Field interval in ms": 0}, "--output", "made", program=PROGRAM)
+summary = program.summary("made")
+drive = summary["drive"]
+results += [
+    compare("driven speed, rad/s", summary["driven_speed_mean"], 1450 * np.pi / 30 / 3),
+    compare("effective tension, N", drive["effective_tension"], 372.4),
+]
+program.check(drive["links"] % 2 == 0 and abs(drive["centre_distance"] - 0.5) < 0.5 * 0.015875, f"not the nearest even chain: {drive}")
 sys.exit(not all(results))

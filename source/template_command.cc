@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/commands.h>
+#include <chaindrive/drive/drive.h>
+#include <chaindrive/parameters/reader.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <ostream>
+#include <string>
+
+// A .prm file from what a designer begins with: chain, teeth, centre distance, speed and power.
+
+namespace chaindrive
+{
+namespace
+{
+using Values = std::map<std::string, std::string>;
+
+/// The two numbers of "21/63".
+std::pair<unsigned int, unsigned int> read_teeth(const std::string &text)
+{
+  const char  *end    = text.data() + text.size();
+  unsigned int driver = 0, driven = 0;
+  const auto   first = std::from_chars(text.data(), end, driver);
+  if (first.ptr != end && *first.ptr == '/')
+    if (const auto second = std::from_chars(first.ptr + 1, end, driven);
+        second.ec == std::errc() && second.ptr == end && driver > 0 && driven > 0)
+      return {driver, driven};
+  throw InputError("The option --teeth = " + text +
+                   " is not understood: it takes the teeth of driver and driven sprocket, such as "
+                   "21/63.");
+}
+
+/// The even number of links that comes nearest to the centre distance @p centre [m]: the chain's
+/// length in pitches is X = 2 C/p + (z1 + z2)/2 + p ((z2 - z1)/2 pi)^2 / C (ISO 606).
+unsigned int even_links(const double pitch, const double z1, const double z2, const double centre)
+{
+  const double difference = (z2 - z1) / (2. * dealii::numbers::PI);
+  const double links =
+      2. * centre / pitch + 0.5 * (z1 + z2) + pitch * difference * difference / centre;
+  return static_cast<unsigned int>(2. * std::round(0.5 * links));
+}
+
+void refuse_out_of_range(const char *option, const double value, const double most)
+{
+  if (!(value > 0. && value <= most))
+    throw InputError(std::string("The option ") + option + " = " + to_text(value) +
+                     " must be above 0 and at most " + to_text(most) + ".");
+}
+} // namespace
+
+void template_command(const CommandLine::Design &design, std::ostream &out)
+{
+  if (!design.is_given())
+    return parameters::write_template(out);
+  if (!design.is_complete())
+    throw InputError("A template for a drive takes all of --chain, --teeth, --centre, --rpm and "
+                     "--kW, such as: chaindrive template --chain 10B --teeth 21/63 --centre 500 "
+                     "--rpm 1450 --kW 3.");
+  refuse_out_of_range("--centre", design.centre, 1e5);
+  refuse_out_of_range("--rpm", design.rpm, 1e6);
+  refuse_out_of_range("--kW", design.kilowatt, 1e6);
+  const auto [driver, driven] = read_teeth(design.teeth);
+  parameters::Chain chain;
+  chain.designation  = design.chain;
+  const double pitch = drive::make_chain(chain).loaded_pitch();
+
+  const std::string links = std::to_string(even_links(pitch, driver, driven, 1e-3 * design.centre));
+  const double      pitch_ms = 6e4 / (design.rpm * driver);
+  const auto        pitches  = [pitch_ms](const double n) { return to_text(n * pitch_ms, 4); };
+  const Values      values   = {{"Drive/Number of links", links},
+                                {"Drive/Driver teeth", std::to_string(driver)},
+                                {"Drive/Driven teeth", std::to_string(driven)},
+                                {"Drive/Chain/Designation", design.chain},
+                                {"Drive/Layout/Centre distance from", "sag"},
+                                {"Drive/Layout/Start", "settled"},
+                                {"Loads/Driver speed in rpm", to_text(design.rpm, 10)},
+                                {"Loads/Power in kW", to_text(design.kilowatt, 10)},
+                                {"Time/End time in ms", pitches(40.)},
+                                {"Output/Window start in ms", pitches(20.)}};
+  const auto        input    = parameters::read_entries(values);
+  const double      centre   = 1e3 * drive::make_drive(input.parameters).layout.centre_distance();
+
+  const auto set = [&values](const std::string &path) {
+    return "set " + path.substr(path.rfind('/') + 1) + " = " + values.at(path) + "\n";
+  };
+  out << "# SPDX-License-Identifier: LGPL-2.1-or-later\n#\n# A " << design.chain
+      << " chain on sprockets of " << driver << " and " << driven << " teeth, "
+      << to_text(design.kilowatt) << " kW at " << to_text(design.rpm)
+      << " rpm.\n# Lines with CHECK are assumptions; chaindrive document lists all entries.\n\n"
+      << "subsection Drive\n"
+      << "  # the even number for a centre distance of " << to_text(design.centre)
+      << " mm: with the sag below it is " << to_text(centre, 6) << " mm\n"
+      << "  " << set("Drive/Number of links") << "  " << set("Drive/Driver teeth") << "  "
+      << set("Drive/Driven teeth") << "\n  subsection Chain\n    " << set("Drive/Chain/Designation")
+      << "  end\n\n  subsection Layout\n    # CHECK: 1 % of the slack span, as makers recommend\n"
+      << "    " << set("Drive/Layout/Centre distance from") << "    set Sag in percent = 1\n"
+      << "    " << set("Drive/Layout/Start") << "  end\nend\n\n"
+      << "subsection Model\n  # CHECK: layered adds the play of the joints, full elastic bodies\n"
+      << "  set Fidelity = simple\n"
+      << "  # CHECK: of all that turns with the driven sprocket; auto is the sprocket alone\n"
+      << "  set Driven inertia in kg m2 = auto\nend\n\nsubsection Loads\n  "
+      << set("Loads/Driver speed in rpm") << "  " << set("Loads/Power in kW")
+      << "end\n\nsubsection Time\n  # 40 pitches\n  " << set("Time/End time in ms")
+      << "end\n\nsubsection Output\n  # means over the last 20 pitches\n  "
+      << set("Output/Window start in ms") << "end\n";
+}
+} // namespace chaindrive
