@@ -151,9 +151,9 @@ void print_plan(Prepared &prepared)
         std::to_string(n_steps + 1) + " in all.");
   print_checks(prepared);
   scene::print_plan(log, simulation.scene);
+  print_step(log, simulation.step, n_steps);
   for (const auto &[of, part] : simulation.scene.parts)
     element::print(log, element::make_report(*part, parameters.material));
-  print_step(log, simulation.step, n_steps);
 }
 
 void warn(files::Log &log, const std::string &sentence)

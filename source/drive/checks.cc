@@ -157,7 +157,7 @@ struct Checks
     const double from    = std::max(*p.output.window_start, p.time.start);
     const double to      = p.output.window_end.value_or(p.time.end);
     const double pitches = (to - from) / facts.pitch_time;
-    add(pitches < least_window_pitches,
+    add(pitches < 0.99 * least_window_pitches, // entries are rounded
         "window",
         "The window has " + to_text(pitches, 3) +
             " pitches; means and peaks settle over ten or more: choose Time/End time in ms of at "
