@@ -72,7 +72,7 @@ def columns(directory):
     return result
 
 
-def same_to_round_off(expected, got, where, within=1e-8):
+def same(expected, got, where, within=1e-8):
     check(expected.keys() == got.keys(), f"{where}: other columns")
     scale = {}
     for (group, _), (unit, values) in expected.items():
@@ -105,14 +105,15 @@ def elastic(entries):
         deepest = program.summary("ranks1")["overlap_max"]["plate faces"]
         check(deepest > 1e-7, f"plates do not touch: {deepest} m")
     for ranks in (2, 4):
-        same_to_round_off(one, columns(f"ranks{ranks}"), f"{ranks} ranks")
+        same(one, columns(f"ranks{ranks}"), f"{ranks} ranks")
     if "Model/Fidelity" in entries:  # nodes that nobody reads are not placed, unless all are searched
         run("always", {**entries, "Contact/Search": "every step"}, 1)
         searched, always = [
             {name: column for name, column in of_run.items() if "gap" not in name[1]}  # gaps are of the last visit
             for of_run in (one, columns("always"))
         ]
-        same_to_round_off(searched, always, "a search at every step", 1e-5)
+        # between two searches a node may slide past the end of the facet that it is projected on
+        same(searched, always, "a search at every step", 1e-3)
 
     undisturbed = files("ranks2")
     older = min(pathlib.Path("ranks2").glob("checkpoint-*.ckpt"))  # the other is that of the end
