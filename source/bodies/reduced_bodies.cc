@@ -433,6 +433,16 @@ std::vector<dealii::Tensor<1, 3>> ReducedBodies::motions_of(const unsigned int n
   return moved;
 }
 
+std::vector<double> ReducedBodies::amplitudes_of(const World &world, const unsigned int copy) const
+{
+  const BodyBatches  &copies = world.copies[group_];
+  const std::size_t   first  = start_of(copies, copies.batch_of(copy)) + copies.lane_of(copy);
+  std::vector<double> amplitudes(n_modes());
+  for (unsigned int m = 0; m < n_modes(); ++m)
+    amplitudes[m] = amplitude_[first + std::size_t(m) * n_lanes];
+  return amplitudes;
+}
+
 std::vector<std::unique_ptr<const element::StressRecovery>>
 ReducedBodies::stress_recoveries(const World &world) const
 {

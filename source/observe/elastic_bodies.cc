@@ -26,6 +26,44 @@ unsigned int farthest_node(const BodyBatches &copies, const dealii::Tensor<1, 3>
   return best;
 }
 
+void add(WaistComponents &sum, const double factor, const WaistComponents &components)
+{
+  sum.axial += factor * components.axial;
+  sum.in_plane += factor * components.in_plane;
+  sum.out_of_plane += factor * components.out_of_plane;
+  sum.middle += factor * components.middle;
+}
+
+/// What a unit of each amplitude of @p group does to @p plates: central differences about the
+/// part at rest, over a step so small that squares of strains are lost in round-off.
+std::vector<WaistComponents>
+components_of_shapes(const PlateStress &plates, const BodyBatches &copies, const BodyGroup &group)
+{
+  std::vector<dealii::Tensor<1, 3>>              rest;
+  std::vector<std::vector<dealii::Tensor<1, 3>>> motions;
+  for (const unsigned int node : plates.nodes())
+    {
+      rest.emplace_back(copies.nodes.position[node]);
+      motions.push_back(group.motions_of(node));
+    }
+  std::vector<WaistComponents> of_shapes(group.n_shapes());
+  for (std::size_t m = 0; m < of_shapes.size(); ++m)
+    {
+      double largest = 0.;
+      for (const auto &of_node : motions)
+        largest = std::max(largest, of_node[m].norm());
+      const double h = 1e-8 / largest; // m over the motion of a unit
+      for (const double sign : {1., -1.})
+        {
+          std::vector<dealii::Tensor<1, 3>> position = rest;
+          for (std::size_t i = 0; i < position.size(); ++i)
+            position[i] += sign * h * motions[i][m];
+          add(of_shapes[m], sign / (2. * h), plates.components(position));
+        }
+    }
+  return of_shapes;
+}
+
 /// What the elastic bodies of @p group are.
 scene::Kind
 kind_of(const scene::Scene &scene, const dynamics::System &system, const unsigned int group)
@@ -84,21 +122,33 @@ Waists::Waists(const scene::Scene &scene, const dynamics::System &system)
     {
       const BodyBatches &copies = system.world.copies[g];
       const scene::Kind  kind   = kind_of(scene, system, g);
-      if (kind == scene::Kind::inner_link || kind == scene::Kind::outer_link)
-        plates_.try_emplace(g, *copies.part, copies.nodes, scene.material);
+      if (kind != scene::Kind::inner_link && kind != scene::Kind::outer_link)
+        continue;
+      PlateStress                  plates(*copies.part, copies.nodes, scene.material);
+      std::vector<WaistComponents> of_shapes =
+          components_of_shapes(plates, copies, system.world.group_of(g));
+      plates_.emplace(g, Plates{std::move(plates), std::move(of_shapes)});
     }
 }
 
 WaistStress Waists::stress(const dynamics::System &system, const unsigned int body) const
 {
-  const World::Address             &place  = system.world.elastic_address[body];
-  const PlateStress                &plates = plates_.at(place.group);
-  const BodyGroup                  &group  = system.world.group_of(place.group);
+  const World::Address &place  = system.world.elastic_address[body];
+  const Plates         &plates = plates_.at(place.group);
+  const BodyGroup      &group  = system.world.group_of(place.group);
+  if (!plates.of_shapes.empty())
+    {
+      const std::vector<double> amplitudes = group.amplitudes_of(system.world, place.copy);
+      WaistComponents           sum{};
+      for (std::size_t m = 0; m < amplitudes.size(); ++m)
+        add(sum, amplitudes[m], plates.of_shapes[m]);
+      return stress_of(sum);
+    }
   std::vector<dealii::Tensor<1, 3>> position;
-  position.reserve(plates.nodes().size());
-  for (const unsigned int node : plates.nodes())
+  position.reserve(plates.from_nodes.nodes().size());
+  for (const unsigned int node : plates.from_nodes.nodes())
     position.push_back(group.position_now(system.world, place.copy, node));
-  return plates(position);
+  return plates.from_nodes(position);
 }
 
 RollerSurfaces::RollerSurfaces(const scene::Scene &scene, const dynamics::System &system)

@@ -104,24 +104,29 @@ SymmetricTensor<2, 2> PlateStress::mean(const std::vector<Face>         &faces,
   return sum / static_cast<double>(faces.size());
 }
 
-WaistStress PlateStress::operator()(const std::vector<Tensor<1, 3>> &position) const
+WaistComponents PlateStress::components(const std::vector<Tensor<1, 3>> &position) const
 {
-  WaistStress stress{};
+  WaistComponents found{};
   for (const Cell &cell : section_)
     {
       std::array<Tensor<1, 3>, 8> corners;
       for (unsigned int v = 0; v < 8; ++v)
         corners[v] = position[cell.node[v]];
       const Tensor<2, 3> F = element::deformation_gradient(cell.gradients, corners);
-      stress.axial += (element::stress(F, material_).piola * cell.weight)[0];
+      found.axial += (element::stress(F, material_).piola * cell.weight)[0];
     }
   const SymmetricTensor<2, 2> inner = mean(inner_face_, position);
   const SymmetricTensor<2, 2> outer = mean(outer_face_, position);
-  stress.in_plane = 0.5 * (mean(lower_edge_, position)[0][0] - mean(upper_edge_, position)[0][0]);
-  stress.out_of_plane  = 0.5 * (outer[0][0] - inner[0][0]);
-  const auto principal = eigenvalues(0.5 * (inner + outer));
-  stress.principal_1   = principal[0];
-  stress.principal_2   = principal[1];
-  return stress;
+  found.in_plane = 0.5 * (mean(lower_edge_, position)[0][0] - mean(upper_edge_, position)[0][0]);
+  found.out_of_plane = 0.5 * (outer[0][0] - inner[0][0]);
+  found.middle       = 0.5 * (inner + outer);
+  return found;
+}
+
+WaistStress stress_of(const WaistComponents &components)
+{
+  const auto principal = eigenvalues(components.middle);
+  return {
+      components.axial, components.in_plane, components.out_of_plane, principal[0], principal[1]};
 }
 } // namespace chaindrive::observe

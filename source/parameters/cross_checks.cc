@@ -251,6 +251,11 @@ void check_model(const Parameters &p, Findings &findings)
   findings.contradiction(arriving && !elastic,
                          "Model/Elastic links = arriving contradicts " + chosen +
                              ", in which no link is elastic; choose all, or Fidelity = full.");
+  findings.contradiction(arriving && p.model.capabilities().is_reduced &&
+                             p.model.other_links == OtherLinks::reduced,
+                         "Model/Other links = reduced with " + chosen +
+                             " leaves no link that is not reduced; choose rigid, or Elastic links "
+                             "= all.");
   findings.note(
       start != Start::settled && p.loads.ramp_time > p.time.end,
       "Loads/Ramp time in ms ends after the run: the driver does not reach its full speed.");

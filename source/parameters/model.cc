@@ -67,9 +67,9 @@ void Model::declare(Declarations &declarations)
   add(declarations,
       "Elastic links",
       elastic_links,
-      "Of which joints the links and rollers are elastic, if Effects/Elastic links and Elastic "
-      "rollers are on; full fidelity only. arriving: those that the driver "
-      "takes in between Output/Window start in ms and Window end in ms, and two more before and "
+      "Of which joints the links and rollers are elastic, or deform by shapes in reduced fidelity, "
+      "if Effects/Elastic links and Elastic rollers are on. arriving: those that the driver takes "
+      "in between Output/Window start in ms and Window end in ms, and two more before and "
       "after them; all others, and both sprockets, are rigid as in layered fidelity. For what "
       "single links feel as they engage, at a fraction of the cost.");
   add(declarations,

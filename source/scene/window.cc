@@ -60,12 +60,15 @@ elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &s
   for (int k = first; k <= last; ++k)
     elastic[((k % n) + n) % n] = true;
   const auto name = [n](const int k) { return std::to_string(((k % n) + n) % n); };
-  scene.notes.push_back("Elastic: rollers " + name(first) + " to " + name(last) + ", " +
-                        std::to_string(last - first + 1) + " of " + std::to_string(n) +
-                        ", and the links between them: they arrive at the driver in Output's "
-                        "window, or up to " +
-                        std::to_string(margin) + " links before and after; all else is " +
-                        (is_on(scene.effects, "reduced bodies") ? "reduced" : "rigid"));
+  scene.notes.push_back(
+      "Elastic: rollers " + name(first) + " to " + name(last) + ", " +
+      std::to_string(last - first + 1) + " of " + std::to_string(n) +
+      ", and the links between them: they arrive at the driver in Output's "
+      "window, or up to " +
+      std::to_string(margin) + " links before and after; all else is " +
+      (is_on(scene.effects, "reduced bodies") && !parameters.model.capabilities().is_reduced ?
+           "reduced" :
+           "rigid"));
   return elastic;
 }
 } // namespace chaindrive::scene

@@ -188,6 +188,12 @@ int main()
     p.effects.plate_bending = Switch::off;
   });
 
+  check([](Parameters &p) { // no link is left that is not reduced
+    p.model.fidelity      = Fidelity::reduced;
+    p.model.elastic_links = ElasticLinks::arriving;
+    p.model.other_links   = OtherLinks::reduced;
+  });
+
   std::cout << "quantities" << std::endl;
   check([](Parameters &p) {
     p.output.quantities = {QuantityGroup::plate_stress,

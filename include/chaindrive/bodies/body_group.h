@@ -118,6 +118,16 @@ public:
   /// order of matrix_of_shapes(), body axes, 1/sqrt(kg). Empty for others.
   virtual std::vector<dealii::Tensor<1, 3>> motions_of(unsigned int /*node*/) const { return {}; }
 
+  /// How many shapes such bodies have beside rigid motions.
+  virtual unsigned int n_shapes() const { return 0; }
+
+  /// The present amplitudes of the shapes of a copy of this rank, m sqrt(kg), in that order. Empty
+  /// for others.
+  virtual std::vector<double> amplitudes_of(const World & /*world*/, unsigned int /*copy*/) const
+  {
+    return {};
+  }
+
   /// Where a node of a copy of this rank is now, m, and its velocity, m/s; of nodes that move by
   /// themselves, half a step before.
   virtual dealii::Tensor<1, 3>

@@ -59,6 +59,8 @@ public:
   dealii::FullMatrix<double>
   matrix_of_shapes(const std::vector<dealii::SymmetricTensor<2, 3>> &springs) const override;
   std::vector<dealii::Tensor<1, 3>> motions_of(unsigned int node) const override;
+  unsigned int                      n_shapes() const override { return n_modes(); }
+  std::vector<double> amplitudes_of(const World &world, unsigned int copy) const override;
   std::vector<std::unique_ptr<const element::StressRecovery>>
   stress_recoveries(const World &world) const override;
 

@@ -38,7 +38,8 @@ private:
   std::map<unsigned int, std::vector<std::unique_ptr<const element::StressRecovery>>> cells_;
 };
 
-/// The waists of the side plates of elastic links.
+/// The waists of the side plates of elastic links. Bodies that move by shapes strain in proportion
+/// to them: each shape has its stresses, which are added, and the squares of strains are left out.
 class Waists
 {
 public:
@@ -48,7 +49,13 @@ public:
   WaistStress stress(const dynamics::System &system, unsigned int body) const;
 
 private:
-  std::map<unsigned int, PlateStress> plates_; ///< by group of copies
+  struct Plates
+  {
+    PlateStress                  from_nodes;
+    std::vector<WaistComponents> of_shapes; ///< per amplitude of a shape; empty without shapes
+  };
+
+  std::map<unsigned int, Plates> plates_; ///< by group of copies
 };
 
 /// The outsides of elastic rollers.

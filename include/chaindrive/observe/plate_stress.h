@@ -20,6 +20,16 @@ struct WaistStress
   double principal_2;  ///< the smaller one
 };
 
+/// What they follow from: linear in the strains.
+struct WaistComponents
+{
+  double                        axial, in_plane, out_of_plane; ///< as there, Pa
+  dealii::SymmetricTensor<2, 2> middle; ///< in-plane stress, mean of both faces, Pa
+};
+
+/// The stresses of @p components.
+WaistStress stress_of(const WaistComponents &components);
+
 /// Takes these stresses from nodal positions, as the mean of what lies to the left and to the right
 /// of the middle: the mesh has vertices there. The pull is that of nodal forces and therefore
 /// in balance with the load, to one percent, on any mesh if the edges are free; stresses of edges
@@ -34,7 +44,12 @@ public:
   const std::vector<unsigned int> &nodes() const { return nodes_; }
 
   /// @p position of each of nodes() [m], in world axes or any others.
-  WaistStress operator()(const std::vector<dealii::Tensor<1, 3>> &position) const;
+  WaistStress operator()(const std::vector<dealii::Tensor<1, 3>> &position) const
+  {
+    return stress_of(components(position));
+  }
+
+  WaistComponents components(const std::vector<dealii::Tensor<1, 3>> &position) const;
 
 private:
   struct Cell
