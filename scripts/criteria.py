@@ -63,7 +63,7 @@ def spread(run, surface):
     normal to it. Rollers are laid over each other by whole pitch times, from one pitch time before
     the first touch to one after it or the end of the run. Differences are r.m.s. over the r.m.s.
     velocity."""
-    rollers = run.engagements()
+    rollers = run.arrivals()
     first = rollers[0][1]
     end = min(run.pitch_time, run.time[-1] - first - (len(rollers) - 1) * run.pitch_time)
     result = []
@@ -82,7 +82,7 @@ def fast_energy(run, surface, above=2000.):
     """Mean square of the velocity above a frequency [Hz], mean of both directions and all rollers,
     within a pitch time of the touch. m2/s2"""
     total = []
-    for roller, touch, _ in run.engagements():
+    for roller, touch, _ in run.arrivals():
         end = min(touch + run.pitch_time, run.time[-1])
         for curve in run.velocity(roller, surface):
             values = run.aligned(curve, touch - run.pitch_time, end, 0., 4096)
@@ -98,7 +98,7 @@ def seating(table, run, name):
     the touch and 1 to 2 ms after it, when it has come to rest in its seat, both continued to the
     touch."""
     jumps, speeds, ripples = [], [], []
-    for roller, touch, _ in run.engagements():
+    for roller, touch, _ in run.arrivals():
         along, normal = run.velocity(roller, surface=False)
         before = run.between(touch - 0.5e-3, touch - 0.02e-3)
         after = run.between(touch + 1e-3, touch + 2e-3)
@@ -123,7 +123,7 @@ def tensions(table, run, name):
     """R14: the bar behind each roller, a pitch time before and after the touch. The decay that goes
     with a pressure angle is judged in the slow run, where the angle is measured."""
     before, ratio = [], []
-    for roller, touch, _ in run.engagements():
+    for roller, touch, _ in run.arrivals():
         tension = run.column("links/tension", run.link_behind(roller))
         before.append(run.mean(tension, touch - run.pitch_time, touch))
         if touch + 2 * run.pitch_time <= run.time[-1]:
@@ -142,7 +142,7 @@ def plates(table, run):
     over both waists of a link, 0.7 times the plates' heights wide and 2 mm thick."""
     if "plates/axial_stress" not in run:
         return
-    rollers = run.engagements()
+    rollers = run.arrivals()
     slack = run.summary["slack_tension_mean"] / run.summary["tight_tension_mean"]
     for parity, name, nominal in ((0, "inner", 33.442), (1, "outer", 38.759)):
         axial, plane, out, peak = [], [], [], []
@@ -173,7 +173,7 @@ def peaks(table, simple, full):
     """R16, R17: largest contact forces of the engaging rollers."""
     variation = {}
     for run, name in ((simple, "simple"), (full, "full")):
-        force = np.array([peak for _, _, peak in run.engagements()]) * 1e-3
+        force = np.array([peak for _, _, peak in run.arrivals()]) * 1e-3
         relative = (force.max() - force.min()) / force.max()
         variation[name] = force.std(ddof=1) / force.mean()
         if name == "full":
@@ -193,7 +193,7 @@ def pulses(table, run, name, low, high):
     if np.median(np.diff(run.time)) > 5.1e-6:
         return
     counts = []
-    for roller, touch, _ in run.engagements():
+    for roller, touch, _ in run.arrivals():
         force = run.column("rollers/driver_force_peak", roller)
         force = force[run.between(touch - 5e-6, touch + 0.15e-3)]
         count, low_since, high_since = 0, 0., 0.

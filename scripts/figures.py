@@ -7,10 +7,11 @@ them as numbers:
 
 The first runs are drawn; the numbers are means over all of them, for start phases for instance.
 velocities.png: its Fig. 5 and 7, link_forces.png: 8 and 9, contact_forces.png: 13 and 12. Debian
-packages: python3-h5py, python3-matplotlib, python3-pil.
+packages: python3-h5py, python3-matplotlib, python3-pandas, python3-pil.
 """
 import argparse
 import os
+import sys
 
 import matplotlib
 matplotlib.use("Agg")
@@ -20,7 +21,7 @@ from PIL import Image
 
 import criteria
 import program
-from history import History
+import chaindrive
 
 COLORS = ["#1b4f8f", "#c7522a", "#3c8d5a", "#8a5aa8", "#b8962e"]
 pyplot.rcParams.update({"font.size": 8, "legend.fontsize": 7, "lines.linewidth": 0.7,
@@ -59,7 +60,7 @@ def velocities(simple, full, folder):
     figure, axes = panels(2, ("simple model, centre of the roller", "full model, " +
                               ("surface of the roller" if surface else "centre of the roller")), 5.)
     for column, run in enumerate((simple, full)):
-        for i, (roller, _, _) in enumerate(run.engagements()):
+        for i, (roller, _, _) in enumerate(run.arrivals()):
             for row, values in enumerate(run.velocity(roller)):
                 curve(axes[row][column], run, values, i, f"roller #{i + 1}")
     axes[0][0].set_ylabel("along the span (m/s)")
@@ -69,10 +70,10 @@ def velocities(simple, full, folder):
 
 def link_forces(simple, full, folder):
     figure, axes = pyplot.subplots(2, 2, figsize=(9., 5.), sharex=True, constrained_layout=True)
-    for i, (roller, _, _) in enumerate(simple.engagements()):
+    for i, (roller, _, _) in enumerate(simple.arrivals()):
         tension = simple.column("links/tension", simple.link_behind(roller))
         curve(axes[0][0], simple, 1e-3 * tension, i, f"behind roller #{i + 1}")
-    for i, (roller, _, _) in enumerate(full.engagements()):
+    for i, (roller, _, _) in enumerate(full.arrivals()):
         link = full.link_behind(roller)
         curve(axes[1][0], full, 1e-3 * full.column("links/tension", link), i)
         if "plates/axial_stress" in full:
@@ -95,12 +96,21 @@ def link_forces(simple, full, folder):
 def contact_forces(simple, full, folder):
     figure, axes = panels(1, ("simple model", "full model"), 3.)
     for column, run in enumerate((simple, full)):
-        for i, (roller, _, _) in enumerate(run.engagements()):
+        for i, (roller, _, _) in enumerate(run.arrivals()):
             force = 1e-3 * run.column("rollers/driver_force_peak", roller)
             curve(axes[0][column], run, np.where(force > 0., force, np.nan), i, f"roller #{i + 1}")
     axes[0][0].set_ylabel("contact force (kN)")
     axes[0][0].set_ylim(bottom=0.)
     finish(figure, axes, full, folder, "contact_forces.png")
+
+
+def open_run(folder):
+    """The run in `folder`, with rollers that arrive in its window."""
+    run = chaindrive.open(folder)
+    if len(run.arrivals()) < 2:
+        raise chaindrive.RunError(f"In the run in '{folder}' fewer than two rollers meet the driver after Output/Window start in ms and 1 ms "
+                                  "before the end: the figures need more. Choose a later Time/End time in ms.")
+    return run
 
 
 def main():
@@ -110,8 +120,8 @@ def main():
     parser.add_argument("--full", nargs="+", default=[os.path.join(root, "results/full")])
     parser.add_argument("--output", default=os.path.join(root, "doc/pictures"))
     arguments = parser.parse_args()
-    simple = [History(folder) for folder in arguments.simple]
-    full = [History(folder) for folder in arguments.full]
+    simple = [open_run(folder) for folder in arguments.simple]
+    full = [open_run(folder) for folder in arguments.full]
     os.makedirs(arguments.output, exist_ok=True)
     for draw in (velocities, link_forces, contact_forces):
         draw(simple[0], full[0], arguments.output)
@@ -120,4 +130,8 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except (chaindrive.RunError, OSError) as error:
+        print(f"figures.py: {error}", file=sys.stderr)
+        sys.exit(2)

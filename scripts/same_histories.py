@@ -4,7 +4,7 @@
 
 For changes of the code that must not change a result. OLD and NEW are programs; each runs a simple, a layered and some small
 full drives on one and on two ranks, and every dataset of histories.h5 is compared byte by byte. Takes a minute for each program
-on two cores. Needs h5py (Debian: python3-h5py).
+on two cores. Needs Debian's python3-h5py and python3-pandas.
 """
 import pathlib
 import sys
@@ -13,6 +13,7 @@ import tempfile
 import h5py
 
 import program
+import chaindrive
 from small_drives import ELASTIC, IMPORTED, TOUCHING_PLATES
 
 END = "Time/End time in ms"
@@ -34,18 +35,18 @@ CASES = {
 
 
 def run(which, case, ranks, directory):
-    """The file of the histories of one run of the program `which`."""
+    """The folder of one run of the program `which`."""
     name, entries = CASES[case]
     output = directory / f"{case}-{ranks}"
     program.run(f"prm/{name}.prm", {**ALWAYS, **entries}, "--quiet", "--output", output, program=which, ranks=ranks)
-    return output / "histories.h5"
+    return output
 
 
 def rows_of(path):
     """Every dataset as its type, shape and bytes."""
     rows = {}
-    with h5py.File(path) as file:
-        file.visititems(
+    with chaindrive.open(path) as run:
+        run.file.visititems(
             lambda name, item: rows.update({name: (item.dtype, item.shape, item[()].tobytes())})
             if isinstance(item, h5py.Dataset)
             else None

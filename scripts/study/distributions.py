@@ -2,7 +2,8 @@
 """distributions.py DIRECTORY: whether engagements with the driver differ from those of a study's reference, as a table in
 Markdown: of each variant, all engagements of all phases together, their number, the probability that peaks and impulses
 that are drawn from one distribution differ so much (two-sample test of Kolmogorov and Smirnov), and the largest
-difference of the third octaves of the velocities of rollers, in dB. Needs python3-h5py and python3-scipy."""
+difference of the third octaves of the velocities of rollers, in dB. Needs python3-h5py, python3-pandas and
+python3-scipy."""
 import argparse
 import json
 import pathlib
@@ -12,7 +13,7 @@ import numpy as np
 import scipy.stats
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))  # history.py
+sys.path.insert(0, str(HERE.parent))  # program.py
 
 import outputs  # noqa: E402
 

@@ -4,7 +4,8 @@ import functools
 
 import numpy as np
 
-from history import History
+import program  # noqa: F401  finds the package chaindrive
+import chaindrive
 
 BANDS = 1000. * 2. ** (np.arange(-1, 14) / 3)  # centres of third octaves, Hz: 800 (nominally) to 20 kHz
 NOMINAL = (800, 1000, 1250, 1600, 2000, 2500, 3150, 4000, 5000, 6300, 8000, 10000, 12500, 16000, 20000)
@@ -14,18 +15,16 @@ SUMMARY = ("driven_speed_mean", "span_speed_mean", "pitch_time_mean", "tight_ten
            "tight_tension_max_start", "driver_torque_mean", "drive_work", "resisting_work", "energy_imbalance_max")
 
 
-class Run(History):
+class Run(chaindrive.Run):
     """A run with its window."""
 
     def __init__(self, folder):
         super().__init__(folder)
-        self.end = self.summary["window"]["end"]
-        self.window = (self.time >= self.start) & (self.time <= self.end)
+        self.inside = self.between(self.start, self.end)
 
     def engaged(self, sprocket):
         """The engagements with a sprocket in the window."""
-        return [e for e in self.summary["engagements"]
-                if e["sprocket"] == sprocket and e["complete"] and self.start <= e["time"] <= self.end]
+        return self.engagements(sprocket, window=True).to_dict("records")
 
     @functools.lru_cache(maxsize=None)
     def approaches(self, surface):
@@ -108,15 +107,15 @@ def _velocity(run, surface, name):
 
 
 def _ripple(run, path):
-    return float(run[path][run.window].std())
+    return float(run[path][run.inside].std())
 
 
 def _plates(run, bending_only):
-    if "plates/axial_stress" not in run:
+    if "plates/axial_stress" not in run or not run.inside.any():
         return None
     bending = abs(run["plates/bending_in_plane"]) + abs(run["plates/bending_out_of_plane"])
     stress = bending if bending_only else bending + abs(run["plates/axial_stress"])
-    return float(np.nanmax(stress[run.window]))
+    return float(np.nanmax(stress[run.inside]))
 
 
 OUTPUTS = {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """report.py DIRECTORY [--pictures FOLDER]: the results of a study: table.csv and table.h5, chart.png and .svg,
 study.md and study.html. Runs that have not ended yet are rows without figures. Needs python3-h5py,
-python3-matplotlib and python3-jinja2.
+python3-matplotlib, python3-pandas and python3-jinja2.
 
 --pictures FOLDER also writes DIRECTORY's chart there, small, and prints the table in Markdown for a document."""
 import argparse
@@ -14,7 +14,7 @@ import h5py
 import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))  # history.py
+sys.path.insert(0, str(HERE.parent))  # program.py
 
 import outputs  # noqa: E402
 import page  # noqa: E402
@@ -31,7 +31,7 @@ def read_run(folder, names):
         return {"status": None, "error": "not finished"}
     run = json.loads(end.read_text())
     if run["status"] == 0:
-        summary = json.loads((folder / "summary.json").read_text())
+        summary = outputs.chaindrive.open(folder).summary
         run["figures"] = {column: summary.get(name, np.nan) for column, name in FIGURES.items()}
         run["cpu"] = summary["cpu_seconds"]
         run["values"] = outputs.of_run(folder, names)

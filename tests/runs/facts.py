@@ -9,11 +9,11 @@ less: the mean of its spectrum counts. Besides, --strict refuses what is warned 
 import pathlib
 import sys
 
-import h5py
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 import program  # noqa: E402
+import chaindrive  # noqa: E402
 
 PROGRAM = sys.argv[1]
 FILE = "prm/paper/simple.prm"
@@ -31,9 +31,9 @@ CHANGES = {
 }
 
 
-def spectrum(file, path, least, most):
+def spectrum(run, path, least, most):
     """Frequencies in Hz between these two, and the power of the channel there."""
-    time, values = file["time"][:], file[path][:]
+    time, values = run.time, run[path]
     padded = 16 * len(values)
     power = np.abs(np.fft.rfft((values - values.mean()) * np.hanning(len(values)), padded)) ** 2
     frequencies = np.fft.rfftfreq(padded, (time[-1] - time[0]) / (len(time) - 1))
@@ -66,7 +66,7 @@ drive = summary["drive"]
 tight, slack = (next(span for span in drive["spans"] if span["name"] == name) for name in ("tight", "slack"))
 names = [check["name"] for check in summary["checks"]]
 program.check(not names, f"a sound drive is warned of: {names}")
-with h5py.File("results/histories.h5", "r") as histories:
+with chaindrive.open("results") as histories:
     results = [
         compare("tight tension, N", summary["tight_tension_mean"], tight["tension"]),
         compare("difference of tensions, N", summary["tight_tension_mean"] - summary["slack_tension_mean"], drive["effective_tension"]),

@@ -7,7 +7,7 @@
   kill        kill -9 and once more: what was finished is not repeated, what was not goes on; a changed file runs
               only what has changed
 
-Without Snakemake, h5py or matplotlib `run` and `kill` end with 77: left out."""
+Without Snakemake, h5py, matplotlib or pandas `run` and `kill` end with 77: left out."""
 import csv
 import fcntl
 import json
@@ -197,7 +197,7 @@ end
 
 def need_snakemake():
     if shutil.which("snakemake") is None or subprocess.run(
-            ["/usr/bin/python3", "-c", "import h5py, jinja2, matplotlib"], stderr=subprocess.DEVNULL).returncode != 0:
+            ["/usr/bin/python3", "-c", "import h5py, jinja2, matplotlib, pandas"], stderr=subprocess.DEVNULL).returncode != 0:
         sys.exit(77)
 
 

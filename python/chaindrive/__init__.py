@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Results of chaindrive, read with h5py, numpy and pandas.
+
+    import chaindrive
+    run = chaindrive.open("results/simple")
+    run.summary["tight_tension_mean"]                       # N, as all units of the files are SI
+    run.history("spans/tight_tension", units=("ms", "kN"))  # a frame over time
+    run.engagements("driver", window=True)                  # a row per first touch
+    chaindrive.compare([run, chaindrive.open("results/layered")])
+
+Everything that cannot be read is a RunError, a sentence.
+"""
+from chaindrive.comparison import changes, compare, one_drive
+from chaindrive.errors import RunError
+from chaindrive.parameters import Parameters
+from chaindrive.run import Run, open  # noqa: A004
+from chaindrive.spectra import harmonics, third_octaves
+
+__all__ = ["Parameters", "Run", "RunError", "changes", "compare", "harmonics", "one_drive", "open", "third_octaves"]
