@@ -7,13 +7,14 @@ import pandas as pd
 
 #: Figures of the summary that a comparison shows: member, unit, what it is.
 FIGURES = {
-    "driven_speed_mean": ("rad/s", "driven speed, mean"),
-    "driver_torque_mean": ("N m", "driver torque, mean"),
     "tight_tension_mean": ("N", "tension of the tight span, mean"),
     "slack_tension_mean": ("N", "tension of the slack span, mean"),
     "tight_tension_max_start": ("N", "tension of the tight span, largest in the first 10 ms"),
+    "driver_torque_mean": ("N m", "driver torque, mean"),
+    "driven_speed_mean": ("rad/s", "driven speed, mean"),
     "span_speed_mean": ("m/s", "speed of the tight span, mean"),
     "pitch_time_mean": ("s", "time from engagement to engagement, mean"),
+    "efficiency": ("1", "efficiency in the window"),
     "driven_angle_end": ("rad", "angle of the driven sprocket at the end"),
     "drive_work": ("J", "work of the driver"),
     "resisting_work": ("J", "work against the load"),
@@ -21,6 +22,12 @@ FIGURES = {
     "steps": ("1", "time steps"),
     "wall_seconds": ("s", "elapsed time"),
 }
+#: Those of the window statistics: signal, member, unit, what it is.
+STATISTICS = (("tight_tension", "largest", "N", "tension of the tight span, largest"),
+              ("tight_tension", "deviation", "N", "tension of the tight span, standard deviation"),
+              ("driver_load", "mean", "N", "load of the driver's shaft, mean"), ("driver_load", "largest", "N", "load of the driver's shaft, largest"),
+              ("driven_load", "mean", "N", "load of the driven shaft, mean"), ("driven_load", "largest", "N", "load of the driven shaft, largest"),
+              ("driven_speed", "deviation", "rad/s", "driven speed, standard deviation"))
 #: Those of the engagements with a sprocket in the window: column, unit, what it is.
 IMPACTS = {"peak_force": ("N", "peak force of an impact"), "impulse": ("N s", "impulse of an impact"),
            "normal_speed": ("m/s", "normal speed of an impact")}
@@ -38,6 +45,13 @@ def names(runs):
 def figures(run):
     """{name: (value, unit, meaning)} of a run."""
     found = {name: (run.summary.get(name), *about) for name, about in FIGURES.items()}
+    statistics = run.summary.get("statistics", {})
+    for signal, which, unit, meaning in STATISTICS:
+        if isinstance(statistics.get(signal), dict):
+            found[f"{signal}_{which}"] = (statistics[signal].get(which), unit, meaning)
+    if "lost" in run.summary.get("window_energy", {}) and run.summary["window_energy"].get("duration"):
+        energy = run.summary["window_energy"]
+        found["loss"] = (energy["lost"] / energy["duration"] if energy["lost"] is not None else None, "W", "loss in the window, mean")
     if isinstance(run.summary.get("engagements"), list):
         for sprocket in ("driver", "driven"):
             engaged = run.engagements(sprocket, window=True)
@@ -45,6 +59,10 @@ def figures(run):
                 values = engaged[column].astype(float)
                 for which, value in (("mean", values.mean()), ("largest", values.max())):
                     found[f"{sprocket}_{column}_{which}"] = (value, unit, f"{meaning} on the {sprocket if sprocket == 'driver' else 'driven sprocket'}, {which}")
+    if run.acoustics.get("observers"):
+        heard = run.acoustics["observers"]
+        one = next((o for o in heard if o.get("name") == "microphone"), heard[0])
+        found["noise"] = (one.get("level_a"), "dB(A)", f"noise at {one.get('name')}")
     if "total" in run.summary.get("cpu_seconds", {}):
         found["cpu_seconds"] = (run.summary["cpu_seconds"]["total"], "s", "CPU time")
     return {name: about for name, about in found.items() if isinstance(about[0], numbers.Real) and np.isfinite(about[0])}

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""chaindrive report: what runs have found, as one page. write() makes it; page.py is how it looks."""
+import pathlib
+
+from chaindrive import comparison
+from chaindrive.report import curves, facts, motion
+from chaindrive.report.answers import answers
+from chaindrive.report.page import Page
+from chaindrive.report.parts import Subject, of_each
+from chaindrive.report.text import escape, number, quantity, sentences, table
+from chaindrive.run import open as open_run
+
+#: As many as there are colours.
+MOST_RUNS = 7
+
+
+def write(folders, file=None):
+    """Writes the report on the runs in `folders` to `file`, report.html in the first folder by default; returns its path. RunError when a folder
+    is not that of a run."""
+    runs = [open_run(folder, partial=True) for folder in folders]
+    names = comparison.names(runs)
+    subjects = [Subject(run, name, k) for k, (run, name) in enumerate(zip(runs, names))]
+    page = Page()
+    file = pathlib.Path(file) if file is not None else runs[0].folder / "report.html"
+    title = names[0] if len(runs) == 1 else "Comparison of " + ", ".join(names)
+    page.write(file, title, _lead(subjects), [section for section in _sections(page, subjects) if section[2]])
+    return file
+
+
+def _lead(subjects):
+    run = subjects[0].run
+    if len(subjects) > 1:
+        lead = f'<p class="lead">{len(subjects)} runs on the same axes; differences are those from {escape(subjects[0].name)}.</p>'
+        done, _ = of_each(subjects, lambda s: (s.run.n_links, s.run.sprockets))
+        if len(done) == len(subjects) and not comparison.one_drive([s.run for s in subjects]):
+            lead += sentences(["These are runs of different drives: curves and figures differ by the drive too, and pitch times are not the same."])
+    else:
+        done, missing = of_each(subjects, lambda s: facts.drive_in_words(s.run))
+        lead = "".join(f'<p class="lead">{words}, {escape(s.run.parameters.get("Model/Fidelity", ""))} model</p>' for s, words in done) + sentences(missing)
+        question = facts.question(run)
+        if question:
+            lead += f'<p class="question">{escape(question.split("? ")[0] + "?" if "? " in question else question[:300])}</p>'
+    for subject in subjects:
+        if not subject.run.finished:
+            lead += sentences([f"The run in '{subject.run.folder}' has not finished: there is no summary.json. What its histories hold is shown."])
+    return lead
+
+
+def _each(subjects, make, heading=True):
+    """HTML of each run, with its name above, and the sentences of those that have none."""
+    done, missing = of_each(subjects, lambda s: make(s.run))
+    out = "".join((f"<h3>{escape(s.name)}</h3>" if heading and len(subjects) > 1 else "") + html for s, html in done)
+    return out + sentences(missing, "missing")
+
+
+def _cards(run):
+    found = answers(run)
+    cards = "".join(f'<div class="card"><div class="name">{escape(a.name)}</div><div class="value">'
+                    f'{quantity(a.value, a.unit) if a.unit not in ("%", "dB(A)") else number(a.value, 3) + chr(160) + a.unit}</div><p>{a.sentence}</p></div>'
+                    for a in found)
+    return f'<div class="cards">{cards}</div>' if cards else sentences(["There are no key figures: the run has no summary, or was asked for none."])
+
+
+def _what(subjects):
+    if len(subjects) == 1:
+        return table([], facts.what(subjects[0].run), classes="facts")
+    done, missing = of_each(subjects, lambda s: dict(facts.what(s.run)))
+    names = list(dict.fromkeys(name for _, rows in done for name in rows))
+    return table(["", *(escape(s.name) for s, _ in done)], [(name, *(rows.get(name, "–") for _, rows in done)) for name in names],
+                 classes="facts") + sentences(missing, "missing")
+
+
+def _sections(page, subjects):
+    """(key, title, parts) of all sections."""
+    several = len(subjects) > 1
+    films, unmoved = of_each(subjects, lambda s: motion.frames_of(s.run))
+    for one in ("low", "high"):  # the same colours for all
+        extreme = (min if one == "low" else max)((frames[one] for _, frames in films), default=0)
+        for _, frames in films:
+            frames[one] = extreme
+    moving = [page.film(frames, s.name if several else "") for s, frames in films] + [sentences(unmoved, "missing")]
+    answered = [_each(subjects, _cards)]
+    if several:
+        done, missing = of_each(subjects[:1], lambda _: facts.differences(subjects))
+        answered = [html for _, html in done] + [sentences(missing, "missing")]
+        done, missing = of_each(subjects[:1], lambda _: facts.changed_entries(subjects))
+        answered += [html for _, html in done] + [sentences(missing, "missing")]
+        answered += [f"<details><summary>Key figures of {escape(s.name)} in sentences</summary>{_each([s], _cards)}</details>" for s in subjects]
+    yield "answers", "Key figures", answered
+    yield "checks", "Design checks", [facts.checks(subjects)]
+    yield "run", "What was run", [_what(subjects)]
+    yield "drive", "The drive", [_each(subjects, facts.drive_tables)]
+    yield "motion", "The chain in motion", moving
+    yield "spans", "Spans and shafts", [curves.tensions(subjects), curves.offsets(subjects), curves.shapes(subjects), curves.shafts(subjects)]
+    yield "rollers", "Engaging rollers", [curves.velocities(subjects), curves.link_forces(subjects), curves.contact_forces(subjects),
+                                          curves.plate_stress(subjects)]
+    yield "impacts", "Impacts and tooth load", [curves.aligned(subjects), curves.peaks(subjects), curves.wrap(subjects)]
+    yield "vibration", "Spectra", [curves.line_spectra(subjects), curves.roller_bands(subjects)]
+    yield "noise", "Noise", [curves.noise_spectra(subjects), curves.pressures(subjects) if any(s.run.acoustics for s in subjects) else "",
+                             curves.noise_engagements(subjects), curves.directivity(subjects)]
+    yield "statistics", "Window statistics", [_each(subjects, facts.statistics_tables)]
+    yield "cost", "Energy and computing time", [curves.energies(subjects), _each(subjects, facts.costs)]
+    yield "entries", "Entries", [_each(subjects, facts.all_entries)]

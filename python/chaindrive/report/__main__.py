@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""python3 -m chaindrive.report DIRECTORY... [--output FILE]: writes a report on runs and prints its path."""
+import argparse
+import pathlib
+import sys
+
+PACKAGES = {"h5py": "python3-h5py", "numpy": "python3-numpy", "pandas": "python3-pandas"}
+
+
+def main():
+    if __package__ in (None, ""):  # started by its path
+        sys.path[0] = str(pathlib.Path(__file__).resolve().parents[2])
+    parser = argparse.ArgumentParser(prog="chaindrive report", description="Writes a report on runs: one HTML file.")
+    parser.add_argument("folders", nargs="+", metavar="DIRECTORY", help="with the results of a run")
+    parser.add_argument("--output", metavar="FILE", help="report.html in the first directory by default")
+    parser.add_argument("--quiet", action="store_true", help="do not print the path")
+    words = parser.parse_args()
+    try:
+        from chaindrive import RunError, report
+    except ModuleNotFoundError as error:
+        if error.name not in PACKAGES:
+            raise
+        print(f"chaindrive: A report needs the Debian package {PACKAGES[error.name]}, which is not installed.", file=sys.stderr)
+        return 2
+    try:
+        if len(words.folders) > report.MOST_RUNS:
+            raise RunError(f"A report compares up to {report.MOST_RUNS} runs, not {len(words.folders)}.")
+        file = report.write(words.folders, words.output)
+    except RunError as error:
+        print(f"chaindrive: {error}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"chaindrive: The report cannot be written: {error}.", file=sys.stderr)
+        return 3
+    if not words.quiet:
+        print(f"Report: {file}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Key figures of a run, each with a sentence that says what it means."""
+import numpy as np
+
+from chaindrive.errors import RunError
+from chaindrive.report.text import number, percent, quantity
+
+
+class Answer:
+    """A figure: its name, value in SI units and what it means (HTML)."""
+
+    def __init__(self, name, value, unit, sentence):
+        self.name, self.value, self.unit, self.sentence = name, value, unit, sentence
+
+
+def statistic(run, name, which):
+    """A member of the window statistics; None without."""
+    found = run.summary.get("statistics", {}).get(name)
+    return found.get(which) if isinstance(found, dict) else None
+
+
+def in_window(run, path):
+    """A history in the window."""
+    if not np.isfinite(run.start):
+        raise RunError("The drive had not settled when the run ended: there is no window.")
+    return run.values(path, *run.window)
+
+
+def largest(run, name, path):
+    """The largest value in the window, of all steps where that is known, or else of the samples."""
+    value = statistic(run, name, "largest")
+    return float(np.nanmax(in_window(run, path))) if value is None else value
+
+
+def answers(run):
+    """What can be said of a run."""
+    found = []
+    for make in (tension, slack, shaft, impact, variation, driven_impact, ripple, losses, wear, resonance, noise, quality):
+        try:
+            one = make(run)
+        except (RunError, KeyError, IndexError, TypeError, ValueError, ZeroDivisionError):
+            continue  # the figures of the section say what is missing
+        if one is not None and one.value is not None and np.isfinite(one.value):
+            found.append(one)
+    return found
+
+
+def _against(value, expected, unit, what):
+    return f"{percent(100. * (value / expected - 1.))} against the {quantity(expected, unit)} {what}" if expected else ""
+
+
+def tension(run):
+    mean, most = run.summary["tight_tension_mean"], largest(run, "tight_tension", "spans/tight_tension")
+    expected = next(span["tension"] for span in run.drive["spans"] if span["name"] == "tight")
+    strength = run.drive.get("tensile_strength")
+    safety = f" The chain breaks at {quantity(strength, 'N')} or more, {number(strength / most, 3)} times that." if strength else ""
+    return Answer("Tension of the tight span", mean, "N", f"{_against(mean, expected, 'N', 'that power and speed ask for')}; at most "
+                  f"{quantity(most, 'N')} in the window.{safety}")
+
+
+def slack(run):
+    mean = run.summary["slack_tension_mean"]
+    part = mean / run.summary["tight_tension_mean"]
+    return Answer("Tension of the slack span", mean, "N", f"{number(100 * part, 2)}\u00a0% of that of the tight span. It comes from slack, weight "
+                  "and speed, not from the load, and adds to what shafts and joints carry.")
+
+
+def shaft(run):
+    mean, most = statistic(run, "driver_load", "mean"), statistic(run, "driver_load", "largest")
+    expected = run.drive["shaft_load"]
+    if mean is None:
+        return Answer("Load of each shaft", expected, "N", "Resultant of the mean tensions of both spans, from the closed form; "
+                      "the centrifugal tension does not load shafts.")
+    return Answer("Load of the driver's shaft", mean, "N", f"{_against(mean, expected, 'N', 'of the closed form')}; at most "
+                  f"{quantity(most, 'N')}. Bearings are chosen by it.")
+
+
+def impact(run):
+    touches = run.engagements("driver", window=True)
+    peak, speed = touches["peak_force"].astype(float), touches["normal_speed"].astype(float)
+    return Answer("Impact on the driver", peak.mean(), "N", f"Mean peak force of {len(peak)} rollers that seat, the largest "
+                  f"{quantity(peak.max(), 'N')}, with {quantity(speed.mean(), 'm/s', 3)} normal to the tooth. It grows with speed and pitch, and "
+                  "with the root of the stiffness of the teeth.")
+
+
+def variation(run):
+    peak = run.engagements("driver", window=True)["peak_force"].astype(float)
+    if len(peak) < 3:
+        return None
+    return Answer("Difference from roller to roller", 100. * peak.std(ddof=1) / peak.mean(), "%", "Standard deviation of these peaks over their "
+                  f"mean: the weakest of {len(peak)} has {quantity(peak.min(), 'N')}, the strongest {quantity(peak.max(), 'N')}.")
+
+
+def driven_impact(run):
+    peak = run.engagements("driven", window=True)["peak_force"].astype(float)
+    return Answer("Impact on the driven sprocket", peak.mean(), "N", f"Mean peak force of {len(peak)} rollers, the largest "
+                  f"{quantity(peak.max(), 'N')}.")
+
+
+def ripple(run):
+    mean = run.summary["driven_speed_mean"]
+    deviation = statistic(run, "driven_speed", "deviation")
+    deviation = float(np.std(in_window(run, "hubs/driven_speed"))) if deviation is None else deviation
+    polygon = run.drive["sprockets"][0]["polygon_effect"]
+    return Answer("Ripple of the driven speed", 100. * deviation / mean, "%", f"Standard deviation over the mean of {quantity(mean, 'rad/s')}. "
+                  f"The polygon of the driver makes the chain's speed vary by {number(100 * polygon, 3)}\u00a0% from crest to crest; the inertia on "
+                  "the spans passes on more or less of it.")
+
+
+def losses(run):
+    if "window_energy" in run.summary:
+        energy = run.summary["window_energy"]
+        power = energy["lost"] / energy["duration"]
+        efficiency = run.summary.get("efficiency")
+        most = sorted(((one["power"], name) for name, one in run.summary["losses"].items()), reverse=True)[:2]
+        where = "; most in " + " and ".join(f"{name} ({quantity(watt, 'W', 3)})" for watt, name in most if watt > 0.)
+    else:
+        start, end = run.window
+        names = [path for path in run.histories.index if path.startswith("energy/") and path.endswith("_loss")]
+        parts = {}
+        for path in names:
+            values = in_window(run, path)
+            parts[path] = (values[-1] - values[0]) / (end - start)
+        power, efficiency, where = sum(parts.values()), None, ""
+        if not parts:
+            return None
+        name, watt = max(parts.items(), key=lambda item: item[1])
+        where = f"; most by {name.removeprefix('energy/').removesuffix('_loss').replace('_', ' ')} ({quantity(watt, 'W', 3)})"
+    share = power / run.drive["power"]
+    text = f"{number(100 * share, 2)}\u00a0% of the {quantity(run.drive['power'], 'W')} that are transmitted{where}."
+    if efficiency is not None:
+        text += f" Efficiency in the window: {number(100 * efficiency, 4)}\u00a0%."
+    return Answer("Loss", power, "W", text)
+
+
+def wear(run):
+    pressure, area = run.drive["joint_pressure"], run.drive["bearing_area"]
+    most = largest(run, "tight_tension", "spans/tight_tension") / area
+    return Answer("Pressure in the joints", pressure, "Pa", f"Of the mean tension on {quantity(area, 'm2', 3)} of pin and bush, {quantity(most, 'Pa', 3)} "
+                  "at the largest tension. Wear grows with it and with the angle by which joints turn: fewer teeth, more wear.")
+
+
+def resonance(run):
+    drive = run.drive
+    places = [(drive.get("driven_resonance"), drive.get("driven_frequency"), "the driven inertia on the tight span")]
+    places += [(span.get("resonance"), span.get("frequency"), f"the {span['name']} span") for span in drive["spans"]]
+    speed = drive["sprockets"][0]["speed"]
+    near = min((p for p in places if p[0]), key=lambda p: abs(np.log(p[0] / speed)))
+    return Answer("Tooth frequency", drive["tooth_frequency"], "Hz", f"The nearest resonance is that of {near[2]} at {quantity(near[1], 'Hz', 3)}, "
+                  f"which the teeth meet at {quantity(near[0], 'rad/s')} of the driver; it runs at {quantity(speed, 'rad/s')}.")
+
+
+def noise(run):
+    if not run.acoustics:
+        return None
+    observers = run.acoustics["observers"]
+    heard = next((o for o in observers if o["name"] == "microphone"), observers[0])
+    return Answer("Noise", heard["level_a"], "dB(A)", f"Level of the rollers' sound at {heard['name']}, {number(heard['level'], 3)}\u00a0dB without "
+                  "weighting. Housing, shafts and plates are not in it.")
+
+
+def quality(run):
+    error = run.summary["energy_imbalance_max"]
+    return Answer("Error of the energy balance", 100. * error, "%", "The largest in the whole run, of the energy turned over. Sound runs stay below "
+                  "0.5\u00a0%: the arithmetic can be trusted so far, the model is another question.")

@@ -1,0 +1,461 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The figures of a report, from histories."""
+import h5py
+import numpy as np
+import pandas as pd
+
+from chaindrive import spectra
+from chaindrive.errors import RunError
+from chaindrive.report.figure import Curve, Figure, Panel, limits
+from chaindrive.report.parts import beside, finite, of_each, together
+
+MS = "time (ms)"
+
+
+def successive(run, n=5):
+    """The first rollers that meet the driver in the window. RunError when there are none."""
+    found = run.arrivals(n)
+    if not found:
+        raise RunError(f"In the run in '{run.folder}' no roller meets the driver between the begin of the window and 1 ms before the end.")
+    return found
+
+
+def shown(run):
+    """Begin and end of what figures of the engaging rollers show, s: from a pitch time before the window on."""
+    start = run.start if np.isfinite(run.start) else run.time[0]
+    last = successive(run)[-1][1] + 1.5 * run.pitch_time
+    return max(run.time[0], start), min(run.time[-1], last)
+
+
+def over_time(run, path, label=None, scale=1., part=None):
+    start, end = part or (None, None)
+    label = run.labels(path)[0] if label is None else label
+    return 1e3 * run.time[run.rows(start, end)], scale * run.column(path, label, start, end)
+
+
+def has_surface(run):
+    return "rollers/surface_velocity_normal" in run
+
+
+# ---- the paper's figures
+
+
+def velocities(subjects):
+    """Figures 5 and 7."""
+    def panels(run):
+        part = shown(run)
+        rows = run.rows(*part)
+        result = [Panel(MS, name, []) for name in ("along the span (m/s)", "normal to the span (m/s)")]
+        for number, (roller, _, _) in enumerate(successive(run)):
+            if has_surface(run):
+                values = [run.column(f"rollers/surface_velocity_{which}", roller, *part) for which in ("tangential", "normal")]
+            else:
+                x, y = (run.column(f"rollers/velocity_{axis}", roller, *part) for axis in "xy")
+                values = [x * axis[0] + y * axis[1] for axis in (run.along, run.outward)]
+            for panel, v in zip(result, values):
+                panel.curves.append(Curve(f"roller {number + 1}", 1e3 * run.time[rows], v, number))
+        return result
+
+    kinds = {("surface" if has_surface(s.run) else "centre") for s in subjects if _readable(s.run)}
+    where = {"surface": "of a node of their surface", "centre": "of their centre of mass"}
+    what = " and ".join(where[kind] for kind in sorted(kinds)) or "of their centre of mass"
+    return beside(subjects, "velocities", "Velocity of five rollers that engage one after the other",
+                  f"Velocity {what}. Where a roller seats, its velocity normal to the span jumps; curves that are alike, shifted by "
+                  "a pitch time, mean that engagements are alike. The paper's Figures 5 (simple model) and 7 (full model).", panels)
+
+
+def _readable(run):
+    try:
+        return bool(len(run.time))
+    except RunError:
+        return False
+
+
+def link_forces(subjects):
+    """Figure 8."""
+    def panels(run):
+        part = shown(run)
+        curves = [Curve(f"behind roller {i + 1}", *over_time(run, "links/tension", run.link_behind(roller), 1e-3, part), i)
+                  for i, (roller, _, _) in enumerate(successive(run))]
+        return [Panel(MS, "tension (kN)", curves)]
+
+    return beside(subjects, "link-forces", "Tension of the links behind these rollers",
+                  "A link carries the tension of its span until its front roller seats on the driver; then the teeth take the load over. "
+                  "The paper's Figure 8.", panels)
+
+
+def plate_stress(subjects):
+    """Figure 9; none without elastic links."""
+    def panels(run):
+        part = shown(run)
+        result = []
+        for name, title in (("axial_stress", "pull (MPa)"), ("bending_in_plane", "bending in the plane (MPa)"),
+                            ("principal_1", "first principal stress (MPa)"), ("principal_2", "second principal stress (MPa)")):
+            curves = [Curve(f"behind roller {i + 1}", *over_time(run, f"plates/{name}", run.link_behind(roller), 1e-6, part), i)
+                      for i, (roller, _, _) in enumerate(successive(run))]
+            result.append(Panel(MS, title, curves))
+        return result
+
+    figure = beside(subjects, "plate-stress", "Stress in the side plates of these links",
+                    "Mean over the waist of the plate, its bending and the principal stresses in its middle. The paper's Figure 9.", panels)
+    lumped = [s for s in subjects if s.run.parameters.get("Model/Fidelity") in ("simple", "layered")]
+    if len(lumped) == len(subjects):
+        figure.missing = ["There are no stresses of plates: links are rigid or bars. Reduced and full fidelity have them."]
+    return figure
+
+
+def contact_forces(subjects):
+    """Figures 12 and 13."""
+    def panels(run):
+        part = shown(run)
+        curves = []
+        for i, (roller, _, _) in enumerate(successive(run)):
+            time, force = over_time(run, "rollers/driver_force_peak", roller, 1e-3, part)
+            near = np.convolve(force > 0., np.ones(3), "same") > 0  # a touch of one sample has two sides
+            curves.append(Curve(f"roller {i + 1}", time, np.where(near, force, np.nan), i))
+        return [Panel(MS, "tooth force (kN)", curves)]
+
+    return beside(subjects, "contact-forces", "Force between these rollers and the driver",
+                  "The first peak is the impact; what follows is the share of the tension that the tooth carries. The paper's Figures 12 (full "
+                  "model) and 13 (simple model).", panels)
+
+
+# ---- engagements
+
+
+def aligned(subjects):
+    def panels(run):
+        result = []
+        for sprocket in ("driver", "driven"):
+            frame = run.aligned_engagements(sprocket, before=0.1e-3, after=1.5e-3, units=("ms", "kN"))
+            curves = [Curve("single engagements" if i == 0 else "", frame.index.to_numpy(), frame[column].to_numpy(), 7, 0, width=0.6)
+                      for i, column in enumerate(frame.columns[:40])]
+            if len(curves) > 1:
+                curves.append(Curve("their mean", frame.index.to_numpy(), frame.mean(axis=1).to_numpy(), 1, 0, width=2.2))
+            if curves:
+                result.append(Panel("time since touch (ms)", "tooth force (kN)", curves,
+                                    "driver" if sprocket == "driver" else "driven sprocket"))
+        if not result:
+            raise RunError(f"In the run in '{run.folder}' no engagement lies in the window.")
+        return result
+
+    return beside(subjects, "aligned", "Engagements laid over each other",
+                  "The force on each roller that engages in the window, against the time since its first touch. How far single curves lie from "
+                  "their mean is the variation from roller to roller, which listeners hear.", panels)
+
+
+def peaks(subjects):
+    def curve(which):
+        def make(subject):
+            touches = subject.run.engagements(which, window=False)
+            touches = touches[touches["complete"].astype(bool)]
+            return 1e3 * touches["time"].to_numpy(float), 1e-3 * touches["peak_force"].to_numpy(float)
+        return make
+
+    panels, missing = [], []
+    for which, title in (("driver", "driver"), ("driven", "driven sprocket")):
+        done, sentences = of_each(subjects, curve(which))
+        missing += sentences
+        curves = [Curve(s.name if len(subjects) > 1 else "", x, y, s.color, s.color, "points") for s, (x, y) in done]
+        panels.append(Panel("time of the touch (ms)", "peak force (kN)", curves, title, x_range=limits([c.x for c in curves], False, 0.03)))
+    return Figure("peaks", "Peak force of every engagement",
+                  "From the start of the run on: the start-up makes larger impacts than steady running.", panels, list(dict.fromkeys(missing)))
+
+
+# ---- the wrap
+
+
+def along_wrap(run, sprocket, bins=4):
+    """The tooth load on rollers by the pitches that they have passed since the chain met the sprocket: positions, mean, tenth and ninetieth
+    percentile of the window, N."""
+    number = 0 if sprocket == "driver" else 1
+    start, end = run.window if np.isfinite(run.start) else (run.time[0], run.time[-1])
+    path = f"rollers/{sprocket}_force"
+    force = run.values(path, start, end)
+    labels = run.labels("rollers/position_x")
+    columns = [run.labels(path).index(label) for label in labels]
+    every = max(1, len(force) // 400)
+    x, y = (run.values(f"rollers/position_{axis}", start, end)[::every] for axis in "xy")
+    force = force[::every][:, columns]
+    about = run.drive["sprockets"][number]
+    radius, pitch = about["pitch_diameter"] / 2, 2 * np.pi / about["teeth"]
+    x = x - (run.drive["centre_distance"] if number else 0.)
+    near = np.abs(np.hypot(x, y) - radius) < 0.2 * run.drive["pitch"]
+    # in the sense of rotation, from where the pitch line of the arriving span touches the pitch circle
+    sense = 1. if run.outward[1] > 0. else -1.
+    arrival = np.arctan2(run.outward[1], run.outward[0]) if not number else None
+    if number:  # the slack span arrives: the mirror image of the tight one about the line of centres
+        arrival = -np.arctan2(run.outward[1], run.outward[0])
+    angle = np.mod(sense * (np.arctan2(y, x) - arrival) + pitch, 2 * np.pi) - pitch
+    position = angle / pitch
+    last = about["wrap"] / pitch + 1.
+    good = near & (position < last) & np.isfinite(force)
+    index = np.floor(position[good] * bins).astype(int)
+    values = force[good]
+    found = []
+    for one in np.unique(index):
+        own = values[index == one]
+        if len(own) >= 10:
+            found.append(((one + 0.5) / bins, own.mean(), *np.percentile(own, (10, 90))))
+    if not found:
+        raise RunError(f"In the run in '{run.folder}' no roller lies on the sprocket in the window.")
+    return np.array(found).T
+
+
+def wrap(subjects):
+    panels, missing = [], []
+    for sprocket, title in (("driver", "driver"), ("driven", "driven sprocket")):
+        done, sentences = of_each(subjects, lambda s, which=sprocket: along_wrap(s.run, which))
+        missing += sentences
+        curves = []
+        for s, (position, mean, low, high) in done:
+            name = s.name if len(subjects) > 1 else "mean"
+            if len(subjects) == 1:
+                curves.append(Curve("80 % of all values", position, 1e-3 * high, s.color, 0, "band", 1e-3 * low))
+            curves.append(Curve(name, position, 1e-3 * mean, s.color, s.color, width=2.))
+        panels.append(Panel("pitches since the chain met the sprocket", "load of a tooth (kN)", curves, title,
+                            x_range=limits([c.x for c in curves], False, 0.02)))
+    return Figure("wrap", "Load of the teeth along the wrap",
+                  "Normal force between roller and tooth by the place of the roller on the sprocket, in the window. On the driver the first teeth "
+                  "carry most, on the driven sprocket the last ones: there the tight span pulls.", panels, list(dict.fromkeys(missing)))
+
+
+# ---- spans, shafts
+
+
+def tensions(subjects):
+    def panel(path, title):
+        done, missing = of_each(subjects, lambda s: over_time(s.run, path, scale=1e-3))
+        return Panel(MS, "tension (kN)", [Curve(s.name if len(subjects) > 1 else "", x, y, s.color, s.color) for s, (x, y) in done],
+                     title), missing
+
+    tight, missing = panel("spans/tight_tension", "tight span")
+    slack, _ = panel("spans/slack_tension", "slack span")
+    return Figure("tensions", "Tension of the spans", "Mean of the links in the middle of each span, over the whole run.", [tight, slack], missing)
+
+
+def offsets(subjects):
+    def panel(path, title):
+        done, missing = of_each(subjects, lambda s: over_time(s.run, path, scale=1e3))
+        curves = [Curve(s.name if len(subjects) > 1 else "", x, y - np.nanmean(y), s.color, s.color) for s, (x, y) in done]
+        return Panel(MS, "offset (mm)", curves, title, y_range=limits([c.y for c in curves], False, 0.05)), missing
+
+    tight, missing = panel("spans/tight_offset", "tight span")
+    slack, _ = panel("spans/slack_offset", "slack span")
+    return Figure("offsets", "Spans in motion", "How the middle of each span swings across its direction of travel, about its mean; each on a scale of its own.", [tight, slack], missing)
+
+
+def shapes(subjects):
+    """Where rollers of the spans are, across the line of the span."""
+    def panels(run):
+        start, end = run.window if np.isfinite(run.start) else (run.time[0], run.time[-1])
+        every = max(1, len(run.time[run.rows(start, end)]) // 300)
+        x, y = (run.values(f"rollers/position_{axis}", start, end)[::every] for axis in "xy")
+        drive = run.drive
+        radii = [s["pitch_diameter"] / 2 for s in drive["sprockets"]]
+        up = 1. if run.outward[1] > 0. else -1.
+        result = []
+        for side, title in ((up, "tight span"), (-up, "slack span")):
+            lean = side * np.arcsin((radii[1] - radii[0]) / drive["centre_distance"])
+            along = np.array([np.cos(lean), np.sin(lean)])
+            normal = side * np.array([-np.sin(lean), np.cos(lean)])
+            touch = radii[0] * normal
+            s = (x - touch[0]) * along[0] + (y - touch[1]) * along[1]
+            d = 1e3 * ((x - touch[0]) * normal[0] + (y - touch[1]) * normal[1])
+            length = np.sqrt(drive["centre_distance"] ** 2 - (radii[1] - radii[0]) ** 2)
+            bins = np.arange(0., length - drive["pitch"] / 2, drive["pitch"])
+            near = (s > 0.) & (s < length) & (side * y > 0.)
+            index = np.digitize(s[near], bins) - 1
+            values = d[near]
+            found = [((bins[k] + drive["pitch"] / 2), values[index == k].mean(), values[index == k].min(), values[index == k].max())
+                     for k in range(len(bins)) if (index == k).sum() > 3]
+            if found:
+                place, mean, low, high = np.array(found).T
+                result.append(Panel("place along the span (mm)", "outward offset (mm)",
+                                    [Curve("least to largest", 1e3 * place, high, 0, 0, "band", low), Curve("mean", 1e3 * place, mean, 0, 0, width=2.)],
+                                    title))
+        if not result:
+            raise RunError(f"No roller of the run in '{run.folder}' lies in a span: Output/Rollers chooses them.")
+        return result
+
+    figure = beside(subjects, "shapes", "Shape of the spans",
+                    "Distance of the rollers in the window from the straight line between the pitch circles, outward positive: the mean is the sag, "
+                    "the band the motion.", panels)
+    for title in ("tight span", "slack span"):  # each span has a scale of its own
+        alike = [panel for panel in figure.panels if panel.title.endswith(title)]
+        curves = [curve for panel in alike for curve in panel.curves]
+        for panel in alike:
+            panel.y_range = limits([c.y for c in curves] + [c.low for c in curves if c.low is not None], False, 0.05)
+    return figure
+
+
+def shafts(subjects):
+    one = together(subjects, "driven-speed", "", "", MS, "driven speed (rpm)",
+                   lambda run: over_time(run, "hubs/driven_speed", scale=30. / np.pi))
+    two = together(subjects, "driver-torque", "", "", MS, "driver torque (N m)", lambda run: over_time(run, "hubs/driver_torque"))
+    return Figure("shafts", "Speed and torque of the shafts",
+                  "The driven shaft follows at the ratio of the teeth; what it deviates is ripple of the polygon and of its own swinging.",
+                  one.panels + two.panels, one.missing)
+
+
+# ---- spectra
+
+
+def marks_of(run):
+    """What the drive is known to ring at."""
+    drive = run.drive
+    found = [(drive["tooth_frequency"], "teeth")] if "tooth_frequency" in drive else []
+    found += [(span["frequency"], f"{span['name']} span") for span in drive.get("spans", []) if span.get("frequency")]
+    if drive.get("driven_frequency"):
+        found.append((drive["driven_frequency"], "driven inertia"))
+    return found
+
+
+def amplitudes(run, path, label=None, scale=1.):
+    """Amplitude of each line in the window, over whole pitch times."""
+    lines = run.spectrum(path, label)
+    frequency = lines.index.to_numpy()[1:]
+    amplitude = scale * np.sqrt(2 * lines["mean_square"].to_numpy()[1:])
+    upper = frequency <= max(20. / run.pitch_time, 5000.)
+    return frequency[upper], np.maximum(amplitude[upper], 1e-12)
+
+
+def line_spectra(subjects):
+    panels, missing = [], []
+    for path, name, scale in (("spans/tight_tension", "tight tension (N)", 1.),
+                              ("hubs/driven_speed", "driven speed (rpm)", 30. / np.pi),
+                              ("hubs/driver_torque", "driver torque (N m)", 1.),
+                              ("spans/tight_offset", "tight offset (µm)", 1e6)):
+        done, sentences = of_each(subjects, lambda s, p=path, f=scale: amplitudes(s.run, p, scale=f))
+        missing += sentences
+        curves = [Curve(s.name if len(subjects) > 1 else "", x, y, s.color, s.color) for s, (x, y) in done]
+        largest = max((float(c.y.max()) for c in curves), default=1.)
+        marks = marks_of(done[0][0].run) if done else []
+        panels.append(Panel("frequency (Hz)", name, curves, log_x=True, log_y=True, marks=marks, y_range=(1e-4 * largest, 1.5 * largest)))
+    return Figure("spectra", "Spectra of tension, speed and torque",
+                  "Amplitude of each line over the window, cut to whole pitch times so that the orders of the tooth frequency do not leak. Vertical "
+                  "lines: frequencies that closed forms foretell.", panels, list(dict.fromkeys(missing)))
+
+
+def roller_bands(subjects):
+    """Third octaves of the velocity of the rollers that engage, from a pitch time before the touch to one after it."""
+    def bands(run):
+        interval, period = run.interval(), run.pitch_time
+        n = 2 * int(period / interval)
+        total = []
+        for roller, touch, _ in successive(run, 12):
+            if touch - period >= run.time[0] and touch + period <= run.time[-1]:
+                part = (touch - period - 4 * interval, touch + period + 4 * interval)
+                time = run.time[run.rows(*part)]
+                for axis in "xy":
+                    values = np.interp(touch + np.linspace(-period, period, n), time, run.column(f"rollers/velocity_{axis}", roller, *part))
+                    # without the straight line from end to end, where the period would close with a jump
+                    frequency, power = spectra.mean_square_lines(values - np.linspace(values[0], values[-1], n), 2 * period / n)
+                    total.append(power)
+        if not total:
+            raise RunError(f"No roller of the run in '{run.folder}' can be followed from a pitch time before its engagement to one after it.")
+        lines = pd.DataFrame({"mean_square": 2 * np.mean(total, axis=0)}, index=frequency)  # of both directions together
+        found = spectra.third_octaves(lines, 500., 20000.)
+        return found.index.to_numpy(), np.maximum(found["rms"].to_numpy(), 1e-9)
+
+    return together(subjects, "roller-bands", "Vibration of the engaging rollers in third octaves",
+                    "R.m.s. velocity in each band, mean over the rollers from a pitch time before the touch to one after it: what a roller does "
+                    "beyond its smooth path makes the noise.", "centre of the band (Hz)", "velocity (m/s)", bands, log_x=True, log_y=True)
+
+
+# ---- noise
+
+
+def pressures(subjects):
+    def pressure(run):
+        path = run.folder / "acoustics.h5"
+        if not path.exists():
+            raise RunError(f"There is no noise of the run in '{run.folder}': chaindrive noise {run.folder} computes it.")
+        with h5py.File(path) as file:
+            return 1e3 * file["time"][:], file["pressure"][:, microphone(run)]
+
+    return together(subjects, "pressure", "Sound pressure at the microphone", "What the microphone hears of the rollers (the paper's Figure 6 is "
+                    "the measurement of this).", MS, "pressure (Pa)", pressure)
+
+
+def microphone(run):
+    """Its number among the observers; the first one where none is called so."""
+    names = [observer["name"] for observer in run.acoustics["observers"]]
+    return names.index("microphone") if "microphone" in names else 0
+
+
+def noise_spectra(subjects):
+    """Figures 10 and 11."""
+    def lines(run):
+        with h5py.File(run.folder / "acoustics.h5") as file:
+            frequency, square = file["frequency"][1:], file["spectrum"][1:, microphone(run)]
+        return frequency, 10 * np.log10(np.maximum(square, 1e-20) / 4e-10)
+
+    def bands(run):
+        level = run.acoustics["observers"][microphone(run)]["third_octaves"]
+        return finite(np.asarray(run.acoustics["third_octaves"], float), np.asarray(level, float))
+
+    with_noise = [s for s in subjects if s.run.acoustics and (s.run.folder / "acoustics.h5").exists()]
+    missing = [f"There is no noise of the run in '{s.run.folder}' (the paper's Figures 10 and 11): chaindrive noise {s.run.folder} computes it."
+               for s in subjects if s not in with_noise]
+    narrow = together(with_noise, "", "", "", "frequency (Hz)", "level of a line (dB re 20 µPa)", lines, log_x=True)
+    wide = together(with_noise, "", "", "", "centre of the band (Hz)", "third octave (dB re 20 µPa)", bands, log_x=True)
+    for panel in narrow.panels + wide.panels:
+        top = max(float(np.nanmax(c.y)) for c in panel.curves)
+        panel.y_range = (top - 80., top + 5.)
+    return Figure("noise-spectra", "Spectrum of the noise at the microphone", "Narrow lines and third octaves of the computed sound pressure; the "
+                  "paper's Figures 10 (computed) and 11 (measured).", narrow.panels + wide.panels, missing + narrow.missing + wide.missing)
+
+
+def directivity(subjects):
+    def around(run):
+        found = run.acoustics["directivity"]
+        return np.degrees(np.asarray(found["angle"], float)), np.asarray(found["level"], float)
+
+    with_noise = [s for s in subjects if s.run.acoustics]
+    return together(with_noise, "directivity", "Level around the engagement",
+                    "Sound pressure level by the direction in the plane of the drive, from the point where rollers meet the driver.",
+                    "angle (°)", "level (dB re 20 µPa)", around)
+
+
+def noise_engagements(subjects):
+    def one(run):
+        values = np.asarray(run.acoustics["observers"][microphone(run)]["engagement_peaks"], float)
+        return np.arange(1, len(values) + 1), values
+
+    with_noise = [s for s in subjects if s.run.acoustics]
+    figure = together(with_noise, "noise-peaks", "Loudest instant of each pitch time", "Largest pressure at the microphone in each pitch time of "
+                      "the window: engagements are not alike to a listener either.", "pitch time", "largest pressure (Pa)", one)
+    for panel in figure.panels:
+        for curve in panel.curves:
+            curve.kind = "bars"
+        panel.y_range = (0., 1.05 * max(float(np.nanmax(c.y)) for c in panel.curves))
+        panel.x_range = (0.4, max(len(c.x) for c in panel.curves) + 0.6)
+    return figure
+
+
+# ---- energy
+
+
+def energies(subjects):
+    def panels(run):
+        stored, lost = [], []
+        for path in run.histories.index:
+            name = path.removeprefix("energy/")
+            if path.startswith("energy/") and name not in ("imbalance", "drive_work", "resisting_work"):
+                (lost if name.endswith("_loss") else stored).append((path, name.removesuffix("_loss").replace("_", " ")))
+        if not stored:
+            run.dataset("energy/kinetic")
+        result, number = [], 0
+        for which, title in ((stored, "stored (J)"), (lost, "lost since the start (J)")):
+            curves = []
+            for path, name in which:
+                time, values = over_time(run, path)
+                if np.nanmax(np.abs(values)) > 0. and name != "kinetic":
+                    curves.append(Curve(name, time, values, number, number))
+                    number += 1
+            result.append(Panel(MS, title, curves))
+        return result
+
+    return beside(subjects, "energies", "Energy", "What the chain stores, without its kinetic energy, and what it has lost since the start, by kind.",
+                  panels)

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What was run, the drive's block, statistics and costs, as HTML."""
+import time
+
+import numpy as np
+
+from chaindrive import comparison
+from chaindrive.errors import RunError
+from chaindrive.report.text import escape, number, percent, quantity, sentences, table
+
+WORDS = {"simple": "lumped rollers and elastic bars", "layered": "rigid rollers and links with clearances",
+         "reduced": "bodies that deform by some shapes each", "full": "elastic finite elements"}
+
+
+def question(run):
+    """The comment at the head of the parameter file, without the licence."""
+    file = run.folder / "input.prm"
+    lines = []
+    for line in file.read_text(encoding="utf-8", errors="replace").splitlines() if file.exists() else []:
+        if not line.startswith("#"):
+            break
+        if "SPDX" not in line:
+            lines.append(line.lstrip("# ").rstrip())
+    return " ".join(" ".join(lines).split())
+
+
+def drive_in_words(run):
+    drive = run.drive
+    if not drive:
+        return f"{run.n_links} links, {run.sprockets[0]} and {run.sprockets[1]} teeth"
+    first = drive["sprockets"][0]
+    return (f"{escape(drive['chain'])} chain of {drive['links']} links, {first['teeth']} and {drive['sprockets'][1]['teeth']} teeth, "
+            f"{quantity(first['speed'], 'rad/s')}, {quantity(drive['power'], 'W')}")
+
+
+def what(run):
+    """Facts about the run itself: (name, HTML)."""
+    entries, fidelity = run.parameters, run.parameters.get("Model/Fidelity", "")
+    rows = [("drive", drive_in_words(run)), ("model", f"{escape(fidelity)}: {WORDS.get(fidelity, '')}")]
+    summary = run.summary
+    if run.finished:
+        start, end = run.window
+        if np.isfinite(start):
+            periods = (end - start) / run.pitch_time
+            rows.append(("window of the means", f"{quantity(start, 's')} to {quantity(end, 's')}, {number(periods, 3)} pitch times"))
+        else:
+            rows.append(("window of the means", "none: the drive had not settled when the run ended"))
+        rows.append(("time step", f"{quantity(summary.get('step'), 's')}, {number(summary.get('steps'))} steps; stable below "
+                     f"{quantity(summary.get('stable_step'), 's')}"))
+        took = summary.get("cpu_seconds", {}).get("total")
+        rows.append(("computing", f"{number(summary.get('wall_seconds'), 3)}\u00a0s elapsed, {number(took, 3)}\u00a0s of CPU time on "
+                     f"{number(summary.get('ranks'))} rank{'s' if summary.get('ranks', 1) != 1 else ''}, {quantity(summary.get('memory_peak'), 'B', 3)}"))
+        rows.append(("finished", time.strftime("%Y-%m-%d %H:%M", time.localtime((run.folder / "summary.json").stat().st_mtime))))
+    try:
+        rows.append(("program", escape(run.attribute("program"))))
+    except RunError:
+        pass
+    rows.append(("quantities kept", escape(entries.get("Output/Quantities", ""))))
+    rows.append(("folder", f"<code>{escape(run.folder)}</code>"))
+    return rows
+
+
+def checks(subjects):
+    """What the design checks say."""
+    out = ""
+    for subject in subjects:
+        found = subject.run.summary.get("checks")
+        name = f"<b>{escape(subject.name)}:</b> " if len(subjects) > 1 else ""
+        if found:
+            items = "".join(f'<li class="warning">{escape(check["sentence"])}</li>' for check in found)
+            out += (f"<p>{name}</p>" if name else "") + f'<ul class="checks">{items}</ul>'
+        elif found is not None:
+            out += f'<p class="fine">{name}The design checks have nothing to say against this drive.</p>'
+        elif subject.run.finished:
+            out += f"<p class='note'>{name}The summary has no design checks.</p>"
+    return out
+
+
+def drive_tables(run):
+    """The drive's block. RunError when the summary has none."""
+    drive = run.drive
+    if not drive:
+        raise RunError(f"The summary of the run in '{run.folder}' does not say what the drive is; an older version has written it."
+                       if run.finished else f"The run in '{run.folder}' has not finished: there is no block of the drive yet.")
+    q = quantity
+    pitches = number(drive["centre_distance"] / drive["pitch"], 4)
+    chain = [
+        ("chain", f"{escape(drive['chain'])}, {drive['links']} links, pitch {q(drive['pitch'], 'm', 6)} ({q(drive['loaded_pitch'], 'm', 6)} under load), "
+         f"{q(drive['mass_per_metre'], 'kg/m', 3)}"),
+        ("centre distance, ratio", f"{q(drive['centre_distance'], 'm', 6)}, {pitches} pitches; {number(drive['ratio'], 4)}"),
+        ("power, chain speed", f"{q(drive['power'], 'W')}, {q(drive['chain_speed'], 'm/s')}"),
+        ("tooth frequency, pitch time", f"{q(drive['tooth_frequency'], 'Hz', 5)}, {q(drive['pitch_time'], 's')}"),
+        ("tension", f"effective {q(drive['effective_tension'], 'N')}, centrifugal {q(drive['centrifugal_tension'], 'N', 3)}"
+         + (f", while the speed grows {q(drive['start_tension'], 'N')}" if drive.get("start_tension") else "")),
+        ("strength, safety", f"{q(drive['tensile_strength'], 'N')}, {number(drive['safety'], 3)}" if drive.get("safety") else "not listed for this chain"),
+        ("joint pressure", f"{q(drive['joint_pressure'], 'Pa', 3)} on {q(drive['bearing_area'], 'm2', 3)}"),
+        ("load of each shaft", q(drive["shaft_load"], "N")),
+        ("driven inertia", f"{q(drive['driven_inertia'], 'kg m2')}, on the tight span {q(drive['driven_frequency'], 'Hz')} (met by the teeth at "
+         f"{q(drive['driven_resonance'], 'rad/s')})"),
+        ("usual limits of this size", f"{q(drive['rated_power'], 'W', 3)} at this speed; driver up to {q(drive['highest_speed'], 'rad/s')}"),
+    ]
+    sprockets = [("teeth", [str(s["teeth"]) for s in drive["sprockets"]])]
+    for name, title, unit, digits in (("pitch_diameter", "pitch diameter", "m", 6), ("wrap", "wrap", "rad", 4), ("speed", "speed", "rad/s", 4),
+                                      ("torque", "torque", "N m", 4), ("seating_velocity", "links seat at", "m/s", 3)):
+        sprockets.append((title, [q(s[name], unit, digits) for s in drive["sprockets"]]))
+    sprockets.append(("polygon effect", [number(100 * s["polygon_effect"], 3) + "\u00a0%" for s in drive["sprockets"]]))
+    spans = [(title, [q(s[name], unit, digits) if unit else number(s[name]) for s in drive["spans"]])
+             for name, title, unit, digits in (("links", "links", "", 3), ("length", "length", "m", 6), ("slack", "slack", "m", 3), ("sag", "sag", "m", 3),
+                                               ("tension", "tension", "N", 4), ("frequency", "first frequency, as a string", "Hz", 3),
+                                               ("resonance", "met by the teeth at a driver speed of", "rad/s", 4))]
+    return (table([], [(escape(a), b) for a, b in chain], classes="facts") + '<div class="side">'
+            + table(["", *(escape(s["name"]) for s in drive["sprockets"])], [(name, *cells) for name, cells in sprockets])
+            + table(["", *(escape(s["name"] + " span") for s in drive["spans"])], [(name, *cells) for name, cells in spans]) + "</div>")
+
+
+TITLES = {"driven_speed": "driven speed", "driver_torque": "driver torque", "span_speed": "speed of the tight span", "tight_tension": "tight tension",
+          "slack_tension": "slack tension", "tight_offset": "offset of the tight span", "slack_offset": "offset of the slack span",
+          "driver_load": "load of the driver's shaft", "driver_load_direction": "its direction", "driven_load": "load of the driven shaft",
+          "driven_load_direction": "its direction"}
+
+
+def statistics_tables(run):
+    """Window statistics, impacts and losses. RunError where the summary has none of them."""
+    summary, out = run.summary, ""
+    rows = []
+    for name, one in summary.get("statistics", {}).items():
+        if isinstance(one, dict) and "mean" in one:
+            unit = one.get("unit", "1")
+            rows.append((escape(TITLES.get(name, name.replace("_", " "))), *(quantity(one.get(which), unit) for which in ("mean", "deviation", "least", "largest")),
+                         *(quantity(value, unit, 3) for value in (one.get("harmonics") or [None] * 4)[:4])))
+    if rows:
+        out += table(["", "mean", "deviation", "least", "largest", "1st", "2nd", "3rd", "4th harmonic"], rows,
+                     "In the window; harmonics of the tooth frequency are amplitudes")
+    settled = summary.get("statistics", {}).get("settled")
+    if settled is not None:
+        out += sentences(["The drive had settled at the end of the window." if settled else
+                          "The drive had not settled at the end of the window: means still change, and a longer run would tell more."],
+                         "fine" if settled else "note")
+    rows = []
+    for sprocket, one in summary.get("impacts", {}).items():
+        rows.append((escape(sprocket), number(one["number"]), *(f"{quantity(one[name]['mean'], unit)} ± {quantity(one[name]['deviation'], unit, 2)}, at most "
+                     f"{quantity(one[name]['largest'], unit)}" for name, unit in (("peak_force", "N"), ("impulse", "N s"), ("normal_speed", "m/s")))))
+    if rows:
+        out += table(["impacts on", "number", "peak force", "impulse", "normal speed"], rows)
+    rows = [(escape(name), quantity(one.get("power"), "W", 3), quantity(one.get("friction"), "J", 3) if "friction" in one else "–",
+             quantity(one.get("damping"), "J", 3) if "damping" in one else "–") for name, one in summary.get("losses", {}).items()]
+    if rows:
+        energy = summary.get("window_energy", {})
+        out += table(["loss in", "mean power", "by friction", "by damping"], rows)
+        out += sentences([f"Over the window the driver supplied {quantity(energy.get('drive_work'), 'J')}, the load took "
+                          f"{quantity(energy.get('resisting_work'), 'J')}, {quantity(energy.get('lost'), 'J', 3)} were lost and "
+                          f"{quantity(energy.get('stored'), 'J', 3)} more are stored than before."], "plain")
+    if not out:
+        raise RunError(f"The summary of the run in '{run.folder}' has no window statistics.")
+    return out
+
+
+def costs(run):
+    """CPU time and energy at the end."""
+    cpu = run.summary.get("cpu_seconds")
+    if not cpu:
+        raise RunError(f"The summary of the run in '{run.folder}' has no CPU times." if run.finished else
+                       f"The run in '{run.folder}' has not finished: there is no table of times yet.")
+    total = cpu["total"]
+    rows = [(escape(name.replace("_", " ")), f"{number(seconds, 3)}\u00a0s", f'<span class="share" style="--part:{seconds / total:.3f}"></span>'
+             f"{number(100 * seconds / total, 3)}\u00a0%") for name, seconds in cpu.items() if name != "total"]
+    rows.append(("all", f"{number(total, 3)}\u00a0s", "100\u00a0%"))
+    out = table(["phase", "CPU time", "share"], rows, "CPU time of all ranks")
+    energy = run.summary.get("energy")
+    if energy:
+        ledger = [(escape(name.replace("_", " ")), quantity(value, "J")) for name, value in energy.items() if value]
+        for name, title in (("drive_work", "supplied by the driver"), ("resisting_work", "taken by the load"), ("energy_turned_over", "turned over")):
+            if run.summary.get(name) is not None:
+                ledger.append((title, quantity(run.summary[name], "J")))
+        out += table(["energy at the end", ""], ledger, "Ledger of the whole run")
+    overlap = run.summary.get("overlap_max")
+    if overlap:
+        out += table(["interface", "largest overlap"], [(escape(name), quantity(value, "m", 3)) for name, value in overlap.items()])
+    return f'<div class="side">{out}</div>'
+
+
+def differences(subjects):
+    """Figures of several runs with what they differ by from the first one."""
+    frame = comparison.compare([subject.run for subject in subjects])
+    columns = comparison.names([subject.run for subject in subjects])
+    head = ["", *(escape(subject.name) + ('<span class="difference">difference</span>' if k else "") for k, subject in enumerate(subjects))]
+    frame = frame[~frame.index.isin(["steps", "wall_seconds", "driven_angle_end"])]
+    rows = []
+    for _, row in frame.iterrows():
+        cells = []
+        for number_, column in enumerate(columns):
+            cell = quantity(row[column], row["unit"])
+            if number_ and np.isfinite(row[f"{column} difference in %"]):
+                cell += f'<span class="difference">{percent(row[f"{column} difference in %"])}</span>'
+            cells.append(cell)
+        rows.append((escape(row["meaning"]), *cells))
+    return table(head, rows, f"Differences are those from {escape(subjects[0].name)}", "numbers")
+
+
+def changed_entries(subjects):
+    frame = comparison.changes([subject.run for subject in subjects])
+    if frame.empty:
+        return sentences(["All entries of these runs are the same."], "plain")
+    return table(["entry", *(escape(s.name) for s in subjects)], [(f"<code>{escape(path)}</code>", *(escape(v) for v in row)) for path, row in
+                                                                  zip(frame.index, frame.to_numpy())], "Entries in which these runs differ")
+
+
+def all_entries(run):
+    rows = [(f"<code>{escape(path)}</code>", escape(value)) for path, value in run.parameters.items()]
+    return f"<details><summary>All {len(rows)} entries as they were used</summary>{table(['entry', 'value'], rows)}</details>"
