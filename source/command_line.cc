@@ -100,6 +100,10 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
       "rpm", options::value(&c.design.rpm)->value_name("RPM"), "template: speed of the driver");
   visible.add_options()(
       "kW", options::value(&c.design.kilowatt)->value_name("KW"), "template: power of the load");
+  add("man", c.man, "document: print the manual page (troff)");
+  visible.add_options()("completion",
+                        options::value(&c.completion)->value_name("SHELL"),
+                        "document: print what completes words in a shell, which is bash");
   add("plan", switches.plan, "the same as the command plan");
   add("quiet", c.quiet, "print warnings and errors only");
   add("strict", c.strict, "run, plan: refuse a drive that a design check warns of");
@@ -238,6 +242,14 @@ void check_belonging(const CommandLine &c)
   if (c.strict && c.command != Command::run && c.command != Command::plan &&
       c.command != Command::help)
     throw InputError("The option --strict belongs to runs and plans.");
+  if ((c.man || !c.completion.empty()) && c.command != Command::document &&
+      c.command != Command::help)
+    throw InputError(std::string("The option ") + (c.man ? "--man" : "--completion") +
+                     " belongs to documents: chaindrive document.");
+  if (!c.completion.empty() && c.completion != "bash")
+    throw InputError("The option --completion = " + c.completion + " must be bash.");
+  if (c.man && !c.completion.empty())
+    throw InputError("The options --man and --completion print different documents: take one.");
   if (c.cores > most_cores)
     throw InputError("The option --cores takes 1 to " + std::to_string(most_cores) + ".");
   if (is_study && !c.resume.empty())
@@ -314,6 +326,39 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   c.rest.assign(rest == end ? end : rest + 1, end);
   check_belonging(c);
   return c;
+}
+
+std::vector<std::string> OptionText::commands() const
+{
+  std::vector<std::string> found;
+  std::istringstream       names(meaning.substr(0, std::min(meaning.find(':'), meaning.size())));
+  for (std::string name; std::getline(names >> std::ws, name, ',');)
+    if (find_command(name) == nullptr)
+      return {};
+    else
+      found.push_back(name);
+  return found;
+}
+
+std::vector<CommandText> command_texts()
+{
+  std::vector<CommandText> texts;
+  for (const CommandName &command : commands)
+    texts.push_back({command.name, command.takes_file, command.meaning});
+  return texts;
+}
+
+std::vector<OptionText> option_texts()
+{
+  CommandLine                        defaults;
+  Switches                           switches;
+  const options::options_description visible = visible_options(defaults, switches);
+  std::vector<OptionText>            texts;
+  for (const auto &option : visible.options())
+    texts.push_back({"--" + option->long_name(),
+                     option->semantic()->max_tokens() > 0 ? option->format_parameter() : "",
+                     option->description()});
+  return texts;
 }
 
 std::string help_text()

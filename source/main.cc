@@ -52,7 +52,9 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
       break;
     case Command::document:
       if (is_first_rank)
-        std::cout << parameters::parameter_documentation();
+        std::cout << (command_line.man                 ? man_page() :
+                      !command_line.completion.empty() ? bash_completion() :
+                                                         parameters::parameter_documentation());
       break;
     case Command::version:
       if (is_first_rank)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/commands.h>
 #include <chaindrive/files/console.h>
+#include <chaindrive/files/data_folder.h>
 #include <chaindrive/files/file.h>
 #include <chaindrive/files/json.h>
 #include <chaindrive/mesh/import/import.h>
@@ -222,7 +223,7 @@ void write(const std::string        &directory,
 
 std::vector<std::string> snakemake(const CommandLine &c, const std::string &directory)
 {
-  const std::string scripts = CHAINDRIVE_SCRIPTS;
+  const std::string scripts = files::data_folder("scripts");
   const unsigned cores = c.cores > 0 ? c.cores : std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::string> words = {"snakemake",
                                     "--snakefile",

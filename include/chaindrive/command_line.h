@@ -51,7 +51,9 @@ struct CommandLine
     }
   };
   Design                   design;
-  std::vector<std::string> rest; ///< study: options of Snakemake, after `--`
+  bool                     man = false; ///< document: as the manual page
+  std::string              completion;  ///< document: as the completion of this shell
+  std::vector<std::string> rest;        ///< study: options of Snakemake, after `--`
 };
 
 /// Reads the arguments of main(): `chaindrive [COMMAND] [FILE.prm] [OPTION]...`, where the command
@@ -59,6 +61,33 @@ struct CommandLine
 /// one, and when there is no .prm file although the command needs one, or one that it does not
 /// take, and for options of a study without one.
 CommandLine parse_command_line(int argc, const char *const *argv);
+
+/// A command as `--help` lists it.
+struct CommandText
+{
+  std::string name;
+  bool        takes_file; ///< and needs one
+  std::string meaning;
+};
+
+/// An option as `--help` lists it.
+struct OptionText
+{
+  std::string name;    ///< with its dashes
+  std::string value;   ///< what stands for its value; empty: it takes none
+  std::string meaning; ///< "COMMAND, COMMAND: ..." where it belongs to these only
+
+  /// The commands of its meaning; empty: all.
+  std::vector<std::string> commands() const;
+};
+
+/// All commands and options in the order of `--help`.
+std::vector<CommandText> command_texts();
+std::vector<OptionText>  option_texts();
+
+/// The manual page (troff, section 1) and the completion for bash, made from these two tables.
+std::string man_page();
+std::string bash_completion();
 
 /// What `--help` prints.
 std::string help_text();

@@ -13,7 +13,7 @@ import subprocess
 import sys
 import time
 
-RANKS = pathlib.Path(__file__).resolve().parents[2] / ".ci/ranks"
+RANKS = pathlib.Path(__file__).resolve().parents[1] / "ranks"
 ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_rmaps_base_oversubscribe": "1", "GLIBC_TUNABLES": "glibc.malloc.hugetlb=1"}
 PR_SET_PDEATHSIG = 1

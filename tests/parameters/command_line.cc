@@ -88,6 +88,10 @@ int main()
   parse({"a.prm", "--", "--slurm"});
   parse({"study", "a.prm", "--cores", "many"});
   parse({"study", "a.prm", "--resume", "auto"});
+  parse({"run", "a.prm", "--man"});
+  parse({"template", "--completion", "bash"});
+  parse({"document", "--completion", "zsh"});
+  parse({"document", "--completion", "bash", "--man"});
 
   std::cout << help_text();
   if (has_simd_width(4))

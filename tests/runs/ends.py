@@ -3,7 +3,7 @@
 
   console    nobody reads what is said, or nobody is there any more: the run reaches its end all the same
   signals    each signal that asks for the end: a checkpoint and status 4
-  ranks      the same under mpirun, while mpirun reads nothing; `.ci/ranks` asked, and killed
+  ranks      the same under mpirun, while mpirun reads nothing; `scripts/ranks` asked, and killed
   directory  two runs in one directory; what a run that is refused, resumed or stopped by the guard leaves there
 """
 import atexit
@@ -155,7 +155,7 @@ def child_of(pid):
 def ranks():
     for mpirun_itself in (True, False):
         fresh("stopped")
-        launcher = ["mpirun", "-n", "2"] if mpirun_itself else [str(REPOSITORY / ".ci/ranks"), "2"]
+        launcher = ["mpirun", "-n", "2"] if mpirun_itself else [str(REPOSITORY / "scripts/ranks"), "2"]
         with open("out.txt", "wb") as out:
             process = start("stopped", FULL, launcher=launcher, stdout=out)
         wait_for(lambda: computes("stopped"), process)
@@ -185,7 +185,7 @@ def ranks():
 
     # who kills the script asks the run
     fresh("stopped")
-    process = start("stopped", FULL, launcher=[str(REPOSITORY / ".ci/ranks"), "2"])
+    process = start("stopped", FULL, launcher=[str(REPOSITORY / "scripts/ranks"), "2"])
     wait_for(lambda: computes("stopped"), process)
     time.sleep(1)
     mpirun = child_of(process.pid)
