@@ -187,6 +187,7 @@ files::Json as_json(const parameters::StudyInput &input,
   json["version"]   = version;
   json["reference"] = study.reference;
   json["outputs"]   = study.outputs;
+  json["against"]   = study.against;
   for (const parameters::StudyOutput &output : parameters::study_outputs())
     json["units"][output.name] = output.unit;
   json["bootstrap"] = {{"samples", study.samples}, {"seed", study.seed}};

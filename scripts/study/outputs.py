@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a study judges of a run: `chaindrive document` defines each output, test_study.py compares the names."""
 import functools
+import json
+import pathlib
 
 import numpy as np
 
@@ -90,7 +92,7 @@ def statistics(values):
 
 def _engagements(run, name):
     sprocket, quantity, which = name.split("_", 2)
-    key = {"peak": "peak_force", "impulse": "impulse"}[quantity]
+    key = {"peak": "peak_force", "impulse": "impulse", "normal": "normal_speed"}[quantity]
     return statistics([e[key] for e in run.engaged(sprocket)]).get(which)
 
 
@@ -104,6 +106,16 @@ def _velocity(run, surface, name):
     if name == "spectrum":
         return third_octaves(power, frequency)
     return float(np.sqrt(power[frequency >= LOWEST].sum()))
+
+
+def _sound(run, name):
+    """Of the first observer; none where the run computed no noise."""
+    file = pathlib.Path(run.folder) / "acoustics.json"
+    return json.loads(file.read_text())["observers"][0][name] if file.exists() else None
+
+
+def _losses(run):
+    return sum(value for name, value in run.summary["energy"].items() if name.endswith("_loss"))
 
 
 def _ripple(run, path):
@@ -121,11 +133,15 @@ def _plates(run, bending_only):
 OUTPUTS = {
     **{name: lambda run, name=name: run.summary.get(name) for name in SUMMARY},
     "tension_difference_mean": lambda run: run.summary["tight_tension_mean"] - run.summary["slack_tension_mean"],
-    "losses": lambda run: sum(value for name, value in run.summary["energy"].items() if name.endswith("_loss")),
+    "losses": _losses,
+    "loss_power_mean": lambda run: _losses(run) / run.time[-1],
     **{name: lambda run, name=name: _engagements(run, name)
        for sprocket in ("driver", "driven")
        for name in (*(f"{sprocket}_peak_{which}" for which in ("mean", "max", "cv", "max_over_min")),
                     *(f"{sprocket}_impulse_{which}" for which in ("mean", "cv")))},
+    "driver_normal_speed_mean": lambda run: _engagements(run, "driver_normal_mean"),
+    "sound_level": lambda run: _sound(run, "level"),
+    "sound_level_a": lambda run: _sound(run, "level_a"),
     "tight_tension_ripple": lambda run: _ripple(run, "spans/tight_tension"),
     "driven_speed_ripple": lambda run: _ripple(run, "hubs/driven_speed"),
     **{f"roller_velocity_{what}": lambda run, what=what: _velocity(run, False, what)

@@ -7,6 +7,8 @@ import jinja2
 import matplotlib
 import numpy as np
 
+import sweep
+
 matplotlib.use("Agg")
 matplotlib.rcParams["svg.hashsalt"] = "study"  # the same picture from the same figures
 import matplotlib.pyplot as plt  # noqa: E402
@@ -131,15 +133,41 @@ def table(study):
                        ["CPU time of a run (s)", *(number(v["row"]["cpu"], 3) for v in study.variants)]])
 
 
+def _svg(file):
+    text = file.read_text(encoding="utf-8")
+    return text[text.index("<svg"):]
+
+
+def draw_all(study, folder, name="chart", kind="svg", dpi=100):
+    """All pictures of a study: (what it shows, file, what to see in it)."""
+    chart = folder / f"{name}.{kind}"
+    if not study.about.get("against"):
+        draw(study, chart, dpi)
+        return [("Error against CPU time", chart, "Red: the efficient variants, of which none is cheaper and more accurate. "
+                 "Grey band: within it the reference itself is not known.")]
+    of = sweep.Sweep(study)
+    sweep.draw(of, chart, dpi)
+    pictures = [(f"Outputs against {of.label}", chart, "Bars: 95 % intervals over start phases." + (
+        " Dashed and dotted lines: the order of tooth frequency meets the frequency of the driven inertia." if of.resonances() else ""))]
+    orders = folder / f"{name}-orders.{kind}"
+    if sweep.draw_orders(of, orders, dpi):
+        pictures.append(("Orders of tooth frequency at each speed", orders, "A row for each speed; lines: the frequencies "
+                         "that the figures of the drive foretell."))
+    return pictures
+
+
 def write(study, directory):
     """study.md and, last of all results, study.html, each at once."""
     folder = pathlib.Path(__file__).resolve().parent
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(folder), keep_trailing_newline=True,
                                      autoescape=lambda name: name.startswith("page.html"), trim_blocks=True, lstrip_blocks=True)
-    svg = (directory / "chart.svg").read_text(encoding="utf-8")
+    pictures = draw_all(study, directory)
     failed = [(v["name"], v["row"]["message"]) for v in study.variants if v["row"]["failed"]]
     cpu = sum(run["cpu"]["total"] for v in study.variants for run in v["results"].values() if run["status"] == 0)
-    about = dict(about=study.about, results=result_rows(study), costs=cost_rows(study), failed=failed, svg=svg[svg.index("<svg"):],
+    against = study.about.get("against")
+    found = sweep.tables(sweep.Sweep(study), heading, number) if against else [result_rows(study)]
+    about = dict(about=study.about, against=against, tables=[*found, cost_rows(study)], failed=failed,
+                 pictures=[(what, file.name, _svg(file), text) for what, file, text in pictures],
                  cpu=cpu, markdown=markdown, changes=[(v["name"], v.get("changes", {})) for v in study.variants],
                  phases=len(study.variants[0]["runs"]))
     for source, target in (("page.md.j2", "study.md"), ("page.html.j2", "study.html")):

@@ -19,6 +19,7 @@ sys.path.insert(0, str(HERE.parent))  # program.py
 import outputs  # noqa: E402
 import page  # noqa: E402
 import stats  # noqa: E402
+import sweep  # noqa: E402
 
 FIGURES = {"steps": "steps", "memory": "memory_peak", "wall": "wall_seconds"}  # of summary.json
 
@@ -134,13 +135,13 @@ def main():
     study = Study(words.directory)
     if words.pictures:
         name = words.directory.resolve().name
-        page.draw(study, words.pictures / f"study-{name}.png", dpi=72)
-        print(page.table(study))
+        page.draw_all(study, words.pictures, f"study-{name}", "png", dpi=72)
+        tables = sweep.tables(sweep.Sweep(study), page.heading, page.number) if study.about.get("against") else []
+        print("\n\n".join(page.markdown(*table) for table in tables) or page.table(study))
         return
     study.write_csv(words.directory / "table.csv")
     study.write_hdf5(words.directory / "table.h5")
-    page.draw(study, words.directory / "chart.svg")
-    page.draw(study, words.directory / "chart.png", dpi=110)
+    page.draw_all(study, words.directory, kind="png", dpi=110)
     page.write(study, words.directory)
 
 

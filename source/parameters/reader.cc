@@ -487,6 +487,7 @@ read_study(const std::string &file, const std::vector<std::string> &overrides, c
     }
   reader.throw_errors();
   study.check_outputs();
+  study.check_against(result.variants);
   study.name(result.variants);
   result.folders = reader.folders();
   return result;

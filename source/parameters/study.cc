@@ -94,6 +94,9 @@ const std::vector<StudyOutput> &study_outputs()
       {"driver_peak_max_over_min", "1", "the largest of them over the smallest"},
       {"driver_impulse_mean", "N s", "mean impulse of these engagements"},
       {"driver_impulse_cv", "1", "its standard deviation over its mean"},
+      {"driver_normal_speed_mean",
+       "m/s",
+       "mean speed at which they touch, along the normal of the contact"},
       {"driven_peak_mean", "N", "the same for the driven sprocket"},
       {"driven_peak_max", "N", ""},
       {"driven_peak_cv", "1", ""},
@@ -125,7 +128,10 @@ const std::vector<StudyOutput> &study_outputs()
        "Pa",
        "largest stress along a link in its plates' waist, pull and both bendings together, over "
        "all links and samples of the window; elastic links"},
-      {"plate_bending_max", "Pa", "the largest of both bendings together; elastic links"}};
+      {"plate_bending_max", "Pa", "the largest of both bendings together; elastic links"},
+      {"loss_power_mean", "W", "energy lost in the whole run over its time"},
+      {"sound_level", "dB", "at the first observer of acoustics.json, with Acoustics/Noise = on"},
+      {"sound_level_a", "dB", "the same with the weighting A"}};
   return all;
 }
 
@@ -148,6 +154,25 @@ void Study::check_outputs() const
     if (!contains(all, name))
       throw InputError("Study/Outputs: there is no output '" + name + "'." +
                        did_you_mean(name, all));
+}
+
+void Study::check_against(const std::vector<Variant> &variants) const
+{
+  if (against.empty())
+    return;
+  std::vector<std::string> loops;
+  for (const Variant &variant : variants)
+    for (const auto &[path, value] : variant.choices)
+      {
+        if (!contains(loops, path))
+          loops.push_back(path);
+        if (path == against && !from_entry_text(value, unit::si))
+          throw InputError("Study/Against = " + against + " must have numbers, not '" + value +
+                           "'.");
+      }
+  if (!contains(loops, against))
+    throw InputError("Study/Against = " + against + " is no entry with a loop." +
+                     (loops.empty() ? "" : did_you_mean(against, loops)));
 }
 
 void Study::name(std::vector<Variant> &variants)
@@ -208,6 +233,13 @@ void Study::declare(Declarations &declarations)
       [](const auto &words) { return !words.empty(); },
       "names of the table of outputs below, separated by commas",
       "Results by which variants are judged.");
+  add_text(declarations,
+           "Against",
+           against,
+           "an entry whose loop has numbers, or nothing",
+           "The page draws the outputs against this entry, a curve for each combination of the "
+           "others, and against the driver's speed also the orders of the tight span's tension and "
+           "of the sound. Default: it draws errors against CPU time.");
   add(declarations,
       "Phases",
       phases,

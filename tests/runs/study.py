@@ -4,10 +4,15 @@
   statistics  intervals, the efficient front, spectra and variation against closed forms
   refuse      what is wrong is said of every variant before the first begins, and nothing is written
   run         a small study from end to end: a variant that fails is a row, the table has the numbers of the runs
+  sweep       a study against an entry: curves, orders at each speed, a variant that fails is a gap
   kill        kill -9 and once more: what was finished is not repeated, what was not goes on; a changed file runs
               only what has changed
 
+<<<<<<< HEAD
 Without Snakemake, h5py, matplotlib or pandas `run` and `kill` end with 77: left out."""
+=======
+Without Snakemake, h5py or matplotlib `run`, `sweep` and `kill` end with 77: left out."""
+>>>>>>> 2247dac (Studies against an entry: curves, orders of tooth frequency, resonances)
 import csv
 import fcntl
 import json
@@ -132,6 +137,15 @@ def statistics():
     found = outputs.statistics([1., 2., 3.])
     check(found == {"mean": 2., "max": 3., "cv": 0.5, "max_over_min": 3.}, f"statistics {found}")
 
+    import sweep
+    beat = np.sort(random.uniform(0., 0.1, 30000))  # seconds; unequal steps
+    orders, amplitudes = sweep.order_amplitudes(beat, 5. + 3. * np.sin(2 * np.pi * 200. * beat + 1.) + 0.5 * np.cos(2 * np.pi * 50. * beat),
+                                                0.01, 0.005, 0.0888)  # 8 whole periods
+    check(len(orders) > 8 * sweep.HIGHEST and orders[1] == 1. / 8, f"orders {orders[:3]}")
+    for order, amplitude in ((2., 3.), (0.5, 0.5), (1., 0.), (3., 0.)):
+        close(amplitudes[np.argmin(abs(orders - order))], amplitude, 2e-3, f"order {order}")
+    check(len(sweep.order_amplitudes(beat, beat, 1., 0., 0.1)[0]) == 0, "less than a period has no orders")
+
     documented = subprocess.run([PROGRAM, "document"], stdout=subprocess.PIPE, text=True).stdout
     of_outputs = documented[documented.index("Outputs that a study"):].split("\n## ")[0]
     names = [line.split("`")[1] for line in of_outputs.splitlines() if line.startswith("| `")]
@@ -160,6 +174,8 @@ def refuse():
             ("Loads/Drag in 1/s = {{0|1|2}} has 3 values, but there are 2 variants",
              LOOP + "end\nsubsection Loads\n set Drag in 1/s = {{0|1|2}}"),
             ("is no loop: write {a | b}", "end\nsubsection Model\n set Fidelity = {simple|layered"),
+            ("Study/Against = Time/Step in us is no entry with a loop. There are: Model/Fidelity.", LOOP + "set Against = Time/Step in us"),
+            ("Study/Against = Model/Fidelity must have numbers, not 'simple'.", LOOP + "set Against = Model/Fidelity"),
             ("section Study has no entry 'Phase'. Did you mean 'Phases'?", "set Phase = 3"),
     ):
         loop = LOOP if text.startswith(LOOP) else ""
@@ -234,6 +250,59 @@ def run():
         check(pathlib.Path("there", file).stat().st_size > 500, file)
 
 
+SWEEP = """
+subsection Study
+  set Title   = A sweep
+  set Outputs = tight_tension_mean, driver_normal_speed_mean, loss_power_mean, sound_level
+  set Names   = simple-slow, layered-slow, simple-fast, layered-fast, simple-worse, layered-worse
+  set Against = Loads/Driver speed in rad/s
+  set Phases  = 1
+end
+subsection Model
+  set Fidelity = {simple | layered}
+end
+subsection Loads
+  set Driver speed in rad/s = {300 | 600 | 450}
+end
+subsection Time
+  set End time in ms = {{8 | 8 | 4 | 4 | 4 | 4}}
+  set Energy limit in percent = {{5 | 5 | 5 | 5 | 5 | 1e-9}}
+end
+subsection Output
+  set Window start in ms = {{3 | 3 | 1.5 | 1.5 | 1.5 | 1.5}}
+end
+"""
+
+
+def sweep():
+    need_snakemake()
+    import report
+    import sweep as of
+
+    shutil.rmtree("there", ignore_errors=True)
+    write(SWEEP)
+    study("--quiet")
+    rows = table()
+    check(rows["layered-worse"]["failed"] == "1", "the variant that fails")
+    summary = json.loads(pathlib.Path("there/simple-fast/phase-0/summary.json").read_text())
+    speeds = [e["normal_speed"] for e in summary["engagements"]
+              if e["sprocket"] == "driver" and e["complete"] and 1.5e-3 <= e["time"] <= summary["window"]["end"]]
+    close(float(rows["simple-fast"]["driver_normal_speed_mean"]), sum(speeds) / len(speeds), 1e-9, "normal speed")
+    lost = sum(value for name, value in summary["energy"].items() if name.endswith("_loss"))
+    close(float(rows["simple-fast"]["loss_power_mean"]) / (lost / 4e-3), 1., 1e-2, "power lost")
+    check(rows["simple-fast"]["sound_level"] in ("", "nan"), "a level without sound")
+
+    found = of.Sweep(report.Study("there"))
+    check({label: [round(found.abscissa(v)) for v in variants] for label, variants in found.curves.items()}
+          == {name: [2865, 4297, 5730] for name in ("simple", "layered")}, f"curves {found.curves.keys()}")
+    drive = json.loads(pathlib.Path("there/simple-slow/phase-0/summary.json").read_text())["drive"]
+    close(found.resonances()[0][2], drive["driven_resonance"] * 9.549297, 1e-3, "resonance in rpm")
+    page = pathlib.Path("there/study.md").read_text()
+    check("driver speed (rpm), layered" in page and "| 4297 | - | - | - | - | - |" in page, f"the page:\n{page}")
+    for file in ("study.html", "chart.png", "chart.svg", "chart-orders.svg"):
+        check(pathlib.Path("there", file).stat().st_size > 500, file)
+
+
 LONG = """
 subsection Study
   set Phases = 2
@@ -298,4 +367,4 @@ def kill():
     check(all(after[run] > before[run] for run in after if "drag=1" not in run), "runs that have changed are not repeated")
 
 
-{"statistics": statistics, "refuse": refuse, "run": run, "kill": kill}[CASE]()
+{"statistics": statistics, "refuse": refuse, "run": run, "sweep": sweep, "kill": kill}[CASE]()

@@ -20,9 +20,10 @@ struct Study
   std::vector<std::string> names;       ///< of the variants; empty: from their values
   std::string              reference;   ///< name of a variant; empty: the last one
   std::vector<std::string> outputs = {"tight_tension_mean"}; ///< that are judged, study_outputs
-  unsigned int             phases  = 8;                      ///< start phases of each variant
-  unsigned int             ranks   = 1;                      ///< of a run; may be a loop
-  std::vector<std::string> quick;          ///< "Section/Entry=value", what `--quick` changes
+  std::string              against;    ///< entry that outputs are drawn against; empty: their cost
+  unsigned int             phases = 8; ///< start phases of each variant
+  unsigned int             ranks  = 1; ///< of a run; may be a loop
+  std::vector<std::string> quick;      ///< "Section/Entry=value", what `--quick` changes
   unsigned int             samples = 2000; ///< of the bootstrap
   unsigned int             seed    = 1;    ///< of its random numbers
 
@@ -32,6 +33,9 @@ struct Study
 
   /// InputError when one of the #outputs does not exist.
   void check_outputs() const;
+
+  /// InputError unless #against is empty or an entry that each of @p variants gives a number.
+  void check_against(const std::vector<Variant> &variants) const;
 
   /// Gives @p variants their #names, if any, and names the reference. InputError when they do not
   /// fit.
