@@ -8,11 +8,7 @@
   kill        kill -9 and once more: what was finished is not repeated, what was not goes on; a changed file runs
               only what has changed
 
-<<<<<<< HEAD
-Without Snakemake, h5py, matplotlib or pandas `run` and `kill` end with 77: left out."""
-=======
-Without Snakemake, h5py or matplotlib `run`, `sweep` and `kill` end with 77: left out."""
->>>>>>> 2247dac (Studies against an entry: curves, orders of tooth frequency, resonances)
+Without Snakemake, h5py, matplotlib or pandas `run`, `sweep` and `kill` end with 77: left out."""
 import csv
 import fcntl
 import json
