@@ -3,10 +3,71 @@
 #include <chaindrive/element/hexahedra.h>
 #include <chaindrive/mesh/wall_columns.h>
 
+#include <array>
+
 namespace chaindrive::element
 {
-// A kind of element is chosen here and nowhere else, by the material ids of the part's cells: today
-// all cells but those of a rigid zone are hexahedra.
+namespace
+{
+using Component = dealii::types::material_id;
+
+/// Direction away from the axis of the bush on whose side of x = 0 a point is, in all of a part:
+/// its axis is where its vertices have their mean.
+std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &)> away_from_axis(const mesh::Part &part)
+{
+  std::array<double, 2>       sum{};
+  std::array<unsigned int, 2> n{};
+  for (const auto &cell : part.mesh->active_cell_iterators())
+    if (cell->material_id() == mesh::bush)
+      {
+        const unsigned int side = cell->center()[0] > 0. ? 1 : 0;
+        sum[side] += cell->center()[0];
+        ++n[side];
+      }
+  for (const unsigned int side : {0, 1})
+    sum[side] /= std::max(1U, n[side]);
+  return [sum](const dealii::Point<3> &x) {
+    dealii::Tensor<1, 3> away;
+    away[0] = x[0] - sum[x[0] > 0. ? 1 : 0];
+    away[1] = x[1];
+    return away;
+  };
+}
+
+/// What is to be a block of its own: plates and bushes that are shells or membranes, and bricks.
+std::vector<Selection> selections(const mesh::Part &part, const parameters::Elements &elements)
+{
+  std::array<bool, mesh::n_components> has{};
+  for (const auto &cell : part.mesh->active_cell_iterators())
+    has[cell->material_id()] = true;
+  const auto wall_of = [&elements](const Component component) {
+    return component == mesh::bush ? elements.bushes :
+           component == mesh::inner_plate || component == mesh::outer_plate ?
+                                     elements.plates :
+                                     parameters::Wall::brick;
+  };
+  std::vector<Selection> blocks;
+  Selection              bricks;
+  for (Component component = 0; component < mesh::n_components; ++component)
+    if (has[component] && component != mesh::hub_zone)
+      {
+        const parameters::Wall wall = wall_of(component);
+        if (wall == parameters::Wall::brick)
+          bricks.components.push_back(component);
+        else if (component == mesh::bush)
+          blocks.push_back({{component}, wall, away_from_axis(part)});
+        else
+          blocks.push_back({{component}, wall, [](const dealii::Point<3> &) {
+                              return dealii::Tensor<1, 3>(dealii::Point<3>(0., 0., 1.));
+                            }});
+      }
+  if (!bricks.components.empty())
+    blocks.insert(blocks.begin(), bricks);
+  return blocks;
+}
+} // namespace
+
+// A kind of element is chosen here and nowhere else, by the material ids of the part's cells.
 ElasticPart::ElasticPart(const mesh::Part           &part,
                          const mesh::Nodes          &nodes,
                          const Material             &material,
@@ -17,8 +78,14 @@ ElasticPart::ElasticPart(const mesh::Part           &part,
                                elements.column_mass_scaling) :
                   ColumnMasses(nodes.mass))
 {
-  blocks_.push_back(std::make_unique<Hexahedra>(
-      part, nodes, material, elements.formulation, elements.hourglass_coefficient));
+  for (const Selection &selection : selections(part, elements))
+    blocks_.push_back(std::make_unique<Hexahedra>(part,
+                                                  nodes,
+                                                  material,
+                                                  elements.formulation,
+                                                  elements.hourglass_coefficient,
+                                                  Shape::symmetric_prism,
+                                                  selection));
 }
 
 void ElasticPart::add_forces(const BatchState &batch) const

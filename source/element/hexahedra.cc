@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/element/hexahedra.h>
 #include <chaindrive/element/hexahedron_stiffness.h>
+#include <chaindrive/element/shell_stiffness.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -18,7 +20,8 @@ using dealii::Tensor;
 //   geometry_of()         elements that are alike share their numbers
 //   mesh::gauss_points()  gradients and volumes at 2 x 2 x 2 points
 //   make_hexahedron()     mean gradient and linear parts of the hourglass modes, in terms of modes
-//   hourglass_stiffness_of(), condense()   what holds the hourglass amplitudes
+//   hourglass_stiffness_of(), condense()   what holds the hourglass amplitudes; of shells that of
+//                         shell_stiffness()
 //   for_each_number()     writes down those numbers that do not vanish, in the kernels' order
 //
 // element_stiffness() goes the other way, from the numbers to a matrix: what it gives is what the
@@ -138,17 +141,20 @@ struct Hexahedron
   double shift[4][3];
   double hourglass_stiffness;
   double hourglass[12][12]; ///< in the order of the amplitudes
+  double coupling[6][12];   ///< of a shell: twice the mean strain per amplitude, angles as such
   double point_volume[8];
   double point_inverse[8][3][3]; ///< an eighth of d xi_d / dX_j
 };
 
 /// What elements have in common that differ by no more than round-off: where the corners are as
 /// seen from the first one, in femtometres. In metres round-off is some 1e-18.
-using Geometry = std::array<std::int64_t, 24>;
+/// The last number is the axis through the wall.
+using Geometry = std::array<std::int64_t, 25>;
 
-Geometry geometry_of(const mesh::Corners &corners)
+Geometry geometry_of(const mesh::Corners &corners, const unsigned int across)
 {
   Geometry geometry;
+  geometry[24] = across;
   for (unsigned int a = 0; a < 8; ++a)
     for (unsigned int d = 0; d < 3; ++d)
       geometry[3 * a + d] = std::llround((corners[a][d] - corners[0][d]) * 1e15);
@@ -182,6 +188,8 @@ void for_each_number(const Shape       shape,
     visit(element.hourglass_stiffness);
   else
     visit_places(hourglass_entries(shape), element.hourglass);
+  if (formulation == Formulation::shell)
+    visit_places(coupling_entries(shape), element.coupling);
 }
 
 /// The element that these numbers describe.
@@ -284,14 +292,12 @@ dealii::FullMatrix<double> hourglass_vectors(const Hexahedron &element)
   return gamma;
 }
 
-/// The part of @p k that acts on the hourglass amplitudes. An element that passes the patch test is
-/// K = V B^T C B + Gamma^T K_h Gamma. Displacements G_alpha with gamma_alpha . G_beta = 1 or 0 and
-/// no mean gradient, one for each amplitude, therefore give K_h = G K G^T. They are found in two
-/// steps: G = (gamma gamma^T)^-1 gamma has the amplitudes, and what it has of mean gradient is
-/// taken away by a linear field, which has no amplitude.
-void condense(const dealii::FullMatrix<double> &k,
-              const mesh::Corners              &corners,
-              Hexahedron                       &element)
+/// Displacements of the vertices, rows, of a unit of each hourglass amplitude. An element that
+/// passes the patch test is K = V B^T C B + Gamma^T K_h Gamma. Displacements G_alpha with
+/// gamma_alpha . G_beta = 1 or 0 and no mean gradient, one for each amplitude, therefore give K_h =
+/// G K G^T. They are found in two steps: G = (gamma gamma^T)^-1 gamma has the amplitudes, and what
+/// it has of mean gradient is taken away by a linear field, which has no amplitude.
+dealii::FullMatrix<double> amplitude_shapes(const Hexahedron &element, const mesh::Corners &corners)
 {
   Gradient B;
   vertex_gradient(element, B);
@@ -309,7 +315,14 @@ void condense(const dealii::FullMatrix<double> &k,
         for (unsigned int a = 0; a < 8; ++a) // a linear field changes no amplitude
           g(alpha, a) -= gradient * (corners[a][j] - corners[0][j]);
       }
+  return g;
+}
 
+void condense(const dealii::FullMatrix<double> &k,
+              const mesh::Corners              &corners,
+              Hexahedron                       &element)
+{
+  const dealii::FullMatrix<double> g = amplitude_shapes(element, corners);
   for (unsigned int m = 0; m < 12; ++m)
     for (unsigned int n = 0; n < 12; ++n)
       for (unsigned int a = 0; a < 8; ++a)
@@ -317,6 +330,31 @@ void condense(const dealii::FullMatrix<double> &k,
           element.hourglass[m][n] += g(amplitudes[m].alpha, a) *
                                      k(3 * a + amplitudes[m].k, 3 * b + amplitudes[n].k) *
                                      g(amplitudes[n].alpha, b);
+}
+
+/// The same of a shell, whose amplitudes have a mean strain D p where its strains are sampled:
+/// K_h = G K G^T - V D^T C D, since the mean strain has its own stiffness.
+void condense(const ShellStiffness &shell,
+              const mesh::Corners  &corners,
+              const Material       &material,
+              Hexahedron           &element)
+{
+  condense(shell.stiffness, corners, element);
+  const dealii::FullMatrix<double> g = amplitude_shapes(element, corners);
+  dealii::FullMatrix<double>       D(n_strains, 12), stress(n_strains, 12), energy(12, 12);
+  for (unsigned int r = 0; r < n_strains; ++r)
+    for (unsigned int m = 0; m < 12; ++m)
+      for (unsigned int a = 0; a < 8; ++a)
+        D(r, m) += shell.mean_strain(r, 3 * a + amplitudes[m].k) * g(amplitudes[m].alpha, a);
+  elasticity(material).mmult(stress, D);
+  D.Tmmult(energy, stress);
+  for (unsigned int m = 0; m < 12; ++m)
+    {
+      for (unsigned int n = 0; n < 12; ++n)
+        element.hourglass[m][n] -= element.volume * energy(m, n);
+      for (unsigned int r = 0; r < n_strains; ++r)
+        element.coupling[r][m] = (r < 3 ? 2. : 1.) * D(r, m);
+    }
 }
 
 /// The same stiffness of every amplitude, after Flanagan and Belytschko (1981):
@@ -331,29 +369,80 @@ hourglass_stiffness_of(const Hexahedron &element, const double coefficient, cons
   const double norm = hourglass_vectors(element).frobenius_norm();
   return coefficient * modulus * element.volume * gradients / (0.25 * norm * norm);
 }
+
+/// The axis of the unit cell that lies nearest to @p direction.
+unsigned int nearest_axis(const mesh::Corners &corners, const Tensor<1, 3> &direction)
+{
+  unsigned int nearest = 0;
+  double       largest = -1.;
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      Tensor<1, 3> along;
+      for (unsigned int j = 0; j < 3; ++j)
+        along[j] = amplitude(corners, j, d);
+      if (const double part = std::abs(along * direction) / along.norm(); part > largest)
+        {
+          largest = part;
+          nearest = d;
+        }
+    }
+  return nearest;
+}
+
+ShellStiffness wall_stiffness(const mesh::Corners   &corners,
+                              const unsigned int     across,
+                              const Material        &material,
+                              const parameters::Wall wall)
+{
+  ShellStiffness shell = shell_stiffness(corners, across, material, ThroughWall::two);
+  if (wall == parameters::Wall::membrane)
+    {
+      shell.stiffness *= membrane_bending;
+      shell.stiffness.add(1. - membrane_bending,
+                          shell_stiffness(corners, across, material, ThroughWall::one).stiffness);
+    }
+  return shell;
+}
 } // namespace
+
+bool Selection::has(const dealii::types::material_id component) const
+{
+  return component != mesh::hub_zone &&
+         (components.empty() ||
+          std::find(components.begin(), components.end(), component) != components.end());
+}
 
 Hexahedra::Hexahedra(const mesh::Part  &part,
                      const mesh::Nodes &nodes,
                      const Material    &material,
-                     const Formulation  formulation,
+                     const Formulation  chosen_formulation,
                      const double       hourglass_coefficient,
-                     const Shape        most_regular)
-    : formulation(formulation)
+                     const Shape        most_regular,
+                     const Selection   &selection)
+    : formulation(selection.wall == parameters::Wall::brick ? chosen_formulation :
+                                                              Formulation::shell)
     , shape(most_regular)
     , lambda(material.lambda())
     , mu(material.mu())
     , mass(nodes.mass)
     , position(nodes.position)
+    , selection_(selection)
     , kernels_(best_kernels())
 {
+  const bool is_shell = selection.wall != parameters::Wall::brick;
   std::vector<std::pair<mesh::Corners, std::array<unsigned int, 8>>> cells;
+  std::vector<unsigned int>                                          across; // axis of the cell
+  unsigned int                                                       n_elastic = 0;
   for (const auto &cell : part.mesh->active_cell_iterators())
     {
       if (cell->material_id() == mesh::hub_zone)
         continue;
+      const unsigned int elastic = n_elastic++;
+      if (!selection.has(cell->material_id()))
+        continue;
       const mesh::Corners corners = mesh::corners_of(cell);
-      cells.push_back({corners, nodes.cells[cells.size()]});
+      cells.push_back({corners, nodes.cells[elastic]});
+      across.push_back(is_shell ? nearest_axis(corners, selection.across(cell->center())) : 0);
     }
 
   // each element as it is most regular; the part is as its least regular element
@@ -387,8 +476,14 @@ Hexahedra::Hexahedra(const mesh::Part  &part,
       for (unsigned int a = 0; a < 8; ++a)
         vertices.back().node[a] = cells[e].second[here.order[a]];
 
-      const auto [found, is_new] = numbers_of.emplace(geometry_of(here.corners), numbers.size());
-      vertices.back().numbers    = static_cast<unsigned int>(found->second);
+      // the axis of the element that is that of the cell
+      unsigned int wall_axis = 0;
+      while (is_shell && (here.order[0] ^ here.order[1U << wall_axis]) != 1U << across[e])
+        ++wall_axis;
+
+      const auto [found, is_new] =
+          numbers_of.emplace(geometry_of(here.corners, wall_axis), numbers.size());
+      vertices.back().numbers = static_cast<unsigned int>(found->second);
       if (!is_new)
         continue;
 
@@ -399,6 +494,11 @@ Hexahedra::Hexahedra(const mesh::Part  &part,
             hourglass_stiffness_of(element, hourglass_coefficient, material.constrained_modulus());
       if (formulation == Formulation::enhanced)
         condense(stiffness(gauss, material, true), here.corners, element);
+      if (is_shell)
+        condense(wall_stiffness(here.corners, wall_axis, material, selection.wall),
+                 here.corners,
+                 material,
+                 element);
       for_each_number(
           shape, formulation, element, [&](const double number) { numbers.push_back(number); });
     }
@@ -435,6 +535,35 @@ dealii::FullMatrix<double> Hexahedra::element_stiffness(const unsigned int e) co
                             mu * gradient[j][a] * gradient[i][b] + (i == j ? mu * product : 0.));
         }
   };
+  // the mean strain with what the amplitudes add to it
+  const auto add_shell = [&](const Hexahedron                 &shell,
+                             const Gradient                   &gradient,
+                             const dealii::FullMatrix<double> &gamma) {
+    constexpr unsigned int pair[n_strains][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
+    dealii::FullMatrix<double> strain(n_strains, 24), stress(n_strains, 24),
+        C(n_strains, n_strains);
+    for (unsigned int r = 0; r < n_strains; ++r)
+      {
+        const unsigned int i = pair[r][0], j = pair[r][1];
+        for (unsigned int a = 0; a < 8; ++a)
+          {
+            strain(r, 3 * a + i) += gradient[j][a];
+            if (i != j)
+              strain(r, 3 * a + j) += gradient[i][a];
+            for (unsigned int m = 0; m < 12; ++m)
+              strain(r, 3 * a + amplitudes[m].k) +=
+                  (r < 3 ? 0.5 : 1.) * shell.coupling[r][m] * gamma(amplitudes[m].alpha, a);
+          }
+        for (unsigned int c = 0; c < 3 && r < 3; ++c)
+          C(r, c) = lambda + (r == c ? 2. * mu : 0.);
+        if (r >= 3)
+          C(r, r) = mu;
+      }
+    C.mmult(stress, strain);
+    dealii::FullMatrix<double> product(24, 24);
+    strain.Tmmult(product, stress);
+    k.add(shell.volume, product);
+  };
   Gradient B;
   if (formulation == Formulation::full)
     for (unsigned int q = 0; q < 8; ++q)
@@ -445,14 +574,17 @@ dealii::FullMatrix<double> Hexahedra::element_stiffness(const unsigned int e) co
   else
     {
       vertex_gradient(element, B);
-      add_point(B, element.volume);
       const dealii::FullMatrix<double> gamma = hourglass_vectors(element);
+      if (formulation == Formulation::shell)
+        add_shell(element, B, gamma);
+      else
+        add_point(B, element.volume);
       for (unsigned int m = 0; m < 12; ++m)
         for (unsigned int n = 0; n < 12; ++n)
           {
-            const double stiffness = formulation == Formulation::enhanced ?
-                                         element.hourglass[m][n] :
-                                         (m == n ? element.hourglass_stiffness : 0.);
+            const double stiffness = formulation == Formulation::one_point ?
+                                         (m == n ? element.hourglass_stiffness : 0.) :
+                                         element.hourglass[m][n];
             for (unsigned int a = 0; a < 8; ++a)
               for (unsigned int b = 0; b < 8; ++b)
                 k(3 * a + amplitudes[m].k, 3 * b + amplitudes[n].k) +=
@@ -491,7 +623,7 @@ void Hexahedra::add_forces(const BatchState &batch) const
 std::unique_ptr<const StressRecovery> Hexahedra::make_stress_recovery(
     const mesh::Part &part, const mesh::Nodes &nodes, const Material &material) const
 {
-  return std::make_unique<CellStresses>(part, nodes, material);
+  return std::make_unique<CellStresses>(part, nodes, material, selection_.components);
 }
 
 std::size_t Hexahedra::memory_consumption() const

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include <algorithm>
+
 namespace chaindrive::element
 {
 using dealii::SymmetricTensor;
@@ -51,15 +53,23 @@ Tensor<2, 3> deformation_gradient(const Gradients                   &gradients,
   return F;
 }
 
-CellStresses::CellStresses(const mesh::Part  &part,
-                           const mesh::Nodes &nodes,
-                           const Material    &material)
-    : n_cells_(part.mesh->n_active_cells()), material_(material), nodes_(nodes.cells)
+CellStresses::CellStresses(const mesh::Part                              &part,
+                           const mesh::Nodes                             &nodes,
+                           const Material                                &material,
+                           const std::vector<dealii::types::material_id> &components)
+    : n_cells_(part.mesh->n_active_cells()), material_(material)
 {
+  unsigned int n_elastic = 0;
   for (const auto &cell : part.mesh->active_cell_iterators())
     if (cell->material_id() != mesh::hub_zone)
       {
+        const unsigned int elastic = n_elastic++;
+        if (!components.empty() &&
+            std::find(components.begin(), components.end(), cell->material_id()) ==
+                components.end())
+          continue;
         cell_.push_back(cell->active_cell_index());
+        nodes_.push_back(nodes.cells[elastic]);
         gradients_.push_back(mean_gradients(mesh::corners_of(cell)));
       }
 }

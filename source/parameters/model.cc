@@ -138,6 +138,14 @@ void Elements::declare(Declarations &declarations)
       "vibration through the wall takes 1.7 times as long, the roller's inertia about its axis "
       "grows by half a percent and the frequency of its ovalisation falls by half a percent. 0: "
       "none.");
+  const std::string walls =
+      " brick: as Formulation says. shell: nodes on both faces, with the strains of a shell, which "
+      "neither bends too stiffly nor is squeezed where it is curved, flat or distorted; one "
+      "through "
+      "the wall. membrane: the same with one point through the wall, as in the paper, so that only "
+      "a hundredth of its stiffness in bending is left.";
+  add(declarations, "Plates", plates, "Elements of side plates." + walls);
+  add(declarations, "Bushes", bushes, "Elements of bushes." + walls);
 }
 
 void Reduction::declare(Declarations &declarations)

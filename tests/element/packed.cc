@@ -149,11 +149,11 @@ int main()
   for (const auto &[name, make] : bodies)
     {
       const mesh::Part body = make();
-      for (const auto &formulation : formulations)
+      for (const Kind &kind : kinds)
         {
-          const Hexahedra reference(body, material, formulation.first);
-          const Hexahedra general(body, material, formulation.first, 0.1, element::Shape::general);
-          std::cout << name << ", " << formulation.second << ": "
+          const Hexahedra reference = elements_of(body, material, kind);
+          const Hexahedra general   = elements_of(body, material, kind, element::Shape::general);
+          std::cout << name << ", " << kind.name << ": "
                     << shapes[static_cast<int>(reference.shape)] << ", geometries "
                     << n_geometries(reference) << ", as they lie " << n_geometries(general)
                     << "; as the general kernel to 1e-12:";
@@ -178,10 +178,10 @@ int main()
     }
 
   for (const auto &[name, make] : bodies)
-    for (const auto &formulation : formulations)
+    for (const Kind &kind : kinds)
       {
-        const mesh::Part body = make();
-        const Hexahedra  reference(body, material, formulation.first);
+        const mesh::Part body      = make();
+        const Hexahedra  reference = elements_of(body, material, kind);
         Batch            scalar(reference, *element::kernels(1));
         fill(scalar);
         scalar.add_internal_forces();
@@ -223,8 +223,7 @@ int main()
                                    back.strain_energy(3) - back.hourglass_energy(3)) /
                                   (2. * step);
 
-        std::cout << name << ", " << formulation.second
-                  << ": resultant and moment vanish to 1e-12: "
+        std::cout << name << ", " << kind.name << ": resultant and moment vanish to 1e-12: "
                   << (resultant < 1e-12 && moment < 1e-12 ? "yes" : "NO")
                   << "; derivative of the energy over -f: " << std::fixed << std::setprecision(5)
                   << derivative / work << std::defaultfloat << '\n';
@@ -252,7 +251,7 @@ int main()
                   difference =
                       std::max(difference, 1e-3 * std::abs(wide.velocity[i] - whole.velocity[i]));
               }
-            std::cout << name << ", " << formulation.second << ", width " << width
+            std::cout << name << ", " << kind.name << ", width " << width
                       << ": as scalar to 1e-12: " << (difference < 1e-12 ? "yes" : "NO") << '\n';
           }
       }

@@ -17,9 +17,9 @@ int main()
   const mesh::Part   body = ring(3.76e-3, 5.08e-3, 7e-3, {{1, 16, 2}});
   const Tensor<1, 3> far  = Point<3>(0.4, -0.4, 0.2); // 0.6 m
 
-  for (const auto &formulation : formulations)
+  for (const Kind &kind : kinds)
     {
-      const Hexahedra reference(body, material, formulation.first);
+      const Hexahedra reference = elements_of(body, material, kind);
       const double    volume =
           std::accumulate(reference.mass.begin(), reference.mass.end(), 0.) / body.density;
 
@@ -45,7 +45,7 @@ int main()
                          std::sqrt(2. * (batch.strain_energy(lane) + batch.hourglass_energy(lane)) /
                                    (material.youngs_modulus * volume)));
         }
-      std::cout << formulation.second << ", turned by 0, 5 ... 355 degrees: strain below 1e-12: "
+      std::cout << kind.name << ", turned by 0, 5 ... 355 degrees: strain below 1e-12: "
                 << (strain < 1e-12 ? "yes" : "NO")
                 << "; forces below 1e-12 of E times a cell's side: "
                 << (force < 1e-12 ? "yes" : "NO") << '\n';
@@ -110,8 +110,7 @@ int main()
             }
           // started round, it breathes about the stretched state: half as much again
           const double expected = (stretched ? 1. : 1.5) * static_energy;
-          std::cout << formulation.second << ", ten turns, started "
-                    << (stretched ? "stretched" : "round")
+          std::cout << kind.name << ", ten turns, started " << (stretched ? "stretched" : "round")
                     << ": stored energy of the last turn as in theory to 1 %: "
                     << (std::abs(last[0] / expected - 1.) < 0.01 ? "yes" : "NO")
                     << ", and as in the first: " << (growth < 0.01 ? "yes" : "NO");

@@ -88,17 +88,17 @@ int main()
       ((1. + material.poissons_ratio) * (1. - 2. * material.poissons_ratio) * material.density));
   std::cout << std::fixed << std::setprecision(4);
   for (const auto &part : parts)
-    for (const auto &formulation : formulations)
+    for (const Kind &kind : kinds)
       {
-        const Hexahedra reference(part.second, material, formulation.first);
+        const Hexahedra reference = elements_of(part.second, material, kind);
         const double    found = reference.largest_frequency(), exact = exact_frequency(reference);
-        std::cout << part.first << ", " << formulation.second << ": limit over 1 mm / c_d "
+        std::cout << part.first << ", " << kind.name << ": limit over 1 mm / c_d "
                   << 2. / exact * c_d / 1e-3 << "; omega found from above, within a millionth: "
                   << (found > (1. - 1e-9) * exact && found < (1. + 1e-6) * exact ? "yes" : "NO")
                   << '\n';
-        if (reference.n_elements() <= 8)
-          std::cout << part.first << ", " << formulation.second
-                    << ": bounded at 0.98 of the limit: "
+        // the normals of a single membrane have so little stiffness that they leave small angles
+        if (reference.n_elements() <= 8 && kind.wall != parameters::Wall::membrane)
+          std::cout << part.first << ", " << kind.name << ": bounded at 0.98 of the limit: "
                     << (bounded_steps(reference, 0.98, 100000) == 100000 ? "yes" : "NO")
                     << "; blown up at 1.02: "
                     << (bounded_steps(reference, 1.02, 2000) < 2000 ? "yes" : "NO") << '\n';

@@ -32,6 +32,38 @@ inline const std::array<std::pair<Formulation, std::string>, 3> formulations{
      {Formulation::enhanced, "enhanced"},
      {Formulation::full, "full"}}};
 
+/// A kind of elements: those of formulations, shells and membranes.
+struct Kind
+{
+  Formulation      formulation;
+  std::string      name;
+  parameters::Wall wall = parameters::Wall::brick;
+};
+
+inline const std::array<Kind, 5> kinds{
+    {{Formulation::one_point, "one point"},
+     {Formulation::enhanced, "enhanced"},
+     {Formulation::full, "full"},
+     {Formulation::enhanced, "shell", parameters::Wall::shell},
+     {Formulation::enhanced, "membrane", parameters::Wall::membrane}}};
+
+/// Direction across the walls of a ring about the z axis, and of a plate.
+inline Tensor<1, 3> across_ring(const Point<3> &x) { return Point<3>(x[0], x[1], 0.); }
+inline Tensor<1, 3> across_plate(const Point<3> &) { return Point<3>(0., 0., 1.); }
+
+/// Elements of a @p kind.
+inline Hexahedra elements_of(const mesh::Part    &part,
+                             const Material      &material,
+                             const Kind          &kind,
+                             const element::Shape most_regular = element::Shape::symmetric_prism,
+                             Tensor<1, 3> (*across)(const Point<3> &) = across_ring)
+{
+  element::Selection all;
+  all.wall   = kind.wall;
+  all.across = across;
+  return Hexahedra(part, material, kind.formulation, 0.1, most_regular, all);
+}
+
 /// A part of the material of section Material with the mesh that @p make fills.
 inline mesh::Part part(const std::function<void(dealii::Triangulation<3> &)> &make)
 {

@@ -5,13 +5,35 @@
 #include <chaindrive/element/kernels.h>
 #include <chaindrive/material/material.h>
 #include <chaindrive/mesh/nodes.h>
+#include <chaindrive/parameters/model.h>
 
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <vector>
 
 namespace chaindrive::element
 {
+/// Which cells of a part are elements of a block, and of what kind.
+struct Selection
+{
+  /// Components whose cells they are; if empty, all but the rigid zone of a sprocket.
+  std::vector<dealii::types::material_id> components;
+
+  /// Shells and membranes have the hourglass stiffness of shell_stiffness() in the place of that of
+  /// their formulation, and its kernel is that of Formulation::enhanced.
+  parameters::Wall wall = parameters::Wall::brick;
+
+  /// Direction through the wall at the middle of a cell [m]; of shells and membranes.
+  std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &)> across;
+
+  bool has(const dealii::types::material_id component) const;
+};
+
+/// Stiffness in bending of a membrane over that of a shell: what holds the normals of its faces,
+/// which have no stiffness of their own.
+constexpr double membrane_bending = 0.01;
+
 /// Trilinear hexahedra, total Lagrangian, of St. Venant and Kirchhoff's material (doc/theory.md,
 /// section 3). What the kernels need of a part, made once for all its copies: gradients, volumes
 /// and hourglass stiffnesses of its elastic elements, lumped masses and positions of their nodes. A
@@ -25,22 +47,30 @@ class Hexahedra : public ElementBlock
 {
 public:
   /// @p nodes are those of @p part; @p hourglass_coefficient is that of Flanagan and Belytschko,
-  /// used by Formulation::one_point. No shape beyond @p most_regular is looked for.
+  /// used by Formulation::one_point. No shape beyond @p most_regular is looked for. Masses are
+  /// those of all nodes of the part, whatever cells @p selection takes.
   Hexahedra(const mesh::Part  &part,
             const mesh::Nodes &nodes,
             const Material    &material,
             Formulation        formulation,
             double             hourglass_coefficient = 0.1,
-            Shape              most_regular          = Shape::symmetric_prism);
+            Shape              most_regular          = Shape::symmetric_prism,
+            const Selection   &selection             = {});
 
   /// The same with the nodes made for the occasion.
   Hexahedra(const mesh::Part &part,
             const Material   &material,
             Formulation       formulation,
             double            hourglass_coefficient = 0.1,
-            Shape             most_regular          = Shape::symmetric_prism)
-      : Hexahedra(
-            part, mesh::Nodes(part), material, formulation, hourglass_coefficient, most_regular)
+            Shape             most_regular          = Shape::symmetric_prism,
+            const Selection  &selection             = {})
+      : Hexahedra(part,
+                  mesh::Nodes(part),
+                  material,
+                  formulation,
+                  hourglass_coefficient,
+                  most_regular,
+                  selection)
   {
   }
 
@@ -87,6 +117,7 @@ public:
   std::vector<dealii::Point<3>>     position; ///< per node, in the part's frame, m
 
 private:
+  Selection      selection_;
   const Kernels &kernels_;
 };
 } // namespace chaindrive::element

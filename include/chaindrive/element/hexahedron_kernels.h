@@ -21,6 +21,8 @@
 //   enhanced:  p_ak = sum_i F_ik q_ia       amplitudes turned back into the element's axes
 //              s = K p                      12 of them, in the blocks of shapes.h
 //              dW/dq_ia = sum_k F_ik s_ak,  dW/dF_ik = (V F S)_ik + sum_a q_ia s_ak
+//   shell:     as enhanced with the mean strain E + D p in the place of E: what amplitudes strain
+//              where a shell's strains are sampled; then s = K p + V D^T S
 //   then back by the transposes of all that led here, T = dW/dF and r = dW/dx_m:
 //   T_ij -= sum_a H_aj dW/dq_ia             q depends on F
 //   r_im  = sum_j G_jm T_ij  (+ dW/dq_ia where m is an hourglass mode a)
@@ -151,6 +153,9 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
   constexpr NonZeros gradient  = gradient_entries(shape);
   constexpr NonZeros shift     = shift_entries(shape);
   constexpr NonZeros stiffness = hourglass_entries(shape);
+  constexpr NonZeros coupling  = coupling_entries(shape);
+  constexpr bool     pulls     = formulation != Formulation::one_point;
+  constexpr bool     shell     = formulation == Formulation::shell;
   P                  strain_energy_4(0.), hourglass_energy_2(0.); // times four, times two
   const double      *position = arg.position + lane;
   double            *force    = arg.force + lane;
@@ -188,11 +193,10 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
         for (int i = 0; i < 3; ++i)
           q[i][shift.row[n]] -= P(H[n]) * F[i][shift.column[n]];
 
-      P s[12] = {}; // enhanced: forces of the amplitudes in the element's axes
-      if constexpr (formulation == Formulation::enhanced)
+      P s[12] = {}; // forces of the amplitudes in the element's axes
+      P pulled[12]; // these amplitudes: F^T q is the same however the element has turned
+      if constexpr (pulls)
         {
-          // Amplitudes in the element's axes: F^T q is the same however the element has turned.
-          P pulled[12];
 #pragma GCC unroll 78
           for (int n = 0; n < 12; ++n)
             {
@@ -210,8 +214,23 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
             hourglass_energy_2 += s[n] * pulled[n];
         }
 
-      const Symmetric<P> S =
-          stress(twice_green_strain(F), arg.lambda, arg.mu, numbers[0], strain_energy_4);
+      Symmetric<P> C = twice_green_strain(F);
+      if constexpr (shell)
+        {
+          P *const strain[6] = {&C.xx, &C.yy, &C.zz, &C.xy, &C.yz, &C.zx};
+#pragma GCC unroll 78
+          for (int n = 0; n < coupling.size; ++n)
+            *strain[coupling.row[n]] += P(K[stiffness.size + n]) * pulled[coupling.column[n]];
+        }
+      const Symmetric<P> S = stress(C, arg.lambda, arg.mu, numbers[0], strain_energy_4);
+      if constexpr (shell)
+        {
+          const P half(0.5);
+          const P along[6] = {half * S.xx, half * S.yy, half * S.zz, S.xy, S.yz, S.zx};
+#pragma GCC unroll 78
+          for (int n = 0; n < coupling.size; ++n)
+            s[coupling.column[n]] += P(K[stiffness.size + n]) * along[coupling.row[n]];
+        }
 
       for (int i = 0; i < 3; ++i)
         {
@@ -221,7 +240,7 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
           // additions for the next element, beside multiplications of this one
           gather_modes(next, i, position, mode[i]);
           P r[n_modes] = {};
-          if constexpr (formulation == Formulation::enhanced)
+          if constexpr (pulls)
             {
 #pragma GCC unroll 78
               for (int n = 0; n < 12; ++n)
@@ -458,7 +477,8 @@ constexpr Kernels make_kernels(const char *name)
           width,
           {add_internal_forces<width, Formulation::one_point>,
            add_internal_forces<width, Formulation::enhanced>,
-           add_internal_forces<width, Formulation::full>},
+           add_internal_forces<width, Formulation::full>,
+           add_internal_forces<width, Formulation::shell>},
           update<width>,
           apply_column_masses<width>};
 }

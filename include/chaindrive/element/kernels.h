@@ -24,7 +24,8 @@ struct Vertices
 ///   shapes.h), row by row; the linear part h_alpha . X_j [m] of the hourglass vectors, row by row;
 ///   then the stiffness [N/m] of the hourglass amplitudes q_alpha,k = gamma_alpha . u_k with
 ///   gamma_alpha = h_alpha - B_j (h_alpha . X_j): one number for all (Formulation::one_point), or
-///   the lower triangle of each block of the matrix, row by row (Formulation::enhanced);
+///   the lower triangle of each block of the matrix, row by row (Formulation::enhanced and shell);
+/// - of a shell also twice the mean Green's strain per amplitude, row by row, 1/m;
 /// - with eight: at each of them the volume and the inverse of the Jacobian dX / dxi, row by row.
 /// Only those that do not vanish for the shape.
 constexpr int n_numbers(const Shape shape, const Formulation formulation)
@@ -32,7 +33,8 @@ constexpr int n_numbers(const Shape shape, const Formulation formulation)
   if (formulation == Formulation::full)
     return (shape == Shape::general ? 8 : 4) * (1 + jacobian_entries(shape).size);
   return 1 + gradient_entries(shape).size + shift_entries(shape).size +
-         (formulation == Formulation::one_point ? 1 : hourglass_entries(shape).size);
+         (formulation == Formulation::one_point ? 1 : hourglass_entries(shape).size) +
+         (formulation == Formulation::shell ? coupling_entries(shape).size : 0);
 }
 
 /// One batch: n_lanes copies of a part, side by side in memory as [node][component][lane].
@@ -96,7 +98,7 @@ struct Kernels
 {
   const char *name;  ///< of the instruction set
   int         width; ///< numbers that the machine computes at a time
-  void (*add_internal_forces[3])(const ForceArguments &); ///< by Formulation
+  void (*add_internal_forces[4])(const ForceArguments &); ///< by Formulation
   void (*update)(const UpdateArguments &);
   void (*apply_column_masses)(const ColumnArguments &);
 };

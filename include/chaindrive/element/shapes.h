@@ -129,6 +129,22 @@ constexpr NonZeros hourglass_entries(const Shape shape)
   return entries;
 }
 
+/// Which mean strains of a shell, rows xx, yy, zz, xy, yz, zx, follow from which amplitudes: those
+/// that are even or odd as they are.
+constexpr NonZeros coupling_entries(const Shape shape)
+{
+  constexpr int amplitude[n_shapes][12] = {{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+                                           {0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1},
+                                           {0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3}};
+  constexpr int strain[n_shapes][6] = {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 1, 1}, {0, 0, 0, 1, 2, 3}};
+  NonZeros      entries;
+  for (int r = 0; r < 6; ++r)
+    for (int n = 0; n < 12; ++n)
+      if (strain[static_cast<int>(shape)][r] == amplitude[static_cast<int>(shape)][n])
+        entries.add(r, n);
+  return entries;
+}
+
 /// Which coordinates of the unit cell, rows, change along which axis.
 constexpr NonZeros jacobian_entries(const Shape shape)
 {

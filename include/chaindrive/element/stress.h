@@ -70,8 +70,12 @@ public:
 class CellStresses : public StressRecovery
 {
 public:
-  /// @p nodes are those of @p part.
-  CellStresses(const mesh::Part &part, const mesh::Nodes &nodes, const Material &material);
+  /// Of the cells of @p components, or of all elastic ones if there is none; @p nodes are those of
+  /// @p part.
+  CellStresses(const mesh::Part                              &part,
+               const mesh::Nodes                             &nodes,
+               const Material                                &material,
+               const std::vector<dealii::types::material_id> &components = {});
 
   unsigned int n_cells() const override { return n_cells_; }
 

@@ -89,6 +89,18 @@ inline constexpr Texts<Formulation, 3> texts_of<Formulation>{{{Formulation::one_
                                                               {Formulation::enhanced, "enhanced"},
                                                               {Formulation::full, "full"}}};
 
+/// What the walls of a component are made of (element/shell_stiffness.h).
+enum class Wall
+{
+  brick,
+  shell,
+  membrane
+};
+
+template <>
+inline constexpr Texts<Wall, 3> texts_of<Wall>{
+    {{Wall::brick, "brick"}, {Wall::shell, "shell"}, {Wall::membrane, "membrane"}}};
+
 /// Where stiffnesses that are `auto` come from.
 enum class StiffnessFrom
 {
@@ -135,6 +147,8 @@ struct Elements
   Formulation formulation           = Formulation::enhanced;
   double      hourglass_coefficient = 0.1; ///< of one point, after Flanagan and Belytschko
   double      column_mass_scaling   = 0.;  ///< factor of element::ColumnMasses, rollers' walls
+  Wall        plates                = Wall::brick;
+  Wall        bushes                = Wall::brick;
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.
