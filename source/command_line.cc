@@ -26,26 +26,30 @@ struct CommandName
 {
   Command     command;
   const char *name;
-  bool        takes_file; ///< and needs one
+  const char *argument; ///< that it needs; null: it takes none
   const char *meaning;
 };
 
 constexpr CommandName commands[] = {
-    {Command::run, "run", true, "simulate the drive of FILE.prm; the word may be left out"},
+    {Command::run, "run", "FILE.prm", "simulate the drive of FILE.prm; the word may be left out"},
     {Command::plan,
      "plan",
-     true,
+     "FILE.prm",
      "say what would be computed and what it costs, and write nothing"},
     {Command::parts,
      "parts",
-     true,
+     "FILE.prm",
      "print masses, stiffnesses and plate stresses of its parts, and write nothing"},
+    {Command::noise,
+     "noise",
+     "DIR",
+     "compute the noise of the run that has left its results in DIR, and write it there"},
     {Command::study,
      "study",
-     true,
+     "FILE.prm",
      "run the variants of a study file and compare them; ./study --help says more"},
-    {Command::template_file, "template", false, "print a commented file to begin with"},
-    {Command::document, "document", false, "print the reference of all entries (Markdown)"},
+    {Command::template_file, "template", nullptr, "print a commented file to begin with"},
+    {Command::document, "document", nullptr, "print the reference of all entries (Markdown)"},
 };
 
 const CommandName *find_command(const std::string &name)
@@ -197,10 +201,15 @@ std::string file_of(const Command command, const std::vector<std::string> &words
     {
       if (named.command != command)
         continue;
-      if (!named.takes_file && !words.empty())
+      if (named.argument == nullptr && !words.empty())
         throw InputError(std::string("The command ") + named.name +
                          " takes no file, but there is '" + words.front() + "'.");
-      if (named.takes_file && words.empty())
+      if (command == Command::noise && words.empty())
+        throw InputError("Which run? Name the directory of its results: chaindrive noise DIR.");
+      if (command == Command::noise && words.size() > 1)
+        throw InputError("The command noise takes one directory, but there are '" + words[0] +
+                         "' and '" + words[1] + "'.");
+      if (named.argument != nullptr && words.empty())
         throw InputError("Which drive? Name a parameter file: chaindrive " +
                          (command == Command::run ? std::string() : named.name + std::string(" ")) +
                          "FILE.prm. chaindrive --help says more.");
@@ -250,6 +259,9 @@ void check_belonging(const CommandLine &c)
     throw InputError("The option --completion = " + c.completion + " must be bash.");
   if (c.man && !c.completion.empty())
     throw InputError("The options --man and --completion print different documents: take one.");
+  if (c.command == Command::noise && (!c.output_directory.empty() || !c.resume.empty()))
+    throw InputError("The options --output and --resume belong to runs: chaindrive noise DIR "
+                     "writes into DIR.");
   if (c.cores > most_cores)
     throw InputError("The option --cores takes 1 to " + std::to_string(most_cores) + ".");
   if (is_study && !c.resume.empty())
@@ -344,7 +356,8 @@ std::vector<CommandText> command_texts()
 {
   std::vector<CommandText> texts;
   for (const CommandName &command : commands)
-    texts.push_back({command.name, command.takes_file, command.meaning});
+    texts.push_back(
+        {command.name, command.argument != nullptr ? command.argument : "", command.meaning});
   return texts;
 }
 
@@ -370,8 +383,8 @@ std::string help_text()
          "Simulates the roller chain drive that FILE.prm describes.\n\nCommands:\n";
   for (const CommandName &command : commands)
     out << "  " << std::left << std::setw(15)
-        << command.name + std::string(command.takes_file ? " FILE.prm" : "") << "  "
-        << command.meaning << '\n';
+        << command.name + (command.argument != nullptr ? std::string(" ") + command.argument : "")
+        << "  " << command.meaning << '\n';
   out << "\nOptions:\n"
       << visible_options(defaults, switches)
       << "\nExample: chaindrive prm/paper/simple.prm --set \"Contact/Friction coefficient=0.2\"\n";

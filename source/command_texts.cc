@@ -71,7 +71,7 @@ std::string man_page()
          "command that needs a\nparameter file is shown with it.\n"
       << ".SH COMMANDS\n";
   for (const CommandText &command : command_texts())
-    out << item(command.name, command.takes_file ? "FILE.prm" : "", command.meaning);
+    out << item(command.name, command.argument, command.meaning);
   out << ".SH OPTIONS\nAn option of certain commands begins with their names.\n";
   for (const OptionText &option : option_texts())
     out << item(option.name, option.value, option.meaning);
@@ -126,8 +126,10 @@ std::string bash_completion()
       << "  compopt -o filenames\n"
       << "  case $command in\n";
   for (const CommandText &command : commands)
-    if (!command.takes_file)
+    if (command.argument.empty())
       out << "    " << command.name << ") return ;;\n";
+    else if (command.argument == "DIR")
+      out << "    " << command.name << ") COMPREPLY+=($(compgen -d -- \"$word\")); return ;;\n";
   out << "  esac\n"
       << "  COMPREPLY+=($(compgen -d -- \"$word\") $(compgen -f -X '!*.prm' -- \"$word\"))\n"
       << "}\ncomplete -F _chaindrive chaindrive\n";

@@ -43,6 +43,10 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
     case Command::parts:
       parts_command(command_line, MPI_COMM_WORLD);
       break;
+    case Command::noise:
+      if (is_first_rank)
+        noise_command(command_line);
+      break;
     case Command::study:
       successor = study_command(command_line, MPI_COMM_WORLD);
       return stop_signal() == 0 ? 0 : 4;

@@ -194,6 +194,19 @@ std::string window_sentence(const Simulation &simulation)
                  "ms a time.";
 }
 
+/// Computes the noise of the run that has just ended; says why if that cannot be.
+void try_noise(Prepared &prepared)
+{
+  try
+    {
+      write_noise(prepared.directory.path(), prepared.simulation.parameters, prepared.log);
+    }
+  catch (const InputError &error)
+    {
+      prepared.log.warn(std::string("There is no noise: ") + error.what());
+    }
+}
+
 /// Writes summary.json and the end of the log. Collective.
 void end_files(Prepared &prepared)
 {
@@ -205,6 +218,8 @@ void end_files(Prepared &prepared)
   warn(log, window_sentence(prepared.simulation));
   observe::print_summary(log, summary.values);
   PhaseTimer::print(log, summary.phases);
+  if (prepared.simulation.parameters.acoustics.noise)
+    try_noise(prepared);
   log << "Results: " << prepared.directory.path() << '\n';
   log.close();
 }

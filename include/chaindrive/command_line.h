@@ -13,6 +13,7 @@ enum class Command
   run,           ///< compute the drive of a .prm file
   plan,          ///< say what would be computed and what it costs
   parts,         ///< print masses and stiffnesses of the parts
+  noise,         ///< compute the noise of a run that has ended
   study,         ///< run the variants of a study file and compare them
   template_file, ///< print a .prm file to begin with
   document,      ///< print doc/parameters.md
@@ -24,7 +25,7 @@ enum class Command
 struct CommandLine
 {
   Command                  command = Command::run;
-  std::string              parameter_file;
+  std::string              parameter_file;   ///< noise: the directory of a run
   std::vector<std::string> overrides;        ///< "Section/Entry=value", in the order given
   std::string              output_directory; ///< empty: what the .prm file says
   std::string              resume;           ///< empty: what the .prm file says
@@ -66,7 +67,7 @@ CommandLine parse_command_line(int argc, const char *const *argv);
 struct CommandText
 {
   std::string name;
-  bool        takes_file; ///< and needs one
+  std::string argument; ///< that it needs, FILE.prm or DIR; empty: it takes none
   std::string meaning;
 };
 

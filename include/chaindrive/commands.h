@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/command_line.h>
+#include <chaindrive/parameters/parameters.h>
 
 #include <mpi.h>
 
@@ -27,6 +28,14 @@ bool plan_command(const CommandLine &command_line, MPI_Comm comm);
 /// inertias, stiffness over the load, stresses of side plates, natural frequencies, from elastic
 /// solutions that are kept in the cache. Writes no other file. Throws as run_command(). Collective.
 void parts_command(const CommandLine &command_line, MPI_Comm comm);
+
+/// Computes the noise of the run whose directory is named on the command line, writes
+/// acoustics.json and acoustics.h5 there (doc/output.md) and prints a table. Throws InputError for
+/// a directory, a summary or histories that it cannot be computed from, naming file and dataset.
+void noise_command(const CommandLine &command_line);
+
+/// The same for a run at hand that has ended in @p directory; the table goes to @p out.
+void write_noise(const std::string &directory, const Parameters &parameters, std::ostream &out);
 
 /// Writes a .prm file to begin with to @p out: one that can be run for @p design, whose number of
 /// links is the even one that comes nearest to its centre distance; without a design every entry

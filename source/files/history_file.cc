@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/files/file.h>
+#include <chaindrive/files/hdf5_object.h>
 #include <chaindrive/files/history_file.h>
 #include <chaindrive/utilities/errors.h>
 
@@ -18,28 +19,7 @@ namespace chaindrive::files
 {
 namespace
 {
-/// Owner of an HDF5 object of any type.
-class Object
-{
-public:
-  explicit Object(const hid_t id = H5I_INVALID_HID) : id_(id) {}
-  Object(Object &&other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)) {}
-  Object &operator=(Object &&other) noexcept
-  {
-    std::swap(id_, other.id_);
-    return *this;
-  }
-  ~Object()
-  {
-    if (id_ >= 0)
-      H5Idec_ref(id_);
-  }
-        operator hid_t() const { return id_; }
-  hid_t release() { return std::exchange(id_, H5I_INVALID_HID); }
-
-private:
-  hid_t id_;
-};
+using Object = Hdf5Object;
 
 /// The reason of the last failed HDF5 call: the system's error number where there was one.
 int last_error_number()
@@ -61,6 +41,7 @@ int last_error_number()
 
 struct HistoryFile::Data
 {
+
   std::string               path;
   std::size_t               rows, block;
   std::vector<unsigned int> columns;

@@ -377,6 +377,23 @@ void check_quantities(const Parameters &p, Findings &findings)
                         name + ", which is off: " + needs.reason + ".");
 }
 
+/// A run that ends with its noise must have what that is made of.
+void check_noise(const Parameters &p, Findings &findings)
+{
+  if (!p.acoustics.noise)
+    return;
+  const std::string noise = "Acoustics/Noise = on";
+  findings.contradiction(!p.output.asks_for(QuantityGroup::roller_motion),
+                         noise + " needs the motion of the rollers; add roller motion to "
+                                 "Output/Quantities.");
+  findings.contradiction(!p.output.rollers.empty() && p.output.rollers.size() < p.drive.n_links,
+                         noise + " needs the motion of all rollers, but Output/Rollers names " +
+                             std::to_string(p.output.rollers.size()) + " of " +
+                             std::to_string(p.drive.n_links) + "; choose all.");
+  findings.contradiction(p.loads.driver_speed == 0.,
+                         noise + " needs pitch times, but Loads/Driver speed in rad/s = 0.");
+}
+
 void check_effects(const Parameters &p, Findings &findings)
 {
   const Contact &contact    = p.contact;
@@ -430,6 +447,7 @@ std::vector<std::string> cross_check(const Parameters &parameters)
   check_effects(parameters, findings);
   check_elasticity(parameters, findings);
   check_quantities(parameters, findings);
+  check_noise(parameters, findings);
   check_mesh(parameters.mesh, findings);
 
   std::string message;

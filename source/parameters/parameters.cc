@@ -16,5 +16,6 @@ void Parameters::declare(parameters::Declarations &declarations)
   loads.declare(declarations);
   time.declare(declarations);
   output.declare(declarations);
+  acoustics.declare(declarations);
 }
 } // namespace chaindrive

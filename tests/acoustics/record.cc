@@ -96,10 +96,9 @@ int main()
     high = std::max(high, error_of_tone(f, 0.25e-6 * 1.01));
   for (const double f : {500., 8000., 20e3, 22e3})
     whole = std::max(whole, error_of_tone(f, 0.25e-6));
-  std::cout << "errors of a tone, whole steps of 0.25 us in 20 us: "
-            << std::round(1e5 * whole) / 1e5 << ", of 0.2525 us up to 8 kHz "
-            << std::round(1e5 * low) / 1e5 << ", up to 22 kHz " << std::round(1e3 * high) / 1e3
-            << '\n';
+  verdict("a tone in samples of whole steps up to 22 kHz, to 1e-4", whole < 1e-4);
+  verdict("of steps that do not divide the sample up to 8 kHz, to 5e-4", low < 5e-4);
+  verdict("up to 22 kHz, to 0.03", high < 0.03);
   verdict("what is above a tenth more than the highest frequency is left out",
           error_of_tone(24.7e3, 0.25e-6) > 0.999 && error_of_tone(24.7e3, 0.25e-6) < 1.001);
   const double shift = Regular(recorded_times(20e-6, 0.7e-6, 141)).largest_shift();

@@ -57,6 +57,9 @@ int main()
   read_text("below its range", "subsection Drive\n  set Driver teeth = 8\nend\n");
   read_text("not a whole number", "subsection Drive\n  set Driver teeth = 15.5\nend\n");
   read_text("not a number", "subsection Time\n  set End time in ms = 30 ms\nend\n");
+  read_text("half a point", "subsection Acoustics\n  set Observers = 1 2 3; 4 5\nend\n");
+  read_text("a point of words", "subsection Acoustics\n  set Observers = left 2 3\nend\n");
+  read_text("four coordinates", "subsection Acoustics\n  set Observers = 1 2 3 4\nend\n");
   read_text("decimal comma", "subsection Time\n  set End time in ms = 0,5\nend\n");
   read_text("end of an open range",
             "subsection Drive\n  subsection Layout\n    set Start phase = 1\n  end\nend\n");

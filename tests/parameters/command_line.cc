@@ -14,7 +14,7 @@
 using namespace chaindrive;
 
 const char *const names[] = {
-    "run", "plan", "parts", "study", "template", "document", "version", "help"};
+    "run", "plan", "parts", "noise", "study", "template", "document", "version", "help"};
 
 void parse(std::vector<const char *> arguments)
 {
@@ -57,6 +57,10 @@ int main()
   parse({"parts", "a.prm"});
   parse({"study", "a.prm"});
   parse({"study", "a.prm", "--quick", "--cores", "3", "--", "--slurm", "--until", "x"});
+  parse({"noise", "results/simple", "--set", "Acoustics/Radius in m=1"});
+  parse({"noise"});
+  parse({"noise", "a", "b"});
+  parse({"noise", "a", "--output", "b"});
   parse({"template"});
   parse({"document"});
   parse({"./run"}); // a file

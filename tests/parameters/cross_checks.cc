@@ -227,4 +227,13 @@ int main()
     p.model.elastic_links = ElasticLinks::arriving;
   });
   check([](Parameters &p) { p.output.window_start.reset(); });
+
+  std::cout << "noise" << std::endl;
+  check([](Parameters &p) { p.acoustics.noise = true; });
+  check([](Parameters &p) {
+    p.acoustics.noise    = true;
+    p.output.quantities  = {QuantityGroup::speeds};
+    p.output.rollers     = {1, 2};
+    p.loads.driver_speed = 0.;
+  });
 }

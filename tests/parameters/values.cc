@@ -2,8 +2,10 @@
 // Every entry reaches its member in SI units: all are set to a value other than the default.
 #include <chaindrive/parameters/reader.h>
 
+#include <array>
 #include <fstream>
 #include <iostream>
+#include <vector>
 
 using namespace chaindrive;
 
@@ -61,6 +63,12 @@ subsection Output
   set Window end in ms = 20
   set Rollers = 7,3, 11
   set CSV = true
+end
+subsection Acoustics
+  set Observers = 0.1 -0.5 2e-1;  1 2   3
+  set Floor height in m = -1.2
+  set Highest frequency in kHz = 8.5
+  set Finite rollers = on
 end)"; // without a line break at the end
 
   const Parameters p = parameters::read_parameters("values.prm").parameters;
@@ -99,5 +107,11 @@ end)"; // without a line break at the end
   std::cout << "output: "
             << (p.output.history_interval == 5e-6 && p.output.window_end == 20e-3 &&
                 p.output.rollers == std::vector<unsigned int>{3, 7, 11} && p.output.csv)
+            << std::endl;
+  const std::vector<std::array<double, 3>> observers = {{{0.1, -0.5, 0.2}}, {{1., 2., 3.}}};
+  std::cout << "acoustics: "
+            << (!p.acoustics.noise && p.acoustics.observers == observers &&
+                p.acoustics.floor == -1.2 && p.acoustics.highest_frequency == 8.5e3 &&
+                p.acoustics.finite_rollers && p.acoustics.radius == 0.4)
             << std::endl;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/parameters/acoustics.h>
 #include <chaindrive/parameters/contact.h>
 #include <chaindrive/parameters/drive.h>
 #include <chaindrive/parameters/loads.h>
@@ -27,6 +28,7 @@ struct Parameters
   parameters::Loads     loads;
   parameters::Time      time;
   parameters::Output    output;
+  parameters::Acoustics acoustics;
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.

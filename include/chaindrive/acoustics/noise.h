@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/acoustics/bands.h>
+#include <chaindrive/acoustics/dipole.h>
+#include <chaindrive/acoustics/spectrum.h>
+#include <chaindrive/parameters/acoustics.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace chaindrive::acoustics
+{
+/// How the rollers of a drive moved: their histories, by roller. SI units.
+struct Motion
+{
+  using Records = std::vector<std::vector<double>>;
+
+  std::vector<double>    time; ///< nearly equally far apart
+  std::array<Records, 2> position, velocity;
+
+  std::size_t n_rollers() const { return velocity[0].size(); }
+};
+
+/// What the noise of a drive asks of its geometry. SI units; the drive lies in the plane z = 0.
+struct Site
+{
+  dealii::Tensor<1, 3> engagement; ///< where the tight span meets the driver's pitch circle
+  dealii::Tensor<1, 3> along;      ///< unit, from there along the tight span
+  dealii::Tensor<1, 3> outward;    ///< unit, away from the other span
+  double               middle;     ///< x midway between the shafts
+  double               extent;     ///< no roller is farther from the engagement point
+  double               lowest;     ///< y below which there is no roller
+  double               pitch;      ///< of the chain
+  double               roller_radius, roller_length;
+  double               pitch_time; ///< of the driver, s
+};
+
+struct Observer
+{
+  std::string          name;
+  dealii::Tensor<1, 3> position;
+};
+
+/// Those of @p settings, or a microphone at a radius from the engagement point along Site::outward,
+/// and twelve points on half a cylinder of that radius about the line through the engagement point
+/// that is parallel to the shafts, at 22.5, 67.5, 112.5 and 157.5 degrees from Site::along and half
+/// a radius before, in and behind the plane of the drive.
+std::vector<Observer> make_observers(const parameters::Acoustics &settings, const Site &site);
+
+/// By how much later than its emission any sound arrives at most, s.
+double longest_delay(const parameters::Acoustics &settings, const Site &site);
+
+/// What an observer hears.
+struct Heard
+{
+  Observer            observer;
+  std::vector<double> pressure; ///< Pa
+  Spectrum            spectrum;
+  double              level, level_a;   ///< dB re 20 uPa
+  double              peak;             ///< magnitude of the pressure, Pa
+  std::vector<double> third_octaves;    ///< levels by Noise::bands
+  std::vector<double> orders;           ///< levels of the lines at 1, 2, ... times tooth frequency
+  std::vector<double> engagement_peaks; ///< of the pressure, one for each pitch period
+};
+
+/// The noise of a drive over whole pitch periods.
+struct Noise
+{
+  Grid                     grid; ///< times at which it is heard
+  unsigned int             periods;
+  double                   highest; ///< frequency, Hz
+  std::vector<Band>        bands;
+  std::vector<Heard>       observers;
+  std::array<double, 2>    contributions; ///< driver and driven: levels at the first observer
+  std::vector<double>      rollers;       ///< levels at the first observer
+  std::vector<double>      angles;        ///< of the directivity, from Site::along, rad
+  std::vector<double>      directivity;   ///< levels
+  std::vector<std::string> notes;         ///< what is to be said of it, a sentence each
+};
+
+/// The sound of all rollers as compact dipoles that move (dipole.h), heard within [@p start, @p
+/// end] (s), of which the last whole pitch periods count that can be heard from the first sample of
+/// @p motion on.
+///
+/// Accelerations are means over the samples, never picked ones: differences of velocities, made
+/// good for the mean, limited to the highest frequency and refined before sound arrives. Each
+/// roller is attributed to the sprocket that it is nearer to, gradually over a pitch.
+///
+/// @throws InputError, calling the histories @p name, for samples that are not equally far apart,
+/// too few for a pitch period or too far apart for the highest frequency, and for an observer or a
+/// floor that is in the chain's way.
+Noise listen(const Motion                &motion,
+             const Site                  &site,
+             const parameters::Acoustics &settings,
+             double                       start,
+             double                       end,
+             const std::string           &name);
+} // namespace chaindrive::acoustics

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/files/file.h>
+#include <chaindrive/files/tables.h>
+#include <chaindrive/utilities/errors.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <hdf5.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace chaindrive::files
+{
+namespace
+{
+using Object = Hdf5Object;
+
+/// HDF5 prints nothing of what it returns.
+Object open_file(const std::string &path)
+{
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  return Object(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+}
+
+/// What a call returned, whose failure is one of writing.
+template <typename Result>
+Result written(const Result result, const std::string &path)
+{
+  if (result < 0)
+    throw RunError(write_failure(path, errno != 0 ? errno : EIO));
+  return result;
+}
+
+/// Texts in UTF-8 as an attribute; a single one as a scalar.
+void add_attribute(const Object                   &to,
+                   const std::string              &name,
+                   const std::vector<std::string> &texts,
+                   const std::string              &path)
+{
+  const Object type(written(H5Tcopy(H5T_C_S1), path));
+  written(H5Tset_size(type, H5T_VARIABLE), path);
+  written(H5Tset_cset(type, H5T_CSET_UTF8), path);
+  const hsize_t n = texts.size();
+  const Object  space(
+      written(n == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &n, nullptr), path));
+  const Object attribute(
+      written(H5Acreate2(to, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), path));
+  std::vector<const char *> pointers;
+  pointers.reserve(n);
+  for (const std::string &text : texts)
+    pointers.push_back(text.c_str());
+  written(H5Awrite(attribute, type, pointers.data()), path);
+}
+
+void add_table(const Object &file, const Table &table, const std::string &path)
+{
+  const TableInfo             &info = table.info;
+  const std::array<hsize_t, 2> size{table.n_rows(), info.columns};
+  const Object                 space(
+      written(H5Screate_simple(info.columns == 1 ? 1 : 2, size.data(), nullptr), path));
+  const Object links(written(H5Pcreate(H5P_LINK_CREATE), path));
+  written(H5Pset_create_intermediate_group(links, 1), path);
+  const Object dataset(written(
+      H5Dcreate2(file, info.path.c_str(), H5T_IEEE_F64LE, space, links, H5P_DEFAULT, H5P_DEFAULT),
+      path));
+  written(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()),
+          path);
+  for (const auto &[name, value] : info.attributes)
+    add_attribute(dataset, name, {value}, path);
+  if (!info.labels.empty())
+    add_attribute(dataset, "columns", info.labels, path);
+}
+} // namespace
+
+TableFile::TableFile(const std::string &path) : path_(path), file_(open_file(path))
+{
+  if (file_ >= 0)
+    return;
+  if (::access(path.c_str(), R_OK) != 0)
+    throw InputError("'" + path + "' cannot be read: " + std::generic_category().message(errno) +
+                     ".");
+  throw InputError("'" + path + "' cannot be read: it is no HDF5 file, or it is damaged.");
+}
+
+bool TableFile::has(const std::string &dataset) const
+{
+  return Object(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT)) >= 0;
+}
+
+void TableFile::refuse(const std::string &dataset, const std::string &why) const
+{
+  throw InputError("'" + path_ + "': the dataset " + dataset + " " + why + ".");
+}
+
+Table TableFile::read(const std::string &dataset,
+                      const std::size_t  first,
+                      const std::size_t  n) const
+{
+  const Object table(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT));
+  if (table < 0)
+    refuse(dataset, "is missing or damaged");
+  const Object           space(H5Dget_space(table)), type(H5Dget_type(table));
+  std::array<hsize_t, 2> size{0, 1};
+  const int              rank = H5Sget_simple_extent_ndims(space);
+  if (rank < 1 || rank > 2 || H5Tget_class(type) != H5T_FLOAT ||
+      H5Sget_simple_extent_dims(space, size.data(), nullptr) < 0 || size[1] == 0)
+    refuse(dataset, "is no table of numbers");
+  const std::array<hsize_t, 2> start{std::min<hsize_t>(first, size[0]), 0};
+  const std::array<hsize_t, 2> count{std::min<hsize_t>(n, size[0] - start[0]), size[1]};
+
+  Table result{{dataset, static_cast<unsigned int>(size[1]), {}, read_labels(table, dataset)}, {}};
+  result.values.resize(count[0] * count[1]);
+  if (result.values.empty())
+    return result;
+  const Object memory(H5Screate_simple(rank, count.data(), nullptr));
+  if (H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) <
+          0 ||
+      H5Dread(table, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, result.values.data()) < 0)
+    refuse(dataset, "is damaged");
+  return result;
+}
+
+std::vector<std::string> TableFile::read_labels(const Object      &table,
+                                                const std::string &dataset) const
+{
+  if (H5Aexists(table, "columns") <= 0)
+    return {};
+  const Object attribute(H5Aopen(table, "columns", H5P_DEFAULT));
+  const Object type(H5Aget_type(attribute)), space(H5Aget_space(attribute));
+  if (H5Tis_variable_str(type) <= 0)
+    refuse(dataset, "has names of columns that are no texts");
+  const hssize_t      n = H5Sget_simple_extent_npoints(space);
+  std::vector<char *> texts(n > 0 ? n : 0, nullptr);
+  const Object        memory(H5Tcopy(H5T_C_S1));
+  H5Tset_size(memory, H5T_VARIABLE);
+  H5Tset_cset(memory, H5Tget_cset(type));
+  if (H5Aread(attribute, memory, texts.data()) < 0)
+    refuse(dataset, "is damaged: the names of its columns cannot be read");
+  std::vector<std::string> labels;
+  labels.reserve(texts.size());
+  for (const char *text : texts)
+    labels.emplace_back(text != nullptr ? text : "");
+  H5Dvlen_reclaim(memory, space, H5P_DEFAULT, texts.data());
+  return labels;
+}
+
+void write_tables(const std::string        &path,
+                  const Attributes         &attributes,
+                  const std::vector<Table> &tables)
+{
+  const std::string part = path + ".part";
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  try
+    {
+      errno = 0;
+      Object file(written(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), path));
+      for (const auto &[name, value] : attributes)
+        add_attribute(file, name, {value}, path);
+      for (const Table &table : tables)
+        add_table(file, table, path);
+      written(H5Fflush(file, H5F_SCOPE_GLOBAL), path);
+      written(H5Fclose(file.release()), path);
+      written(std::rename(part.c_str(), path.c_str()), path);
+    }
+  catch (const RunError &)
+    {
+      ::unlink(part.c_str());
+      throw;
+    }
+}
+} // namespace chaindrive::files
