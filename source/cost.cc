@@ -2,6 +2,7 @@
 #include <chaindrive/cost.h>
 #include <chaindrive/observe/pictures.h>
 #include <chaindrive/observe/progress.h>
+#include <chaindrive/parameters/needs.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/first_rank.h>
 #include <chaindrive/utilities/text.h>
@@ -119,12 +120,13 @@ void time_outputs(Simulation &simulation, Cost &cost)
                          }) /
                 n;
   cost.samples = 1. + std::min(std::ceil(duration / output.history_interval), double(cost.steps));
-  if (output.field_interval <= 0. || !scene::is_on(simulation.scene.effects, "fields"))
+  const double interval = parameters::field_interval(simulation.parameters);
+  if (interval <= 0. || !scene::is_on(simulation.scene.effects, "fields"))
     return;
   observe::Pictures pictures(
       simulation.scene, simulation.parameters, system, scratch.path(), system.timer);
   cost.picture  = cpu_time(comm, [&] { pictures.observe(system, 0, 0.); });
-  cost.pictures = 1. + std::min(std::floor(duration / output.field_interval), double(cost.steps));
+  cost.pictures = 1. + std::min(std::floor(duration / interval), double(cost.steps));
 }
 } // namespace
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/commands.h>
+#include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/files/console.h>
 #include <chaindrive/files/log.h>
@@ -224,8 +225,10 @@ void parts_command(const CommandLine &command_line, const MPI_Comm comm)
   const bool       is_first = rank_in(comm) == 0;
   files::Console   console(STDOUT_FILENO);
   files::Log       out(is_first ? &console : nullptr);
-  const Parameters parameters =
-      parameters::read_parameters(command_line.parameter_file, command_line.overrides).parameters;
+  const Parameters parameters = parameters::read_parameters(command_line.parameter_file,
+                                                            command_line.overrides,
+                                                            drive::number_of_links)
+                                    .parameters;
   const drive::Drive  drive = drive::make_drive(parameters);
   statics::Library    library(parameters.material, statics::Cache::usual_folder(), comm);
   std::vector<double> loads;

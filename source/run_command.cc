@@ -2,6 +2,7 @@
 #include <chaindrive/accuracy.h>
 #include <chaindrive/commands.h>
 #include <chaindrive/cost.h>
+#include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/checks.h>
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/element/part_report.h>
@@ -67,7 +68,8 @@ struct Prepared
       , err(STDERR_FILENO)
       , log(command_line.quiet || rank_in(comm) != 0 ? nullptr : &out,
             rank_in(comm) == 0 ? &err : nullptr)
-      , input(parameters::read_parameters(command_line.parameter_file, command_line.overrides))
+      , input(parameters::read_parameters(
+            command_line.parameter_file, command_line.overrides, drive::number_of_links))
       , folders(mesh_folders(command_line.parameter_file))
       , simulation(input.parameters, folders, comm)
       , fixed(fixed_text(input, simulation.drive, folders))
@@ -152,8 +154,16 @@ void print_plan(Prepared &prepared)
   print_checks(prepared);
   scene::print_plan(log, simulation.scene);
   print_step(log, simulation.step, n_steps);
-  for (const auto &[of, part] : simulation.scene.parts)
-    element::print(log, element::make_report(*part, parameters.material));
+}
+
+/// The meshes, for who wants to know.
+void print_meshes(Prepared &prepared)
+{
+  std::vector<element::PartReport> reports;
+  for (const auto &[of, part] : prepared.simulation.scene.parts)
+    reports.push_back(element::make_report(*part, prepared.simulation.parameters.material));
+  if (!reports.empty())
+    element::print(prepared.log, reports);
 }
 
 void warn(files::Log &log, const std::string &sentence)
@@ -246,6 +256,7 @@ bool plan_command(const CommandLine &command_line, const MPI_Comm comm)
         measure_cost(simulation, prepared.folders, before),
         n_ranks_in(simulation.communicator()));
   print_answers(prepared.log, command_line, before, comm);
+  print_meshes(prepared);
   return true;
 }
 
@@ -260,6 +271,7 @@ bool run_command(const CommandLine &command_line, const MPI_Comm comm)
   on_first_rank(simulation.communicator(), [&] { warn(prepared.log, prepared.directory.claim()); });
   const auto checkpoint = find_checkpoint(prepared);
   print_plan(prepared);
+  print_meshes(prepared);
 
   const Parameters  &parameters = simulation.parameters;
   dynamics::System  &system     = simulation.system();

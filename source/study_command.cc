@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/commands.h>
+#include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/files/console.h>
 #include <chaindrive/files/data_folder.h>
 #include <chaindrive/files/file.h>
@@ -105,7 +106,8 @@ std::string text_of(const Run &run, const parameters::Variant &variant, const st
 {
   return "# " + variant.name + ", start phase " + to_text(run.phase) + ", for chaindrive " +
          version + (variant.ranks > 1 ? " on " + std::to_string(variant.ranks) + " ranks" : "") +
-         "\n" + meshes + "\n" + parameters::read_entries(run.values).resolved;
+         "\n" + meshes + "\n" +
+         parameters::read_entries(run.values, drive::number_of_links).resolved;
 }
 
 /// Whether @p run stands in @p directory as it is: then it was checked when it was written.
@@ -118,7 +120,7 @@ bool is_known(const Run &run, const std::string &directory)
 /// Prepares @p run, all of it or only its drive and scene. InputError when it cannot run.
 void prepare(const Run &run, const bool all)
 {
-  const parameters::Input input = parameters::read_entries(run.values);
+  const parameters::Input input = parameters::read_entries(run.values, drive::number_of_links);
   if (all)
     Simulation(input.parameters, {"."}, MPI_COMM_SELF).n_steps();
   else

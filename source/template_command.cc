@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/commands.h>
+#include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
-#include <deal.II/base/numbers.h>
-
 #include <charconv>
-#include <cmath>
 #include <map>
 #include <ostream>
 #include <string>
@@ -36,16 +34,6 @@ std::pair<unsigned int, unsigned int> read_teeth(const std::string &text)
                    "21/63.");
 }
 
-/// The even number of links that comes nearest to the centre distance @p centre [m]: the chain's
-/// length in pitches is X = 2 C/p + (z1 + z2)/2 + p ((z2 - z1)/2 pi)^2 / C (ISO 606).
-unsigned int even_links(const double pitch, const double z1, const double z2, const double centre)
-{
-  const double difference = (z2 - z1) / (2. * dealii::numbers::PI);
-  const double links =
-      2. * centre / pitch + 0.5 * (z1 + z2) + pitch * difference * difference / centre;
-  return static_cast<unsigned int>(2. * std::round(0.5 * links));
-}
-
 void refuse_out_of_range(const char *option, const double value, const double most)
 {
   if (!(value > 0. && value <= most))
@@ -66,11 +54,14 @@ void template_command(const CommandLine::Design &design, std::ostream &out)
   refuse_out_of_range("--rpm", design.rpm, 1e6);
   refuse_out_of_range("--kW", design.kilowatt, 1e6);
   const auto [driver, driven] = read_teeth(design.teeth);
-  parameters::Chain chain;
-  chain.designation  = design.chain;
-  const double pitch = drive::make_chain(chain).loaded_pitch();
+  parameters::Drive drive;
+  drive.chain.designation           = design.chain;
+  drive.sprockets.driver.teeth      = driver;
+  drive.sprockets.driven.teeth      = driven;
+  drive.layout.centre_distance      = 1e-3 * design.centre;
+  drive.layout.centre_distance_from = parameters::CentreDistanceFrom::sag;
 
-  const std::string links = std::to_string(even_links(pitch, driver, driven, 1e-3 * design.centre));
+  const std::string links    = std::to_string(drive::number_of_links(drive));
   const double      pitch_ms = 6e4 / (design.rpm * driver);
   const auto        pitches  = [pitch_ms](const double n) { return to_text(n * pitch_ms, 4); };
   const Values      values   = {{"Drive/Number of links", links},

@@ -263,7 +263,8 @@ void World::clear_resultants()
   for (Rim &rim : rims)
     rim.momentum = dealii::Tensor<1, 3>();
   ledger.clear_stored();
-  before_ = ledger;
+  before_        = ledger;
+  losses_before_ = losses;
 }
 
 void World::sum_over_ranks()
@@ -288,6 +289,13 @@ void World::sum_over_ranks()
         item(increment, whole);
         ledger.*term = before_.*term + increment;
       }
+    for (std::size_t i = 0; i < losses.size(); ++i)
+      for (double Loss::*term : {&Loss::friction, &Loss::damping})
+        {
+          double increment = losses[i].*term - losses_before_[i].*term;
+          item(increment, whole);
+          losses[i].*term = losses_before_[i].*term + increment;
+        }
     for (unsigned int body = 0; body < n_bodies(); ++body)
       if (moves_by_nodes(body))
         {
@@ -336,6 +344,7 @@ void World::serialize(const Archive &archive)
 {
   archive("time", time);
   archive("ledger", ledger);
+  archive.numbers("losses", losses);
   for (const auto &[name, vector] : {std::make_pair("displacement", &displacement),
                                      std::make_pair("velocity", &velocity),
                                      std::make_pair("force", &force),

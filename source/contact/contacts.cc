@@ -54,6 +54,7 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
         needs_search_ = true;
         reach_        = std::min(reach_, family->smallest_radius());
       }
+  world.losses.resize(families_.size());
 }
 
 void Contacts::search_if_due(const World &world, const double dt)
@@ -84,9 +85,14 @@ void Contacts::add_forces(World &world, const double dt)
     family->announce(world, dt);
   world.place_surfaces(0.5 * dt);
   BodyBatches::fetch_ghosts(world.copies);
-  for (const auto &family : families_)
-    if (family->is_dealt_out() || world.is_first_rank())
-      family->add_forces(world, dt);
+  for (std::size_t i = 0; i < families_.size(); ++i)
+    if (families_[i]->is_dealt_out() || world.is_first_rank())
+      {
+        const double friction = world.ledger.friction, damping = world.ledger.contact_damping;
+        families_[i]->add_forces(world, dt);
+        world.losses[i].friction += world.ledger.friction - friction;
+        world.losses[i].damping += world.ledger.contact_damping - damping;
+      }
   BodyBatches::send_forces(world.copies);
   world.gather_forces();
 }
@@ -167,6 +173,7 @@ void Contacts::refuse_overlap(World &world, const double prestress)
           }
       }
   world.ledger = ledger;
+  world.losses.assign(families_.size(), {});
   world.clear_forces();
   std::string message;
   if (worst != nullptr)

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/centre_distance.h>
+#include <chaindrive/drive/chain.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
 
 #include <cmath>
 
@@ -10,6 +13,7 @@ namespace chaindrive::drive
 namespace
 {
 using Target = Fitter::Target;
+using dealii::numbers::PI;
 
 std::string in_mm(const double length) { return to_text(length * 1e3, 7) + " mm"; }
 
@@ -22,6 +26,24 @@ Target wanted(const parameters::Layout &layout)
   return {Target::Kind::slack, 0.}; // pre-tension: the link lengths hold the stretch
 }
 } // namespace
+
+unsigned int number_of_links(const parameters::Drive &drive)
+{
+  parameters::Chain chain = drive.chain;
+  chain.elongation        = 0.;
+  const double pitch      = make_chain(chain).loaded_pitch();
+  const double z1 = drive.sprockets.driver.teeth, z2 = drive.sprockets.driven.teeth;
+  const auto   radius = [pitch](const double z) { return 0.5 * pitch / std::sin(PI / z); };
+  const double c      = drive.layout.centre_distance;
+  if (c <= radius(z1) + radius(z2))
+    throw InputError("Drive/Layout/Centre distance in mm = " + to_text(c * 1e3, 7) +
+                     ": the sprockets overlap; for Drive/Number of links = auto it must exceed " +
+                     in_mm(radius(z1) + radius(z2)) + ".");
+  const double a     = std::asin((radius(z2) - radius(z1)) / c);
+  const double pairs = c * std::cos(a) / pitch + 0.25 * (z1 + z2) + 0.5 * (z2 - z1) * a / PI;
+  const bool   given = drive.layout.centre_distance_from == parameters::CentreDistanceFrom::given;
+  return 2 * static_cast<unsigned int>(given ? std::ceil(pairs - 1e-9) : std::round(pairs));
+}
 
 std::string advised_links(const Fitter &fitter, const double missing, const bool even)
 {

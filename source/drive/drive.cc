@@ -133,6 +133,27 @@ RestingChain resting_chain(const Parameters &p, const Drive &d)
   return chain;
 }
 
+/// The entries of a drive whose chain has worn while its shafts stayed where slack or sag of the
+/// new chain had put them: their distance is given. @p lay finds the layout of entries and a chain.
+template <typename Lay>
+parameters::Drive worn_drive(const Parameters &parameters, const Lay &lay, Drive &d)
+{
+  parameters::Drive         entries = parameters.drive;
+  const parameters::Layout &layout  = entries.layout;
+  if (layout.worn_chain != parameters::WornChain::shafts_kept || entries.chain.elongation == 0. ||
+      layout.centre_distance_from == CentreDistanceFrom::given)
+    return entries;
+  parameters::Drive as_new = entries;
+  as_new.chain.elongation  = 0.;
+  const double distance =
+      lay(as_new, make_chain(as_new.chain, parameters.effects)).centre_distance();
+  d.notes.push_back("Centre distance " + to_text(distance * 1e3, 7) + " mm, from " +
+                    text_of(layout.centre_distance_from) + " of the chain when it was new.");
+  entries.layout.centre_distance_from = CentreDistanceFrom::given;
+  entries.layout.centre_distance      = distance;
+  return entries;
+}
+
 void append(std::vector<std::string> &notes, const std::vector<std::string> &more)
 {
   notes.insert(notes.end(), more.begin(), more.end());
@@ -235,15 +256,19 @@ Drive make_drive(const Parameters  &parameters,
   std::vector<ToothForm> forms;
   for (const Sprocket &sprocket : d.sprockets)
     forms.push_back(sprocket.form);
-  d.layout                         = make_layout(parameters.drive,
-                         d.chain,
-                         forms,
-                         model.has_clearances,
-                         d.stiffness_per_pitch,
-                         parameters.loads.driver_speed,
-                         d.nominal_tension,
-                         gravity(parameters) == 0.);
-  const parameters::Layout &layout = parameters.drive.layout;
+  const auto lay = [&](const parameters::Drive &entries, const ChainDimensions &chain) {
+    return make_layout(entries,
+                       chain,
+                       forms,
+                       model.has_clearances,
+                       d.stiffness_per_pitch,
+                       parameters.loads.driver_speed,
+                       d.nominal_tension,
+                       gravity(parameters) == 0.);
+  };
+  const parameters::Drive   entries = worn_drive(parameters, lay, d);
+  const parameters::Layout &layout  = entries.layout;
+  d.layout                          = lay(entries, d.chain);
   if (layout.centre_distance_from == CentreDistanceFrom::pretension && layout.pretension > 0. &&
       layout.start != parameters::Start::settled)
     bring_to_rest(d.layout, resting_chain(parameters, d), forms, layout.pretension);

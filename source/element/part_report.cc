@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <set>
 
@@ -130,36 +131,40 @@ PartReport make_report(const mesh::Part &part, const Material &material)
   return report;
 }
 
-void print(std::ostream &out, const PartReport &report)
+void print(std::ostream &out, const std::vector<PartReport> &reports)
 {
-  const auto line = [&out](const std::string &what, const std::string &value) {
-    out << "  " << what << std::string(what.size() < 24 ? 24 - what.size() : 1, ' ') << value
-        << '\n';
+  const auto row = [&out](const std::string &name, const std::vector<std::string> &cells) {
+    out << "  " << name << std::string(name.size() < 16 ? 16 - name.size() : 1, ' ');
+    for (const std::string &cell : cells)
+      out << std::setw(11) << cell;
+    out << '\n';
   };
-  const auto three = [](const Tensor<1, 3> &t) {
-    return percent(t[0]) + ", " + percent(t[1]) + ", " + percent(t[2]);
-  };
-  out << "Mesh of the " << report.name << '\n';
-  line("cells, vertices",
-       std::to_string(report.n_cells) + ", " + std::to_string(report.n_vertices));
-  line("smallest edge", to_text(1e3 * report.smallest_edge, 4) + " mm");
-  line("worst scaled Jacobian", to_text(report.scaled_jacobian, 3));
-  line("worst aspect ratio", to_text(report.aspect_ratio, 3));
-  line("mass", to_text(1e3 * report.exact_mass, 5) + " g, error " + percent(report.mass_error));
-  line("inertia",
-       to_text(1e9 * report.exact_inertia[0], 5) + ", " +
-           to_text(1e9 * report.exact_inertia[1], 5) + ", " +
-           to_text(1e9 * report.exact_inertia[2], 5) + " g mm2");
-  line("  error of the mesh", three(report.meshed_error));
-  line("  error of lumped masses", three(report.lumped_error));
-  for (const PartReport::Factor &factor : report.factors)
-    line("density factor", to_text(factor.density_factor, 5) + " (" + factor.component + ")");
-  line("stable step",
-       to_text(1e6 * report.stable_step, 4) + " us (largest element frequency, " +
-           std::to_string(report.n_shapes) + " shapes of " +
-           std::to_string(report.n_elastic_cells) + " elastic cells)");
-  for (const PartReport::Side &side : report.sides)
-    line(side.name,
-         std::to_string(side.n_faces) + " faces, " + to_text(1e6 * side.area, 5) + " mm2");
+  out << "Meshes\n";
+  row("",
+      {"cells",
+       "vertices",
+       "edge (mm)",
+       "Jacobian",
+       "aspect",
+       "mass (g)",
+       "error",
+       "inertia",
+       "step (us)"});
+  for (const PartReport &report : reports)
+    {
+      double inertia = 0.;
+      for (unsigned int d = 0; d < 3; ++d)
+        inertia = std::max(inertia, std::abs(report.lumped_error[d]));
+      row(report.name,
+          {std::to_string(report.n_cells),
+           std::to_string(report.n_vertices),
+           to_text(1e3 * report.smallest_edge, 3),
+           to_text(report.scaled_jacobian, 3),
+           to_text(report.aspect_ratio, 3),
+           to_text(1e3 * report.exact_mass, 4),
+           percent(report.mass_error),
+           percent(inertia),
+           to_text(1e6 * report.stable_step, 3)});
+    }
 }
 } // namespace chaindrive::element

@@ -36,11 +36,13 @@ struct CsvFile
   std::unique_ptr<File>     file;
 };
 
-void put_number(std::ostream &out, const double value)
+void put_number(std::ostream &out, const double value, const bool single = false)
 {
   // the shortest text that reads back as the same number
   char       text[32];
-  const auto end = std::to_chars(text, text + sizeof(text), value).ptr;
+  const auto end = single ?
+                       std::to_chars(text, text + sizeof(text), static_cast<float>(value)).ptr :
+                       std::to_chars(text, text + sizeof(text), value).ptr;
   out.write(text, end - text);
 }
 } // namespace
@@ -70,7 +72,8 @@ struct Histories::Data
       infos.push_back({(c.group.empty() ? "" : "/" + c.group) + "/" + c.name,
                        c.columns,
                        {{"unit", c.unit}, {"description", c.description}},
-                       c.labels});
+                       c.labels,
+                       c.single});
     return infos;
   }
 
@@ -137,7 +140,8 @@ struct Histories::Data
               for (unsigned int i = 0; i < channels[c].columns; ++i)
                 {
                   *group.file << ',';
-                  put_number(*group.file, values[c][row * channels[c].columns + i]);
+                  put_number(
+                      *group.file, values[c][row * channels[c].columns + i], channels[c].single);
                 }
             *group.file << '\n';
           }
@@ -279,5 +283,12 @@ void Histories::close()
   for (CsvFile &group : d.csv)
     group.file->close();
   d.file->close(d.written);
+}
+
+void Histories::compress()
+{
+  Data &d = *data_;
+  if (d.file && d.written > 0)
+    HistoryFile::compress(d.prefix + ".h5", d.attributes, d.tables(), d.block);
 }
 } // namespace chaindrive::files

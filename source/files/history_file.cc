@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <hdf5.h>
@@ -45,11 +46,13 @@ struct HistoryFile::Data
   std::string               path;
   std::size_t               rows, block;
   std::vector<unsigned int> columns;
+  std::vector<bool>         single;
   Object                    file;
   std::vector<Object>       tables;
   int                       descriptor = -1; ///< of the open file, owned by HDF5
   bool                      abandoned  = false;
   bool                      complete   = false; ///< opened to be read
+  bool                      compressed = false;
 
   ~Data()
   {
@@ -92,8 +95,8 @@ struct HistoryFile::Data
     if (::fstat(of_file, &status) != 0)
       return errno;
     std::size_t bytes = 65536;
-    for (const unsigned int c : columns)
-      bytes += (n / block + 1) * block * c * sizeof(double) + 8192;
+    for (std::size_t t = 0; t < columns.size(); ++t)
+      bytes += (n / block + 1) * block * columns[t] * (single[t] ? 4 : 8) + 8192;
     const int error = ::posix_fallocate(of_file, status.st_size, bytes);
     if (error == 0 || error == EOPNOTSUPP || error == EINVAL) // not every file system can do this
       return 0;
@@ -150,7 +153,12 @@ struct HistoryFile::Data
     const double unwritten = std::numeric_limits<double>::quiet_NaN();
     check(H5Pset_chunk(creation, rank, chunk));
     check(H5Pset_fill_value(creation, H5T_NATIVE_DOUBLE, &unwritten));
-    check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY));
+    check(H5Pset_alloc_time(creation, compressed ? H5D_ALLOC_TIME_INCR : H5D_ALLOC_TIME_EARLY));
+    if (compressed)
+      {
+        check(H5Pset_shuffle(creation));
+        check(H5Pset_deflate(creation, 4));
+      }
 
     const Object links(check(H5Pcreate(H5P_LINK_CREATE)));
     check(H5Pset_create_intermediate_group(links, 1));
@@ -159,8 +167,13 @@ struct HistoryFile::Data
     const Object access(check(H5Pcreate(H5P_DATASET_ACCESS)));
     check(H5Pset_chunk_cache(access, 0, 0, 1.));
 
-    tables.emplace_back(
-        check(H5Dcreate2(file, info.path.c_str(), H5T_IEEE_F64LE, space, links, creation, access)));
+    tables.emplace_back(check(H5Dcreate2(file,
+                                         info.path.c_str(),
+                                         info.single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE,
+                                         space,
+                                         links,
+                                         creation,
+                                         access)));
     for (const auto &[name, value] : info.attributes)
       add_attribute(tables.back(), name, {value});
     if (!info.labels.empty())
@@ -184,7 +197,10 @@ struct HistoryFile::Data
     // failures are reported by exceptions only
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     for (const TableInfo &info : infos)
-      columns.push_back(info.columns);
+      {
+        columns.push_back(info.columns);
+        single.push_back(info.single);
+      }
 
     const Object access(check(H5Pcreate(H5P_FILE_ACCESS)));
     check(H5Pset_sieve_buf_size(access, 0));
@@ -195,7 +211,7 @@ struct HistoryFile::Data
     const int trial = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (trial < 0)
       abandon(errno);
-    const int error = reserve(trial, rows);
+    const int error = compressed ? 0 : reserve(trial, rows);
     ::close(trial);
     if (error != 0)
       {
@@ -210,7 +226,7 @@ struct HistoryFile::Data
     // the file is valid at any instant: others may read it while it is being written
     ::flock(descriptor, LOCK_UN);
 
-    if (const int now = reserve(descriptor, rows); now != 0)
+    if (const int now = compressed ? 0 : reserve(descriptor, rows); now != 0)
       abandon(now);
     for (const auto &[name, value] : attributes)
       add_attribute(file, name, {value});
@@ -241,6 +257,43 @@ HistoryFile::HistoryFile(const std::string            &path,
         ::unlink(path.c_str());
       throw;
     }
+}
+
+HistoryFile::HistoryFile() : data_(std::make_unique<Data>()) {}
+
+void HistoryFile::compress(const std::string            &path,
+                           const Attributes             &attributes,
+                           const std::vector<TableInfo> &tables,
+                           const std::size_t             block)
+{
+  const std::string part = path + ".part";
+  try
+    {
+      HistoryFile from(path, tables), to;
+      Data       &d = *to.data_;
+      d.path        = part;
+      d.compressed  = true;
+      d.rows        = from.n_rows();
+      d.block       = std::clamp<std::size_t>(block, 1, std::max<std::size_t>(d.rows, 1));
+      d.make(attributes, tables);
+      std::vector<std::vector<double>> values;
+      for (const TableInfo &table : tables)
+        values.emplace_back(d.block * table.columns);
+      for (std::size_t first = 0; first < d.rows; first += d.block)
+        {
+          const std::size_t n = std::min(d.block, d.rows - first);
+          from.read(first, n, values);
+          to.write(first, n, values);
+        }
+      to.close(d.rows);
+      sync_file(part); // its name must not be there before its content
+      if (std::rename(part.c_str(), path.c_str()) == 0)
+        return;
+    }
+  catch (const RunError &) // the disk is full
+    {
+    }
+  ::unlink(part.c_str());
 }
 
 HistoryFile::HistoryFile(const std::string &path, const std::vector<TableInfo> &tables)

@@ -3,8 +3,10 @@
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace chaindrive::observe
 {
@@ -72,6 +74,22 @@ bool have_stress(const std::vector<BodySnapshot> &bodies)
   });
 }
 
+/// Normal force [N] in the gap of a sprocket that is nearest to cell @p cell of @p body.
+double load_of_gap(const BodySnapshot &body, const std::array<unsigned int, 8> &cell)
+{
+  dealii::Tensor<1, 3> centre; // at the start
+  for (const unsigned int v : cell)
+    centre += 0.125 * body.part->vertices[v];
+  const Frame               &axes = *body.sprocket;
+  const dealii::Tensor<1, 3> arm =
+      transpose(axes.rotation) *
+      (body.initial.position + body.initial.rotation * centre - axes.position);
+  const int  n     = static_cast<int>(body.gap_load.size());
+  const auto pitch = 2. * dealii::numbers::PI / n;
+  const int  gap   = static_cast<int>(std::lround(std::atan2(arm[1], arm[0]) / pitch));
+  return body.gap_load[(gap + n) % n];
+}
+
 files::VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const bool with_stress)
 {
   std::size_t n_points = 0, n_cells = 0;
@@ -81,15 +99,17 @@ files::VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const bool with_
       n_cells += body.part->cells.size();
     }
 
-  std::vector<float>        displacement, velocity, contact_force;
-  std::vector<std::int32_t> id, kind;
+  std::vector<float>        displacement, velocity, contact_force, tension, tooth_load;
+  std::vector<std::int32_t> id, kind, deforms;
   files::VtuGrid            grid;
   for (auto *values : {&displacement, &velocity, &grid.points})
     values->reserve(3 * n_points);
   grid.connectivity.reserve(8 * n_cells);
   contact_force.reserve(3 * n_cells);
-  id.reserve(n_cells);
-  kind.reserve(n_cells);
+  for (auto *values : {&tension, &tooth_load})
+    values->reserve(n_cells);
+  for (auto *numbers : {&id, &kind, &deforms})
+    numbers->reserve(n_cells);
 
   std::int32_t first_point = 0;
   for (const BodySnapshot &body : bodies)
@@ -119,17 +139,24 @@ files::VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const bool with_
           append(contact_force, body.contact_force);
           id.push_back(body.id);
           kind.push_back(body.kind);
+          deforms.push_back(elastic ? 1 : 0);
+          tension.push_back(static_cast<float>(body.tension));
+          tooth_load.push_back(static_cast<float>(
+              body.gap_load.size() > 0 ? load_of_gap(body, cell) : body.tooth_load));
         }
       first_point += vertices.size();
     }
 
   grid.point_data = {{"displacement", 3, std::move(displacement)},
                      {"velocity", 3, std::move(velocity)}};
-  grid.cell_data  = {{"contact_force", 3, std::move(contact_force)}};
+  grid.cell_data  = {{"contact_force", 3, std::move(contact_force)},
+                     {"tension", 1, std::move(tension)},
+                     {"tooth_load", 1, std::move(tooth_load)}};
   if (with_stress)
     for (files::VtuGrid::FloatData &data : stresses_of(bodies))
       grid.cell_data.push_back(std::move(data));
-  grid.cell_numbers = {{"body", std::move(id)}, {"kind", std::move(kind)}};
+  grid.cell_numbers = {
+      {"body", std::move(id)}, {"kind", std::move(kind)}, {"elastic", std::move(deforms)}};
   return grid;
 }
 

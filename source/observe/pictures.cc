@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/observe/pictures.h>
+#include <chaindrive/parameters/needs.h>
 #include <chaindrive/utilities/ranks.h>
 
 #include <deal.II/base/mpi.h>
+
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/vector.hpp>
 
 namespace chaindrive::observe
 {
 Pictures::Drawing::Drawing(const scene::Scene     &scene,
                            const dynamics::System &system,
                            const std::string      &directory)
-    : fields(directory, system.world.communicator()), elastic(system)
+    : fields(directory, system.world.communicator())
+    , elastic(system)
+    , spans(scene, system)
+    , teeth(make_tooth_forces(scene, system))
 {
   for (const auto &[of, part] : scene.parts)
     parts.emplace(of, PartPatches(*part->mesh, scene.sectors.count(of) != 0));
@@ -26,7 +33,7 @@ Pictures::Pictures(const scene::Scene     &scene,
     : scene_(scene)
     , phase_(timer.add("Output"))
     , schedule_(parameters.time.start,
-                is_on(scene.effects, "fields") ? parameters.output.field_interval : 0.)
+                is_on(scene.effects, "fields") ? parameters::field_interval(parameters) : 0.)
 {
   if (is_on(scene.effects, "fields"))
     drawing_ = std::make_unique<Drawing>(scene, system, directory);
@@ -69,6 +76,70 @@ std::vector<dealii::Tensor<1, 3>> contact_forces(const dynamics::System &system)
   return contact_force;
 }
 
+/// What links and teeth carry at one instant, N.
+struct Loads
+{
+  std::vector<double>                         tension, roller; ///< per link; of the teeth per joint
+  std::map<unsigned int, std::vector<double>> gaps;            ///< of a sprocket, by its number
+
+  template <typename BoostArchive>
+  void serialize(BoostArchive &archive, unsigned int)
+  {
+    archive &tension &roller &gaps;
+  }
+};
+
+/// On all ranks.
+Loads loads_of(const scene::Scene       &scene,
+               const dynamics::System   &system,
+               Spans                    &spans,
+               std::vector<ToothForces> &teeth)
+{
+  Loads loads;
+  if (system.world.is_first_rank()) // which has all records
+    {
+      spans.update(system);
+      loads.tension = spans.link_tension();
+      loads.roller.resize(scene.n_joints, 0.);
+      for (ToothForces &forces : teeth)
+        {
+          forces.look();
+          for (unsigned int k = 0; k < scene.n_joints; ++k)
+            loads.roller[k] += forces.roller[k];
+          for (unsigned int s = 0; s < scene.sprockets.size(); ++s)
+            if (scene.sprockets[s].name() == forces.name)
+              loads.gaps[s] = forces.in_gap;
+        }
+    }
+  if (n_ranks_in(system.world.communicator()) > 1)
+    loads = dealii::Utilities::MPI::broadcast(system.world.communicator(), loads);
+  return loads;
+}
+
+/// Adds to the snapshot of @p body what it carries.
+void add_loads(BodySnapshot &snapshot, const scene::Body &body, const Loads &loads)
+{
+  const auto n = static_cast<unsigned int>(loads.tension.size());
+  if (body.kind == scene::Kind::sprocket)
+    {
+      if (const auto gaps = loads.gaps.find(body.number); gaps != loads.gaps.end())
+        {
+          snapshot.gap_load = {gaps->second.data(), gaps->second.size()};
+          snapshot.sprocket = &body.initial;
+        }
+    }
+  else if (body.number >= n)
+    return; // no chain
+  else if (body.kind == scene::Kind::roller)
+    {
+      snapshot.tension =
+          0.5 * (loads.tension[body.number] + loads.tension[(body.number + n - 1) % n]);
+      snapshot.tooth_load = loads.roller[body.number];
+    }
+  else
+    snapshot.tension = loads.tension[body.number];
+}
+
 std::vector<BarSnapshot> snapshots_of_bars(const dynamics::System &system)
 {
   const World             &world = system.world;
@@ -99,6 +170,8 @@ void Pictures::write(const dynamics::System &system)
 
   const std::vector<dealii::Tensor<1, 3>> contact_force = contact_forces(system);
 
+  const Loads loads = loads_of(scene_, system, drawing_->spans, drawing_->teeth);
+
   std::vector<ElasticSnapshot> elastic(world.n_bodies());
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     if (world.elastic_address[b].group != World::Address::none && world.owns(b))
@@ -107,15 +180,18 @@ void Pictures::write(const dynamics::System &system)
   std::vector<BodySnapshot> bodies;
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     if (world.owns(b))
-      bodies.push_back({&drawing_->parts.at(scene_.bodies[b].part()),
-                        b,
-                        scene_.bodies[b].number_in_pictures(),
-                        scene_.bodies[b].initial,
-                        world.frames[b],
-                        contact_force[b],
-                        make_array_view(elastic[b].displacement),
-                        make_array_view(elastic[b].velocity),
-                        {elastic[b].stress.data(), elastic[b].stress.size()}});
+      {
+        bodies.push_back({&drawing_->parts.at(scene_.bodies[b].part()),
+                          b,
+                          scene_.bodies[b].number_in_pictures(),
+                          scene_.bodies[b].initial,
+                          world.frames[b],
+                          contact_force[b],
+                          make_array_view(elastic[b].displacement),
+                          make_array_view(elastic[b].velocity),
+                          {elastic[b].stress.data(), elastic[b].stress.size()}});
+        add_loads(bodies.back(), scene_.bodies[b], loads);
+      }
 
   std::vector<std::vector<ElasticSnapshot>> sectors;
   for (const Rim &rim : world.rims)
@@ -136,6 +212,7 @@ void Pictures::write(const dynamics::System &system)
                               make_array_view(sector.displacement),
                               make_array_view(sector.velocity),
                               {sector.stress.data(), sector.stress.size()}});
+            add_loads(bodies.back(), scene_.bodies[rim.body], loads);
           }
     }
 

@@ -53,7 +53,9 @@ void Channels::add(const files::Channel &channel, Fill fill)
 {
   AssertThrow(files::is_history_group(channel.group),
               dealii::ExcMessage("Histories of '" + channel.group + "' would never be removed"));
-  sources_.push_back({histories_.add(channel), std::move(fill)});
+  files::Channel stored = channel;
+  stored.single         = single_ && channel.columns > 1;
+  sources_.push_back({histories_.add(stored), std::move(fill)});
 }
 
 void Channels::sample(const double time)

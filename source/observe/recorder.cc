@@ -49,17 +49,19 @@ void Recorder::write_histories(const std::string  &directory,
   takes_samples_ = true;
   if (!now_.system.world.is_first_rank())
     return;
-  sampling_.emplace(std::make_unique<files::Histories>(
-      directory + histories_name,
-      std::vector<std::pair<std::string, std::string>>{
-          {"program", std::string("chaindrive ") + version},
-          {"parameters", parameter_text},
-          {"parameter_hash", checksum(parameter_text)},
-          {"span_direction", axis_text(now_.scene.span_direction)},
-          {"span_normal", axis_text(now_.scene.span_normal)},
-          {"axes", "driver at the origin, driven at (C, 0); z along the shafts; gravity -y"}},
-      expected_samples(now_.parameters, n_steps),
-      now_.parameters.output.csv));
+  sampling_.emplace(
+      std::make_unique<files::Histories>(
+          directory + histories_name,
+          std::vector<std::pair<std::string, std::string>>{
+              {"program", std::string("chaindrive ") + version},
+              {"parameters", parameter_text},
+              {"parameter_hash", checksum(parameter_text)},
+              {"span_direction", axis_text(now_.scene.span_direction)},
+              {"span_normal", axis_text(now_.scene.span_normal)},
+              {"axes", "driver at the origin, driven at (C, 0); z along the shafts; gravity -y"}},
+          expected_samples(now_.parameters, n_steps),
+          now_.parameters.output.csv),
+      now_.parameters.output.precision == parameters::Precision::single);
   for (const NamedQuantity &item : quantities_)
     item.quantity->add_channels(sampling_->channels);
 }
@@ -110,8 +112,10 @@ void Recorder::close(const bool finished)
   if (!sampling_)
     return;
   sampling_->histories->close();
-  if (finished)
-    sampling_->histories->remove_saved();
+  if (!finished)
+    return;
+  sampling_->histories->compress();
+  sampling_->histories->remove_saved();
 }
 
 void Recorder::summarize(files::Json &summary) const

@@ -2,20 +2,126 @@
 #include <chaindrive/observe/summary.h>
 
 #include <iomanip>
+#include <string>
 
 namespace chaindrive::observe
 {
+namespace
+{
+constexpr double degrees = 57.29577951308232; // in a radian
+
+/// A signal of `statistics` as the log has it.
+struct Row
+{
+  const char *text, *member, *unit;
+  double      scale = 1.;
+};
+
+constexpr Row rows[] = {{"driven speed", "driven_speed", "rad/s"},
+                        {"driver torque", "driver_torque", "N m"},
+                        {"tight-span speed", "span_speed", "m/s"},
+                        {"tight tension", "tight_tension", "N"},
+                        {"slack tension", "slack_tension", "N"},
+                        {"tight-span offset", "tight_offset", "mm", 1e3},
+                        {"slack-span offset", "slack_offset", "mm", 1e3},
+                        {"driver shaft load", "driver_load", "N"},
+                        {"its direction", "driver_load_direction", "deg", degrees},
+                        {"driven shaft load", "driven_load", "N"},
+                        {"its direction", "driven_load_direction", "deg", degrees}};
+
+void number(std::ostream      &out,
+            const files::Json &value,
+            const double       scale  = 1.,
+            const unsigned int digits = 5,
+            const unsigned int width  = 12)
+{
+  out << std::setw(width);
+  if (value.is_number())
+    out << std::setprecision(digits) << scale * value.get<double>();
+  else
+    out << "-";
+}
+
+void print_statistics(std::ostream &out, const files::Json &statistics)
+{
+  bool headed = false;
+  for (const Row &row : rows)
+    {
+      if (!statistics.contains(row.member))
+        continue; // not asked for
+      if (!headed)
+        out << "  " << std::left << std::setw(18) << "in the window" << std::right << std::setw(12)
+            << "mean" << std::setw(11) << "deviation" << std::setw(11) << "least" << std::setw(11)
+            << "largest"
+            << "   harmonics of tooth frequency\n";
+      headed                   = true;
+      const files::Json &found = statistics[row.member];
+      out << "  " << std::left << std::setw(18) << row.text << std::right;
+      number(out, found["mean"], row.scale);
+      for (const char *name : {"deviation", "least", "largest"})
+        number(out, found[name], row.scale, 4, 11);
+      for (const files::Json &amplitude : found["harmonics"])
+        number(out, amplitude, row.scale, 3, 10);
+      out << ' ' << row.unit << '\n';
+    }
+  if (headed && statistics["tooth_periods"].is_number())
+    out << "  harmonics over " << statistics["tooth_periods"] << " whole tooth periods\n";
+  if (statistics.contains("settled") && statistics["settled"].is_boolean())
+    out << (statistics["settled"].get<bool>() ?
+                "  The drive had settled in the last six pitch times of the window.\n" :
+                "  The drive had not settled in the last six pitch times of the window.\n");
+}
+
+void print_impacts(std::ostream &out, const files::Json &impacts)
+{
+  for (const auto &[sprocket, found] : impacts.items())
+    {
+      if (found["number"] == 0)
+        continue;
+      out << "  impacts on the " << std::left << std::setw(7) << sprocket << std::right
+          << std::setw(6) << found["number"].get<unsigned int>() << ", peak force ";
+      number(out, found["peak_force"]["mean"], 1., 4, 0);
+      out << " N (largest ";
+      number(out, found["peak_force"]["largest"], 1., 4, 0);
+      out << "), impulse ";
+      number(out, found["impulse"]["mean"], 1., 3, 0);
+      out << " N s, normal speed ";
+      number(out, found["normal_speed"]["mean"], 1., 3, 0);
+      out << " m/s\n";
+    }
+}
+
+void print_losses(std::ostream &out, const files::Json &summary)
+{
+  const files::Json &energy = summary["window_energy"];
+  if (!energy["lost"].is_number())
+    return; // nothing fell into the window
+  out << "  lost ";
+  number(out, energy["lost"], 1., 4, 0);
+  out << " J of ";
+  number(out, energy["drive_work"], 1., 4, 0);
+  out << " J, and ";
+  number(out, energy["stored"], 1., 3, 0);
+  out << " J added to what is stored; efficiency ";
+  number(out, summary["efficiency"], 1., 5, 0);
+  out << '\n';
+  for (const auto &[name, loss] : summary["losses"].items())
+    {
+      out << "  " << std::left << std::setw(34) << "loss in " + name << std::right;
+      number(out, loss["power"]);
+      out << " W\n";
+    }
+}
+} // namespace
+
 void print_summary(std::ostream &out, const files::Json &summary)
 {
   const auto line =
       [&](const char *text, const char *member, const char *unit, const double scale = 1.) {
         if (!summary.contains(member))
           return; // not asked for
-        out << "  " << std::left << std::setw(34) << text << std::right << std::setw(12);
-        if (summary[member].is_number())
-          out << std::setprecision(5) << scale * summary[member].get<double>();
-        else
-          out << "-";
+        out << "  " << std::left << std::setw(34) << text << std::right;
+        number(out, summary[member], scale);
         out << ' ' << unit << '\n';
       };
   const files::Json &window = summary["window"];
@@ -25,12 +131,13 @@ void print_summary(std::ostream &out, const files::Json &summary)
         << (window["settled"].is_boolean() ? ", after the drive had settled\n" : "\n");
   else
     out << "No means: the drive has not settled\n";
-  line("driven speed", "driven_speed_mean", "rad/s");
-  line("tight-span speed", "span_speed_mean", "m/s");
   line("pitch time", "pitch_time_mean", "ms", 1e3);
-  line("tight tension", "tight_tension_mean", "N");
-  line("slack tension", "slack_tension_mean", "N");
-  line("driver torque", "driver_torque_mean", "N m");
+  if (summary.contains("statistics"))
+    print_statistics(out, summary["statistics"]);
+  if (summary.contains("impacts"))
+    print_impacts(out, summary["impacts"]);
+  if (summary.contains("losses"))
+    print_losses(out, summary);
   out << "Whole run\n";
   line("largest tight tension in 10 ms", "tight_tension_max_start", "N");
   line("driven angle at the end", "driven_angle_end", "rad");

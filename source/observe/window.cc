@@ -5,10 +5,8 @@
 #include <chaindrive/utilities/ranks.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/numbers.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace chaindrive::observe
@@ -16,20 +14,6 @@ namespace chaindrive::observe
 namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-enum Signal : unsigned int
-{
-  tight_tension,
-  slack_tension,
-  driven_speed,
-  driver_torque,
-  n_signals
-};
-
-std::vector<WindowMean> means_over(const double from, const double to)
-{
-  return std::vector<WindowMean>(n_signals, WindowMean(from, to));
-}
 } // namespace
 
 Window::Window(const scene::Scene &scene, const Parameters &parameters)
@@ -42,64 +26,32 @@ Window::Window(const scene::Scene &scene, const Parameters &parameters)
   if (!waits_)
     return;
   const parameters::Loads &loads = parameters.loads;
-  const unsigned int       teeth = scene.with(parameters::Role::driver).teeth;
-  radius_                        = 0.5 * scene.pitch / std::sin(dealii::numbers::PI / teeth);
-  period_                        = 2. * dealii::numbers::PI / (teeth * loads.driver_speed);
-  length_                        = parameters.output.window_pitches * period_;
-  from_                          = parameters.time.start +
-          std::max(scene.at_speed ? 0. : loads.ramp_time, loads.torque_step_time.value_or(0.));
-  means_ = means_over(from_, from_ + period_);
+  drift_.emplace(scene, parameters);
+  drift_->begin(parameters.time.start + std::max(scene.at_speed ? 0. : loads.ramp_time,
+                                                 loads.torque_step_time.value_or(0.)));
+  length_ = parameters.output.window_pitches * drift_->pitch_time();
 }
 
 void Window::look(const Observation &now)
 {
   if (open_)
     return;
-  add(now);
-  while (!open_ && now.time() >= from_ + period_)
+  drift_->add(now);
+  while (!open_ && now.time() >= drift_->period_end())
     next_period(now);
-}
-
-void Window::add(const Observation &now)
-{
-  if (!now.system.world.is_first_rank() || now.time() <= from_)
-    return;
-  const auto &hubs = now.system.world.hubs;
-  const auto  driven =
-      std::find_if(hubs.begin(), hubs.end(), [](const World::Hub &hub) { return !hub.prescribed; });
-  const double begin = now.time() - now.dt();
-  const auto   take  = [&](const Signal signal, const double value) {
-    means_[signal].add(begin, now.dt(), value);
-  };
-  take(tight_tension, now.spans().tight_tension);
-  take(slack_tension, now.spans().slack_tension);
-  take(driven_speed, now.scene.sense * driven->speed);
-  take(driver_torque, now.system.loads.driver_torque());
 }
 
 void Window::next_period(const Observation &now)
 {
   const World &world = now.system.world;
-  if (world.is_first_rank())
-    {
-      const auto   mean    = [this](const Signal signal) { return means_[signal].mean(); };
-      const double tension = std::abs(mean(tight_tension)) + std::abs(mean(slack_tension));
-      settling_.add(
-          {mean(tight_tension) - mean(slack_tension), mean(driven_speed), mean(driver_torque)},
-          {tension, 0.2 * std::abs(mean(driven_speed)), tension * radius_});
-    }
-  open_ = settling_.settled();
+  drift_->next_period(now);
+  open_ = drift_->settled();
   if (n_ranks_in(world.communicator()) > 1)
     open_ = dealii::Utilities::MPI::broadcast(world.communicator(), open_);
-  from_ += period_;
-  if (open_)
-    {
-      start_ = from_;
-      end_   = from_ + length_;
-      return;
-    }
-  means_ = means_over(from_, from_ + period_);
-  add(now); // the rest of this step
+  if (!open_)
+    return;
+  start_ = drift_->period_start();
+  end_   = start_ + length_;
 }
 
 files::Json Window::summary(const double time) const
@@ -127,9 +79,7 @@ void Window::serialize(const Archive &archive)
     return;
   archive("open", open_);
   archive("start", start_);
-  archive("from", from_);
-  archive.numbers("means", means_);
-  settling_.serialize(archive / "settling");
+  drift_->serialize(archive / "drift");
   end_ = start_ + length_;
 }
 } // namespace chaindrive::observe

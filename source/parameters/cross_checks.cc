@@ -99,7 +99,7 @@ void check_times(const Parameters &p, Findings &findings)
       output.history_interval > duration,
       "Output/History interval in us is longer than the whole run: " + us(output.history_interval) +
           " against " + ms(duration) + "; choose a shorter interval.");
-  findings.note(fields(p).on && output.field_interval > duration,
+  findings.note(fields(p).on && field_interval(p) > duration,
                 "Output/Field interval in ms is longer than the whole run: only its first state "
                 "is written for ParaView.");
 
@@ -139,7 +139,8 @@ void check_chain(const Parameters &p, Findings &findings)
                          "Drive/Number of links = " + std::to_string(drive.n_links) +
                              " is odd, but " + chosen_fidelity(p) +
                              " takes inner and outer links by turns, which needs an even number; "
-                             "use one link more or less.");
+                             "use one link more or less, auto, or for a chain with an offset link "
+                             "Model/Fidelity = simple.");
   findings.note(!alternate && odd,
                 "Drive/Number of links = " + std::to_string(drive.n_links) +
                     " is odd: a real chain needs an offset link, which the simple model does not "
@@ -227,6 +228,11 @@ void check_model(const Parameters &p, Findings &findings)
       "Mesh/Inner link/Cells along = 2 leaves one ring of a bush's nodes inside its roller, which "
       "could tilt freely; " +
           chosen + " needs at least 4.");
+  findings.contradiction(p.drive.layout.worn_chain == WornChain::shafts_kept &&
+                             p.drive.layout.centre_distance_from == CentreDistanceFrom::pretension,
+                         "Drive/Layout/Worn chain = shafts kept is for a chain that was laid with "
+                         "slack, but Centre distance from = pretension stretches it; choose slack, "
+                         "sag or given.");
   findings.contradiction(elastic && p.model.mass_per_pitch,
                          "Model/Mass per pitch in g is that of the parts in " + chosen +
                              ": leave it auto.");
@@ -360,7 +366,7 @@ void check_quantities(const Parameters &p, Findings &findings)
                              " needs joints between rollers, bushes and pins, which " + chosen +
                              " has not; choose Model/Fidelity = layered or full, or leave joint "
                              "forces out.");
-  findings.contradiction(output.names(QuantityGroup::fields) && output.field_interval == 0.,
+  findings.contradiction(output.names(QuantityGroup::fields) && field_interval(p) == 0.,
                          asked_for(QuantityGroup::fields) +
                              " needs an interval, but Output/Field interval in ms = 0 writes "
                              "none; give one above zero, or leave fields out.");

@@ -238,6 +238,13 @@ void Layout::declare(Declarations &declarations)
       "below the working tension and well above the weight of a span; 0 lays both spans straight "
       "and unstressed. With Start = settled it is that of the slack span as laid.");
   add(declarations,
+      "Worn chain",
+      worn_chain,
+      "Where the shafts of a chain with Elongation in percent are. adjusted: they have been moved, "
+      "so that slack or sag above are those of the worn chain. shafts kept: they are where slack "
+      "or "
+      "sag above put them when the chain was new; wear has added to its slack.");
+  add(declarations,
       "Tight span",
       tight_span,
       "Which span pulls the driven sprocket. upper: both sprockets turn counter-clockwise, the "
@@ -268,8 +275,11 @@ void Drive::declare(Declarations &declarations)
       n_links,
       10,
       10000,
-      "Inner plus outer links of the endless chain; even, unless it has an offset link. Default: "
-      "the drive in prm/paper.");
+      "Inner plus outer links of the endless chain; even, unless it has an offset link, which only "
+      "the simple fidelity has. auto: the even number whose length comes nearest to "
+      "Layout/Centre distance in mm; if that is given and not adjusted, the smallest that is long "
+      "enough. Default: the drive in prm/paper.",
+      "auto");
   add(declarations,
       "Driver teeth",
       sprockets.driver.teeth,

@@ -195,6 +195,27 @@ Entry &add(Declarations                &declarations,
       });
 }
 
+Entry &add(Declarations      &declarations,
+           const std::string &name,
+           unsigned int      &member,
+           const unsigned int lower,
+           const unsigned int upper,
+           const std::string &meaning,
+           const std::string &none)
+{
+  return declarations.add(
+      name,
+      member > 0 ? std::to_string(member) : none,
+      whole_number(lower, upper) + ", or " + none,
+      meaning,
+      [lower, upper, none](const std::string &text) {
+        return text == none || is_in(text, lower, upper);
+      },
+      [&member, none](const std::string &text) {
+        member = text == none ? 0 : *read_all<unsigned int>(text);
+      });
+}
+
 Entry &add_choice(Declarations                                   &declarations,
                   const std::string                              &name,
                   const std::string                              &default_value,

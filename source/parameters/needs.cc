@@ -2,6 +2,8 @@
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/needs.h>
 
+#include <deal.II/base/numbers.h>
+
 namespace chaindrive::parameters
 {
 namespace
@@ -159,12 +161,19 @@ Decision column_mass_scaling(const Parameters &p)
   return {factor > 0., "Elements/Column mass scaling = " + to_entry_text(factor, unit::si)};
 }
 
+double field_interval(const Parameters &p)
+{
+  const double frequency = p.drive.sprockets.driver.teeth * p.loads.driver_speed;
+  return p.output.field_interval.value_or(
+      frequency > 0. ? 0.1 * 2. * dealii::numbers::PI / frequency : 1e-3);
+}
+
 Decision fields(const Parameters &p)
 {
   if (!p.output.asks_for(QuantityGroup::fields))
     return {false, "Output/Quantities do not name them"};
-  return {p.output.field_interval > 0.,
-          "field interval " + to_entry_text(p.output.field_interval, unit::milli) + " ms"};
+  const double interval = field_interval(p);
+  return {interval > 0., "field interval " + to_entry_text(interval, unit::milli) + " ms"};
 }
 
 Decision stress_recovery(const Parameters &p)

@@ -2,6 +2,7 @@
 #include <chaindrive/parameters/cross_checks.h>
 #include <chaindrive/parameters/declarations.h>
 #include <chaindrive/parameters/entries.h>
+#include <chaindrive/parameters/needs.h>
 #include <chaindrive/parameters/parameter_file.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/parameters/without_effect.h>
@@ -213,6 +214,31 @@ public:
     });
   }
 
+  /// Whether Drive/Number of links = auto.
+  bool wants_links() const { return input_.parameters.drive.n_links == 0; }
+
+  /// Gives the drive the number of links that @p links_of finds.
+  void find_links(const LinksOf &links_of)
+  {
+    const Drive &drive = input_.parameters.drive;
+    if (!links_of)
+      throw InputError("Drive/Number of links = auto cannot be found here; give a number.");
+    const std::string links = std::to_string(links_of(drive));
+    set_value(*declarations_.find("Drive", "Number of links"), links, "");
+    input_.notes.push_back("Drive/Number of links = auto: " + links + " for a centre distance of " +
+                           to_entry_text(drive.layout.centre_distance, unit::milli) + " mm.");
+  }
+
+  /// Gives Output/Field interval in ms = auto the value that is used.
+  void find_field_interval()
+  {
+    const Parameters &p = input_.parameters;
+    if (!p.output.field_interval)
+      set_value(*declarations_.find("Output", "Field interval in ms"),
+                to_entry_text(field_interval(p), unit::milli),
+                "");
+  }
+
   std::string fixed() const
   {
     const bool  arrive = input_.parameters.model.elastic_links == ElasticLinks::arriving;
@@ -411,38 +437,51 @@ private:
 namespace
 {
 /// What holds across entries, once all are read.
-void finish(Input &input, Reader &reader)
+void finish(Input &input, Reader &reader, const LinksOf &links_of)
 {
   reader.throw_errors();
   reader.convert_other_forms();
   reader.throw_errors();
+  std::vector<std::string> changed = reader.changed();
+  if (reader.wants_links())
+    {
+      reader.find_links(links_of);
+      reader.throw_errors();
+      // it has had its effect
+      changed.erase(
+          std::remove(changed.begin(), changed.end(), "Drive/Layout/Centre distance in mm"),
+          changed.end());
+    }
+  reader.find_field_interval();
   for (const std::string &note : cross_check(input.parameters))
     input.notes.push_back(note);
-  for (const std::string &note : without_effect(input.parameters, reader.changed()))
+  for (const std::string &note : without_effect(input.parameters, changed))
     input.notes.push_back(note);
   input.resolved = reader.resolved();
   input.fixed    = reader.fixed();
 }
 } // namespace
 
-Input read_parameters(const std::string &file, const std::vector<std::string> &overrides)
+Input read_parameters(const std::string              &file,
+                      const std::vector<std::string> &overrides,
+                      const LinksOf                  &links_of)
 {
   Input  input;
   Reader reader(input);
   reader.read_file(file);
   for (const std::string &override_text : overrides)
     reader.read_override(override_text);
-  finish(input, reader);
+  finish(input, reader, links_of);
   return input;
 }
 
-Input read_entries(const std::map<std::string, std::string> &values)
+Input read_entries(const std::map<std::string, std::string> &values, const LinksOf &links_of)
 {
   Input  input;
   Reader reader(input);
   for (const auto &[path, value] : values)
     reader.read_entry(path, value);
-  finish(input, reader);
+  finish(input, reader, links_of);
   return input;
 }
 

@@ -85,12 +85,20 @@ void Output::declare(Declarations &declarations)
       "since the last sample, since an impact may last 20 us only. Below the step, every step is a "
       "sample.");
   add(declarations,
+      "History precision",
+      precision,
+      "How the histories of single rollers, links, joints and teeth are stored: single, with seven "
+      "digits, takes half of the space and, when the run has ended and they are compressed, less "
+      "still; double keeps all digits. All else, and what the program computes with, is double.")
+      .on_resume = OnResume::must_stay;
+  add(declarations,
       "Field interval in ms",
       field_interval,
       unit::milli,
       between(0., 1e9),
       "Time between two pictures of all bodies for ParaView; 0 writes none. Only if Quantities "
-      "are all or name fields.");
+      "are all or name fields. auto: a tenth of the driver's pitch time, so that an animation runs "
+      "forward and rollers can be followed.");
   add(declarations,
       "Rollers",
       rollers,

@@ -22,6 +22,9 @@ std::vector<Rule> rules(const Parameters &p)
   const std::string        layout = "Drive/Layout/";
 
   std::vector<Rule> rules = {
+      {p.drive.chain.elongation == 0.,
+       {"Drive/Layout/Worn chain"},
+       "Drive/Chain/Elongation in percent = 0 is a new chain"},
       {!has_clearances,
        {"Contact/Roller-bush stiffness in N/m",
         "Contact/Roller-bush friction",

@@ -154,8 +154,16 @@ int main(int argc, char *argv[])
       return 0;
     }
 
+  // a link, and a sprocket of five gaps, the first along x, of which cells show the nearest
+  const std::vector<double> gaps = {10., 20., 30., 40., 50.};
+  elastic.tension                = 1234.;
+  rigid.gap_load                 = {gaps.data(), gaps.size()};
+  rigid.sprocket                 = &rigid.initial;
+  observe::BodySnapshot roller   = turned(part, 0., 40.);
+  roller.tooth_load              = 77.;
+
   observe::Fields fields(".");
-  fields.write(0., {turned(part, 0., 40.)});
+  fields.write(0., {roller});
   fields.write(1e-3, {rigid, elastic}, {bar, bar});
 
   const std::string text         = files::read_text("fields/bodies_000001.vtu");
@@ -173,6 +181,17 @@ int main(int argc, char *argv[])
             << read_array<float>(text, "contact_force")[0] << ' '
             << read_array<float>(text, "contact_force")[1] << ' '
             << read_array<float>(text, "contact_force").back() << std::endl;
+
+  const auto load = read_array<float>(text, "tooth_load");
+  std::cout << "tooth load of a roller "
+            << read_array<float>(files::read_text("fields/bodies_000000.vtu"), "tooth_load").back()
+            << ", of a sprocket";
+  for (unsigned int c = 0; c < 6; ++c)
+    std::cout << ' ' << load[c];
+  std::cout << ", of a link " << load.back() << "; its tension "
+            << read_array<float>(text, "tension").back() << "; elastic "
+            << read_array<std::int32_t>(text, "elastic").front() << ' '
+            << read_array<std::int32_t>(text, "elastic").back() << std::endl;
 
   // The rigid body: points by their polar angle in the body, velocity by small rotations.
   double worst_point = 0., worst_displacement = 0., worst_velocity = 0., worst_elastic = 0.;

@@ -4,7 +4,7 @@
 // many pitch times long as asked for. What is added to means before it begins does not count.
 #include "../support/scenes.h"
 
-#include <chaindrive/observe/window_means.h>
+#include <chaindrive/observe/window_statistics.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/build.h>
 
@@ -31,9 +31,9 @@ int main(int argc, char **argv)
   dynamics::System   system(scene, false, comm);
   const double       dt = 0.9 * system.stable_step_limit();
 
-  observe::Observation now(scene, p, system);
-  observe::WindowMeans means(now, {"time", "one"});
-  unsigned long        begins = 0, ends = 0;
+  observe::Observation      now(scene, p, system);
+  observe::WindowStatistics means(now, {{"time", "s"}, {"one", "1"}});
+  unsigned long             begins = 0, ends = 0;
   now.next(0.);
   while (!now.window().is_full(now.time()) && now.time() < p.time.end)
     {
@@ -45,6 +45,7 @@ int main(int argc, char **argv)
     }
   files::Json summary;
   means.summarize(summary);
+  const files::Json &statistics = summary["statistics"];
 
   const observe::Window &window     = now.window();
   const double           pitch_time = 2. * dealii::numbers::PI / 9. / p.loads.driver_speed;
@@ -66,7 +67,7 @@ int main(int argc, char **argv)
   verdict("at the end it is full", now.time() >= window.end() && now.time() < window.end() + dt);
   verdict("the same on all ranks", all_same);
   const double middle = 0.5 * (window.start() + window.end());
-  ratio("mean of time over its middle", summary["time_mean"], middle, 4);
+  ratio("mean of time over its middle", statistics["time"]["mean"], middle, 4);
   verdict("the means are over the window alone",
-          std::abs(summary["one_mean"].get<double>() - 1.) < 1e-12);
+          std::abs(statistics["one"]["mean"].get<double>() - 1.) < 1e-12);
 }

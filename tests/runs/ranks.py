@@ -32,7 +32,7 @@ from small_drives import IMPORTED, RIGID, TOUCHING_PLATES  # noqa: E402
 
 CASE, PROGRAM = sys.argv[1:3]
 
-OUTPUT = {"Output/CSV": "true"}
+OUTPUT = {"Output/CSV": "true", "Output/History precision": "double"}
 ELASTIC = {**OUTPUT, **small_drives.ELASTIC, "Output/Field interval in ms": 1, "Output/Checkpoint interval in ms": 0.08}
 CASES = {
     "whole": TOUCHING_PLATES,

@@ -95,9 +95,9 @@ public:
   /// The same but for the forces on nodes, which elastic bodies use up.
   void clear_resultants();
 
-  /// Sums what the ranks have added since clear_forces(): forces and moments on bodies, and the
-  /// ledger but for the work of the hubs, and requests; with halves, of whole bodies. Shares out
-  /// frames of elastic bodies. Collective.
+  /// Sums what the ranks have added since clear_forces(): forces and moments on bodies, the ledger
+  /// but for the work of the hubs, losses of interfaces, and requests; with halves, of whole
+  /// bodies. Shares out frames of elastic bodies. Collective.
   void sum_over_ranks();
 
   /// A force @p f [N] that acts on @p body at the world point @p at [m].
@@ -190,6 +190,14 @@ public:
   double time = 0.; ///< s
   Ledger ledger;
 
+  /// Lost in each interface (contact::Contacts::families()) since the start, J: parts of the
+  /// ledger's lines `friction` and `contact_damping`.
+  struct Loss
+  {
+    double friction = 0., damping = 0.;
+  };
+  std::vector<Loss> losses;
+
   /// What ranks ask of all: each adds its own before a step, and after it all see the same sums.
   /// Nothing in the motion depends on them.
   std::array<double, 2> requests{};
@@ -238,7 +246,8 @@ private:
   unsigned int                   n_nodal_groups_ = 0, n_elastic_groups_ = 0;
   MPI_Comm                       comm_;
   unsigned int                   rank_, n_ranks_;
-  Ledger                         before_; ///< the ledger at clear_forces()
-  std::vector<double>            shared_; ///< what sum_over_ranks() sums
+  Ledger                         before_;        ///< the ledger at clear_forces()
+  std::vector<Loss>              losses_before_; ///< #losses then
+  std::vector<double>            shared_;        ///< what sum_over_ranks() sums
 };
 } // namespace chaindrive

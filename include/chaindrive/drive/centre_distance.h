@@ -24,6 +24,15 @@ struct Proposal
 Proposal
 propose(const Fitter &fitter, const parameters::Layout &layout, double least_distance, bool even);
 
+/// The number of links, even, for Drive/Layout/Centre distance: the length of the chain in pitches
+/// p is, for pitch circles of the radii r1 and r2 at the distance C and a = asin((r2 - r1) / C),
+///
+///   X = 2 C cos(a) / p + (z1 + z2) / 2 + (z2 - z1) a / pi,
+///
+/// rounded to the nearest even number; up where the centre distance is given and nothing adjusts
+/// it. Of a new chain. InputError where the sprockets would overlap, or for an unknown chain.
+unsigned int number_of_links(const parameters::Drive &drive);
+
 /// The number of links that makes up for the length @p missing [m], negative when there is too
 /// much.
 std::string advised_links(const Fitter &fitter, double missing, bool even);

@@ -48,6 +48,7 @@ struct PartReport
 
 PartReport make_report(const mesh::Part &part, const Material &material);
 
-/// Prints @p report for people: mm, g, us.
-void print(std::ostream &out, const PartReport &report);
+/// Prints a table for people, a line for each part: smallest edge, worst scaled Jacobian and aspect
+/// ratio, error of the mesh's mass, largest error of the lumped masses' inertia, stable step.
+void print(std::ostream &out, const std::vector<PartReport> &reports);
 } // namespace chaindrive::element

@@ -20,7 +20,8 @@ struct Channel
   std::string              unit;        ///< SI, "1" for a pure number
   std::string              description; ///< one sentence
   unsigned int             columns = 1;
-  std::vector<std::string> labels  = {}; ///< of the columns, empty or one for each
+  std::vector<std::string> labels  = {};    ///< of the columns, empty or one for each
+  bool                     single  = false; ///< in single precision, seven digits
 };
 
 /// The time histories of a run: `<prefix>.h5`, and `<prefix>_<group>.csv` on request.
@@ -34,7 +35,8 @@ struct Channel
 /// The HDF5 file is laid out at the first sample with room for all expected samples, so that a disk
 /// too small is found before the computing and not after it; from then on only numbers change in
 /// it. It can therefore be read at any instant, also after the program was killed: rows not yet
-/// written hold NaN, their time too. close() cuts the datasets to the rows written.
+/// written hold NaN, their time too. close() cuts the datasets to the rows written; compress() then
+/// makes the file smaller.
 ///
 /// With serialize() the rows are also kept in a file of their own, `<prefix>.saved`, which is on
 /// the disk before the checkpoint is and whose checksum the checkpoint holds; a resumed run makes
@@ -88,6 +90,10 @@ public:
 
   /// Writes what is left and closes the files.
   void close();
+
+  /// Compresses the HDF5 file, which has been closed; where there is no room for it, it stays as it
+  /// is.
+  void compress();
 
   /// Removes the file of serialize(), which the closed histories make superfluous.
   void remove_saved();

@@ -14,10 +14,11 @@ using Attributes = std::vector<std::pair<std::string, std::string>>;
 /// One dataset of a HistoryFile: a table of numbers with one row per sample.
 struct TableInfo
 {
-  std::string              path;       ///< "/name" or "/group/name"
-  unsigned int             columns;    ///< a table with one column is a one-dimensional dataset
-  Attributes               attributes; ///< of the dataset
-  std::vector<std::string> labels;     ///< attribute `columns`, none when empty
+  std::string              path;           ///< "/name" or "/group/name"
+  unsigned int             columns;        ///< a table with one column is a one-dimensional dataset
+  Attributes               attributes;     ///< of the dataset
+  std::vector<std::string> labels;         ///< attribute `columns`, none when empty
+  bool                     single = false; ///< stored in single precision
 };
 
 /// An HDF5 file of tables that all have the same rows. Space for the rows is taken and filled with
@@ -35,6 +36,14 @@ public:
               const std::vector<TableInfo> &tables,
               std::size_t                   rows,
               std::size_t                   block);
+
+  /// Puts a compressed copy in the place of the complete file @p path, which has these tables, all
+  /// at once: a reader finds one or the other. Pieces of @p block rows are shuffled and deflated,
+  /// which every HDF5 library reads. Where there is no room for the copy the file stays as it is.
+  static void compress(const std::string            &path,
+                       const Attributes             &attributes,
+                       const std::vector<TableInfo> &tables,
+                       std::size_t                   block);
 
   /// Opens a complete file to read these tables of it; InputError when it has them not, or other
   /// numbers of columns.
@@ -56,6 +65,8 @@ public:
   void close(std::size_t rows);
 
 private:
+  HistoryFile();
+
   struct Data;
   std::unique_ptr<Data> data_;
 };

@@ -42,6 +42,13 @@ struct BodySnapshot
   dealii::ArrayView<const dealii::Tensor<1, 3>> displacement{}; ///< elastic bodies only [m]
   dealii::ArrayView<const dealii::Tensor<1, 3>> velocity{};     ///< elastic bodies only [m/s]
   dealii::ArrayView<const element::Stress>      stress{};       ///< per cell, elastic bodies only
+
+  double tension    = 0.; ///< of a link; of a roller, mean of its two links [N]
+  double tooth_load = 0.; ///< normal force of the teeth on a roller [N]
+  /// Of a sprocket: normal force in each gap between two teeth [N], and its frame at the start. Its
+  /// cells show that of the gap that is nearest.
+  dealii::ArrayView<const double> gap_load{};
+  const Frame                    *sprocket = nullptr;
 };
 
 /// A bar between two joints at one instant.
@@ -58,10 +65,10 @@ struct BarSnapshot
 /// (files::VtuSeries).
 ///
 /// Points lie where they are now and carry displacement and velocity, cells carry the body's
-/// number, the kind of its part and its contact force. Where bodies have stresses, cells carry them
-/// too: von Mises' of Cauchy's stress, Green's strain and the second Piola-Kirchhoff stress in body
-/// axes (xx, yy, zz, xy, yz, xz), zero in other bodies. Numbers are stored in single precision:
-/// 0.06 micrometres at 1 m.
+/// number, the kind of its part, whether it deforms, its contact force, tension and tooth load.
+/// Where bodies have stresses, cells carry them too: von Mises' of Cauchy's stress, Green's strain
+/// and the second Piola-Kirchhoff stress in body axes (xx, yy, zz, xy, yz, xz), zero in other
+/// bodies. Numbers are stored in single precision: 0.06 micrometres at 1 m.
 class Fields
 {
 public:

@@ -6,6 +6,8 @@
 #include <chaindrive/observe/elastic_bodies.h>
 #include <chaindrive/observe/fields.h>
 #include <chaindrive/observe/schedule.h>
+#include <chaindrive/observe/spans.h>
+#include <chaindrive/observe/tooth_forces.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/scene.h>
 
@@ -45,6 +47,8 @@ private:
     std::map<scene::PartOf, PartPatches> parts;   ///< of a sprocket with a rim: its rigid zone
     std::map<unsigned int, PartPatches>  sectors; ///< of rims, by group of copies
     ElasticSnapshots                     elastic;
+    Spans                                spans; ///< of the first rank
+    std::vector<ToothForces>             teeth; ///< likewise
   };
 
   void write(const dynamics::System &system);

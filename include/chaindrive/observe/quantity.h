@@ -21,7 +21,12 @@ public:
   using Row  = dealii::ArrayView<double>;
   using Fill = std::function<void(Row)>;
 
-  explicit Channels(files::Histories &histories) : histories_(histories) {}
+  /// With @p single, channels of several columns, of which there is one for each roller, link or
+  /// tooth, are stored in single precision.
+  explicit Channels(files::Histories &histories, const bool single = false)
+      : histories_(histories), single_(single)
+  {
+  }
 
   /// The group must be one of files::is_history_group(). Rows begin as NaN.
   void add(const files::Channel &channel, Fill fill);
@@ -36,6 +41,7 @@ private:
     Fill                     fill;
   };
   files::Histories   &histories_;
+  bool                single_;
   std::vector<Source> sources_;
 };
 

@@ -42,8 +42,8 @@ public:
   /// InputError when the histories in @p directory are not those of @p archive, or are damaged.
   static void check(const Archive &archive, const std::string &directory);
 
-  /// Writes what is left and closes the histories; of a run that is @p finished, what was kept to
-  /// resume it is removed.
+  /// Writes what is left and closes the histories; those of a run that is @p finished are
+  /// compressed, and what was kept to resume it is removed.
   void close(bool finished);
 
   /// The window of the averages.
@@ -55,8 +55,8 @@ public:
 private:
   struct Sampling
   {
-    explicit Sampling(std::unique_ptr<files::Histories> files)
-        : histories(std::move(files)), channels(*histories)
+    Sampling(std::unique_ptr<files::Histories> files, const bool single)
+        : histories(std::move(files)), channels(*histories, single)
     {
     }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chaindrive/contact/surface_contact.h>
+#include <chaindrive/dynamics/system.h>
+#include <chaindrive/scene/scene.h>
 
 #include <algorithm>
 #include <string>
@@ -48,4 +50,8 @@ struct ToothForces
       in_gap_peak[g] = std::max(in_gap_peak[g], in_gap[g]);
   }
 };
+
+/// Of each sprocket that rollers can touch, nothing looked at yet.
+std::vector<ToothForces> make_tooth_forces(const scene::Scene     &scene,
+                                           const dynamics::System &system);
 } // namespace chaindrive::observe

@@ -91,6 +91,17 @@ template <>
 inline constexpr Texts<Start, 3> texts_of<Start>{
     {{Start::taut, "taut"}, {Start::concentric, "concentric"}, {Start::settled, "settled"}}};
 
+/// What has been done about the wear of the chain.
+enum class WornChain
+{
+  adjusted, ///< the shafts have been moved: what is asked of slack holds for the worn chain
+  shafts_kept
+};
+
+template <>
+inline constexpr Texts<WornChain, 2> texts_of<WornChain>{
+    {{WornChain::adjusted, "adjusted"}, {WornChain::shafts_kept, "shafts kept"}}};
+
 /// Section `Drive/Chain`. An empty optional means `auto`: from the designation, or derived from it.
 struct Chain
 {
@@ -161,6 +172,7 @@ struct Layout
   double             slack                = 0.5e-3; ///< m, total excess length of the chain as laid
   double             sag                  = 0.01;   ///< of the slack span's length
   double             pretension           = 100.;   ///< N, in both spans
+  WornChain          worn_chain           = WornChain::adjusted;
   TightSide          tight_span           = TightSide::upper;
   double             start_phase          = 0.; ///< of a driver pitch, 0 <= phase < 1
   Start              start                = Start::taut;
@@ -173,7 +185,7 @@ struct Layout
 /// Section `Drive`: the geometry of the whole drive.
 struct Drive
 {
-  unsigned int n_links = 110;
+  unsigned int n_links = 110; ///< 0: auto, which whoever reads the entries resolves
   Chain        chain;
   Sprockets    sprockets;
   Layout       layout;

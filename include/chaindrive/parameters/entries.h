@@ -82,6 +82,15 @@ Entry &add(Declarations                &declarations,
            unsigned int                 upper,
            const std::string           &meaning);
 
+/// A whole number, both ends of the range included, or the word @p none, which is the number 0.
+Entry &add(Declarations      &declarations,
+           const std::string &name,
+           unsigned int      &member,
+           unsigned int       lower,
+           unsigned int       upper,
+           const std::string &meaning,
+           const std::string &none);
+
 /// One of @p texts, which @p store puts into its member.
 Entry &add_choice(Declarations                                   &declarations,
                   const std::string                              &name,

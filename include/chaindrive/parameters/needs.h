@@ -95,6 +95,10 @@ Decision reduced_bodies(const Parameters &p);
 /// Whether the walls of elastic rollers have more mass for what moves against each other in them.
 Decision column_mass_scaling(const Parameters &p);
 
+/// Time between two pictures, s; 0: none. auto is a tenth of the pitch time of the driver, or a
+/// millisecond of one that stands still.
+double field_interval(const Parameters &p);
+
 /// Whether fields are written.
 Decision fields(const Parameters &p);
 

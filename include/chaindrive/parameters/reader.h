@@ -4,6 +4,7 @@
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/parameters/study.h>
 
+#include <functional>
 #include <iosfwd>
 #include <map>
 #include <string>
@@ -23,16 +24,24 @@ struct Input
   std::string fixed;
 };
 
+/// The number of links that suits the other entries of the drive, for Drive/Number of links = auto:
+/// it takes the tables of chains, which those who read entries have (drive::number_of_links).
+using LinksOf = std::function<unsigned int(const Drive &)>;
+
 /// Reads the .prm file @p file, then applies @p overrides ("Section/Entry=value", such as
 /// "Drive/Layout/Slack in mm=1") in their order, then checks across sections.
 ///
 /// Throws InputError with a sentence for every mistake found, one per line: a file that cannot be
 /// read, a name that does not exist (with its line and the nearest valid name), a value that is not
 /// allowed (with what is), and contradictions.
-Input read_parameters(const std::string &file, const std::vector<std::string> &overrides = {});
+///
+/// Without @p links_of, Drive/Number of links = auto is refused.
+Input read_parameters(const std::string              &file,
+                      const std::vector<std::string> &overrides = {},
+                      const LinksOf                  &links_of  = {});
 
 /// The same for entries at hand: their values by path. Input::text is empty.
-Input read_entries(const std::map<std::string, std::string> &values);
+Input read_entries(const std::map<std::string, std::string> &values, const LinksOf &links_of = {});
 
 /// Reads the study file @p file with the files that it includes (`include FILE`, from the folder of
 /// the file that says so), then applies @p overrides as above, before them those of Study/Quick if

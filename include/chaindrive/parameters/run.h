@@ -54,6 +54,17 @@ inline constexpr Texts<QuantityGroup, 10> texts_of<QuantityGroup>{
      {QuantityGroup::energy, "energy"},
      {QuantityGroup::fields, "fields"}}};
 
+/// With how many digits the histories of single rollers, links, joints and teeth are stored.
+enum class Precision
+{
+  single,
+  full
+};
+
+template <>
+inline constexpr Texts<Precision, 2> texts_of<Precision>{
+    {{Precision::single, "single"}, {Precision::full, "double"}}};
+
 /// Section `Output`.
 struct Output
 {
@@ -65,9 +76,10 @@ struct Output
   /// Whether it is asked for, by its name or among all.
   bool asks_for(const QuantityGroup group) const { return quantities.empty() || names(group); }
 
-  std::string               directory;                  ///< empty: results/<name of the .prm file>
-  double                    history_interval = 20e-6;   ///< s
-  double                    field_interval   = 1e-3;    ///< s; 0 writes no fields
+  std::string               directory;                ///< empty: results/<name of the .prm file>
+  double                    history_interval = 20e-6; ///< s
+  Precision                 precision        = Precision::single;
+  std::optional<double>     field_interval   = 1e-3;    ///< s; 0: none; empty: see field_interval()
   std::vector<unsigned int> rollers;                    ///< chosen rollers; empty: all
   bool                      csv          = false;       ///< histories as CSV beside HDF5
   std::optional<double>     window_start = 10e-3;       ///< s, of the averages; empty: when settled

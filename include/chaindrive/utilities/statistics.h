@@ -14,15 +14,22 @@ class WindowMean
 public:
   WindowMean(const double start, const double end) : start_(start), end_(end) {}
 
+  /// How much of the interval from @p time to @p time + @p duration [s] lies in the window, s; not
+  /// positive: nothing.
+  double inside(const double time, const double duration) const
+  {
+    return std::min(time + duration, end_) - std::max(time, start_);
+  }
+
   /// The quantity is @p value from @p time to @p time + @p duration; only the part of this interval
   /// that lies in the window counts.
   void add(const double time, const double duration, const double value)
   {
-    const double inside = std::min(time + duration, end_) - std::max(time, start_);
-    if (inside > 0.)
+    const double part = inside(time, duration);
+    if (part > 0.)
       {
-        weight_ += inside;
-        sum_ += inside * value;
+        weight_ += part;
+        sum_ += part * value;
       }
   }
 

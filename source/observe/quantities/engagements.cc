@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/surface_contact.h>
 #include <chaindrive/observe/quantity.h>
+#include <chaindrive/utilities/signal_statistics.h>
 
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
@@ -8,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 // How rollers meet the sprockets.
 
@@ -97,6 +100,10 @@ public:
                       {"impulse", e.impulse},
                       {"complete", e.complete}});
     summary["engagements"] = list;
+    std::set<std::string> named; // families of rigid and of elastic rollers are two
+    for (const Sprocket &sprocket : sprockets_)
+      if (named.insert(sprocket.name).second)
+        summary["impacts"][sprocket.name] = impacts_on(sprocket.name);
   }
 
   void serialize(const Archive &archive) override
@@ -188,17 +195,49 @@ private:
       }
   }
 
+  /// Whether @p engagement began in the window.
+  bool in_window(const Engagement &engagement) const
+  {
+    const double end = std::min(now_.window().end(), now_.parameters.time.end);
+    return engagement.time >= now_.window().start() && engagement.time <= end;
+  }
+
+  /// Number of the complete engagements with a sprocket in the window; mean, standard deviation and
+  /// largest of what is known of each.
+  files::Json impacts_on(const std::string &sprocket) const
+  {
+    std::vector<const Engagement *> chosen;
+    for (const Engagement &engagement : found_)
+      if (engagement.sprocket == sprocket && engagement.complete && in_window(engagement))
+        chosen.push_back(&engagement);
+    files::Json result = {{"number", chosen.size()}};
+    for (const auto &[name, member] : {std::make_pair("peak_force", &Engagement::peak_force),
+                                       std::make_pair("impulse", &Engagement::impulse),
+                                       std::make_pair("normal_speed", &Engagement::normal_speed)})
+      {
+        // each counts as much as any other
+        const double     n = static_cast<double>(chosen.size());
+        SignalStatistics statistics(0., n);
+        for (unsigned int i = 0; i < chosen.size(); ++i)
+          statistics.add(i, 1., chosen[i]->*member, {});
+        // of a sample, from which that of all impacts is estimated
+        const double deviation = statistics.deviation() * std::sqrt(n / (n - 1.));
+        result[name]           = {{"mean", statistics.mean()},
+                                  {"deviation", n > 1. ? deviation : std::nan("")},
+                                  {"largest", statistics.largest()}};
+      }
+    return result;
+  }
+
   /// Mean time between consecutive engagements of the driver that began in the window, s; not a
   /// number with fewer than two.
   double mean_pitch_time() const
   {
-    const double      start  = now_.window().start();
-    const double      end    = std::min(now_.window().end(), now_.parameters.time.end);
     const std::string driver = text_of(parameters::Role::driver);
     double            first = 0., last = 0.;
     unsigned int      n = 0;
     for (const Engagement &engagement : found_)
-      if (engagement.sprocket == driver && engagement.time >= start && engagement.time <= end)
+      if (engagement.sprocket == driver && in_window(engagement))
         {
           if (n++ == 0)
             first = engagement.time;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/quantity.h>
-#include <chaindrive/observe/window_means.h>
+#include <chaindrive/observe/window_statistics.h>
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ class Hubs : public Quantity
 {
 public:
   explicit Hubs(const Observation &now)
-      : Quantity(now), means_(now, {"driven_speed", "driver_torque"})
+      : Quantity(now), statistics_(now, {{"driven_speed", "rad/s"}, {"driver_torque", "N m"}})
   {
   }
 
@@ -51,18 +51,21 @@ public:
 
   void update() override
   {
-    means_.add({now_.scene.sense * hub_of(now_.scene.with(parameters::Role::driven).body).speed,
-                now_.system.loads.driver_torque()});
+    statistics_.add(
+        {now_.scene.sense * hub_of(now_.scene.with(parameters::Role::driven).body).speed,
+         now_.system.loads.driver_torque()});
   }
 
   void summarize(files::Json &summary) const override
   {
     summary["driven_angle_end"] =
         now_.scene.sense * hub_of(now_.scene.with(parameters::Role::driven).body).angle;
-    means_.summarize(summary);
+    summary["driven_speed_mean"]  = statistics_.mean("driven_speed");
+    summary["driver_torque_mean"] = statistics_.mean("driver_torque");
+    statistics_.summarize(summary);
   }
 
-  void serialize(const Archive &archive) override { means_.serialize(archive / "means"); }
+  void serialize(const Archive &archive) override { statistics_.serialize(archive / "statistics"); }
 
 private:
   const World::Hub &hub_of(const unsigned int body) const
@@ -72,7 +75,7 @@ private:
                          [body](const World::Hub &hub) { return hub.body == body; });
   }
 
-  WindowMeans means_;
+  WindowStatistics statistics_;
 };
 
 const Registered<Hubs> registration("hubs", 10, parameters::QuantityGroup::speeds);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/quantity.h>
-#include <chaindrive/observe/window_means.h>
+#include <chaindrive/observe/window_statistics.h>
 
 #include <algorithm>
+#include <string>
 
 // The two spans between the sprockets: what they pull, how fast they run, where they lie.
 
@@ -17,7 +18,13 @@ class SpansQuantity : public Quantity
 {
 public:
   explicit SpansQuantity(const Observation &now)
-      : Quantity(now), means_(now, {"span_speed", "tight_tension", "slack_tension"})
+      : Quantity(now)
+      , statistics_(now,
+                    {{"span_speed", "m/s"},
+                     {"tight_tension", "N"},
+                     {"slack_tension", "N"},
+                     {"tight_offset", "m"},
+                     {"slack_offset", "m"}})
   {
   }
 
@@ -56,24 +63,30 @@ public:
     const Spans &spans = now_.spans();
     if (now_.time() - now_.parameters.time.start <= start_time)
       tight_tension_start_ = std::max(tight_tension_start_, spans.tight_tension);
-    means_.add({spans.tight_speed, spans.tight_tension, spans.slack_tension});
+    statistics_.add({spans.tight_speed,
+                     spans.tight_tension,
+                     spans.slack_tension,
+                     spans.tight_offset,
+                     spans.slack_offset});
   }
 
   void summarize(files::Json &summary) const override
   {
-    means_.summarize(summary);
+    for (const char *name : {"span_speed", "tight_tension", "slack_tension"})
+      summary[std::string(name) + "_mean"] = statistics_.mean(name);
+    statistics_.summarize(summary);
     summary["tight_tension_max_start"] = tight_tension_start_;
   }
 
   void serialize(const Archive &archive) override
   {
     archive("tight tension of the start", tight_tension_start_);
-    means_.serialize(archive / "means");
+    statistics_.serialize(archive / "statistics");
   }
 
 private:
-  WindowMeans means_;
-  double      tight_tension_start_ = 0.; ///< largest, N
+  WindowStatistics statistics_;
+  double           tight_tension_start_ = 0.; ///< largest, N
 };
 
 const Registered<SpansQuantity> registration("spans", 40, parameters::QuantityGroup::tensions);

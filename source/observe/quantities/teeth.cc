@@ -4,7 +4,6 @@
 #include <chaindrive/observe/tooth_forces.h>
 
 #include <algorithm>
-#include <set>
 
 // What the teeth do to the rollers, by roller and by gap between two teeth.
 
@@ -15,19 +14,9 @@ namespace
 class Teeth : public Quantity
 {
 public:
-  explicit Teeth(const Observation &now) : Quantity(now)
+  explicit Teeth(const Observation &now)
+      : Quantity(now), sprockets_(make_tooth_forces(now.scene, now.system))
   {
-    const scene::Scene   &scene = now.scene;
-    std::set<std::string> named; // families of rigid and of elastic bodies share a name
-    for (const scene::ToothFamily &teeth : scene.teeth)
-      if (named.insert(teeth.name).second)
-        {
-          const scene::Sprocket &sprocket = scene.sprockets.at(scene.bodies[teeth.sprocket].number);
-          sprockets_.emplace_back(sprocket.name(), scene.n_joints, sprocket.teeth);
-          for (const contact::Family *family : now.system.contacts.find(teeth.name))
-            sprockets_.back().families.push_back(
-                dynamic_cast<const contact::SurfaceContact *>(family));
-        }
   }
 
   static bool exists(const Observation &start) { return !start.scene.teeth.empty(); }

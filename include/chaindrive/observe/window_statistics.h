@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/files/json.h>
+#include <chaindrive/observe/observation.h>
+#include <chaindrive/utilities/archive.h>
+#include <chaindrive/utilities/signal_statistics.h>
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace chaindrive::observe
+{
+/// What the summary says of signals over the window of the averages (Window): `statistics`. The
+/// harmonics are those of the tooth frequency: their phase is the driver's angle times its number
+/// of teeth.
+class WindowStatistics
+{
+public:
+  /// What a signal is called, and its unit.
+  struct Signal
+  {
+    std::string name, unit;
+  };
+
+  /// Of @p signals of the run that @p now observes, which must outlive this.
+  WindowStatistics(const Observation &now, std::initializer_list<Signal> signals);
+
+  /// Their @p values at the end of a step, in the same order.
+  void add(std::initializer_list<double> values);
+
+  /// The mean of a signal; not a number when nothing fell into the window.
+  double mean(const std::string &name) const;
+
+  /// Adds to `statistics` a member for each signal, and the number of whole tooth periods.
+  void summarize(files::Json &summary) const;
+
+  /// InputError when the run that goes on has another window, as far as the run has gone.
+  void serialize(const Archive &archive);
+
+private:
+  struct Item
+  {
+    Signal           signal;
+    SignalStatistics statistics;
+  };
+
+  const Observation &now_;
+  const World::Hub  *driver_ = nullptr; ///< null in a scene without
+  double             teeth_  = 0.;      ///< of the driver, positive where its angle grows
+  WholeTurns         tooth_periods_;
+  std::vector<Item>  items_;
+};
+} // namespace chaindrive::observe

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/quantity.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/statistics.h>
+#include <chaindrive/utilities/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+// Where the energy goes in the window of the averages: what each interface dissipates, what comes
+// in, goes out and is stored meanwhile.
+
+namespace chaindrive::observe
+{
+namespace
+{
+class Losses : public Quantity
+{
+public:
+  explicit Losses(const Observation &now)
+      : Quantity(now), time_(now.window().start(), now.window().end())
+  {
+    for (const auto &family : now.system.contacts.families())
+      interfaces_.push_back(family->name());
+    before_ = present();
+    within_.resize(before_.size(), 0.);
+  }
+
+  static bool exists(const Observation &) { return true; }
+
+  bool reads_contacts() const override { return false; }
+
+  void update() override
+  {
+    const std::vector<double> values = present();
+    const double              begin  = now_.time() - now_.dt();
+    if (now_.window().settled()) // since when is not known from the start
+      time_.move_to(now_.window().start(), now_.window().end());
+    if (const double inside = time_.inside(begin, now_.dt()); inside > 0.)
+      for (std::size_t i = 0; i < values.size(); ++i)
+        within_[i] += inside / now_.dt() * (values[i] - before_[i]);
+    time_.add(begin, now_.dt(), 0.);
+    before_ = values;
+  }
+
+  void summarize(files::Json &summary) const override
+  {
+    const double duration = time_.duration();
+    const bool   empty    = !(duration > 0.);
+    const auto   energy   = [&](const double value) { return empty ? std::nan("") : value; };
+    files::Json &losses   = summary["losses"];
+    losses                = files::Json::object();
+    const auto add        = [&](const std::string &name, const double lost) {
+      losses[name]["energy"] = energy(lost);
+      losses[name]["power"]  = energy(lost) / duration;
+    };
+    for (std::size_t i = 0; i < interfaces_.size(); ++i)
+      { // families of rigid and of elastic bodies share a name
+        double friction = 0., damping = 0.;
+        for (std::size_t j = 0; j < interfaces_.size(); ++j)
+          if (interfaces_[j] == interfaces_[i])
+            {
+              friction += within_[n_terms + 2 * j];
+              damping += within_[n_terms + 2 * j + 1];
+            }
+        losses[interfaces_[i]] = {{"friction", energy(friction)}, {"damping", energy(damping)}};
+        add(interfaces_[i], friction + damping);
+      }
+    if (now_.system.bars.size() > 0)
+      add("chain damping", within_[chain_damping]);
+    if (now_.system.loads.drag() != 0.)
+      add("drag", within_[drag]);
+
+    const double in = within_[drive_work], out = within_[resisting_work],
+                 stored      = within_[stored_energy];
+    summary["window_energy"] = {{"drive_work", energy(in)},
+                                {"resisting_work", energy(out)},
+                                {"lost", energy(within_[lost])},
+                                {"stored", energy(stored)},
+                                {"duration", duration}};
+    summary["efficiency"]    = in - stored > 0. && out > 0. ? out / (in - stored) : std::nan("");
+  }
+
+  void serialize(const Archive &archive) override
+  {
+    time_.move_to(now_.window().start(), now_.window().end());
+    WindowMean earlier = time_;
+    archive("time", earlier);
+    if (archive.reads() && !time_.go_on_from(earlier, now_.time()))
+      throw InputError("its losses up to " + to_text(now_.time() * 1e3) +
+                       " ms belong to another window; leave Output/Window start in ms and "
+                       "Window end in ms as they were");
+    archive.numbers("before", before_);
+    archive.numbers("within", within_);
+  }
+
+private:
+  enum Term : unsigned int
+  {
+    drive_work,
+    resisting_work,
+    stored_energy,
+    lost,
+    chain_damping,
+    drag,
+    n_terms
+  };
+
+  /// The terms at this instant and then the losses of the interfaces, friction and damping in turn;
+  /// all but what is stored since the start, J.
+  std::vector<double> present() const
+  {
+    const World        &world  = now_.system.world;
+    const Ledger       &ledger = world.ledger;
+    std::vector<double> values = {ledger.drive_work,
+                                  ledger.resisting_work,
+                                  ledger.stored(),
+                                  ledger.lost(),
+                                  ledger.chain_damping,
+                                  ledger.drag};
+    for (const World::Loss &loss : world.losses)
+      values.insert(values.end(), {loss.friction, loss.damping});
+    return values;
+  }
+
+  WindowMean               time_; ///< how much of the window has passed
+  std::vector<std::string> interfaces_;
+  std::vector<double>      before_; ///< present() after the last step, J
+  std::vector<double>      within_; ///< what has come to it within the window, J
+};
+
+const Registered<Losses> registration("losses", 85, parameters::QuantityGroup::energy);
+} // namespace
+} // namespace chaindrive::observe

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/drift.h>
+#include <chaindrive/observe/quantity.h>
+
+#include <algorithm>
+
+// Whether the drive had settled in the window of the averages.
+
+namespace chaindrive::observe
+{
+namespace
+{
+class Settled : public Quantity
+{
+public:
+  explicit Settled(const Observation &now) : Quantity(now), drift_(now.scene, now.parameters) {}
+
+  static bool exists(const Observation &start)
+  {
+    return !start.scene.sprockets.empty() && start.scene.n_joints > 0 &&
+           start.parameters.loads.driver_speed > 0.;
+  }
+
+  void update() override
+  {
+    const Window &window = now_.window();
+    if (!begun_ && now_.time() > window.start())
+      {
+        drift_.begin(std::max(window.start(), now_.parameters.time.start));
+        begun_ = true;
+      }
+    if (!begun_)
+      return;
+    drift_.add(now_);
+    // a last period may end with the window but for round-off
+    while (now_.time() >= drift_.period_end() &&
+           drift_.period_end() <= window.end() + 1e-6 * drift_.pitch_time())
+      drift_.next_period(now_);
+  }
+
+  void summarize(files::Json &summary) const override
+  {
+    summary["statistics"]["settled"] = nullptr;
+    if (drift_.n_periods() >= Settling::n_periods)
+      summary["statistics"]["settled"] = drift_.settled();
+  }
+
+  void serialize(const Archive &archive) override
+  {
+    archive("begun", begun_);
+    drift_.serialize(archive / "drift");
+  }
+
+private:
+  Drift drift_; ///< from the begin of the window on
+  bool  begun_ = false;
+};
+
+const Registered<Settled> registration("settled", 42, parameters::QuantityGroup::tensions);
+} // namespace
+} // namespace chaindrive::observe
