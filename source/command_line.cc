@@ -48,6 +48,10 @@ constexpr CommandName commands[] = {
      "study",
      "FILE.prm",
      "run the variants of a study file and compare them; ./study --help says more"},
+    {Command::report,
+     "report",
+     "DIR...",
+     "write a page on the runs in the folders DIRECTORY..., report.html in the first of them"},
     {Command::template_file, "template", nullptr, "print a commented file to begin with"},
     {Command::document, "document", nullptr, "print the reference of all entries (Markdown)"},
 };
@@ -78,7 +82,7 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
                         "override an entry of the file; may be repeated");
   visible.add_options()("output",
                         options::value(&c.output_directory)->value_name("DIRECTORY"),
-                        "write the results there");
+                        "write the results there; report: the file of the page");
   visible.add_options()("resume",
                         options::value(&c.resume)->value_name("auto|CHECKPOINT"),
                         "go on from the newest checkpoint in the directory, or from this one");
@@ -110,6 +114,7 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
                         "document: print what completes words in a shell, which is bash");
   add("plan", switches.plan, "the same as the command plan");
   add("quiet", c.quiet, "print warnings and errors only");
+  add("report", c.report, "run: write a page on it at its end, report.html beside its results");
   add("strict", c.strict, "run, plan: refuse a drive that a design check warns of");
   add("version", switches.version, "print versions, SIMD and MPI facts");
   add("help", switches.help, "print this text");
@@ -201,6 +206,13 @@ std::string file_of(const Command command, const std::vector<std::string> &words
     {
       if (named.command != command)
         continue;
+      if (command == Command::report)
+        {
+          if (words.empty())
+            throw InputError("Which runs? Name the folders of their results: chaindrive report "
+                             "DIRECTORY...");
+          return "";
+        }
       if (named.argument == nullptr && !words.empty())
         throw InputError(std::string("The command ") + named.name +
                          " takes no file, but there is '" + words.front() + "'.");
@@ -262,6 +274,13 @@ void check_belonging(const CommandLine &c)
   if (c.command == Command::noise && (!c.output_directory.empty() || !c.resume.empty()))
     throw InputError("The options --output and --resume belong to runs: chaindrive noise DIR "
                      "writes into DIR.");
+  if (c.report && c.command != Command::run && c.command != Command::help)
+    throw InputError(
+        "The option --report belongs to runs. The command for those that have ended is "
+        "chaindrive report DIRECTORY.");
+  if (c.command == Command::report && (!c.overrides.empty() || !c.resume.empty()))
+    throw InputError(std::string("The option ") + (c.overrides.empty() ? "--resume" : "--set") +
+                     " belongs to runs: a report takes them as they are.");
   if (c.cores > most_cores)
     throw InputError("The option --cores takes 1 to " + std::to_string(most_cores) + ".");
   if (is_study && !c.resume.empty())
@@ -335,6 +354,8 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   switches.help    = switches.help || short_help;
   c.command        = take_command(words, switches);
   c.parameter_file = file_of(c.command, words);
+  if (c.command == Command::report)
+    c.folders = words;
   c.rest.assign(rest == end ? end : rest + 1, end);
   check_belonging(c);
   return c;

@@ -27,8 +27,13 @@ namespace
 {
 using namespace chaindrive;
 
-/// What main() is to become when all is done; empty: nothing.
-using Successor = std::vector<std::string>;
+/// What main() is to become when all is done; no words: nothing.
+struct Successor
+{
+  std::vector<std::string> words;
+  std::string              needs;      ///< said when it cannot be started
+  int                      status = 3; ///< then
+};
 
 /// Does what the command line asks for; returns the status.
 int run(const int argc, char **argv, const bool is_first_rank, Successor &successor)
@@ -37,7 +42,13 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
   switch (command_line.command)
     {
     case Command::run:
-      return run_command(command_line, MPI_COMM_WORLD) ? 0 : 4;
+      {
+        const auto directory = run_command(command_line, MPI_COMM_WORLD);
+        if (directory && command_line.report && !command_line.quiet && is_first_rank)
+          successor = {
+              report_after_run(*directory), "the report of this run needs Debian's python3", 0};
+        return directory ? 0 : 4;
+      }
     case Command::plan:
       return plan_command(command_line, MPI_COMM_WORLD) ? 0 : 4;
     case Command::parts:
@@ -48,8 +59,12 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
         noise_command(command_line);
       break;
     case Command::study:
-      successor = study_command(command_line, MPI_COMM_WORLD);
+      successor = {study_command(command_line, MPI_COMM_WORLD),
+                   "./study installs what studies need"};
       return stop_signal() == 0 ? 0 : 4;
+    case Command::report:
+      successor = {report_command(command_line, MPI_COMM_WORLD), "reports need Debian's python3"};
+      break;
     case Command::template_file:
       if (is_first_rank)
         template_command(command_line.design, std::cout);
@@ -154,10 +169,12 @@ int become(Successor command, std::vector<std::string> environment)
     return all;
   };
   std::cout.flush();
-  ::execvpe(command.front().c_str(), pointers(command).data(), pointers(environment).data());
-  std::cerr << "chaindrive: " << command.front() << " cannot be started: " << std::strerror(errno)
-            << ". ./study installs what studies need." << std::endl;
-  return 3;
+  ::execvpe(
+      command.words.front().c_str(), pointers(command.words).data(), pointers(environment).data());
+  std::cerr << "chaindrive: " << command.words.front()
+            << " cannot be started: " << std::strerror(errno) << "; " << command.needs << "."
+            << std::endl;
+  return command.status;
 }
 } // namespace
 
@@ -192,7 +209,7 @@ int main(int argc, char **argv)
     status                   = end_together(
         run_and_catch(argc, argv, is_first_rank, successor), is_first_rank, MPI_COMM_WORLD);
   }
-  if (successor.empty())
+  if (successor.words.empty())
     return status;
   return become(successor, environment);
 }

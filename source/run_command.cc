@@ -27,6 +27,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -260,14 +261,14 @@ bool plan_command(const CommandLine &command_line, const MPI_Comm comm)
   return true;
 }
 
-bool run_command(const CommandLine &command_line, const MPI_Comm comm)
+std::optional<std::string> run_command(const CommandLine &command_line, const MPI_Comm comm)
 {
   Prepared    prepared(command_line, comm);
   Simulation &simulation = prepared.simulation;
   if (simulation.is_idle())
-    return true;
+    return prepared.directory.path();
   if (stopped_before_first_step(prepared))
-    return false;
+    return std::nullopt;
   on_first_rank(simulation.communicator(), [&] { warn(prepared.log, prepared.directory.claim()); });
   const auto checkpoint = find_checkpoint(prepared);
   print_plan(prepared);
@@ -309,6 +310,6 @@ bool run_command(const CommandLine &command_line, const MPI_Comm comm)
     end_files(prepared);
   else
     log.close();
-  return finished;
+  return finished ? std::make_optional(path) : std::nullopt;
 }
 } // namespace chaindrive

@@ -15,6 +15,7 @@ enum class Command
   parts,         ///< print masses and stiffnesses of the parts
   noise,         ///< compute the noise of a run that has ended
   study,         ///< run the variants of a study file and compare them
+  report,        ///< write a page on runs
   template_file, ///< print a .prm file to begin with
   document,      ///< print doc/parameters.md
   version,
@@ -31,6 +32,7 @@ struct CommandLine
   std::string              resume;           ///< empty: what the .prm file says
   bool                     quiet  = false;   ///< warnings and errors only
   bool                     strict = false;   ///< run, plan: no drive that a check finds fault with
+  bool                     report = false;   ///< run: a page on it at its end
   std::vector<std::string> accuracy;         ///< plan: "OUTPUT=PERCENT"
   unsigned int             cores   = 0;      ///< study: runs at a time; 0: as many as there are
   bool                     quick   = false;  ///< study: with the changes of Study/Quick
@@ -54,6 +56,7 @@ struct CommandLine
   Design                   design;
   bool                     man = false; ///< document: as the manual page
   std::string              completion;  ///< document: as the completion of this shell
+  std::vector<std::string> folders;     ///< report: those of the runs
   std::vector<std::string> rest;        ///< study: options of Snakemake, after `--`
 };
 

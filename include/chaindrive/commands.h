@@ -7,6 +7,7 @@
 #include <mpi.h>
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,12 @@ std::vector<std::string> mesh_folders(const std::string &parameter_file);
 
 /// Runs the .prm file named on the command line: a Simulation with its files, its checkpoints, the
 /// log and the console. Throws InputError for input that cannot be run and RunError for a run that
-/// failed. Returns whether the run came to its end: false when a signal or the wall-clock limit
-/// stopped it, after a checkpoint was written. Collective.
-bool run_command(const CommandLine &command_line, MPI_Comm comm);
+/// failed. Returns the directory of the results of a run that came to its end: none when a signal
+/// or the wall-clock limit stopped it, after a checkpoint was written. Collective.
+std::optional<std::string> run_command(const CommandLine &command_line, MPI_Comm comm);
 
-/// Prints what that run would compute and what it costs. Returns and throws as run_command().
+/// Prints what that run would compute and what it costs. Returns whether it came to its end; throws
+/// as run_command().
 bool plan_command(const CommandLine &command_line, MPI_Comm comm);
 
 /// Prints what the parts of that drive weigh, how they give way and how they vibrate: masses,
@@ -48,4 +50,13 @@ void template_command(const CommandLine::Design &design, std::ostream &out);
 /// folder with its .prm file for each run. Returns the words of the command that runs them, which
 /// is to take this process's place: Snakemake; nothing for `--dry-run`.
 std::vector<std::string> study_command(const CommandLine &command_line, MPI_Comm comm);
+
+/// The words of the command that writes a page on the runs whose folders are named on the command
+/// line, and is to take this process's place: Python, with the package chaindrive. InputError on
+/// several ranks.
+std::vector<std::string> report_command(const CommandLine &command_line, MPI_Comm comm);
+
+/// The same for the run that has just left its results in @p directory: it ends well whatever
+/// becomes of the page.
+std::vector<std::string> report_after_run(const std::string &directory);
 } // namespace chaindrive

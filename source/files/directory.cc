@@ -39,7 +39,7 @@ constexpr const char *series =
     "(histories(-[0-9]+)?\\.h5|histories\\.saved|checkpoint-[0-9]+\\.ckpt)";
 constexpr const char *lists      = "(bodies|bars)\\.pvd";
 constexpr const char *pictures   = "(bodies|bars)_[0-9]+(\\.[0-9]+)?\\.p?vtu";
-constexpr const char *summary    = "(summary\\.json|acoustics\\.(json|h5))";
+constexpr const char *summary    = "(summary\\.json|acoustics\\.(json|h5)|report\\.html)";
 constexpr const char *unfinished = "\\.part";
 
 std::string either(const std::vector<std::string> &names)

@@ -14,7 +14,7 @@
 using namespace chaindrive;
 
 const char *const names[] = {
-    "run", "plan", "parts", "noise", "study", "template", "document", "version", "help"};
+    "run", "plan", "parts", "noise", "study", "report", "template", "document", "version", "help"};
 
 void parse(std::vector<const char *> arguments)
 {
@@ -33,6 +33,8 @@ void parse(std::vector<const char *> arguments)
             std::cout << ' ' << word;
           std::cout << std::endl;
         }
+      for (const std::string &folder : c.folders)
+        std::cout << "  run '" << folder << "'" << std::endl;
       for (const std::string &text : c.overrides)
         std::cout << "  override '" << text << "'" << std::endl;
     }
@@ -61,6 +63,10 @@ int main()
   parse({"noise"});
   parse({"noise", "a", "b"});
   parse({"noise", "a", "--output", "b"});
+  parse({"report", "results/a", "results/b", "--output", "both.html"});
+  parse({"report"});
+  parse({"report", "results/a", "--set", "Time/End time in ms=5"});
+  parse({"plan", "a.prm", "--report"});
   parse({"template"});
   parse({"document"});
   parse({"./run"}); // a file

@@ -27,9 +27,12 @@ def in_window(run, path):
 
 
 def largest(run, name, path):
-    """The largest value in the window, of all steps where that is known, or else of the samples."""
+    """The largest value in the window, of all steps where that is known, or else of the samples; None without histories."""
     value = statistic(run, name, "largest")
-    return float(np.nanmax(in_window(run, path))) if value is None else value
+    try:
+        return float(np.nanmax(in_window(run, path))) if value is None else value
+    except (RunError, ValueError):
+        return None
 
 
 def answers(run):
@@ -53,9 +56,9 @@ def tension(run):
     mean, most = run.summary["tight_tension_mean"], largest(run, "tight_tension", "spans/tight_tension")
     expected = next(span["tension"] for span in run.drive["spans"] if span["name"] == "tight")
     strength = run.drive.get("tensile_strength")
-    safety = f" The chain breaks at {quantity(strength, 'N')} or more, {number(strength / most, 3)} times that." if strength else ""
-    return Answer("Tension of the tight span", mean, "N", f"{_against(mean, expected, 'N', 'that power and speed ask for')}; at most "
-                  f"{quantity(most, 'N')} in the window.{safety}")
+    safety = f" The chain breaks at {quantity(strength, 'N')} or more, {number(strength / (most or mean), 3)} times that." if strength else ""
+    return Answer("Tension of the tight span", mean, "N", _against(mean, expected, "N", "that power and speed ask for") +
+                  (f"; at most {quantity(most, 'N')} in the window." if most else ".") + safety)
 
 
 def slack(run):
@@ -135,9 +138,10 @@ def losses(run):
 
 def wear(run):
     pressure, area = run.drive["joint_pressure"], run.drive["bearing_area"]
-    most = largest(run, "tight_tension", "spans/tight_tension") / area
-    return Answer("Pressure in the joints", pressure, "Pa", f"Of the mean tension on {quantity(area, 'm2', 3)} of pin and bush, {quantity(most, 'Pa', 3)} "
-                  "at the largest tension. Wear grows with it and with the angle by which joints turn: fewer teeth, more wear.")
+    most = largest(run, "tight_tension", "spans/tight_tension")
+    peak = f", {quantity(most / area, 'Pa', 3)} at the largest tension" if most else ""
+    return Answer("Pressure in the joints", pressure, "Pa", f"Of the mean tension on {quantity(area, 'm2', 3)} of pin and bush{peak}. "
+                  "Wear grows with it and with the angle by which joints turn: fewer teeth, more wear.")
 
 
 def resonance(run):

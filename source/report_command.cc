@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/commands.h>
+#include <chaindrive/files/data_folder.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/ranks.h>
+
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+// The page on runs is made by python/chaindrive/report.
+
+namespace chaindrive
+{
+namespace
+{
+/// Debian's Python, which has Debian's packages, where there is one.
+std::string python()
+{
+  const char *debian = "/usr/bin/python3";
+  return ::access(debian, X_OK) == 0 ? debian : "python3";
+}
+
+/// -B: the folder of the package may belong to others.
+std::vector<std::string> first_words()
+{
+  return {python(), "-B", files::data_folder("python") + "/chaindrive/report/__main__.py"};
+}
+} // namespace
+
+std::vector<std::string> report_command(const CommandLine &command_line, const MPI_Comm comm)
+{
+  if (n_ranks_in(comm) > 1)
+    throw InputError("A report is written by one process: start it without mpirun.");
+  std::vector<std::string> words = first_words();
+  if (command_line.quiet)
+    words.emplace_back("--quiet");
+  if (!command_line.output_directory.empty())
+    words.insert(words.end(), {"--output", command_line.output_directory});
+  words.emplace_back("--");
+  words.insert(words.end(), command_line.folders.begin(), command_line.folders.end());
+  return words;
+}
+
+std::vector<std::string> report_after_run(const std::string &directory)
+{
+  std::vector<std::string> words = first_words();
+  words.insert(words.end(), {"--after-run", "--", directory});
+  return words;
+}
+} // namespace chaindrive

@@ -1,0 +1,264 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""report.py CASE PROGRAM: the page on runs.
+
+  one      a run ends with its page, which is complete in itself: every figure with data, those of the summary
+  several  runs on the same axes, differences, runs of different drives
+  missing  what a run does not have is said in its place, and the rest is shown
+  refuse   folders that are none, of no run; more runs than colours
+  browser  headless Chromium draws every figure, without an error in its console
+
+Without h5py or pandas all end with 77, without plotly.js or Chromium `browser` does: left out."""
+import base64
+import gzip
+import html.parser
+import json
+import math
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(REPOSITORY / "scripts"))
+import program  # noqa: E402
+from program import check  # noqa: E402
+
+try:
+    import h5py
+    import chaindrive  # noqa: F401
+    from chaindrive.report import page as pages
+except ModuleNotFoundError as error:
+    if error.name not in ("h5py", "pandas", "numpy"):
+        raise
+    sys.exit(77)
+
+CASE, PROGRAM = sys.argv[1:3]
+SHORT = {"Time/End time in ms": 18, "Output/Window start in ms": 8, "Output/Field interval in ms": 0}
+CHROMIUM = shutil.which("chromium")
+FIGURES = ("tensions", "offsets", "shapes", "shafts", "velocities", "link-forces", "contact-forces", "aligned", "peaks", "wrap", "spectra",
+           "roller-bands", "energies")
+
+
+def run(output, *options, file="prm/paper/simple.prm", **entries):
+    changes = {**SHORT, **{name.replace("__", "/").replace("_", " "): value for name, value in entries.items()}}
+    return program.run(file, changes, "--output", output, *options, program=PROGRAM)
+
+
+def report(*words, status=0):
+    done = subprocess.run([PROGRAM, "report", *words], capture_output=True, text=True)
+    check(done.returncode == status and "Traceback" not in done.stderr, f"report {words}: {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout + done.stderr
+
+
+class Reader(html.parser.HTMLParser):
+    """Elements that are not closed in order, what a page loads, its texts by the section or figure they are in, its packed scripts."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.wrong, self.loads, self.texts, self.panels, self.packed = [], [], [], {}, {}, {}
+        self.script = None
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        if tag not in ("meta", "link", "input", "br", "img"):
+            self.open.append((tag, attributes.get("id") if tag in ("section", "figure") else None))
+        self.loads += [attributes[name] for name in ("src", "href", "data") if not attributes.get(name, "#").startswith(("#", "data:"))]
+        if tag == "script":
+            self.script = attributes.get("id")
+        if "data-panel" in attributes:
+            self.panels.setdefault(self._where("figure"), []).append(int(attributes["data-panel"]))
+
+    def handle_startendtag(self, tag, attributes):
+        pass
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open[-1][0] != tag:
+            self.wrong.append(f"</{tag}> in {self.open[-1:]}")
+        else:
+            self.open.pop()
+
+    def _where(self, *tags):
+        return next((name for tag, name in reversed(self.open) if tag in tags and name), None)
+
+    def handle_data(self, data):
+        if self.open and self.open[-1][0] == "script":
+            if self.script:
+                self.packed[self.script] = self.packed.get(self.script, "") + data
+            return
+        for tag in ("section", "figure"):
+            where = self._where(tag)
+            self.texts[where] = self.texts.get(where, "") + data
+        self.texts["all"] = self.texts.get("all", "") + data
+
+    def data(self):
+        return json.loads(gzip.decompress(base64.b64decode(self.packed["data"])))
+
+
+def read(file):
+    text = pathlib.Path(file).read_text()
+    check(len(text) < 8e6, f"{len(text)} bytes")
+    check("NaN" not in text.split('<script type="application/gzip"')[0] and "nan" not in re.sub(r"<[^>]*>", "", text.split("<footer>")[0]).split(),
+          "a number that is none is shown")
+    found = Reader(text)
+    check(not found.wrong and not found.open, f"not closed in order: {found.wrong[:3]} {found.open[:3]}")
+    check(not found.loads, f"the page loads {found.loads}")
+    return found
+
+
+def numbers(values):
+    """Values of a curve as the page has them."""
+    return [values["first"] + i * values["step"] for i in range(values["n"])] if isinstance(values, dict) else values
+
+
+def check_figures(found, names, curves=1):
+    """Every panel of these figures has curves of finite numbers within its axes, and not all the same."""
+    data = found.data()
+    for name in names:
+        check(found.panels.get(name), f"the figure {name} has no panels")
+        for panel in (data["panels"][number] for number in found.panels[name]):
+            check(len(panel["c"]) >= curves, f"{name}: {len(panel['c'])} curves")
+            for curve in panel["c"]:
+                x, y = numbers(curve["x"]), numbers(curve["y"])
+                pairs = [(a, b) for a, b in zip(x, y) if a is not None and b is not None]
+                check(len(x) == len(y) and len(pairs) >= 2, f"{name}: {len(x)} and {len(y)} values, {len(pairs)} points")
+                check(all(math.isfinite(a) and math.isfinite(b) for a, b in pairs), f"{name}: not finite")
+                inside = [panel["xr"][0] <= a * (1 + 1e-3) and a * (1 - 1e-3) <= panel["xr"][1] for a, _ in pairs if a >= 0]
+                check(sum(inside) >= 0.9 * len(inside), f"{name}: outside of its axis")
+            check(any(len({b for b in numbers(curve["y"])}) > 1 for curve in panel["c"]), f"{name}: all the same")
+    return data
+
+
+def one():
+    begin = time.time()
+    said = run("results", "--report")
+    check("Report: results/report.html" in said, f"the page is not mentioned:\n{said}")
+    found = read("results/report.html")
+    data = check_figures(found, FIGURES)
+    summary = program.summary("results")
+    check(f"{summary['tight_tension_mean']:.4g}" in found.texts["answers"], "the tension of the summary is not among the key figures")
+    check(summary["checks"][0]["sentence"] in found.texts["checks"], "a design check is missing")
+    check("643.038\u00a0mm" in found.texts["drive"] and "288.25\u00a0Hz" in found.texts["drive"], "the drive's block")
+    tension = data["panels"][found.panels["tensions"][0]]["c"][0]
+    with h5py.File("results/histories.h5") as file:
+        most = 1e-3 * file["spans/tight_tension"][:].max()
+    check(abs(max(numbers(tension["y"])) - most) < 1e-3, f"largest tension {max(numbers(tension['y']))} instead of {most} kN")
+    film = data["films"][0]
+    check(50 < len(film["x"]) <= 201 and len(film["x"][0]) == 110 == len(film["tension"][-1]), f"the film: {len(film['x'])} frames")
+    check("chaindrive noise" in found.texts["noise-spectra"], "what is missing of noise is not said")
+    check(found.texts["all"].count("How does the drive of Zheng, Wang and Quek") == 1, "the question of the file")
+    begin = time.time()
+    report("results")
+    check(time.time() - begin < 10, f"{time.time() - begin:.1f} s for a report")
+    run("results", "--quiet", "--report", Time__End_time_in_ms=10)
+    check(not pathlib.Path("results/report.html").exists(), "an old page is left beside new results, or --quiet wrote one")
+
+
+def several():
+    run("heavy")
+    run("light", Loads__Resisting_torque_in_N_m=75)
+    report("heavy", "light", "--output", "both.html")
+    found = read("both.html")
+    data = check_figures(found, FIGURES)
+    for name in ("tensions", "shafts", "spectra", "wrap"):
+        for panel in (data["panels"][number] for number in found.panels[name]):
+            check([curve["n"] for curve in panel["c"]] == ["heavy", "light"], f"{name}: {[c['n'] for c in panel['c']]}")
+    pair = [data["panels"][number] for number in found.panels["contact-forces"]]
+    check(len(pair) == 2 and pair[0]["yr"] == pair[1]["yr"] and pair[0]["xr"] == pair[1]["xr"], "not on the same axes")
+    torques = [program.summary(name)["driver_torque_mean"] for name in ("heavy", "light")]
+    row = re.search(r"driver torque, mean</th>.*?</tr>", pathlib.Path("both.html").read_text())[0]
+    difference = f"{100 * (torques[1] / torques[0] - 1):+.2g}".replace("-", "−")
+    check(f"{torques[0]:.4g}\u00a0N m" in row and difference in row, f"{torques}: {row}")
+    check("Loads/Resisting torque in N m" in found.texts["answers"] and "different drives" not in found.texts["all"], "entries that differ")
+
+    auto = {f"Drive__Sprockets__Driver_{what}_in_mm": "auto" for what in ("outside_diameter", "hub_diameter", "bore")}
+    run("other", Drive__Driver_teeth=17, Drive__Layout__Centre_distance_from="slack", Drive__Layout__Slack_in_mm=0.5, **auto)
+    report("heavy", "other", "--output", "drives.html")
+    found = read("drives.html")
+    check("different drives" in found.texts["all"], "different drives are compared without a word")
+    check_figures(found, ("tensions", "shafts", "velocities"))
+
+
+def missing():
+    run("few", Output__Quantities="speeds, tensions", Output__Rollers="0, 5")
+    report("few")
+    found = read("few/report.html")
+    check_figures(found, ("tensions", "offsets", "shafts", "link-forces" if "link-forces" in found.panels else "spectra"))
+    for figure, word in (("contact-forces", "engagements"), ("aligned", "engagements"), ("energies", "energy"), ("wrap", "tooth forces")):
+        check(not found.panels.get(figure) and f"'{word}'" in found.texts[figure], f"{figure}: {found.texts.get(figure)}")
+    check("rollers" in found.texts["motion"] and not found.data()["films"], found.texts["motion"])
+
+    run("whole")
+    shutil.copytree("whole", "unfinished", dirs_exist_ok=True)
+    os.remove("unfinished/summary.json")
+    report("whole", "unfinished", "--output", "two.html")
+    found = read("two.html")
+    check("has not finished" in found.texts["all"], "an unfinished run without a word")
+    data = check_figures(found, ("tensions", "shafts"))
+    check(len(data["panels"][found.panels["tensions"][0]]["c"]) == 2, "histories of an unfinished run are not shown")
+    report("unfinished")
+    check_figures(read("unfinished/report.html"), ("tensions", "shafts"))
+
+    shutil.copytree("whole", "cut", dirs_exist_ok=True)
+    content = pathlib.Path("whole/histories.h5").read_bytes()
+    pathlib.Path("cut/histories.h5").write_bytes(content[:30000])
+    report("cut")
+    found = read("cut/report.html")
+    check("damaged" in found.texts["tensions"] and f"{program.summary('cut')['tight_tension_mean']:.4g}" in found.texts["answers"], "a damaged file")
+    with h5py.File("cut/histories.h5", "w") as file:  # foreign
+        file["time"] = [0., 1e-3, 5e-3]
+    report("cut")
+    check("no history 'spans/tight_tension'" in read("cut/report.html").texts["tensions"], "a foreign file")
+    pathlib.Path("cut/summary.json").write_text("[1, 2")
+    check("damaged" in report("cut", status=2), "a damaged summary")
+
+
+def refuse():
+    pathlib.Path("empty").mkdir(exist_ok=True)
+    for words, expected in ((["nowhere"], "There is no folder 'nowhere'"), (["empty"], "not the folder of a run"), ([], "Which runs?"),
+                            (["empty", "--set", "Time/End time in ms=3"], "--set belongs to runs")):
+        check(expected in report(*words, status=2), f"{words} is not refused with '{expected}'")
+    run("short", Time__End_time_in_ms=10)
+    check("up to 7 runs" in report(*["short"] * 8, status=2), "eight runs")
+    check("cannot be written" in report("short", "--output", "nowhere/page.html", status=3), "a page that cannot be written")
+    for script, words in (("--after-run", 0), ("--quiet", 2)):
+        done = subprocess.run([sys.executable, "-B", REPOSITORY / "python/chaindrive/report/__main__.py", script, "--", "nowhere"])
+        check(done.returncode == words, f"{script}: {done.returncode}")
+
+
+def browse(file, *options):
+    """The page as Chromium has drawn it, and what its console says."""
+    done = subprocess.run([CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", f"--user-data-dir={os.getcwd()}/profile",
+                           "--virtual-time-budget=60000", "--dump-dom", *options, pathlib.Path(file).resolve().as_uri()],
+                          capture_output=True, text=True, timeout=150)
+    return done.stdout, [line for line in done.stderr.splitlines() if "CONSOLE" in line]
+
+
+def browser():
+    if CHROMIUM is None or pages.plotly() is None:
+        sys.exit(77)
+    run("results")
+    run("light", Loads__Resisting_torque_in_N_m=75)
+    report("results", "light", "--output", "both.html")
+    report("results")
+    for file in ("results/report.html", "both.html"):
+        found = read(file)
+        panels = sum(map(len, found.panels.values()))
+        for size in ("1280,900", "500,900"):
+            dom, console = browse(file, f"--window-size={size}")
+            state = re.search(r'<html[^>]*data-state="(\w+)"[^>]*', dom)
+            check(state and state[1] == "ready", f"{file}: {state and state[0]}")
+            check(not console, f"{file}: the console says {console[:3]}")
+            drawn = re.split(r'<div class="live drawn[^>]*data-panel="\d+"', dom)[1:]
+            check(len(drawn) == panels >= 20, f"{file}: {len(drawn)} of {panels} panels are drawn")
+            for number, part in enumerate(drawn):
+                shapes = re.findall(r'<path class="(?:js-line|js-fill|point)[^>]*? d="(M[^"]{12,})', part) + re.findall(r'<g class="point"><path[^>]* d="(M[^"]+)', part)
+                check(shapes, f"{file}: panel {number} has no curve")
+            check(dom.count('class="film drawn"') == len(found.data()["films"]) > 0, f"{file}: no film")
+
+
+{"one": one, "several": several, "missing": missing, "refuse": refuse, "browser": browser}[CASE]()
