@@ -75,6 +75,23 @@ class Run:
         """acoustics.json, what `chaindrive noise` has found; empty without it."""
         return self._json("acoustics.json") if (self.folder / "acoustics.json").exists() else {}
 
+    def sound(self, name="pressure"):
+        """What the observers of `chaindrive noise` hear, a column for each: `pressure` over time in s, Pa, or `spectrum`, the mean square on
+        each line over frequency in Hz, Pa2. RunError when no noise was computed."""
+        path = self.folder / "acoustics.h5"
+        if not path.exists() or not self.acoustics:
+            raise RunError(f"There is no noise of the run in '{self.folder}': chaindrive noise {self.folder} computes it.")
+        over = {"pressure": "time", "spectrum": "frequency"}[name]
+        try:
+            with h5py.File(path, "r") as file:
+                index, values = file[over][:], file[name][:]
+        except (OSError, KeyError) as error:
+            raise RunError(f"'{path}' is damaged: {error}.") from None
+        columns = [observer["name"] for observer in self.acoustics["observers"]]
+        frame = pd.DataFrame(values.reshape(len(index), -1), index=pd.Index(index, name=over), columns=columns)
+        frame.attrs = {"unit": "Pa" if name == "pressure" else "Pa2"}
+        return frame
+
     @functools.cached_property
     def parameters(self):
         """All entries as they were used."""

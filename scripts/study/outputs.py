@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a study judges of a run: `chaindrive document` defines each output, test_study.py compares the names."""
 import functools
-import json
-import pathlib
 
 import numpy as np
 
@@ -110,8 +108,7 @@ def _velocity(run, surface, name):
 
 def _sound(run, name):
     """Of the first observer; none where the run computed no noise."""
-    file = pathlib.Path(run.folder) / "acoustics.json"
-    return json.loads(file.read_text())["observers"][0][name] if file.exists() else None
+    return run.acoustics["observers"][0][name] if run.acoustics else None
 
 
 def _losses(run):

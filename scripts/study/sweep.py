@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A study against one of its entries (Study/Against): curves of its outputs, and against the driver's speed the orders of
 tooth frequency at each speed, with the resonances that the figures of the drive foretell."""
-import json
 import math
-import pathlib
 
-import h5py
 import matplotlib
 import numpy as np
 
@@ -61,7 +58,7 @@ class Sweep:
         first = min((v for v in self.study.variants if self.results(v)), key=self.abscissa, default=None)
         if first is None or not self.is_speed:
             return []
-        drive = json.loads((self.results(first)[0] / "summary.json").read_text())["drive"]
+        drive = outputs.chaindrive.open(self.results(first)[0]).drive
         found = [("driven inertia on the tight span", drive["driven_frequency"], drive["driven_resonance"] * RPM)]
         found += [(f"{span['name']} span as a string", span["frequency"], span["resonance"] * RPM) for span in drive["spans"]]
         return [(what, frequency, speed) for what, frequency, speed in found if frequency and speed]
@@ -86,13 +83,11 @@ def tension_orders(folder):
 
 def sound_orders(folder):
     """Of the first observer, Pa; none where the run computed no noise."""
-    file = pathlib.Path(folder) / "acoustics.h5"
-    if not file.exists():
+    run = outputs.Run(folder)
+    if not run.acoustics:
         return np.array([]), np.array([])
-    with h5py.File(file, "r") as sound:
-        spectrum = sound["spectrum"]
-        first = spectrum[:, 0] if spectrum.ndim > 1 else spectrum[:]
-        return sound["frequency"][:] * outputs.Run(folder).pitch_time, np.sqrt(2 * first)
+    spectrum = run.sound("spectrum")
+    return spectrum.index.to_numpy() * run.pitch_time, np.sqrt(2 * spectrum.iloc[:, 0].to_numpy())
 
 
 def draw(sweep, file, dpi=100):

@@ -4,6 +4,7 @@
   one      a run ends with its page, which is complete in itself: every figure with data, those of the summary
   several  runs on the same axes, differences, runs of different drives
   missing  what a run does not have is said in its place, and the rest is shown
+  noise    what `chaindrive noise` leaves behind is drawn, of one run and of several
   refuse   folders that are none, of no run; more runs than colours
   browser  headless Chromium draws every figure, without an error in its console
 
@@ -217,6 +218,49 @@ def missing():
     check("damaged" in report("cut", status=2), "a damaged summary")
 
 
+def add_noise(folder, amplitude):
+    """Files as `chaindrive noise` writes them: a tone of 1 kHz at two observers, the second half as loud."""
+    names, seconds = ["front", "microphone"], [i * 1e-5 for i in range(1000)]
+    level = [20 * math.log10(factor * amplitude / math.sqrt(2) / 2e-5) for factor in (0.5, 1.)]
+    observers = [{"name": name, "position": [0., 0.4, 0.], "level": level[k], "level_a": level[k] - 0.1, "peak_pressure": amplitude,
+                  "third_octaves": [None, level[k] - 30., level[k]], "orders": [level[k]], "engagement_peaks": [amplitude, 0.9 * amplitude, 0.8 * amplitude]}
+                 for k, name in enumerate(names)]
+    found = {"observers": observers, "third_octaves": [630., 800., 1000.], "tooth_frequency": 288., "periods": 3,
+             "contributions": {"driver": level[1] - 1., "driven": level[1] - 7.}, "rollers": [],
+             "directivity": {"angle": [0., 1., 2., 3.], "level": [60., 63., 64., 61.]}}
+    pathlib.Path(folder, "acoustics.json").write_text(json.dumps(found))
+    with h5py.File(f"{folder}/acoustics.h5", "w") as file:
+        file["time"], file["frequency"] = seconds, [100. * k for k in range(50)]
+        tone = [amplitude * math.sin(2000. * math.pi * t) for t in seconds]
+        file["pressure"] = [[0.5 * p, p] for p in tone]
+        square = [0.5 * amplitude ** 2 if k == 10 else 1e-12 * (k + 1) for k in range(50)]
+        file["spectrum"] = [[0.25 * s, s] for s in square]
+    return level[1]
+
+
+def noise():
+    run("loud")
+    run("quiet", Loads__Resisting_torque_in_N_m=75)
+    loud = add_noise("loud", 2.)
+    report("loud")
+    found = read("loud/report.html")
+    names = ("noise-spectra", "pressure", "noise-peaks", "directivity")
+    data = check_figures(found, FIGURES + names)
+    lines = data["panels"][found.panels["noise-spectra"][0]]["c"][0]
+    check(abs(max(numbers(lines["y"])) - loud) < 0.01, f"the line of 1 kHz has {max(numbers(lines['y']))} instead of {loud} dB")
+    check(f"{loud - 0.1:.1f}" in found.texts["noise"] and f"{loud - 0.1:.3g} dB(A)" in found.texts["answers"], "the level of the microphone")
+    report("loud", "quiet", "--output", "half.html")
+    half = read("half.html")
+    check_figures(half, names)
+    check("no noise of the run in 'quiet'" in half.texts["noise"], "the run without noise is not mentioned")
+    quiet = add_noise("quiet", 1.)
+    report("loud", "quiet", "--output", "both.html")
+    check(f"{quiet - 0.1:.4g} dB(A)" in read("both.html").texts["answers"], "levels are not compared")
+    pathlib.Path("quiet/acoustics.h5").write_text("")
+    report("loud", "quiet", "--output", "broken.html")
+    check("acoustics.h5' is damaged" in read("broken.html").texts["noise"], "a damaged file of noise")
+
+
 def refuse():
     pathlib.Path("empty").mkdir(exist_ok=True)
     for words, expected in ((["nowhere"], "There is no folder 'nowhere'"), (["empty"], "not the folder of a run"), ([], "Which runs?"),
@@ -261,4 +305,4 @@ def browser():
             check(dom.count('class="film drawn"') == len(found.data()["films"]) > 0, f"{file}: no film")
 
 
-{"one": one, "several": several, "missing": missing, "refuse": refuse, "browser": browser}[CASE]()
+{"one": one, "several": several, "missing": missing, "noise": noise, "refuse": refuse, "browser": browser}[CASE]()

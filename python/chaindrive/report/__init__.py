@@ -49,7 +49,7 @@ def _lead(subjects):
 def _each(subjects, make, heading=True):
     """HTML of each run, with its name above, and the sentences of those that have none."""
     done, missing = of_each(subjects, lambda s: make(s.run))
-    out = "".join((f"<h3>{escape(s.name)}</h3>" if heading and len(subjects) > 1 else "") + html for s, html in done)
+    out = "".join((f"<h3>{escape(s.name)}</h3>" if heading and len(subjects) > 1 else "") + html for s, html in done if html)
     return out + sentences(missing, "missing")
 
 
@@ -96,7 +96,7 @@ def _sections(page, subjects):
                                           curves.plate_stress(subjects)]
     yield "impacts", "Impacts and tooth load", [curves.aligned(subjects), curves.peaks(subjects), curves.wrap(subjects)]
     yield "vibration", "Spectra", [curves.line_spectra(subjects), curves.roller_bands(subjects)]
-    yield "noise", "Noise", [curves.noise_spectra(subjects), curves.pressures(subjects) if any(s.run.acoustics for s in subjects) else "",
+    yield "noise", "Noise", [_each(subjects, facts.noise_tables), curves.noise_spectra(subjects), curves.pressures(subjects),
                              curves.noise_engagements(subjects), curves.directivity(subjects)]
     yield "statistics", "Window statistics", [_each(subjects, facts.statistics_tables)]
     yield "cost", "Energy and computing time", [curves.energies(subjects), _each(subjects, facts.costs)]

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The figures of a report, from histories."""
-import h5py
 import numpy as np
 import pandas as pd
 
@@ -368,14 +367,12 @@ def roller_bands(subjects):
 
 def pressures(subjects):
     def pressure(run):
-        path = run.folder / "acoustics.h5"
-        if not path.exists():
-            raise RunError(f"There is no noise of the run in '{run.folder}': chaindrive noise {run.folder} computes it.")
-        with h5py.File(path) as file:
-            return 1e3 * file["time"][:], file["pressure"][:, microphone(run)]
+        heard = run.sound()
+        return 1e3 * heard.index.to_numpy(), heard.iloc[:, microphone(run)].to_numpy()
 
-    return together(subjects, "pressure", "Sound pressure at the microphone", "What the microphone hears of the rollers (the paper's Figure 6 is "
-                    "the measurement of this).", MS, "pressure (Pa)", pressure)
+    with_noise = [s for s in subjects if s.run.acoustics]
+    return together(with_noise, "pressure", "Sound pressure at the microphone", "What it hears of the rollers; the paper's Figure 6 is the "
+                    "measurement of this.", MS, "pressure (Pa)", pressure)
 
 
 def microphone(run):
@@ -384,27 +381,29 @@ def microphone(run):
     return names.index("microphone") if "microphone" in names else 0
 
 
+def decibels(square):
+    """Level of a mean square pressure, re 20 uPa."""
+    return 10 * np.log10(np.maximum(square, 1e-20) / 4e-10)
+
+
 def noise_spectra(subjects):
     """Figures 10 and 11."""
     def lines(run):
-        with h5py.File(run.folder / "acoustics.h5") as file:
-            frequency, square = file["frequency"][1:], file["spectrum"][1:, microphone(run)]
-        return frequency, 10 * np.log10(np.maximum(square, 1e-20) / 4e-10)
+        spectrum = run.sound("spectrum").iloc[1:, microphone(run)]
+        return spectrum.index.to_numpy(), decibels(spectrum.to_numpy())
 
     def bands(run):
+        run.sound("spectrum")
         level = run.acoustics["observers"][microphone(run)]["third_octaves"]
         return finite(np.asarray(run.acoustics["third_octaves"], float), np.asarray(level, float))
 
-    with_noise = [s for s in subjects if s.run.acoustics and (s.run.folder / "acoustics.h5").exists()]
-    missing = [f"There is no noise of the run in '{s.run.folder}' (the paper's Figures 10 and 11): chaindrive noise {s.run.folder} computes it."
-               for s in subjects if s not in with_noise]
-    narrow = together(with_noise, "", "", "", "frequency (Hz)", "level of a line (dB re 20 µPa)", lines, log_x=True)
-    wide = together(with_noise, "", "", "", "centre of the band (Hz)", "third octave (dB re 20 µPa)", bands, log_x=True)
+    narrow = together(subjects, "", "", "", "frequency (Hz)", "level of a line (dB)", lines, log_x=True)
+    wide = together(subjects, "", "", "", "centre of the band (Hz)", "third octave (dB)", bands, log_x=True)
     for panel in narrow.panels + wide.panels:
         top = max(float(np.nanmax(c.y)) for c in panel.curves)
-        panel.y_range = (top - 80., top + 5.)
-    return Figure("noise-spectra", "Spectrum of the noise at the microphone", "Narrow lines and third octaves of the computed sound pressure; the "
-                  "paper's Figures 10 (computed) and 11 (measured).", narrow.panels + wide.panels, missing + narrow.missing + wide.missing)
+        panel.y_range = (top - 70., top + 5.)
+    return Figure("noise-spectra", "Spectrum of the noise at the microphone", "Lines and third octaves of the computed sound pressure, re 20 µPa; the "
+                  "paper's Figures 10 (computed) and 11 (measured).", narrow.panels + wide.panels, narrow.missing or wide.missing)
 
 
 def directivity(subjects):
@@ -415,7 +414,7 @@ def directivity(subjects):
     with_noise = [s for s in subjects if s.run.acoustics]
     return together(with_noise, "directivity", "Level around the engagement",
                     "Sound pressure level by the direction in the plane of the drive, from the point where rollers meet the driver.",
-                    "angle (°)", "level (dB re 20 µPa)", around)
+                    "angle (°)", "level (dB)", around)
 
 
 def noise_engagements(subjects):

@@ -155,6 +155,21 @@ def statistics_tables(run):
     return out
 
 
+def noise_tables(run):
+    """Levels at the observers, and what the sprockets add. Empty without noise."""
+    if not run.acoustics:
+        return ""
+    level = lambda value: f"{value:.1f}" if value is not None else "–"  # noqa: E731
+    rows = [(escape(o["name"]), ", ".join(number(x, 3) for x in o["position"]), level(o["level"]), level(o["level_a"]), quantity(o["peak_pressure"], "Pa", 3))
+            for o in run.acoustics["observers"]]
+    out = table(["observer", "position (m)", "level (dB)", "level (dB(A))", "peak"], rows, f"Over {run.acoustics['periods']} pitch times, re 20 µPa")
+    parts = run.acoustics.get("contributions", {})
+    if parts:
+        out += sentences([f"At {run.acoustics['observers'][0]['name']} the rollers at the driver make {level(parts.get('driver'))} dB, those at the driven "
+                          f"sprocket {level(parts.get('driven'))} dB."], "plain")
+    return out
+
+
 def costs(run):
     """CPU time and energy at the end."""
     cpu = run.summary.get("cpu_seconds")
