@@ -2,7 +2,7 @@
 """install.py CASE BUILD: what is installed works without the sources, in an empty folder.
 
   prefix   cmake --install into a folder that is moved afterwards: plan, template, a short run, a study with the installed
-           scripts, manual page and completion
+           scripts, a report, manual page and completion
   package  cpack -G DEB: the package names its libraries, and unpacked it plans and writes templates
 
 `package` without dpkg-shlibdeps, and the study without Snakemake, are left out (77)."""
@@ -92,6 +92,11 @@ def prefix():
     helps(root, program)
     done(program, "made.prm", *SHORT, "--output", "run")
     check(json.loads(pathlib.Path("run/summary.json").read_text())["steps"] > 0, "no steps")
+    if shutil.which("/usr/bin/python3") and start(["/usr/bin/python3", "-c", "import h5py, pandas"]).returncode == 0:
+        style = root / "share/chaindrive/python/chaindrive/report/page.css"
+        style.write_text(style.read_text() + "/* installed */")
+        done(program, "report", "run")
+        check("/* installed */" in pathlib.Path("run/report.html").read_text(), "a report by another package than the installed one")
 
     if not shutil.which("snakemake"):
         sys.exit(77)
