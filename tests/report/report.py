@@ -11,6 +11,7 @@
 Without h5py or pandas all end with 77, without plotly.js or Chromium `browser` does: left out."""
 import base64
 import gzip
+import html
 import html.parser
 import json
 import math
@@ -204,6 +205,12 @@ def missing():
     report("unfinished")
     check_figures(read("unfinished/report.html"), ("tensions", "shafts"))
 
+    run("unsettled", Time__End_time_in_ms=13, Output__Window_start_in_ms="settled")
+    report("unsettled")
+    found = read("unsettled/report.html")
+    check_figures(found, ("tensions", "velocities", "contact-forces", "wrap"))
+    check("had not settled" in found.texts["run"] and "no roller meets the driver" in found.texts["velocities"], "a window that has not begun")
+
     shutil.copytree("whole", "cut", dirs_exist_ok=True)
     content = pathlib.Path("whole/histories.h5").read_bytes()
     pathlib.Path("cut/histories.h5").write_bytes(content[:30000])
@@ -282,6 +289,32 @@ def browse(file, *options):
     return done.stdout, [line for line in done.stderr.splitlines() if "CONSOLE" in line]
 
 
+# What a reader does when the page is drawn: switches a curve off, plays the chain, looks at the driver.
+READER = """<script>
+const wait = setInterval(() => {
+  if (document.documentElement.dataset.state !== "ready") return;
+  clearInterval(wait);
+  const said = {}, figure = document.querySelector("#tensions"), plot = figure.querySelector(".live"), button = figure.querySelector(".key button");
+  button.click();
+  said.pressed = button.getAttribute("aria-pressed");
+  said.visible = plot.data.map(trace => trace.visible !== false);
+  const film = document.querySelector(".film"), before = film.querySelector("output").textContent, canvas = film.querySelector("canvas");
+  const inked = () => new Set(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data).size;
+  said.colours = inked();
+  const heights = [canvas.height];
+  film.querySelector("select").value = "driver";
+  film.querySelector("select").dispatchEvent(new Event("change"));
+  heights.push(canvas.height);
+  film.querySelector(".controls button").click();
+  setTimeout(() => {
+    said.moved = film.querySelector("output").textContent !== before;
+    said.heights = heights;
+    document.documentElement.dataset.reader = JSON.stringify(said);
+  }, 500);
+}, 50);
+</script></body>"""
+
+
 def browser():
     if CHROMIUM is None or pages.plotly() is None:
         sys.exit(77)
@@ -303,6 +336,13 @@ def browser():
                 shapes = re.findall(r'<path class="(?:js-line|js-fill|point)[^>]*? d="(M[^"]{12,})', part) + re.findall(r'<g class="point"><path[^>]* d="(M[^"]+)', part)
                 check(shapes, f"{file}: panel {number} has no curve")
             check(dom.count('class="film drawn"') == len(found.data()["films"]) > 0, f"{file}: no film")
+    pathlib.Path("read.html").write_text(pathlib.Path("both.html").read_text().replace("</body>", READER))
+    dom, console = browse("read.html", "--window-size=1280,900")
+    done = re.search(r'data-reader="([^"]*)"', dom)
+    check(done and not console, f"the page does not answer: {console[:3]}")
+    said = json.loads(html.unescape(done[1]))
+    check(said["pressed"] == "false" and said["visible"] == [False, True], f"the legend: {said}")
+    check(said["moved"] and said["heights"][0] != said["heights"][1] and said["colours"] > 20, f"the film: {said}")
 
 
 {"one": one, "several": several, "missing": missing, "noise": noise, "refuse": refuse, "browser": browser}[CASE]()

@@ -12,18 +12,29 @@ MS = "time (ms)"
 
 
 def successive(run, n=5):
-    """The first rollers that meet the driver in the window. RunError when there are none."""
+    """The first rollers that meet the driver in the window, or the last ones at all where none does: (roller, time, peak force). RunError
+    when there are none."""
     found = run.arrivals(n)
     if not found:
-        raise RunError(f"In the run in '{run.folder}' no roller meets the driver between the begin of the window and 1 ms before the end.")
+        every = run.engagements("driver")[["roller", "time", "peak_force"]]
+        found = [tuple(row) for row in every.itertuples(index=False)][-n:]
+    if not found:
+        raise RunError(f"In the run in '{run.folder}' no roller meets the driver.")
     return found
 
 
+def early(subjects):
+    """Sentences for runs in whose window no roller meets the driver."""
+    done, _ = of_each(subjects, lambda s: (successive(s.run), s.run.arrivals(1)))
+    return [f"In the run in '{s.run.folder}' no roller meets the driver between the begin of the window and 1 ms before the end: the rollers shown "
+            "met it earlier or later." for s, (_, arrived) in done if not arrived]
+
+
 def shown(run):
-    """Begin and end of what figures of the engaging rollers show, s: from a pitch time before the window on."""
-    start = run.start if np.isfinite(run.start) else run.time[0]
-    last = successive(run)[-1][1] + 1.5 * run.pitch_time
-    return max(run.time[0], start), min(run.time[-1], last)
+    """Begin and end of what figures of the engaging rollers show, s: from the begin of the window on."""
+    rollers = successive(run)
+    start = run.start if run.arrivals(1) else rollers[0][1] - run.pitch_time
+    return max(run.time[0], start), min(run.time[-1], rollers[-1][1] + 1.5 * run.pitch_time)
 
 
 def over_time(run, path, label=None, scale=1., part=None):
@@ -58,9 +69,11 @@ def velocities(subjects):
     kinds = {("surface" if has_surface(s.run) else "centre") for s in subjects if _readable(s.run)}
     where = {"surface": "of a node of their surface", "centre": "of their centre of mass"}
     what = " and ".join(where[kind] for kind in sorted(kinds)) or "of their centre of mass"
-    return beside(subjects, "velocities", "Velocity of five rollers that engage one after the other",
-                  f"Velocity {what}. Where a roller seats, its velocity normal to the span jumps; curves that are alike, shifted by "
-                  "a pitch time, mean that engagements are alike. The paper's Figures 5 (simple model) and 7 (full model).", panels)
+    figure = beside(subjects, "velocities", "Velocity of five rollers that engage one after the other",
+                    f"Velocity {what}. Where a roller seats, its velocity normal to the span jumps; curves that are alike, shifted by "
+                    "a pitch time, mean that engagements are alike. The paper's Figures 5 (simple model) and 7 (full model).", panels)
+    figure.missing += early(subjects)
+    return figure
 
 
 def _readable(run):
@@ -78,9 +91,11 @@ def link_forces(subjects):
                   for i, (roller, _, _) in enumerate(successive(run))]
         return [Panel(MS, "tension (kN)", curves)]
 
-    return beside(subjects, "link-forces", "Tension of the links behind these rollers",
-                  "A link carries the tension of its span until its front roller seats on the driver; then the teeth take the load over. "
-                  "The paper's Figure 8.", panels)
+    figure = beside(subjects, "link-forces", "Tension of the links behind these rollers",
+                    "A link carries the tension of its span until its front roller seats on the driver; then the teeth take the load over. "
+                    "The paper's Figure 8.", panels)
+    figure.missing += early(subjects)
+    return figure
 
 
 def plate_stress(subjects):
@@ -114,9 +129,11 @@ def contact_forces(subjects):
             curves.append(Curve(f"roller {i + 1}", time, np.where(near, force, np.nan), i))
         return [Panel(MS, "tooth force (kN)", curves)]
 
-    return beside(subjects, "contact-forces", "Force between these rollers and the driver",
-                  "The first peak is the impact; what follows is the share of the tension that the tooth carries. The paper's Figures 12 (full "
-                  "model) and 13 (simple model).", panels)
+    figure = beside(subjects, "contact-forces", "Force between these rollers and the driver",
+                    "The first peak is the impact; what follows is the share of the tension that the tooth carries. The paper's Figures 12 (full "
+                    "model) and 13 (simple model).", panels)
+    figure.missing += early(subjects)
+    return figure
 
 
 # ---- engagements
