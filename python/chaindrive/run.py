@@ -21,6 +21,9 @@ QUANTITIES = {"hubs/": "speeds", "links/": "tensions", "spans/": "tensions", "te
               "rollers/surface": "surface velocity", "rollers/": "roller motion", "joints/": "joint forces", "plates/": "plate stress",
               "energy/": "energy"}
 
+#: Bytes above which an array is read anew, and only the columns that are asked for.
+LARGE = 64e6
+
 
 def open(folder, partial=False):  # noqa: A001  as h5py.File, chaindrive.open
     """The run whose results are in `folder`. With `partial` also one that has no summary.json, because it goes on, was stopped or
@@ -224,9 +227,14 @@ class Run:
     def _cache(self):
         return functools.lru_cache(maxsize=6)(lambda path, first, last: self._read(path, slice(first, last)))
 
-    def values(self, path, start=None, end=None):
-        """A dataset from `start` to `end` as an array, a row per sample."""
+    def _is_large(self, path, rows):
+        return 8 * (rows.stop - rows.start) * int(np.prod(self.dataset(path).shape[1:], dtype=int)) > LARGE
+
+    def values(self, path, start=None, end=None, every=1):
+        """A dataset from `start` to `end` as an array, a row per sample, or per `every` samples."""
         rows = self.rows(start, end)
+        if every > 1 or self._is_large(path, rows):
+            return self._read(path, slice(rows.start, rows.stop, every))
         values = self._cache(path, rows.start, rows.stop)
         values.flags.writeable = False  # others get the same
         return values
@@ -249,6 +257,9 @@ class Run:
         if label not in labels:
             entry = " Output/Rollers chooses them." if path.startswith("rollers/") else ""
             raise RunError(f"The history '{path}' of the run in '{self.folder}' has no column {label}.{entry}")
+        rows = self.rows(start, end)
+        if len(self.dataset(path).shape) > 1 and self._is_large(path, rows):
+            return self._read(path, (rows, labels.index(label)))
         values = self.values(path, start, end)
         return values if values.ndim == 1 else values[:, labels.index(label)]
 

@@ -181,18 +181,23 @@ def peaks(subjects):
 # ---- the wrap
 
 
+def _thinning(run, start, end):
+    """So many samples are passed over that some hundreds are left, at all phases of a pitch time."""
+    return max(1, len(run.time[run.rows(start, end)]) // 400)
+
+
 def along_wrap(run, sprocket, bins=4):
     """The tooth load on rollers by the pitches that they have passed since the chain met the sprocket: positions, mean, tenth and ninetieth
     percentile of the window, N."""
     number = 0 if sprocket == "driver" else 1
     start, end = run.window if np.isfinite(run.start) else (run.time[0], run.time[-1])
     path = f"rollers/{sprocket}_force"
-    force = run.values(path, start, end)
+    run.dataset(path)
     labels = run.labels("rollers/position_x")
     columns = [run.labels(path).index(label) for label in labels]
-    every = max(1, len(force) // 400)
-    x, y = (run.values(f"rollers/position_{axis}", start, end)[::every] for axis in "xy")
-    force = force[::every][:, columns]
+    every = _thinning(run, start, end)
+    x, y = (run.values(f"rollers/position_{axis}", start, end, every) for axis in "xy")
+    force = run.values(path, start, end, every)[:, columns]
     about = run.drive["sprockets"][number]
     radius, pitch = about["pitch_diameter"] / 2, 2 * np.pi / about["teeth"]
     x = x - (run.drive["centre_distance"] if number else 0.)
@@ -265,8 +270,8 @@ def shapes(subjects):
     """Where rollers of the spans are, across the line of the span."""
     def panels(run):
         start, end = run.window if np.isfinite(run.start) else (run.time[0], run.time[-1])
-        every = max(1, len(run.time[run.rows(start, end)]) // 300)
-        x, y = (run.values(f"rollers/position_{axis}", start, end)[::every] for axis in "xy")
+        every = _thinning(run, start, end)
+        x, y = (run.values(f"rollers/position_{axis}", start, end, every) for axis in "xy")
         drive = run.drive
         radii = [s["pitch_diameter"] / 2 for s in drive["sprockets"]]
         up = 1. if run.outward[1] > 0. else -1.
