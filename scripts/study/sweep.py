@@ -186,7 +186,7 @@ def _save(figure, file, dpi):
     plt.close(figure)
     if not svg:  # half the size in a document, and no difference to the eye
         with Image.open(file) as picture:
-            small = picture.convert("RGB").quantize(128)
+            small = picture.convert("RGB").quantize(256)
         small.save(file, optimize=True)
 
 
