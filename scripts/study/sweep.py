@@ -133,31 +133,31 @@ def draw_orders(sweep, file, dpi=100):
     """The waterfall: amplitudes at orders of tooth frequency, a row for each speed, of the tight span's tension and of the
     sound where there is one; lines where the resonances lie. Nothing is drawn, and False returned, without such data."""
     panels = []
-    for what, unit, read in (("tight tension", "N", tension_orders), ("sound pressure", "Pa", sound_orders)):
+    for what, unit, decades, read in (("tight tension", "N", 3, tension_orders), ("sound pressure", "Pa", 4, sound_orders)):
         for label, variants in sweep.curves.items():
             rows = [(sweep.abscissa(v), *read(sweep.results(v)[0])) for v in variants if sweep.results(v)]
             rows = [row for row in rows if len(row[1]) > 1]
             if len(rows) > 1:
-                panels.append((", ".join(filter(None, (what, label))) + f", amplitude ({unit})", rows))
+                panels.append((", ".join(filter(None, (what, label))) + f", amplitude ({unit})", decades, rows))
     if not panels or not sweep.is_speed:
         return False
     columns = min(2, len(panels))
     height = math.ceil(len(panels) / columns)
     figure, axes = plt.subplots(height, columns, figsize=(4.6 * columns, 3.6 * height), squeeze=False, layout="constrained")
-    for axis, (title, rows) in zip(axes.flat, panels):
-        _waterfall(sweep, figure, axis, title, rows)
+    for axis, panel in zip(axes.flat, panels):
+        _waterfall(sweep, figure, axis, *panel)
     for axis in axes.flat[len(panels):]:
         axis.set_visible(False)
     _save(figure, file, dpi)
     return True
 
 
-def _waterfall(sweep, figure, axis, title, rows):
+def _waterfall(sweep, figure, axis, title, decades, rows):
     speeds = np.array([row[0] for row in rows])
     middles = np.sqrt(speeds[1:] * speeds[:-1])
     edges = np.concatenate([[speeds[0] ** 2 / middles[0]], middles, [speeds[-1] ** 2 / middles[-1]]])
     above = np.concatenate([row[2][row[1] >= 0.5] for row in rows])
-    norm = LogNorm(above.max() / 1e3, above.max())
+    norm = LogNorm(above.max() / 10. ** decades, above.max())
     for (_, orders, amplitudes), low, high in zip(rows, edges, edges[1:]):
         step, shown = orders[1], (orders > 0.2) & (orders < HIGHEST + 0.5)
         picture = axis.pcolormesh(np.append(orders[shown] - step / 2, orders[shown][-1] + step / 2), [low, high],
