@@ -271,7 +271,9 @@ void write_noise(const std::string &directory, const Parameters &parameters, std
 
 void noise_command(const CommandLine &command_line)
 {
-  const std::string &directory = command_line.parameter_file;
+  std::string directory = command_line.parameter_file;
+  while (directory.size() > 1 && directory.back() == '/')
+    directory.pop_back();
   if (!fs::is_directory(directory))
     throw InputError("'" + directory +
                      "' is no directory: chaindrive noise takes that of a run "
