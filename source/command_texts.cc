@@ -128,7 +128,7 @@ std::string bash_completion()
   for (const CommandText &command : commands)
     if (command.argument.empty())
       out << "    " << command.name << ") return ;;\n";
-    else if (command.argument == "DIR")
+    else if (command.argument.rfind("DIR", 0) == 0)
       out << "    " << command.name << ") COMPREPLY+=($(compgen -d -- \"$word\")); return ;;\n";
   out << "  esac\n"
       << "  COMPREPLY+=($(compgen -d -- \"$word\") $(compgen -f -X '!*.prm' -- \"$word\"))\n"

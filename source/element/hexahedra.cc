@@ -20,8 +20,7 @@ using dealii::Tensor;
 //   geometry_of()         elements that are alike share their numbers
 //   mesh::gauss_points()  gradients and volumes at 2 x 2 x 2 points
 //   make_hexahedron()     mean gradient and linear parts of the hourglass modes, in terms of modes
-//   hourglass_stiffness_of(), condense()   what holds the hourglass amplitudes; of shells that of
-//                         shell_stiffness()
+//   hourglass_stiffness_of(), condense()   what holds the hourglass amplitudes (shell_stiffness())
 //   for_each_number()     writes down those numbers that do not vanish, in the kernels' order
 //
 // element_stiffness() goes the other way, from the numbers to a matrix: what it gives is what the
@@ -368,40 +367,6 @@ hourglass_stiffness_of(const Hexahedron &element, const double coefficient, cons
       gradients += 8. * b * b; // h_m . h_m = 8
   const double norm = hourglass_vectors(element).frobenius_norm();
   return coefficient * modulus * element.volume * gradients / (0.25 * norm * norm);
-}
-
-/// The axis of the unit cell that lies nearest to @p direction.
-unsigned int nearest_axis(const mesh::Corners &corners, const Tensor<1, 3> &direction)
-{
-  unsigned int nearest = 0;
-  double       largest = -1.;
-  for (unsigned int d = 0; d < 3; ++d)
-    {
-      Tensor<1, 3> along;
-      for (unsigned int j = 0; j < 3; ++j)
-        along[j] = amplitude(corners, j, d);
-      if (const double part = std::abs(along * direction) / along.norm(); part > largest)
-        {
-          largest = part;
-          nearest = d;
-        }
-    }
-  return nearest;
-}
-
-ShellStiffness wall_stiffness(const mesh::Corners   &corners,
-                              const unsigned int     across,
-                              const Material        &material,
-                              const parameters::Wall wall)
-{
-  ShellStiffness shell = shell_stiffness(corners, across, material, ThroughWall::two);
-  if (wall == parameters::Wall::membrane)
-    {
-      shell.stiffness *= membrane_bending;
-      shell.stiffness.add(1. - membrane_bending,
-                          shell_stiffness(corners, across, material, ThroughWall::one).stiffness);
-    }
-  return shell;
 }
 } // namespace
 

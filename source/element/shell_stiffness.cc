@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/element/shell_stiffness.h>
 
-#include <deal.II/base/tensor.h>
-
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -205,5 +204,37 @@ ShellStiffness shell_stiffness(const mesh::Corners &corners,
   k.triple_product(inverse, coupling, coupling, false, true);
   mean /= sum;
   return {k, mean};
+}
+
+ShellStiffness wall_stiffness(const mesh::Corners   &corners,
+                              const unsigned int     across,
+                              const Material        &material,
+                              const parameters::Wall wall)
+{
+  ShellStiffness shell = shell_stiffness(corners, across, material, ThroughWall::two);
+  if (wall == parameters::Wall::membrane)
+    {
+      shell.stiffness *= membrane_bending;
+      shell.stiffness.add(1. - membrane_bending,
+                          shell_stiffness(corners, across, material, ThroughWall::one).stiffness);
+    }
+  return shell;
+}
+
+unsigned int nearest_axis(const mesh::Corners &corners, const Tensor<1, 3> &direction)
+{
+  const Convected cell(corners, 2); // its directions are the axes
+  unsigned int    nearest = 0;
+  double          largest = -1.;
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      const Vector along = cell.tangent(d, {{0., 0., 0.}});
+      if (const double part = std::abs(along * direction) / along.norm(); part > largest)
+        {
+          largest = part;
+          nearest = d;
+        }
+    }
+  return nearest;
 }
 } // namespace chaindrive::element

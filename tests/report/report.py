@@ -151,6 +151,9 @@ def one():
     check(abs(max(numbers(tension["y"])) - most) < 1e-3, f"largest tension {max(numbers(tension['y']))} instead of {most} kN")
     film = data["films"][0]
     check(50 < len(film["x"]) <= 201 and len(film["x"][0]) == 110 == len(film["tension"][-1]), f"the film: {len(film['x'])} frames")
+    load, power = summary["statistics"]["driver_load"], summary["losses"]["roller-driver"]["power"]
+    check(f"{load['mean']:.4g}\u00a0N" in found.texts["statistics"] and f"{load['largest']:.4g}\u00a0N" in found.texts["answers"], "the load of the shaft")
+    check(f"{power:.3g}\u00a0W" in found.texts["statistics"], "the loss at the driver")
     check("chaindrive noise" in found.texts["noise-spectra"], "what is missing of noise is not said")
     check(found.texts["all"].count("How does the drive of Zheng, Wang and Quek") == 1, "the question of the file")
     begin = time.time()

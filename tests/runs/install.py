@@ -80,6 +80,7 @@ def helps(root, program):
     check("--quick" in of_study and "--quick" not in of_run, "--quick belongs to studies")
     check(completions(root, "plan", "--str") == ["--strict"] and completions(root, "--completion", "") == ["bash"], "values")
     check(completions(root, "plan", "a ") == ["a", "drive.prm"], "files with blanks")
+    check(completions(root, "report", "made", "mo") == ["moved"], "folders of runs")
     check("made.prm" in completions(root, "ma") and "page.1" not in completions(root, ""), "parameter files only")
 
 

@@ -30,10 +30,6 @@ struct Selection
   bool has(const dealii::types::material_id component) const;
 };
 
-/// Stiffness in bending of a membrane over that of a shell: what holds the normals of its faces,
-/// which have no stiffness of their own.
-constexpr double membrane_bending = 0.01;
-
 /// Trilinear hexahedra, total Lagrangian, of St. Venant and Kirchhoff's material (doc/theory.md,
 /// section 3). What the kernels need of a part, made once for all its copies: gradients, volumes
 /// and hourglass stiffnesses of its elastic elements, lumped masses and positions of their nodes. A

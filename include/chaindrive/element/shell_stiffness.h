@@ -3,7 +3,9 @@
 
 #include <chaindrive/material/material.h>
 #include <chaindrive/mesh/quality.h>
+#include <chaindrive/parameters/model.h>
 
+#include <deal.II/base/tensor.h>
 #include <deal.II/lac/full_matrix.h>
 
 namespace chaindrive::element
@@ -40,6 +42,19 @@ ShellStiffness shell_stiffness(const mesh::Corners &corners,
                                unsigned int         across,
                                const Material      &material,
                                ThroughWall          points = ThroughWall::two);
+
+/// Stiffness in bending of a membrane over that of a shell: what holds the normals of its faces,
+/// which have no stiffness of their own.
+constexpr double membrane_bending = 0.01;
+
+/// That of a shell, or of a membrane with this part of what a shell has beside it.
+ShellStiffness wall_stiffness(const mesh::Corners &corners,
+                              unsigned int         across,
+                              const Material      &material,
+                              parameters::Wall     wall);
+
+/// The axis of the unit cell that lies nearest to @p direction.
+unsigned int nearest_axis(const mesh::Corners &corners, const dealii::Tensor<1, 3> &direction);
 
 /// Hooke's law: stress xx, yy, zz, xy, yz, zx [Pa] of a unit of each strain.
 dealii::FullMatrix<double> elasticity(const Material &material);
