@@ -58,6 +58,7 @@ void check_choices()
                                    check_choice<StandardForm>("standard form"),
                                    check_choice<SeatCentre>("seat centre"),
                                    check_choice<CentreDistanceFrom>("centre distance from"),
+                                   check_choice<WornChain>("worn chain"),
                                    check_choice<TightSide>("tight side"),
                                    check_choice<Start>("start"),
                                    check_choice<Fidelity>("fidelity"),
@@ -69,6 +70,7 @@ void check_choices()
                                    check_choice<OtherLinks>("other links"),
                                    check_choice<Search>("search"),
                                    check_choice<SpeedRamp>("speed ramp"),
+                                   check_choice<Precision>("history precision"),
                                    check_choice<Role>("role")};
 
   std::string list = check_choice<QuantityGroup>("quantity group");
