@@ -4,5 +4,5 @@
 namespace chaindrive
 {
 /// The program's version, set in the top-level CMakeLists.txt.
-inline constexpr const char *version = CHAINDRIVE_VERSION;
+extern const char *const version;
 } // namespace chaindrive
