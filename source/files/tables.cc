@@ -58,7 +58,7 @@ void add_attribute(const Object                   &to,
 void add_table(const Object &file, const Table &table, const std::string &path)
 {
   const TableInfo             &info = table.info;
-  const std::array<hsize_t, 2> size{table.n_rows(), info.columns};
+  const std::array<hsize_t, 2> size{{table.n_rows(), info.columns}};
   const Object                 space(
       written(H5Screate_simple(info.columns == 1 ? 1 : 2, size.data(), nullptr), path));
   const Object links(written(H5Pcreate(H5P_LINK_CREATE), path));
@@ -103,13 +103,13 @@ Table TableFile::read(const std::string &dataset,
   if (table < 0)
     refuse(dataset, "is missing or damaged");
   const Object           space(H5Dget_space(table)), type(H5Dget_type(table));
-  std::array<hsize_t, 2> size{0, 1};
+  std::array<hsize_t, 2> size{{0, 1}};
   const int              rank = H5Sget_simple_extent_ndims(space);
   if (rank < 1 || rank > 2 || H5Tget_class(type) != H5T_FLOAT ||
       H5Sget_simple_extent_dims(space, size.data(), nullptr) < 0 || size[1] == 0)
     refuse(dataset, "is no table of numbers");
-  const std::array<hsize_t, 2> start{std::min<hsize_t>(first, size[0]), 0};
-  const std::array<hsize_t, 2> count{std::min<hsize_t>(n, size[0] - start[0]), size[1]};
+  const std::array<hsize_t, 2> start{{std::min<hsize_t>(first, size[0]), 0}};
+  const std::array<hsize_t, 2> count{{std::min<hsize_t>(n, size[0] - start[0]), size[1]}};
 
   Table result{{dataset, static_cast<unsigned int>(size[1]), {}, read_labels(table, dataset)}, {}};
   result.values.resize(count[0] * count[1]);
