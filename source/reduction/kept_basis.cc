@@ -39,8 +39,8 @@ key_of(const FreePart &part, const std::vector<Vector> &pressures, const BasisOp
   return "basis of the " + part.name() + "; " + std::to_string(part.n_unknowns()) +
          " unknowns; matrices and pressures " + std::to_string(sum.value()) + "; modes up to " +
          to_text(options.modes_up_to, 12) + "; cap " + to_text(options.cap, 12) + "; negligible " +
-         to_text(options.negligible, 12) + "; version " + std::to_string(version) +
-         " of " CHAINDRIVE_VERSION;
+         to_text(options.negligible, 12) + "; version " + std::to_string(version) + " of " +
+         chaindrive::version;
 }
 
 /// The numbers of all @p vectors, one after the other, bit by bit.
