@@ -3,6 +3,7 @@
 #include <chaindrive/utilities/checksum.h>
 #include <chaindrive/utilities/first_rank.h>
 #include <chaindrive/utilities/text.h>
+#include <chaindrive/version.h>
 
 #include <cstring>
 
