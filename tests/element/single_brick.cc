@@ -39,5 +39,5 @@ int main()
   // The true limit of this mesh is 0.1078 us (Lanczos); the bound by single cells is 10 to 26 %
   // less.
   const auto chain = drive::make_chain(parameters::Chain());
-  print(std::cout, {element::make_report(mesh::make_roller(chain, rho, 2), material)});
+  element::print(std::cout, {element::make_report(mesh::make_roller(chain, rho, 2), material)});
 }
