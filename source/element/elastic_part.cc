@@ -82,7 +82,7 @@ ElasticPart::ElasticPart(const mesh::Part           &part,
     blocks_.push_back(std::make_unique<Hexahedra>(part,
                                                   nodes,
                                                   material,
-                                                  elements.formulation,
+                                                  static_cast<Formulation>(elements.formulation),
                                                   elements.hourglass_coefficient,
                                                   Shape::symmetric_prism,
                                                   selection));

@@ -64,7 +64,7 @@ void Acoustics::declare(Declarations &declarations)
   declarations.add(
       "Observers",
       "auto",
-      "auto, or points in m, three coordinates each, separated by semicolons",
+      "auto, or points in m, three numbers each, separated by semicolons",
       "Where the pressure is computed, such as 0.1 0.5 0; 0.1 -0.5 0.2 in the axes of the results: "
       "the driver turns about the origin, the driven sprocket is at positive x, shafts lie along "
       "z. auto: a microphone straight above the tight span, and twelve points on half a cylinder, "

@@ -22,7 +22,7 @@ constexpr unsigned int teeth = 11;
 scene::Scene make_scene(const scene::Support support, const element::Formulation formulation)
 {
   scene::Scene scene         = empty_scene();
-  scene.elements.formulation = formulation;
+  scene.elements.formulation = static_cast<parameters::Formulation>(formulation);
   const auto chain           = drive::make_chain(parameters::Chain());
   const auto form =
       drive::make_tooth_form(teeth, chain, parameters::Sprockets(), parameters::Role::driver);

@@ -68,6 +68,7 @@ void check_choices()
                                    check_choice<Formulation>("formulation"),
                                    check_choice<HalfModel>("half model"),
                                    check_choice<OtherLinks>("other links"),
+                                   check_choice<Wall>("wall"),
                                    check_choice<Search>("search"),
                                    check_choice<SpeedRamp>("speed ramp"),
                                    check_choice<Precision>("history precision"),
@@ -75,6 +76,7 @@ void check_choices()
 
   std::string list = check_choice<QuantityGroup>("quantity group");
   list.replace(list.find(" or "), 4, ", ");
+  choices.insert("on or off"); // two states without an enum
   choices.insert("all, or some of these separated by commas: " + list);
 
   // entries that are no choice take a number, any text, true or false

@@ -9,7 +9,15 @@
 
 namespace chaindrive::element
 {
-using parameters::Formulation;
+/// How the elements of a block are integrated: those of section Elements, and shells, which are as
+/// enhanced but condensed from a solid-shell (shell_stiffness.h).
+enum class Formulation
+{
+  one_point = static_cast<int>(parameters::Formulation::one_point),
+  enhanced  = static_cast<int>(parameters::Formulation::enhanced),
+  full      = static_cast<int>(parameters::Formulation::full),
+  shell
+};
 
 /// The vertices of an element in deal.II's order, and where its numbers begin: elements of one
 /// geometry share them.

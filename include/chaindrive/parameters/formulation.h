@@ -10,7 +10,6 @@ enum class Formulation
 {
   one_point, ///< mean gradient, hourglass stiffness after Flanagan and Belytschko (1981)
   enhanced,  ///< mean gradient, hourglass stiffness condensed from incompatible modes ("EAS1")
-  full,      ///< 2 x 2 x 2 points of Gauss' rule
-  shell      ///< as enhanced, condensed from a solid-shell; of walls, not to be chosen for a part
+  full       ///< 2 x 2 x 2 points of Gauss' rule
 };
 } // namespace chaindrive::parameters
