@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/summary.h>
 
+#include <cmath>
 #include <iomanip>
 #include <string>
 
@@ -36,7 +37,7 @@ void number(std::ostream      &out,
             const unsigned int width  = 12)
 {
   out << std::setw(width);
-  if (value.is_number())
+  if (value.is_number() && std::isfinite(value.get<double>()))
     out << std::setprecision(digits) << scale * value.get<double>();
   else
     out << "-";
