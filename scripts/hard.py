@@ -69,7 +69,9 @@ def figures(summary):
 
 def complaints(case, summary, found, expected):
     """What is wrong with a run, in words; nothing when it holds."""
-    if bad := not_finite({k: v for k, v in summary.items() if k != "engagements"}):
+    # what short windows may lack: a second impact, a whole tooth period, work
+    partial = ("engagements", "impacts", "statistics", "efficiency")
+    if bad := not_finite({k: v for k, v in summary.items() if k not in partial}):
         return ["not a number: " + ", ".join(bad)]
     said = []
     if found["imbalance"] > case.imbalance:
