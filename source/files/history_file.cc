@@ -277,6 +277,7 @@ void HistoryFile::compress(const std::string            &path,
       d.block       = std::clamp<std::size_t>(block, 1, std::max<std::size_t>(d.rows, 1));
       d.make(attributes, tables);
       std::vector<std::vector<double>> values;
+      values.reserve(tables.size());
       for (const TableInfo &table : tables)
         values.emplace_back(d.block * table.columns);
       for (std::size_t first = 0; first < d.rows; first += d.block)
