@@ -32,7 +32,7 @@ struct VtuGrid
   };
 
   Cell                      cell = Cell::hexahedron;
-  std::vector<float>        points;       ///< three numbers each [m]
+  std::vector<float>        points;       ///< three coordinates each [m]
   std::vector<std::int32_t> connectivity; ///< 2 or 8 points of each cell, in VTK's order
   std::vector<FloatData>    point_data;
   std::vector<FloatData>    cell_data;
