@@ -91,12 +91,14 @@ missing_bands(const std::vector<Band> &bands, const Spectrum &spectrum, const do
 class Sources
 {
 public:
+  /// @p regular is of the times of @p motion.
   Sources(const Motion                &motion,
+          const Regular               &regular,
           const Site                  &site,
           const parameters::Acoustics &settings,
           const double                 highest)
       : motion_(motion)
-      , regular_(motion.time)
+      , regular_(regular)
       , mass_(dipole_mass({settings.air_density, settings.speed_of_sound},
                           site.roller_radius,
                           site.roller_length))
@@ -150,11 +152,11 @@ private:
       }
   }
 
-  const Motion &motion_;
-  const Regular regular_;
-  const double  mass_;
-  std::size_t   refinement_;
-  Response      response_;
+  const Motion  &motion_;
+  const Regular &regular_;
+  const double   mass_;
+  std::size_t    refinement_;
+  Response       response_;
 };
 
 /// The image in a rigid floor: at the mirrored place with the mirrored motion.
@@ -320,10 +322,9 @@ Noise listen(const Motion                &motion,
   Noise        noise   = prepare(motion, site, settings, start, end, highest, name);
 
   const std::vector<double> silence(noise.grid.size, 0.);
-  noise.bands = bands_within(make_spectrum(silence, noise.grid.step), highest);
-  if (const std::string sentence =
-          missing_bands(noise.bands, make_spectrum(silence, noise.grid.step), step);
-      !sentence.empty())
+  const Spectrum            of_silence = make_spectrum(silence, noise.grid.step);
+  noise.bands                          = bands_within(of_silence, highest);
+  if (const std::string sentence = missing_bands(noise.bands, of_silence, step); !sentence.empty())
     noise.notes.push_back(sentence);
   noise.angles = angles_of_directivity();
   std::vector<Heard> arc, parts;
@@ -334,7 +335,7 @@ Noise listen(const Motion                &motion,
     noise.observers.push_back({observer, silence, {}, 0., 0., 0., {}, {}, {}});
 
   const Air           air{settings.air_density, settings.speed_of_sound};
-  const Sources       sources(motion, site, settings, highest);
+  const Sources       sources(motion, regular, site, settings, highest);
   std::vector<double> of_driver = silence;
   const auto          level_of  = [&noise](const std::vector<double> &pressure) {
     return level(mean_square(make_spectrum(pressure, noise.grid.step), noise.highest));

@@ -345,7 +345,7 @@ void condense(const ShellStiffness &shell,
     for (unsigned int m = 0; m < 12; ++m)
       for (unsigned int a = 0; a < 8; ++a)
         D(r, m) += shell.mean_strain(r, 3 * a + amplitudes[m].k) * g(amplitudes[m].alpha, a);
-  elasticity(material).mmult(stress, D);
+  elasticity(material.lambda(), material.mu()).mmult(stress, D);
   D.Tmmult(energy, stress);
   for (unsigned int m = 0; m < 12; ++m)
     {
@@ -504,12 +504,10 @@ dealii::FullMatrix<double> Hexahedra::element_stiffness(const unsigned int e) co
   const auto add_shell = [&](const Hexahedron                 &shell,
                              const Gradient                   &gradient,
                              const dealii::FullMatrix<double> &gamma) {
-    constexpr unsigned int pair[n_strains][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
-    dealii::FullMatrix<double> strain(n_strains, 24), stress(n_strains, 24),
-        C(n_strains, n_strains);
+    dealii::FullMatrix<double> strain(n_strains, 24), stress(n_strains, 24), product(24, 24);
     for (unsigned int r = 0; r < n_strains; ++r)
       {
-        const unsigned int i = pair[r][0], j = pair[r][1];
+        const unsigned int i = strain_pair[r][0], j = strain_pair[r][1];
         for (unsigned int a = 0; a < 8; ++a)
           {
             strain(r, 3 * a + i) += gradient[j][a];
@@ -519,13 +517,8 @@ dealii::FullMatrix<double> Hexahedra::element_stiffness(const unsigned int e) co
               strain(r, 3 * a + amplitudes[m].k) +=
                   (r < 3 ? 0.5 : 1.) * shell.coupling[r][m] * gamma(amplitudes[m].alpha, a);
           }
-        for (unsigned int c = 0; c < 3 && r < 3; ++c)
-          C(r, c) = lambda + (r == c ? 2. * mu : 0.);
-        if (r >= 3)
-          C(r, r) = mu;
       }
-    C.mmult(stress, strain);
-    dealii::FullMatrix<double> product(24, 24);
+    elasticity(lambda, mu).mmult(stress, strain);
     strain.Tmmult(product, stress);
     k.add(shell.volume, product);
   };

@@ -15,9 +15,6 @@ using Vector = Tensor<1, 3>;
 
 constexpr unsigned int n_displacements = 24;
 
-/// Pairs of directions of the six strains; of unlike ones the strain is their angle.
-constexpr unsigned int pair[n_strains][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
-
 /// A point of the unit cell, coordinates from -1 to 1 along xi, eta and zeta.
 using Place = std::array<double, 3>;
 
@@ -58,7 +55,7 @@ public:
                   const double        factor,
                   FullMatrix<double> &B) const
   {
-    const unsigned int i = pair[s][0], j = pair[s][1];
+    const unsigned int i = strain_pair[s][0], j = strain_pair[s][1];
     const Vector       along_i = tangent(i, at), along_j = tangent(j, at);
     for (unsigned int a = 0; a < 8; ++a)
       for (unsigned int k = 0; k < 3; ++k)
@@ -105,7 +102,8 @@ FullMatrix<double> to_axes(const Tensor<2, 3> &rows)
   for (unsigned int s = 0; s < n_strains; ++s)
     for (unsigned int r = 0; r < n_strains; ++r)
       {
-        const unsigned int i = pair[s][0], j = pair[s][1], k = pair[r][0], l = pair[r][1];
+        const unsigned int i = strain_pair[s][0], j = strain_pair[s][1], k = strain_pair[r][0],
+                           l = strain_pair[r][1];
         // an angle is e_ij + e_ji
         const double product = i == j ? dual[k][i] * dual[l][i] :
                                         0.5 * (dual[k][i] * dual[l][j] + dual[k][j] * dual[l][i]);
@@ -148,9 +146,8 @@ void add_product(const FullMatrix<double> &A,
 }
 } // namespace
 
-FullMatrix<double> elasticity(const Material &material)
+FullMatrix<double> elasticity(const double lambda, const double mu)
 {
-  const double       lambda = material.lambda(), mu = material.mu();
   FullMatrix<double> C(n_strains, n_strains);
   for (unsigned int i = 0; i < 3; ++i)
     {
@@ -168,7 +165,7 @@ ShellStiffness shell_stiffness(const mesh::Corners &corners,
                                const ThroughWall    points)
 {
   const Convected           cell(corners, across);
-  const FullMatrix<double>  C      = elasticity(material);
+  const FullMatrix<double>  C      = elasticity(material.lambda(), material.mu());
   const Tensor<2, 3>        middle = cell.jacobian({{0., 0., 0.}});
   const FullMatrix<double>  turn   = to_axes(middle);
   const double              g      = 1. / std::sqrt(3.);

@@ -124,23 +124,6 @@ struct HistoryFile::Data
     rows = n;
   }
 
-  /// Texts in UTF-8 as an attribute; a single one as a scalar.
-  void add_attribute(const hid_t to, const std::string &name, const std::vector<std::string> &texts)
-  {
-    const Object type(check(H5Tcopy(H5T_C_S1)));
-    check(H5Tset_size(type, H5T_VARIABLE));
-    check(H5Tset_cset(type, H5T_CSET_UTF8));
-    const hsize_t n = texts.size();
-    const Object  space(check(n == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &n, nullptr)));
-    const Object  attribute(
-        check(H5Acreate2(to, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT)));
-    std::vector<const char *> pointers;
-    pointers.reserve(n);
-    for (const std::string &text : texts)
-      pointers.push_back(text.c_str());
-    check(H5Awrite(attribute, type, pointers.data()));
-  }
-
   void add_table(const TableInfo &info)
   {
     const int     rank         = info.columns == 1 ? 1 : 2;
@@ -175,9 +158,9 @@ struct HistoryFile::Data
                                          creation,
                                          access)));
     for (const auto &[name, value] : info.attributes)
-      add_attribute(tables.back(), name, {value});
+      check(write_attribute(tables.back(), name, {value}));
     if (!info.labels.empty())
-      add_attribute(tables.back(), "columns", info.labels);
+      check(write_attribute(tables.back(), "columns", info.labels));
   }
 
   /// The spaces of @p n rows from @p first on, in memory and in table @p t.
@@ -229,7 +212,7 @@ struct HistoryFile::Data
     if (const int now = compressed ? 0 : reserve(descriptor, rows); now != 0)
       abandon(now);
     for (const auto &[name, value] : attributes)
-      add_attribute(file, name, {value});
+      check(write_attribute(file, name, {value}));
     for (const TableInfo &info : infos)
       add_table(info);
     release();

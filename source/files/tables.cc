@@ -34,27 +34,6 @@ Result written(const Result result, const std::string &path)
   return result;
 }
 
-/// Texts in UTF-8 as an attribute; a single one as a scalar.
-void add_attribute(const Object                   &to,
-                   const std::string              &name,
-                   const std::vector<std::string> &texts,
-                   const std::string              &path)
-{
-  const Object type(written(H5Tcopy(H5T_C_S1), path));
-  written(H5Tset_size(type, H5T_VARIABLE), path);
-  written(H5Tset_cset(type, H5T_CSET_UTF8), path);
-  const hsize_t n = texts.size();
-  const Object  space(
-      written(n == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &n, nullptr), path));
-  const Object attribute(
-      written(H5Acreate2(to, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), path));
-  std::vector<const char *> pointers;
-  pointers.reserve(n);
-  for (const std::string &text : texts)
-    pointers.push_back(text.c_str());
-  written(H5Awrite(attribute, type, pointers.data()), path);
-}
-
 void add_table(const Object &file, const Table &table, const std::string &path)
 {
   const TableInfo             &info = table.info;
@@ -69,9 +48,9 @@ void add_table(const Object &file, const Table &table, const std::string &path)
   written(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()),
           path);
   for (const auto &[name, value] : info.attributes)
-    add_attribute(dataset, name, {value}, path);
+    written(write_attribute(dataset, name, {value}), path);
   if (!info.labels.empty())
-    add_attribute(dataset, "columns", info.labels, path);
+    written(write_attribute(dataset, "columns", info.labels), path);
 }
 } // namespace
 
@@ -158,7 +137,7 @@ void write_tables(const std::string        &path,
       errno = 0;
       Object file(written(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), path));
       for (const auto &[name, value] : attributes)
-        add_attribute(file, name, {value}, path);
+        written(write_attribute(file, name, {value}), path);
       for (const Table &table : tables)
         add_table(file, table, path);
       written(H5Fflush(file, H5F_SCOPE_GLOBAL), path);

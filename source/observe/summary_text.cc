@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/summary.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <cmath>
 #include <iomanip>
 #include <string>
@@ -9,7 +11,7 @@ namespace chaindrive::observe
 {
 namespace
 {
-constexpr double degrees = 57.29577951308232; // in a radian
+constexpr double degrees = 180. / dealii::numbers::PI; // in a radian
 
 /// A signal of `statistics` as the log has it.
 struct Row

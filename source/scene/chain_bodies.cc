@@ -71,11 +71,12 @@ void add_chain_bodies(const Parameters        &parameters,
   const double         factor          = link_mass_factor(parameters, drive);
   const bool           elastic_rollers = is_on(scene.effects, "elastic rollers");
   const bool           elastic_links   = is_on(scene.effects, "elastic links");
-  const bool           only_reduced    = parameters.model.capabilities().is_reduced;
-  const Motion         deforming       = only_reduced ? Motion::reduced : Motion::elastic;
-  const Motion         others =
-      is_on(scene.effects, "reduced bodies") && !only_reduced ? Motion::reduced : Motion::rigid;
-  const auto motion = [&](const bool effect, const bool arrives) {
+  const Motion         deforming =
+      parameters.model.capabilities().is_reduced ? Motion::reduced : Motion::elastic;
+  const Motion others = parameters.model.other_links == parameters::OtherLinks::reduced ?
+                            Motion::reduced :
+                            Motion::rigid;
+  const auto   motion = [&](const bool effect, const bool arrives) {
     return !effect ? Motion::rigid : arrives ? deforming : others;
   };
   scene.mass_per_pitch = drive.roller_solid.mass +

@@ -66,9 +66,7 @@ elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &s
       ", and the links between them: they arrive at the driver in Output's "
       "window, or up to " +
       std::to_string(margin) + " links before and after; all else is " +
-      (is_on(scene.effects, "reduced bodies") && !parameters.model.capabilities().is_reduced ?
-           "reduced" :
-           "rigid"));
+      (is_on(scene.effects, "reduced bodies") ? text_of(parameters.model.other_links) : "rigid"));
   return elastic;
 }
 } // namespace chaindrive::scene

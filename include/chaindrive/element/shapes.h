@@ -113,34 +113,37 @@ constexpr Amplitude amplitudes[12] = {{0, 0},
                                       {2, 1},
                                       {3, 1}}; // odd in both
 
-/// The lower triangle of the hourglass matrix, whose rows and columns are these amplitudes: the
-/// matrix of a regular element does not couple even ones with odd ones. A general element has one
-/// block of 12 x 12, 78 numbers; a prism 5 + 7, 43; a symmetric prism 2 + 3 + 3 + 4, 25.
+/// The block of each of them in a matrix: that of a regular element does not couple even ones with
+/// odd ones.
+constexpr int block_of_amplitude[n_shapes][12] = {{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+                                                  {0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1},
+                                                  {0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3}};
+
+/// The lower triangle of the hourglass matrix, whose rows and columns are these amplitudes. A
+/// general element has one block of 12 x 12, 78 numbers; a prism 5 + 7, 43; a symmetric prism 2 + 3
+/// + 3 + 4, 25.
 constexpr NonZeros hourglass_entries(const Shape shape)
 {
-  constexpr int block[n_shapes][12] = {{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
-                                       {0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1},
-                                       {0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3}};
-  NonZeros      entries;
+  const int *block = block_of_amplitude[static_cast<int>(shape)];
+  NonZeros   entries;
   for (int m = 0; m < 12; ++m)
     for (int n = 0; n <= m; ++n)
-      if (block[static_cast<int>(shape)][m] == block[static_cast<int>(shape)][n])
+      if (block[m] == block[n])
         entries.add(m, n);
   return entries;
 }
 
 /// Which mean strains of a shell, rows xx, yy, zz, xy, yz, zx, follow from which amplitudes: those
-/// that are even or odd as they are.
+/// of the block that is even or odd as they are.
 constexpr NonZeros coupling_entries(const Shape shape)
 {
-  constexpr int amplitude[n_shapes][12] = {{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
-                                           {0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1},
-                                           {0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3}};
-  constexpr int strain[n_shapes][6] = {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 1, 1}, {0, 0, 0, 1, 2, 3}};
-  NonZeros      entries;
+  constexpr int block_of_strain[n_shapes][6] = {
+      {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 1, 1}, {0, 0, 0, 1, 2, 3}};
+  NonZeros entries;
   for (int r = 0; r < 6; ++r)
     for (int n = 0; n < 12; ++n)
-      if (strain[static_cast<int>(shape)][r] == amplitude[static_cast<int>(shape)][n])
+      if (block_of_strain[static_cast<int>(shape)][r] ==
+          block_of_amplitude[static_cast<int>(shape)][n])
         entries.add(r, n);
   return entries;
 }

@@ -20,6 +20,9 @@ enum class ThroughWall
 /// Strains in the order xx, yy, zz, xy, yz, zx, the last three as angles.
 constexpr unsigned int n_strains = 6;
 
+/// Their pairs of directions.
+constexpr unsigned int strain_pair[n_strains][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
+
 struct ShellStiffness
 {
   dealii::FullMatrix<double> stiffness;   ///< row 3 a + i for component i of vertex a, N/m
@@ -56,6 +59,7 @@ ShellStiffness wall_stiffness(const mesh::Corners &corners,
 /// The axis of the unit cell that lies nearest to @p direction.
 unsigned int nearest_axis(const mesh::Corners &corners, const dealii::Tensor<1, 3> &direction);
 
-/// Hooke's law: stress xx, yy, zz, xy, yz, zx [Pa] of a unit of each strain.
-dealii::FullMatrix<double> elasticity(const Material &material);
+/// Hooke's law: stress xx, yy, zz, xy, yz, zx [Pa] of a unit of each strain, by Lamé's constants
+/// [Pa].
+dealii::FullMatrix<double> elasticity(double lambda, double mu);
 } // namespace chaindrive::element

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <hdf5.h>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace chaindrive::files
 {
@@ -28,4 +30,8 @@ public:
 private:
   hid_t id_;
 };
+
+/// Adds @p texts in UTF-8 to the object @p to as the attribute @p name, a single one as a scalar.
+/// Negative when HDF5 cannot.
+herr_t write_attribute(hid_t to, const std::string &name, const std::vector<std::string> &texts);
 } // namespace chaindrive::files

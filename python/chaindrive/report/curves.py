@@ -83,13 +83,17 @@ def _readable(run):
         return False
 
 
+def behind_rollers(run, name, factor):
+    """Of the links behind the rollers that engage one after the other."""
+    part = shown(run)
+    return [Curve(f"behind roller {i + 1}", *over_time(run, name, run.link_behind(roller), factor, part), i)
+            for i, (roller, _, _) in enumerate(successive(run))]
+
+
 def link_forces(subjects):
     """Figure 8."""
     def panels(run):
-        part = shown(run)
-        curves = [Curve(f"behind roller {i + 1}", *over_time(run, "links/tension", run.link_behind(roller), 1e-3, part), i)
-                  for i, (roller, _, _) in enumerate(successive(run))]
-        return [Panel(MS, "tension (kN)", curves)]
+        return [Panel(MS, "tension (kN)", behind_rollers(run, "links/tension", 1e-3))]
 
     figure = beside(subjects, "link-forces", "Tension of the links behind these rollers",
                     "A link carries the tension of its span until its front roller seats on the driver; then the teeth take the load over. "
@@ -101,14 +105,9 @@ def link_forces(subjects):
 def plate_stress(subjects):
     """Figure 9; none without elastic links."""
     def panels(run):
-        part = shown(run)
-        result = []
-        for name, title in (("axial_stress", "pull (MPa)"), ("bending_in_plane", "bending in the plane (MPa)"),
-                            ("principal_1", "first principal stress (MPa)"), ("principal_2", "second principal stress (MPa)")):
-            curves = [Curve(f"behind roller {i + 1}", *over_time(run, f"plates/{name}", run.link_behind(roller), 1e-6, part), i)
-                      for i, (roller, _, _) in enumerate(successive(run))]
-            result.append(Panel(MS, title, curves))
-        return result
+        return [Panel(MS, title, behind_rollers(run, f"plates/{name}", 1e-6))
+                for name, title in (("axial_stress", "pull (MPa)"), ("bending_in_plane", "bending in the plane (MPa)"),
+                                    ("principal_1", "first principal stress (MPa)"), ("principal_2", "second principal stress (MPa)"))]
 
     figure = beside(subjects, "plate-stress", "Stress in the side plates of these links",
                     "Mean over the waist of the plate, its bending and the principal stresses in its middle. The paper's Figure 9.", panels)
