@@ -117,17 +117,20 @@ bool is_known(const Run &run, const std::string &directory)
   return fs::exists(file) && files::read_text(file) == run.text;
 }
 
-/// Prepares @p run, all of it or only its drive and scene. InputError when it cannot run.
+/// Prepares @p run, all of it or only its drive and scene. How elastic bodies settle takes long,
+/// and is found when the run begins. InputError when it cannot run.
 void prepare(const Run &run, const bool all)
 {
-  const parameters::Input input = parameters::read_entries(run.values, drive::number_of_links);
-  if (all)
-    Simulation(input.parameters, {"."}, MPI_COMM_SELF).n_steps();
-  else
-    scene::build_scene(input.parameters,
-                       drive::make_drive(input.parameters,
-                                         statics::part_stiffness(input.parameters, MPI_COMM_SELF)),
-                       {"."});
+  parameters::Input input = parameters::read_entries(run.values, drive::number_of_links);
+  scene::build_scene(
+      input.parameters,
+      drive::make_drive(input.parameters, statics::part_stiffness(input.parameters, MPI_COMM_SELF)),
+      {"."});
+  if (!all)
+    return;
+  if (input.parameters.model.capabilities().is_elastic)
+    input.parameters.drive.layout.start = parameters::Start::taut;
+  Simulation(input.parameters, {"."}, MPI_COMM_SELF).n_steps();
 }
 
 /// Completes and checks all runs of @p model. Returns the sentences of those that cannot run: one

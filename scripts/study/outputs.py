@@ -111,6 +111,17 @@ def _sound(run, name):
     return run.acoustics["observers"][0][name] if run.acoustics else None
 
 
+def _sound_spectrum(run):
+    levels = _sound(run, "third_octaves")
+    return levels and {nominal: level for nominal, centre in zip(NOMINAL, BANDS)
+                       for band, level in zip(run.acoustics["third_octaves"], levels)
+                       if abs(np.log2(band / centre)) < 0.1}
+
+
+def _sound_peak_cv(run):
+    return statistics(_sound(run, "engagement_peaks") or []).get("cv")
+
+
 def _losses(run):
     return sum(value for name, value in run.summary["energy"].items() if name.endswith("_loss"))
 
@@ -139,6 +150,8 @@ OUTPUTS = {
     "driver_normal_speed_mean": lambda run: _engagements(run, "driver_normal_mean"),
     "sound_level": lambda run: _sound(run, "level"),
     "sound_level_a": lambda run: _sound(run, "level_a"),
+    "sound_spectrum": _sound_spectrum,
+    "sound_peak_cv": _sound_peak_cv,
     "tight_tension_ripple": lambda run: _ripple(run, "spans/tight_tension"),
     "driven_speed_ripple": lambda run: _ripple(run, "hubs/driven_speed"),
     **{f"roller_velocity_{what}": lambda run, what=what: _velocity(run, False, what)

@@ -131,7 +131,11 @@ const std::vector<StudyOutput> &study_outputs()
       {"plate_bending_max", "Pa", "the largest of both bendings together; elastic links"},
       {"loss_power_mean", "W", "energy lost in the whole run over its time"},
       {"sound_level", "dB", "at the first observer of acoustics.json, with Acoustics/Noise = on"},
-      {"sound_level_a", "dB", "the same with the weighting A"}};
+      {"sound_level_a", "dB", "the same with the weighting A"},
+      {"sound_spectrum", "dB", "the same, unweighted, in third octaves, a column for each"},
+      {"sound_peak_cv",
+       "1",
+       "standard deviation over mean of the largest pressures there in each pitch time"}};
   return all;
 }
 
