@@ -57,8 +57,9 @@ std::vector<Selection> selections(const mesh::Part &part, const parameters::Elem
         else if (component == mesh::bush)
           blocks.push_back({{component}, wall, away_from_axis(part)});
         else
-          blocks.push_back({{component}, wall, [](const dealii::Point<3> &) {
-                              return dealii::Tensor<1, 3>(dealii::Point<3>(0., 0., 1.));
+          blocks.push_back({{component}, wall, [](const dealii::Point<3> &x) {
+                              return dealii::Tensor<1, 3>(
+                                  dealii::Point<3>(0., 0., x[2] < 0. ? -1. : 1.));
                             }});
       }
   if (!bricks.components.empty())

@@ -2,6 +2,7 @@
 #include <chaindrive/element/hexahedra.h>
 #include <chaindrive/element/hexahedron_stiffness.h>
 #include <chaindrive/element/shell_stiffness.h>
+#include <chaindrive/element/wall_stresses.h>
 
 #include <algorithm>
 #include <array>
@@ -581,6 +582,8 @@ void Hexahedra::add_forces(const BatchState &batch) const
 std::unique_ptr<const StressRecovery> Hexahedra::make_stress_recovery(
     const mesh::Part &part, const mesh::Nodes &nodes, const Material &material) const
 {
+  if (selection_.wall != parameters::Wall::brick)
+    return std::make_unique<WallStresses>(part, nodes, material, selection_);
   return std::make_unique<CellStresses>(part, nodes, material, selection_.components);
 }
 

@@ -13,12 +13,16 @@ using dealii::Tensor;
 
 Stress stress(const Tensor<2, 3> &F, const Material &material)
 {
-  const double                lambda = material.lambda(), mu = material.mu();
-  const SymmetricTensor<2, 3> one = dealii::unit_symmetric_tensor<3>();
+  return stress(
+      F, 0.5 * (symmetrize(transpose(F) * F) - dealii::unit_symmetric_tensor<3>()), material);
+}
 
+Stress stress(const Tensor<2, 3> &F, const SymmetricTensor<2, 3> &strain, const Material &material)
+{
   Stress s;
-  s.strain = 0.5 * (symmetrize(transpose(F) * F) - one);
-  s.piola  = lambda * trace(s.strain) * one + 2. * mu * s.strain;
+  s.strain = strain;
+  s.piola  = material.lambda() * trace(strain) * dealii::unit_symmetric_tensor<3>() +
+            2. * material.mu() * strain;
   s.cauchy = symmetrize(F * Tensor<2, 3>(s.piola) * transpose(F)) / determinant(F);
   return s;
 }

@@ -96,7 +96,7 @@ ElasticSnapshot ElasticSnapshots::of(const dynamics::System &system,
   const BodyGroup   &group  = system.world.group_of(place.group);
   const std::size_t  n      = copies.nodes.of_vertex.size();
   ElasticSnapshot    snapshot{
-      std::vector<dealii::Tensor<1, 3>>(n), std::vector<dealii::Tensor<1, 3>>(n), {}};
+      std::vector<dealii::Tensor<1, 3>>(n), std::vector<dealii::Tensor<1, 3>>(n), {}, {}};
   std::vector<dealii::Tensor<1, 3>> position(copies.n_nodes());
   for (unsigned int node = 0; node < copies.n_nodes(); ++node)
     {
@@ -112,7 +112,14 @@ ElasticSnapshot ElasticSnapshots::of(const dynamics::System &system,
             system.world.velocity_at(rim.body, position[node], 0.);
   snapshot.stress.resize(copies.part->mesh->n_active_cells());
   for (const auto &recovery : cells_.at(place.group))
-    recovery->recover(position, snapshot.stress);
+    {
+      recovery->recover(position, snapshot.stress);
+      if (recovery->has_faces())
+        {
+          snapshot.faces.resize(snapshot.stress.size());
+          recovery->recover_faces(position, snapshot.faces);
+        }
+    }
   return snapshot;
 }
 
@@ -124,7 +131,7 @@ Waists::Waists(const scene::Scene &scene, const dynamics::System &system)
       const scene::Kind  kind   = kind_of(scene, system, g);
       if (kind != scene::Kind::inner_link && kind != scene::Kind::outer_link)
         continue;
-      PlateStress                  plates(*copies.part, copies.nodes, scene.material);
+      PlateStress plates(*copies.part, copies.nodes, scene.material, scene.elements.plates);
       std::vector<WaistComponents> of_shapes =
           components_of_shapes(plates, copies, system.world.group_of(g));
       plates_.emplace(g, Plates{std::move(plates), std::move(of_shapes)});

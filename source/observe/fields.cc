@@ -67,11 +67,40 @@ std::vector<files::VtuGrid::FloatData> stresses_of(const std::vector<BodySnapsho
           {"stress", 6, std::move(stress)}};
 }
 
-bool have_stress(const std::vector<BodySnapshot> &bodies)
+/// At both faces of the cells of walls.
+std::vector<files::VtuGrid::FloatData> faces_of(const std::vector<BodySnapshot> &bodies)
 {
-  return std::any_of(bodies.begin(), bodies.end(), [](const BodySnapshot &body) {
-    return body.stress.size() > 0;
-  });
+  std::vector<float> inner, outer;
+  for (const BodySnapshot &body : bodies)
+    {
+      for (const element::FaceStresses &s : body.faces)
+        {
+          append(inner, s.inner);
+          append(outer, s.outer);
+        }
+      if (body.faces.size() == 0)
+        for (std::vector<float> *values : {&inner, &outer})
+          values->resize(values->size() + 6 * body.part->cells.size(), 0.F);
+    }
+  return {{"stress_inner", 6, std::move(inner)}, {"stress_outer", 6, std::move(outer)}};
+}
+
+/// What a picture shows of stresses; all its pieces show the same.
+struct Shown
+{
+  bool stress, faces;
+};
+
+Shown shown_of(const std::vector<BodySnapshot> &bodies, MPI_Comm comm)
+{
+  int stress = 0, faces = 0;
+  for (const BodySnapshot &body : bodies)
+    {
+      stress |= static_cast<int>(body.stress.size() > 0);
+      faces |= static_cast<int>(body.faces.size() > 0);
+    }
+  return {dealii::Utilities::MPI::max(stress, comm) != 0,
+          dealii::Utilities::MPI::max(faces, comm) != 0};
 }
 
 /// Normal force [N] in the gap of a sprocket that is nearest to cell @p cell of @p body.
@@ -90,7 +119,7 @@ double load_of_gap(const BodySnapshot &body, const std::array<unsigned int, 8> &
   return body.gap_load[(gap + n) % n];
 }
 
-files::VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const bool with_stress)
+files::VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const Shown &shown)
 {
   std::size_t n_points = 0, n_cells = 0;
   for (const BodySnapshot &body : bodies)
@@ -152,8 +181,11 @@ files::VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const bool with_
   grid.cell_data  = {{"contact_force", 3, std::move(contact_force)},
                      {"tension", 1, std::move(tension)},
                      {"tooth_load", 1, std::move(tooth_load)}};
-  if (with_stress)
+  if (shown.stress)
     for (files::VtuGrid::FloatData &data : stresses_of(bodies))
+      grid.cell_data.push_back(std::move(data));
+  if (shown.faces)
+    for (files::VtuGrid::FloatData &data : faces_of(bodies))
       grid.cell_data.push_back(std::move(data));
   grid.cell_numbers = {
       {"body", std::move(id)}, {"kind", std::move(kind)}, {"elastic", std::move(deforms)}};
@@ -187,9 +219,7 @@ void Fields::write(const double                     time,
                    const std::vector<BodySnapshot> &bodies,
                    const std::vector<BarSnapshot>  &bars)
 {
-  // all pieces of a picture have the same fields: those of any rank
-  const int with_stress = dealii::Utilities::MPI::max(int(have_stress(bodies)), comm_);
-  bodies_.write(grid_of(bodies, with_stress != 0), time);
+  bodies_.write(grid_of(bodies, shown_of(bodies, comm_)), time);
   if (!bars.empty())
     bars_.write(grid_of(bars), time);
 }

@@ -189,7 +189,8 @@ void Pictures::write(const dynamics::System &system)
                           contact_force[b],
                           make_array_view(elastic[b].displacement),
                           make_array_view(elastic[b].velocity),
-                          {elastic[b].stress.data(), elastic[b].stress.size()}});
+                          {elastic[b].stress.data(), elastic[b].stress.size()},
+                          {elastic[b].faces.data(), elastic[b].faces.size()}});
         add_loads(bodies.back(), scene_.bodies[b], loads);
       }
 
@@ -211,7 +212,8 @@ void Pictures::write(const dynamics::System &system)
                               contact_force[rim.body],
                               make_array_view(sector.displacement),
                               make_array_view(sector.velocity),
-                              {sector.stress.data(), sector.stress.size()}});
+                              {sector.stress.data(), sector.stress.size()},
+                              {sector.faces.data(), sector.faces.size()}});
             add_loads(bodies.back(), scene_.bodies[rim.body], loads);
           }
     }

@@ -148,6 +148,15 @@ int main(int argc, char *argv[])
   const element::Stress              held = element::stress(F, material);
   const std::vector<element::Stress> stresses(6, held);
   elastic.stress = {stresses.data(), stresses.size()};
+  element::FaceStresses  of_faces; // numbers 1 to 6 and 11 to 16 in VTK's order
+  constexpr unsigned int vtk[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
+  for (unsigned int i = 0; i < 6; ++i)
+    {
+      of_faces.inner[vtk[i][0]][vtk[i][1]] = 1. + i;
+      of_faces.outer[vtk[i][0]][vtk[i][1]] = 11. + i;
+    }
+  const std::vector<element::FaceStresses> faces(6, of_faces);
+  elastic.faces = {faces.data(), faces.size()};
   if (n_ranks_in(MPI_COMM_WORLD) == 2)
     {
       write_on_two_ranks(rigid, elastic);
@@ -268,6 +277,12 @@ int main(int argc, char *argv[])
                     "yes" :
                     "no")
             << std::endl;
+
+  const auto inner = read_array<float>(text, "stress_inner"),
+             outer = read_array<float>(text, "stress_outer");
+  std::cout << "stress at faces: " << inner.size() << ' ' << outer.size() << ", rigid " << inner[0]
+            << ' ' << outer[35] << ", elastic " << inner[36] << ' ' << inner[41] << ' ' << outer[36]
+            << ' ' << outer[71] << '\n';
 
   const std::string bars = files::read_text("fields/bars_000000.vtu");
   std::cout << "bars: points " << read_array<float>(bars, "position").size() / 3 << ", types "

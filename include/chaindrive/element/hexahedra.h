@@ -24,7 +24,8 @@ struct Selection
   /// their formulation, and its kernel is that of Formulation::enhanced.
   parameters::Wall wall = parameters::Wall::brick;
 
-  /// Direction through the wall at the middle of a cell [m]; of shells and membranes.
+  /// Direction through the wall at the middle of a cell [m], from its inner to its outer face; of
+  /// shells and membranes.
   std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &)> across;
 
   bool has(const dealii::types::material_id component) const;

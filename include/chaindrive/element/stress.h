@@ -29,6 +29,11 @@ struct Stress
 /// From the deformation gradient @p F: reference axes to world axes, any rotation in it.
 Stress stress(const dealii::Tensor<2, 3> &F, const Material &material);
 
+/// The same where an element has a Green's strain @p strain of its own.
+Stress stress(const dealii::Tensor<2, 3>          &F,
+              const dealii::SymmetricTensor<2, 3> &strain,
+              const Material                      &material);
+
 /// Von Mises' equivalent of @p stress, sqrt(3/2 s:s) with its deviator s, in its unit.
 double von_mises(const dealii::SymmetricTensor<2, 3> &stress);
 
@@ -40,6 +45,12 @@ Gradients mean_gradients(const mesh::Corners &corners);
 /// Mean deformation gradient of a hexahedron whose vertices are at @p position now, m.
 dealii::Tensor<2, 3> deformation_gradient(const Gradients                           &gradients,
                                           const std::array<dealii::Tensor<1, 3>, 8> &position);
+
+/// Second Piola-Kirchhoff stresses at both faces of a wall, plane stress, body axes, Pa.
+struct FaceStresses
+{
+  dealii::SymmetricTensor<2, 3> inner, outer;
+};
 
 /// Finds strain and stress in cells of a part from the positions of its nodes.
 class StressRecovery
@@ -55,6 +66,15 @@ public:
   virtual void recover(const std::vector<dealii::Tensor<1, 3>> &position,
                        std::vector<Stress>                     &stresses) const = 0;
 
+  /// Whether its cells are those of walls with faces of their own.
+  virtual bool has_faces() const { return false; }
+
+  /// Sets the stresses at the faces of those cells in @p stresses, one per active cell.
+  virtual void recover_faces(const std::vector<dealii::Tensor<1, 3>> & /*position*/,
+                             std::vector<FaceStresses> & /*stresses*/) const
+  {
+  }
+
   /// Of all cells; zero where this knows of none, as in a rigid zone.
   std::vector<Stress> operator()(const std::vector<dealii::Tensor<1, 3>> &position) const
   {
@@ -64,9 +84,9 @@ public:
   }
 };
 
-/// Strain and stress of every hexahedron of a part, from the mean gradient over the cell. What
-/// bends through one layer of cells has its stress in their middle surface; see face_stress() for
-/// its sides.
+/// Strain and stress of every brick of a part, from the mean gradient over the cell. What bends
+/// through one layer of cells has its stress in their middle surface; see face_stress() for its
+/// sides, and WallStresses for shells.
 class CellStresses : public StressRecovery
 {
 public:

@@ -14,9 +14,10 @@ namespace chaindrive::observe
 /// An elastic body at one instant, in the numbering of its part's mesh.
 struct ElasticSnapshot
 {
-  std::vector<dealii::Tensor<1, 3>> displacement; ///< per vertex, world axes, m
-  std::vector<dealii::Tensor<1, 3>> velocity;     ///< per vertex, m/s, half a step before
-  std::vector<element::Stress>      stress;       ///< per cell
+  std::vector<dealii::Tensor<1, 3>>  displacement; ///< per vertex, world axes, m
+  std::vector<dealii::Tensor<1, 3>>  velocity;     ///< per vertex, m/s, half a step before
+  std::vector<element::Stress>       stress;       ///< per cell
+  std::vector<element::FaceStresses> faces; ///< per cell of a part with shells, zero in its bricks
 };
 
 /// Whether elastic bodies of one of these @p kinds are in the scene.

@@ -43,6 +43,9 @@ struct BodySnapshot
   dealii::ArrayView<const dealii::Tensor<1, 3>> velocity{};     ///< elastic bodies only [m/s]
   dealii::ArrayView<const element::Stress>      stress{};       ///< per cell, elastic bodies only
 
+  /// Per cell of a body with shells, zero in its bricks.
+  dealii::ArrayView<const element::FaceStresses> faces{};
+
   double tension    = 0.; ///< of a link; of a roller, mean of its two links [N]
   double tooth_load = 0.; ///< normal force of the teeth on a roller [N]
   /// Of a sprocket: normal force in each gap between two teeth [N], and its frame at the start. Its
@@ -68,7 +71,8 @@ struct BarSnapshot
 /// number, the kind of its part, whether it deforms, its contact force, tension and tooth load.
 /// Where bodies have stresses, cells carry them too: von Mises' of Cauchy's stress, Green's strain
 /// and the second Piola-Kirchhoff stress in body axes (xx, yy, zz, xy, yz, xz), zero in other
-/// bodies. Numbers are stored in single precision: 0.06 micrometres at 1 m.
+/// bodies; where there are shells, the stress at their faces. Numbers are stored in single
+/// precision: 0.06 micrometres at 1 m.
 class Fields
 {
 public:

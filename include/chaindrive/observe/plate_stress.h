@@ -2,8 +2,11 @@
 #pragma once
 
 #include <chaindrive/element/stress.h>
+#include <chaindrive/element/wall_stresses.h>
 #include <chaindrive/mesh/part.h>
+#include <chaindrive/parameters/model.h>
 
+#include <optional>
 #include <vector>
 
 namespace chaindrive::observe
@@ -33,12 +36,16 @@ WaistStress stress_of(const WaistComponents &components);
 /// Takes these stresses from nodal positions, as the mean of what lies to the left and to the right
 /// of the middle: the mesh has vertices there. The pull is that of nodal forces and therefore
 /// in balance with the load, to one percent, on any mesh if the edges are free; stresses of edges
-/// and faces get better with the mesh.
+/// and faces get better with the mesh. Plates that are membranes have the mean stress in both
+/// faces, but for what element::membrane_bending leaves.
 class PlateStress
 {
 public:
-  /// @p part is an inner or outer link, @p nodes are its nodes.
-  PlateStress(const mesh::Part &part, const mesh::Nodes &nodes, const Material &material);
+  /// @p part is an inner or outer link, @p nodes are its nodes, @p plates what its plates are of.
+  PlateStress(const mesh::Part  &part,
+              const mesh::Nodes &nodes,
+              const Material    &material,
+              parameters::Wall   plates = parameters::Wall::brick);
 
   /// The nodes of the part whose positions are needed.
   const std::vector<unsigned int> &nodes() const { return nodes_; }
@@ -57,6 +64,8 @@ private:
     dealii::Tensor<1, 3>        weight; ///< its stress times this is its share in the mean
     std::array<unsigned int, 8> node;   ///< places in nodes_
     element::Gradients          gradients;
+
+    std::optional<element::WallCell> wall; ///< of a shell or a membrane
   };
   struct Face
   {
@@ -72,6 +81,7 @@ private:
                                      const std::vector<dealii::Tensor<1, 3>> &position) const;
 
   Material                  material_;
+  parameters::Wall          plates_;
   std::vector<unsigned int> nodes_;
   std::vector<Cell>         section_;
   std::vector<Face>         lower_edge_, upper_edge_; ///< y < 0, y > 0
