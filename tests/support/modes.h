@@ -5,6 +5,8 @@
 
 #include "elastic.h"
 
+#include <chaindrive/element/elastic_part.h>
+
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/arpack_solver.h>
 #include <deal.II/lac/solver_control.h>
@@ -31,6 +33,18 @@ struct LinearModel
     mass.reinit(pattern);
     for (unsigned int i = 0; i < mass.m(); ++i)
       mass.diag_element(i) = reference.mass[i / 3];
+  }
+
+  /// Of all blocks of a part, with these masses of its nodes [kg].
+  LinearModel(const element::ElasticPart &part, const std::vector<double> &masses)
+  {
+    std::vector<const element::ElementBlock *> blocks;
+    for (const auto &block : part.blocks())
+      blocks.push_back(block.get());
+    element::assemble(blocks, static_cast<unsigned int>(masses.size()), pattern, stiffness);
+    mass.reinit(pattern);
+    for (unsigned int i = 0; i < mass.m(); ++i)
+      mass.diag_element(i) = masses[i / 3];
   }
 
   /// Holds a degree of freedom still.
