@@ -3,6 +3,10 @@
 One run decides nothing about the scatter between rollers: it takes several start phases."""
 import numpy as np
 
+import program  # noqa: F401  finds the package
+import chaindrive
+from chaindrive import comparison
+
 TENSION = 150. / 0.1062156  # N: torque over the pitch radius of 42 teeth
 JUMP = 1.9167  # m/s: pitch times driver speed
 
@@ -167,6 +171,22 @@ def plates(table, run):
                       np.max(peak) / np.mean(axial))
             table.add(f"R15 {name} plates: bending out of the plane, r.m.s. over axial",
                       np.mean(out) / np.mean(axial))
+
+
+def print_plates(runs):
+    """Fig. 9: the plates behind the engaging rollers of each run in the pitch time before, in MPa, and
+    the means of inner and outer ones over the nominal stress."""
+    columns = ["nominal", "axial", "in_plane", "out_of_plane", "principal_1", "principal_2"]
+    print(f"{'':24}{'link':>6}{'':7}" + "".join(f"{name:>14}" for name in columns) + "   MPa")
+    for name, run in zip(comparison.names(runs), runs):
+        frame = chaindrive.plate_stresses(run)
+        for link, row in frame.iterrows():
+            values = "".join(f"{1e-6 * row[column]:14.1f}" for column in columns)
+            print(f"{name:24}{link:6} {row['kind']:6}{values}")
+        for kind, rows in frame.groupby("kind"):
+            means = rows[columns].mean()
+            values = "".join(f"{means[column] / means['nominal']:14.3f}" for column in columns)
+            print(f"{name:24}{'mean':>6} {kind:6}{values}   of nominal")
 
 
 def peaks(table, simple, full):

@@ -4,8 +4,10 @@
 them as numbers:
 
     scripts/figures.py [--simple DIR...] [--full DIR...] [--output DIR]
+    scripts/figures.py --plates DIR...
 
 The first runs are drawn; the numbers are means over all of them, for start phases for instance.
+With --plates it only prints the stresses of Fig. 9 of these runs, side by side.
 velocities.png: its Fig. 5 and 7, link_forces.png: 8 and 9, contact_forces.png: 13 and 12. Debian
 packages: python3-h5py, python3-matplotlib, python3-pandas, python3-pil.
 """
@@ -119,7 +121,11 @@ def main():
     parser.add_argument("--simple", nargs="+", default=[os.path.join(root, "results/simple")])
     parser.add_argument("--full", nargs="+", default=[os.path.join(root, "results/full")])
     parser.add_argument("--output", default=os.path.join(root, "doc/pictures"))
+    parser.add_argument("--plates", nargs="+", metavar="DIR", help="print the stresses of plates of these runs")
     arguments = parser.parse_args()
+    if arguments.plates:
+        criteria.print_plates([open_run(folder) for folder in arguments.plates])
+        return
     simple = [open_run(folder) for folder in arguments.simple]
     full = [open_run(folder) for folder in arguments.full]
     os.makedirs(arguments.output, exist_ok=True)

@@ -4,6 +4,7 @@
   frames      histories, units, engagements of a run
   spectra     of records that are known
   comparison  figures and parameters of two runs
+  plates      stresses of plates, of histories that are known
   refuse      what is missing, damaged or foreign is said in a sentence
   scripts     figures.py draws and refuses
 
@@ -135,6 +136,41 @@ def spectra():
     refused(("had not settled",), lambda: late.spectrum("hubs/driven_speed"))
 
 
+def plates():
+    # roller k touches at 15 + 10 k ms; what link j = k - 1 has in the 10 ms before tells j, everything else is far off
+    time = np.linspace(0., 0.06, 601)
+    links, far = np.arange(40), 1e9
+    before = np.array([(time >= 0.005 + 0.01 * (j + 1) - 1e-9) & (time <= 0.015 + 0.01 * (j + 1) + 1e-9) for j in links]).T
+    wave = np.sin(2 * np.pi * 400. * time)[:, None]
+    of = lambda values: np.where(before, values, far)  # noqa: E731
+    one = folder("plates", time, {
+        "links/tension": (of(1000. + links + wave), "N"),
+        "plates/axial_stress": (of(30e6 + links + wave), "Pa"),
+        "plates/bending_in_plane": (of(4e6 * wave + 0. * links), "Pa"),
+        "plates/bending_out_of_plane": (of(-3e6 - links), "Pa"),
+        "plates/principal_1": (of(20e6 + links), "Pa"), "plates/principal_2": (of(-5e6 - links), "Pa")},
+        {"engagements": [["driver", k, 0.015 + 0.01 * k, 1., 1., 1., 1., True] for k in range(5)]})
+    file = pathlib.Path("plates/parameters.prm")
+    entries = {"Waist ratio": 0.5, "Inner plate height in mm": 10, "Inner plate thickness in mm": 2, "Outer plate height in mm": 8,
+               "Outer plate thickness in mm": "auto"}
+    file.write_text(file.read_text() + "subsection Drive\n  subsection Chain\n" + "".join(f"    set {k} = {v}\n" for k, v in entries.items()) +
+                    "  end\nend\n")
+    found = chaindrive.plate_stresses(chaindrive.open("plates"), 4)
+    check(list(found.index) == [39, 0, 1, 2] and list(found["kind"]) == ["outer", "inner", "outer", "inner"], f"links {found}")
+    for link, row in list(found.iterrows())[1:]:
+        expected = {"axial": 30e6 + link, "in_plane": 4e6 / np.sqrt(2.), "out_of_plane": 3e6 + link, "principal_1": 20e6 + link,
+                    "principal_2": -5e6 - link}
+        for name, value in expected.items():
+            close(row[name], value, 2e-2 * abs(value) if name == "in_plane" else 0.1, f"link {link}: {name}")
+    close(found["nominal"][2], 1002. / (2 * 0.5 * 10e-3 * 2e-3), 10., "nominal stress, N/m2")
+    check(np.isnan(found["nominal"][1]), "a nominal stress of unknown dimensions")
+    refused(("no history 'plates/axial_stress'", "plate stress"), lambda: chaindrive.plate_stresses(run("simple")))
+    early = folder("early", time, {}, {"engagements": []})
+    refused(("no roller meets the driver",), lambda: chaindrive.plate_stresses(early))
+    said = subprocess.run([sys.executable, "-B", REPOSITORY / "scripts/figures.py", "--plates", "plates"], capture_output=True, text=True)
+    check(said.returncode == 0 and "of nominal" in said.stdout and said.stdout.count("inner") == 3, f"figures.py: {said.stdout}{said.stderr}")
+
+
 def comparison():
     runs = [run("simple"), run("braked", Loads__Resisting_torque_in_N_m=75)]
     table = chaindrive.compare(runs)
@@ -201,4 +237,4 @@ def scripts():
         check(done.returncode == 2 and words in done.stderr and "Traceback" not in done.stderr, f"figures.py {names}: {done.stderr}")
 
 
-{"frames": frames, "spectra": spectra, "comparison": comparison, "refuse": refuse, "scripts": scripts}[CASE]()
+{"frames": frames, "spectra": spectra, "comparison": comparison, "plates": plates, "refuse": refuse, "scripts": scripts}[CASE]()

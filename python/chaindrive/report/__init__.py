@@ -93,7 +93,7 @@ def _sections(page, subjects):
     yield "motion", "The chain in motion", moving
     yield "spans", "Spans and shafts", [curves.tensions(subjects), curves.offsets(subjects), curves.shapes(subjects), curves.shafts(subjects)]
     yield "rollers", "Engaging rollers", [curves.velocities(subjects), curves.link_forces(subjects), curves.contact_forces(subjects),
-                                          curves.plate_stress(subjects)]
+                                          curves.plate_stress(subjects), facts.plate_table(subjects)]
     yield "impacts", "Impacts and tooth load", [curves.aligned(subjects), curves.peaks(subjects), curves.wrap(subjects)]
     yield "vibration", "Spectra", [curves.line_spectra(subjects), curves.roller_bands(subjects)]
     yield "noise", "Noise", [_each(subjects, facts.noise_tables), curves.noise_spectra(subjects), curves.pressures(subjects),

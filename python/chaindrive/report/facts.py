@@ -6,6 +6,7 @@ import numpy as np
 
 from chaindrive import comparison
 from chaindrive.errors import RunError
+from chaindrive.plates import plate_stresses
 from chaindrive.report.text import escape, number, percent, quantity, sentences, table
 
 WORDS = {"simple": "lumped rollers and elastic bars", "layered": "rigid rollers and links with clearances",
@@ -111,6 +112,23 @@ def drive_tables(run):
     return (table([], [(escape(a), b) for a, b in chain], classes="facts") + '<div class="side">'
             + table(["", *(escape(s["name"]) for s in drive["sprockets"])], [(name, *cells) for name, cells in sprockets])
             + table(["", *(escape(s["name"] + " span") for s in drive["spans"])], [(name, *cells) for name, cells in spans]) + "</div>")
+
+
+def plate_table(subjects):
+    """Stresses of the plates behind the rollers that engage, of all runs that have them; nothing where none has."""
+    rows, several = [], len(subjects) > 1
+    for subject in subjects:
+        try:
+            frame = plate_stresses(subject.run)
+        except RunError:
+            continue
+        for link, row in frame.iterrows():
+            rows.append((*((escape(subject.name),) if several else ()), f"{link}, {row['kind']}",
+                         *(quantity(row[name], "Pa", 3) for name in ("nominal", "axial", "in_plane", "out_of_plane", "principal_1", "principal_2"))))
+    head = [*(("",) if several else ()), "link", "tension over waists", "pull", "bending in the plane", "out of the plane", "first principal",
+            "second principal"]
+    return table(head, rows, "Stress at the waist in the pitch time before the roller ahead touches the driver: means, bending r.m.s.",
+                 "numbers") if rows else ""
 
 
 TITLES = {"driven_speed": "driven speed", "driver_torque": "driver torque", "span_speed": "speed of the tight span", "tight_tension": "tight tension",
