@@ -8,11 +8,14 @@
 //
 // Their stiffness, force over the displacement in its sense, over that of quadratic elements on
 // meshes that are refined where they are in error until the last refinement changes it by less than
-// one percent. Two links in contact are in the test statics/ladder.
+// one percent. Stresses at the waist are over those of the pull. Two links in contact are in the
+// test statics/ladder.
 #include "../support/links.h"
 
 #include <chaindrive/drive/chain.h>
+#include <chaindrive/drive/plate.h>
 #include <chaindrive/mesh/generate/links.h>
+#include <chaindrive/observe/plate_stress.h>
 #include <chaindrive/statics/pieces.h>
 
 #include <deal.II/base/mpi.h>
@@ -131,11 +134,16 @@ Vector<double> forces(const mesh::Part &part, const mesh::Nodes &nodes, const Pu
   return force;
 }
 
-/// N/m for the eighth of a link.
-double meshed(const drive::ChainDimensions &chain,
+struct Answer
+{
+  double               stiffness; ///< of an eighth, N/m
+  observe::WaistStress waist;     ///< over the pull of a plate over its waist
+};
+
+Answer meshed(const drive::ChainDimensions &chain,
               const Pull                   &pull,
               const Walls                  &walls,
-              unsigned int                  level)
+              const unsigned int            level)
 {
   mesh::LinkGrid grid = pull.inner ? mesh::inner_link_grid(level) : mesh::outer_link_grid(level);
   grid.half           = true;
@@ -147,7 +155,22 @@ double meshed(const drive::ChainDimensions &chain,
   for (unsigned int i = 0; i < force.size(); ++i)
     if (std::abs(nodes.position[i / 3][i % 3]) < 1e-9)
       model->hold(i);
-  return 4. / (model->displacements(force) * force);
+  const Vector<double> u = model->displacements(force);
+
+  const observe::PlateStress stress(part, nodes, material);
+  const double               scale = 100.; // still small
+  std::vector<Tensor<1, 3>>  position;
+  for (const unsigned int node : stress.nodes())
+    {
+      position.emplace_back(nodes.position[node]);
+      for (unsigned int i = 0; i < 3; ++i)
+        position.back()[i] += scale * u[3 * node + i];
+    }
+  const drive::Plate   plate = pull.inner ? drive::inner_plate(chain) : drive::outer_plate(chain);
+  observe::WaistStress waist = stress(position);
+  for (double *value : {&waist.axial, &waist.out_of_plane, &waist.principal_1, &waist.principal_2})
+    *value *= plate.waist * plate.thickness / (2. * scale); // two newtons
+  return {4. / (u * force), waist};
 }
 } // namespace
 
@@ -187,7 +210,15 @@ int main(int argc, char **argv)
                 << std::setprecision(3);
       for (unsigned int level = 1; level <= levels; ++level)
         for (const Walls &walls : kinds_of_walls)
-          std::cout << "  refinement " << level << ", " << walls.name << ": "
-                    << meshed(chain, here, walls, level) / exact << '\n';
+          {
+            const Answer found = meshed(chain, here, walls, level);
+            std::cout << "  refinement " << level << ", " << walls.name << ": "
+                      << found.stiffness / exact << "; waist over nominal: axial "
+                      << found.waist.axial << ", principal " << found.waist.principal_1 << " and "
+                      << found.waist.principal_2;
+            if (walls.plates != parameters::Wall::membrane)
+              std::cout << ", out of the plane " << found.waist.out_of_plane;
+            std::cout << '\n';
+          }
     }
 }
