@@ -21,6 +21,13 @@ SMALL = {
 }
 
 
+# Full models with side plates and bushes of shells, and as prm/paper/full-shell.prm has them.
+WALLS = {
+    "h": {"Elements/Plates": "shell", "Elements/Bushes": "shell"},
+    "m": {"Elements/Plates": "membrane", "Elements/Bushes": "shell", "Effects/Plate bending": "off"},
+}
+
+
 # With --quick: an end before which all cases have begun to be hard.
 SOON = {"Time/End time in ms": 2.5, "Output/Window start in ms": 1}
 
@@ -37,13 +44,14 @@ def for_long(ms):
 
 class Case(NamedTuple):
     name: str
-    models: str  # s: simple, l: layered, f: full, and reduced with the same changes
+    models: str  # s: simple, l: layered, f: full, and with the same changes full of shells or membranes, and reduced
     changes: dict  # of hard.prm, for all models
     of_model: dict = {}  # {model letter: further changes}
     refusal: str = ""  # a regular expression in what the program must say instead of running
     overlap: float = 0.5  # largest, in mm: a tenth of a roller's radius
     imbalance: float = 0.01  # largest, over the energy turned over
     long: str = ""  # models that --quick leaves out
+    soon: str = ""  # full models that it does not leave out
     long_run: bool = False  # the imbalance over the drive work must not grow
     step: float = 0.0  # over the stable one, instead of that in hard.py
 
@@ -82,7 +90,7 @@ def torque_becomes(torque):
 LOW_TEETH = {"Drive/Sprockets/Driver outside diameter in mm": 77, "Drive/Sprockets/Driven outside diameter in mm": 214}
 
 CASES = [
-    Case("base", "slf", {}),
+    Case("base", "slf", {}, soon="hm"),
     Case("largest step", "s", {}, step=0.9),  # full: base
     Case("largest step", "l", {}, step=0.5),  # beyond, impacts cost more energy than the guard accepts
     Case("penalty x100", "slf", {}, penalty(100), long="l"),
