@@ -1,0 +1,80 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What accuracy costs, over several studies: the errors of source/accuracy.tsv against CPU time, a panel for each output.
+
+    scripts/efficient_front.py PICTURE [STUDY]... [--outputs NAME,...]
+
+The studies must have one reference and one chain; those of fidelity and reduced are taken when none is named. Prints the
+efficient variants of each output, of which none is cheaper and more accurate. Debian package: python3-matplotlib.
+"""
+import argparse
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE / "study"))
+import stats  # noqa: E402
+
+OUTPUTS = "tight_tension_mean,driver_peak_mean,driver_impulse_mean,roller_velocity_rms,plate_stress_max,losses"
+
+
+def read(studies):
+    """{output: {variant: (CPU time in s, error, low, high in percent)}} of all but the references."""
+    found = {}
+    for line in (HERE.parent / "source/accuracy.tsv").read_text(encoding="utf-8").splitlines():
+        if line.startswith("#"):
+            continue
+        study, variant, reference, output, error, low, high, cpu = line.split("\t")[:8]
+        if study in studies and variant != reference:
+            found.setdefault(output, {})[variant] = (float(cpu), float(error), float(low), float(high))
+    return found
+
+
+def draw(axis, output, variants):
+    """One output; returns the names of the efficient variants, cheapest first."""
+    efficient = stats.efficient([(cpu, abs(error)) for cpu, error, _, _ in variants.values()])
+    front = sorted((values[0], max(abs(values[1]), 0.01), name)
+                   for (name, values), is_efficient in zip(variants.items(), efficient) if is_efficient)
+    axis.plot([cpu for cpu, _, _ in front], [error for _, error, _ in front], color="C3", linewidth=1)
+    for name, (cpu, error, low, high) in variants.items():
+        # The interval of a magnitude: it begins at zero when that lies within.
+        ends = (0.01 if low * high <= 0 else min(abs(low), abs(high))), max(abs(low), abs(high), 0.01)
+        colour = "C3" if any(name == other for _, _, other in front) else "0.4"
+        axis.plot([cpu, cpu], ends, color=colour, linewidth=1, alpha=0.5)
+        axis.plot(cpu, max(abs(error), 0.01), "o", color=colour, markersize=5)
+        axis.annotate(name, (cpu, max(abs(error), 0.01)), xytext=(4, 4), textcoords="offset points", fontsize=7)
+    axis.set(xscale="log", yscale="log", ylim=(0.008, 200), xlim=(0.5, 400), title=output.replace("_", " "))
+    axis.grid(alpha=0.3)
+    return [name for _, _, name in front]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("picture")
+    parser.add_argument("studies", nargs="*", default=["fidelity", "reduced"])
+    parser.add_argument("--outputs", default=OUTPUTS)
+    options = parser.parse_args()
+    found = read(options.studies)
+    outputs = options.outputs.split(",")
+    unknown = [name for name in outputs if name not in found]
+    if unknown:
+        parser.error(f"no study of {', '.join(options.studies)} judges {', '.join(unknown)}; there are: {', '.join(found)}")
+    figure, axes = plt.subplots((len(outputs) + 2) // 3, min(3, len(outputs)), figsize=(11, 3.4 * ((len(outputs) + 2) // 3)),
+                                squeeze=False, sharex=True, sharey=True)
+    for axis, output in zip(axes.flat, outputs):
+        print(f"{output}: {', '.join(draw(axis, output, found[output]))}")
+    for axis in axes[-1]:
+        axis.set_xlabel("CPU time of 22 ms (s)")
+    for axis in axes[:, 0]:
+        axis.set_ylabel("error against full (%)")
+    figure.tight_layout()
+    figure.savefig(options.picture, dpi=100)
+
+
+if __name__ == "__main__":
+    main()
