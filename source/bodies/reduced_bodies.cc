@@ -77,11 +77,11 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene,
   const unsigned int n_batches = copies.end_of_owned_batches() - first_batch_;
   for (Numbers *numbers : {&amplitude_, &rate_, &acceleration_, &modal_force_})
     numbers->resize(std::size_t(n_batches) * n_modes() * n_lanes, 0.);
-  displaced_.resize(n_batches * node_offset(node_.size()));
   in_body_.resize(node_offset(node_.size()));
   found_.resize(n_touching_);
-  ReadOrbits nobody;
-  nobody.was_placed.resize(n_touching_, 0);
+  ReadNodes nobody;
+  nobody.node.resize(node_.size(), ModalNodes::none);
+  nobody.placed.resize(node_.size(), 0);
   read_.assign(n_batches, nobody);
 }
 
@@ -180,12 +180,13 @@ void ReducedBodies::take_frames(const World &world, const unsigned int batch)
     }
 }
 
-ModalNodes ReducedBodies::modal_nodes(const std::vector<unsigned int> &orbits) const
+ModalNodes ReducedBodies::modal_nodes(const std::vector<unsigned int> &orbits,
+                                      const ReadNodes                 &nodes) const
 {
   return {static_cast<unsigned int>(orbits.size()),
           orbits.data(),
           symmetry_.n_classes(),
-          node_.data(),
+          nodes.node.data(),
           {symmetry_.reflection(0), symmetry_.reflection(1), symmetry_.reflection(2)},
           n_modes(),
           first_mode_.data(),
@@ -196,38 +197,47 @@ ModalNodes ReducedBodies::modal_nodes(const std::vector<unsigned int> &orbits) c
 
 void ReducedBodies::update_read(const BodyBatches &copies, const unsigned int batch)
 {
-  ReadOrbits &orbits = read_[batch - first_batch_];
-  if (orbits.changes == copies.reader_changes(batch))
+  ReadNodes &nodes = read_[batch - first_batch_];
+  if (nodes.changes == copies.reader_changes(batch))
     return;
-  orbits.changes = copies.reader_changes(batch);
-  orbits.placed.clear();
-  orbits.fresh.clear();
+  nodes.changes = copies.reader_changes(batch);
+  nodes.known.clear();
+  nodes.fresh.clear();
   const unsigned int n_images = symmetry_.n_classes();
   for (unsigned int orbit = 0; orbit < n_touching_; ++orbit)
     {
-      const auto first   = node_.begin() + orbit * n_images;
-      const bool is_read = std::any_of(first, first + n_images, [&](const unsigned int node) {
-        return node != ModalNodes::none && copies.is_read(batch, node);
-      });
-      if (!is_read)
-        orbits.was_placed[orbit] = 0;
-      else
-        (orbits.was_placed[orbit] != 0 ? orbits.placed : orbits.fresh).push_back(orbit);
+      bool any = false, all_placed = true;
+      for (unsigned int i = orbit * n_images; i < (orbit + 1) * n_images; ++i)
+        {
+          const bool is_read = node_[i] != ModalNodes::none && copies.is_read(batch, node_[i]);
+          nodes.node[i]      = is_read ? node_[i] : ModalNodes::none;
+          if (is_read)
+            {
+              any        = true;
+              all_placed = all_placed && nodes.placed[i] != 0;
+            }
+          else
+            nodes.placed[i] = 0;
+        }
+      if (any)
+        (all_placed ? nodes.known : nodes.fresh).push_back(orbit);
     }
 }
 
 void ReducedBodies::forget_places()
 {
-  for (ReadOrbits &orbits : read_)
+  for (ReadNodes &nodes : read_)
     {
-      orbits.fresh.insert(orbits.fresh.end(), orbits.placed.begin(), orbits.placed.end());
-      orbits.placed.clear();
-      std::fill(orbits.was_placed.begin(), orbits.was_placed.end(), 0);
+      nodes.fresh.insert(nodes.fresh.end(), nodes.known.begin(), nodes.known.end());
+      nodes.known.clear();
+      std::fill(nodes.placed.begin(), nodes.placed.end(), 0);
     }
 }
 
-void ReducedBodies::drift(World &world, const Step &step)
+void ReducedBodies::kick(World &world, const double /*h*/)
 {
+  // What is about to be read for the first time is placed where the step begins, while the frames
+  // are there: the step then tells its speed, whether or not a checkpoint lies between.
   const BodyBatches &copies = world.copies[group_];
   bool               known  = true;
   for (unsigned int batch = first_batch_; batch < copies.end_of_owned_batches(); ++batch)
@@ -235,8 +245,12 @@ void ReducedBodies::drift(World &world, const Step &step)
       update_read(copies, batch);
       known = known && read_[batch - first_batch_].fresh.empty();
     }
-  if (!known) // the step begins there
+  if (!known)
     place_surface(world, 0.);
+}
+
+void ReducedBodies::drift(World & /*world*/, const Step &step)
+{
   for (std::size_t i = 0; i < rate_.size(); ++i)
     {
       rate_[i] += 0.5 * step.dt * acceleration_[i];
@@ -251,25 +265,25 @@ void ReducedBodies::place_surface(World &world, const double earlier)
     {
       take_frames(world, batch);
       update_read(copies, batch);
-      ReadOrbits       &orbits = read_[batch - first_batch_];
-      const std::size_t first  = start_of(copies, batch);
-      const double     *rate   = rate_.data() + first;
-      const auto        place  = [&](const std::vector<unsigned int> &some, const double *known) {
-        kernels_.place({modal_nodes(some),
+      ReadNodes        &nodes = read_[batch - first_batch_];
+      const std::size_t first = start_of(copies, batch);
+      const double     *rate  = rate_.data() + first;
+      const auto        place = [&](const std::vector<unsigned int> &some, const double *speeds) {
+        kernels_.place({modal_nodes(some, nodes),
                         amplitude_.data() + first,
-                        known,
-                        2. * earlier,
+                        speeds,
                         earlier,
-                        displaced_.data() + (batch - first_batch_) * node_offset(node_.size()),
                         copies.position.begin() + copies.start_of(batch),
                         copies.velocity.begin() + copies.start_of(batch)});
       };
-      place(orbits.placed, earlier == 0. ? rate : nullptr);
-      place(orbits.fresh, rate);
-      for (const unsigned int orbit : orbits.fresh)
-        orbits.was_placed[orbit] = 1;
-      orbits.placed.insert(orbits.placed.end(), orbits.fresh.begin(), orbits.fresh.end());
-      orbits.fresh.clear();
+      place(nodes.known, earlier == 0. ? rate : nullptr);
+      place(nodes.fresh, rate);
+      const unsigned int n_images = symmetry_.n_classes();
+      for (const unsigned int orbit : nodes.fresh)
+        for (unsigned int i = orbit * n_images; i < (orbit + 1) * n_images; ++i)
+          nodes.placed[i] = nodes.node[i] != ModalNodes::none ? 1 : 0;
+      nodes.known.insert(nodes.known.end(), nodes.fresh.begin(), nodes.fresh.end());
+      nodes.fresh.clear();
     }
 }
 
@@ -280,7 +294,8 @@ void ReducedBodies::gather_forces(World &world)
        ++batch)
     {
       take_frames(world, batch);
-      kernels_.gather({modal_nodes(read_[batch - first_batch_].placed),
+      const ReadNodes &nodes = read_[batch - first_batch_];
+      kernels_.gather({modal_nodes(nodes.known, nodes),
                        copies.position.begin() + copies.start_of(batch),
                        copies.force.begin() + copies.start_of(batch),
                        modal_force_.data() + start_of(copies, batch),
@@ -470,11 +485,10 @@ void ReducedBodies::serialize(const Archive &archive)
 
 std::size_t ReducedBodies::memory_consumption() const
 {
-  return (shape_.size() + reference_.size() + 4 * amplitude_.size() + displaced_.size() +
-          in_body_.size()) *
+  return (shape_.size() + reference_.size() + 4 * amplitude_.size() + in_body_.size()) *
              sizeof(double) +
          rigid_motions_.size() * reference_.size() * sizeof(double) +
-         ((1 + read_.size()) * n_touching_ + node_.size() +
+         ((1 + read_.size()) * (n_touching_ + node_.size()) +
           (2 + symmetry_.axis.size()) * orbit_.size()) *
              sizeof(unsigned int);
 }

@@ -84,6 +84,7 @@ JointBatch::JointBatch(const JointTables       &tables,
   covered_.resize(tables.n_slave_nodes() * n_lanes, 0.);
   station_.assign(shape_.slave_stations * n_lanes, 0);
   cell_.assign(shape_.slave_columns * n_lanes, 0);
+  searched_cell_ = cell_;
   arguments_.law = law;
 }
 
@@ -133,7 +134,8 @@ unsigned int JointBatch::search(const double reach, const double unforeseen)
         missed += search_lane(lane, reach);
         fastest = std::max(fastest, closing_[lane]);
       }
-  fresh_ = true;
+  fresh_         = true;
+  searched_cell_ = cell_;
   cadence_.restart(holding_time(reach, fastest, unforeseen));
   return missed;
 }
@@ -193,7 +195,7 @@ void JointBatch::mark_columns(const int lane, const bool of_slave, std::vector<c
         columns[column] = 1;
       else // its cell lies between two columns
         for (unsigned int side = 0; side < 4; ++side)
-          columns[(cell_[column * n_lanes + lane] + n_master - 1 + side) % n_master] = 1;
+          columns[(searched_cell_[column * n_lanes + lane] + n_master - 1 + side) % n_master] = 1;
     }
 }
 
@@ -212,6 +214,7 @@ void JointBatch::serialize(const int lane, const Archive &archive)
   archive.numbers("nodes", state_.data() + lane, state_.size() / n_lanes, n_lanes);
   archive.numbers("stations", station_.data() + lane, station_.size() / n_lanes, n_lanes);
   archive.numbers("cells", cell_.data() + lane, cell_.size() / n_lanes, n_lanes);
+  archive.numbers("searched cells", searched_cell_.data() + lane, cell_.size() / n_lanes, n_lanes);
   archive("first", window_.first[lane]);
   archive("count", window_.count[lane]);
   archive("cell", window_.cell[lane]);
@@ -239,6 +242,6 @@ void JointBatch::clear_losses()
 std::size_t JointBatch::memory_consumption() const
 {
   return sizeof(*this) + (state_.size() + gap_.size() + covered_.size()) * sizeof(double) +
-         (station_.size() + cell_.size()) * sizeof(unsigned int);
+         (station_.size() + 2 * cell_.size()) * sizeof(unsigned int);
 }
 } // namespace chaindrive::contact

@@ -58,7 +58,7 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 // Reduced bodies move as rigid ones do. Their shapes get the first kick in their drift, and the
 // second one from evaluate_forces(), where their energies are booked; between two steps they are
 // where the frames are. Their nodes are placed for contacts, with the velocities of n+1/2, and for
-// observers, who ask for it.
+// observers, who ask for it; those that nobody has read before, at the first kick as well.
 //
 // Frames of other elastic bodies are booked by evaluate_forces(): their centres of mass at n+1,
 // with the mean of the velocities before and after. Observers and the guard look between two steps;

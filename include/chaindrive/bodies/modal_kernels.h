@@ -27,7 +27,7 @@ struct ModalNodes
   unsigned int        n_orbits;      ///< some
   const unsigned int *orbit;         ///< their numbers in the table of shapes
   unsigned int        n_images;      ///< as many as classes: 1, 2, 4 or 8
-  const unsigned int *node;          ///< [orbit][image], numbers in the part; none: does not touch
+  const unsigned int *node;          ///< [orbit][image], numbers in the part; none: not wanted
   unsigned int        reflection[3]; ///< Symmetry::reflection(), [component]
   unsigned int        n_modes;
   const unsigned int *first_mode; ///< [class], and n_modes: modes are in the order of classes
@@ -38,20 +38,18 @@ struct ModalNodes
 
 /// Where these nodes are and how fast they move:
 ///
-///   x = x_c + R (X + u),   u = Phi q,   v = v_c + s + w x (a - e (w x a + 2 s)),
+///   x = x_c + R (X + Phi q),   v = v_c + s + w x (a - e (w x a + 2 s)),
 ///
-/// with the arm a = x - x_c and the speed s beside the rigid motion. Velocities belong to the
-/// instant e before the positions, and are the secants of what moves between (see
-/// World::velocity_at()): s = R Phi q', or, for half of the work, R (u - u_before) / dt after a
-/// step of dt in which q' was the mean.
+/// with the arm a = x - x_c and the speed s = R Phi q' beside the rigid motion. Velocities belong
+/// to the instant e before the positions, and are the secants of what moves between (see
+/// World::velocity_at()). After a step of dt = 2 e in which q' was the mean they are, for half of
+/// the work, v = (x - x_before) / dt, with the positions that these nodes had before it.
 struct PlaceArguments
 {
   ModalNodes    nodes;
   const double *amplitude; ///< q, [mode][lane], m sqrt(kg)
   const double *rate;      ///< q', [mode][lane]; null: the step tells
-  double        step;      ///< dt, s, without a rate
   double        earlier;   ///< e, s
-  double       *displaced; ///< u, [orbit][image][component][lane], m, before, then now
   double       *position;  ///< [node of the part][component][lane], world axes, m
   double       *velocity;  ///< m/s
 };

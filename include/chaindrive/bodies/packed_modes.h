@@ -133,7 +133,7 @@ CHAINDRIVE_ALWAYS_INLINE void sum_of_class(const PlaceArguments &arg,
 }
 
 /// Places the nodes of the orbit number @p orbit, which the classes move by @p u with the speeds @p
-/// s.
+/// s, if @p with_rate.
 template <int width, unsigned int n_images, bool with_rate>
 CHAINDRIVE_ALWAYS_INLINE void place_orbit(const PlaceArguments &arg,
                                           const Rigid<width>   &rigid,
@@ -142,10 +142,9 @@ CHAINDRIVE_ALWAYS_INLINE void place_orbit(const PlaceArguments &arg,
                                           Pack<double, width> (&u)[n_images][3],
                                           Pack<double, width> (&s)[n_images][3])
 {
-  using P                       = Pack<double, width>;
-  const unsigned int *node      = arg.nodes.node + orbit * n_images;
-  double             *displaced = arg.displaced + 3 * orbit * n_images * n_lanes + lane;
-  const P             per_step(1. / arg.step);
+  using P                  = Pack<double, width>;
+  const unsigned int *node = arg.nodes.node + orbit * n_images;
+  const P             per_step(with_rate ? 0. : 0.5 / arg.earlier);
   exchange_classes_and_images(u);
   if constexpr (with_rate)
     exchange_classes_and_images(s);
@@ -156,13 +155,7 @@ CHAINDRIVE_ALWAYS_INLINE void place_orbit(const PlaceArguments &arg,
         continue;
       P y[3];
       for (int d = 0; d < 3; ++d)
-        {
-          double *before = displaced + (3 * g + d) * n_lanes;
-          if (!with_rate)
-            s[g][d] = (u[g][d] - P::load(before)) * per_step;
-          u[g][d].store(before);
-          y[d] = P(arg.nodes.reference[3 * node[g] + d]) + u[g][d];
-        }
+        y[d] = P(arg.nodes.reference[3 * node[g] + d]) + u[g][d];
       for (int i = 0; i < 3; ++i)
         {
           const unsigned int at = (3 * node[g] + i) * n_lanes + lane;
@@ -170,13 +163,32 @@ CHAINDRIVE_ALWAYS_INLINE void place_orbit(const PlaceArguments &arg,
           for (int d = 0; d < 3; ++d)
             {
               x += rigid.rotation[3 * i + d] * y[d];
-              v += rigid.by_place[3 * i + d] * y[d];
-              v += rigid.by_speed[3 * i + d] * s[g][d];
+              if constexpr (with_rate)
+                {
+                  v += rigid.by_place[3 * i + d] * y[d];
+                  v += rigid.by_speed[3 * i + d] * s[g][d];
+                }
             }
+          if constexpr (!with_rate)
+            v = (x - P::load(arg.position + at)) * per_step;
           x.store(arg.position + at);
           v.store(arg.velocity + at);
         }
     }
+}
+
+/// Fetches what place_orbit() is going to read and write of image @p g of the orbit number @p
+/// orbit: nodes lie apart, and by themselves would be waited for one after the other.
+CHAINDRIVE_ALWAYS_INLINE void
+fetch_image(const PlaceArguments &arg, const unsigned int orbit, const unsigned int g)
+{
+  const unsigned int node = arg.nodes.node[orbit * arg.nodes.n_images + g];
+  if (node != ModalNodes::none)
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        __builtin_prefetch(arg.position + (3 * node + i) * n_lanes, 1);
+        __builtin_prefetch(arg.velocity + (3 * node + i) * n_lanes, 1);
+      }
 }
 
 /// Places the nodes of @p count orbits from number @p first on.
@@ -191,6 +203,8 @@ CHAINDRIVE_ALWAYS_INLINE void place_some(const PlaceArguments &arg,
 #pragma GCC unroll 1
   for (unsigned int c = 0; c < n_images; ++c)
     {
+      for (int n = 0; n < count; ++n)
+        fetch_image(arg, arg.nodes.orbit[first + n], c);
       P moved[count][3], speed[count][3];
       sum_of_class<width, count, with_rate>(arg, lane, first, c, moved, speed);
       for (int n = 0; n < count; ++n)

@@ -35,6 +35,7 @@ public:
   /// Moves the nodes of @p world's copies number @p group, which are of the basis in @p scene.
   ReducedBodies(const scene::Scene &scene, const World &world, unsigned int group);
 
+  void kick(World &world, double h) override;
   void drift(World &world, const Step &step) override;
   void place_surface(World &world, double earlier) override;
 
@@ -99,12 +100,13 @@ private:
   /// The frames of the bodies of @p batch side by side.
   void take_frames(const World &world, unsigned int batch);
 
-  /// The orbits of a batch with nodes that somebody reads (BodyBatches::is_read()).
-  struct ReadOrbits
+  /// The nodes of a batch that somebody reads (BodyBatches::is_read()), and their orbits.
+  struct ReadNodes
   {
-    std::vector<unsigned int> placed;      ///< last time, and read since: #displaced_ is known
-    std::vector<unsigned int> fresh;       ///< others
-    std::vector<char>         was_placed;  ///< per orbit that may touch
+    std::vector<unsigned int> node;   ///< as in ModalNodes, [orbit that may touch][image]
+    std::vector<char>         placed; ///< of these: last time, and read since; it tells the speed
+    std::vector<unsigned int> known;  ///< orbits all of whose nodes were placed
+    std::vector<unsigned int> fresh;  ///< other orbits
     unsigned long             changes = 0; ///< BodyBatches::reader_changes() of these lists
   };
 
@@ -114,8 +116,9 @@ private:
   /// Amplitudes have changed by themselves: where nodes were tells no speed.
   void forget_places();
 
-  /// Some @p orbits, moved as the frames taken last and the shapes say.
-  ModalNodes modal_nodes(const std::vector<unsigned int> &orbits) const;
+  /// Some @p orbits with the @p nodes that are read, moved as the frames taken last and the shapes
+  /// say.
+  ModalNodes modal_nodes(const std::vector<unsigned int> &orbits, const ReadNodes &nodes) const;
 
   unsigned int         group_;       ///< in World::copies
   unsigned int         first_batch_; ///< of this rank
@@ -139,8 +142,7 @@ private:
   Numbers amplitude_, rate_, acceleration_; ///< q, q', q", [batch][mode][lane]
   Numbers modal_force_;                     ///< Q of contacts, [batch][mode][lane]
 
-  Numbers                 displaced_; ///< as in PlaceArguments, of each batch, m
-  std::vector<ReadOrbits> read_;      ///< of each batch
+  std::vector<ReadNodes> read_; ///< of each batch
 
   Numbers                   rigid_;            ///< the frames of a batch, see ModalNodes
   Numbers                   in_body_, moment_; ///< room for the kernels

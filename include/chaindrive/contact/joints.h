@@ -80,7 +80,8 @@ public:
 
   /// Marks the columns of a side of @p lane that add_forces() reads until the next search: of the
   /// cylinder those in its window, of the bore those that they may meet, with one more on either
-  /// side, since nothing slides by a column while a search holds. To be called after search().
+  /// side, since nothing slides by a column while a search holds. To be called after search(), at
+  /// any time.
   void mark_columns(int lane, bool of_slave, std::vector<char> &columns) const;
 
   const JointShape &shape() const { return shape_; }
@@ -113,6 +114,7 @@ private:
   JointSums                     sums_;
   dealii::AlignedVector<double> state_, gap_, covered_;
   std::vector<unsigned int>     station_, cell_;
+  std::vector<unsigned int>     searched_cell_; ///< cell_ at the last search
   std::array<double, n_lanes>   closing_{};
   SearchCadence                 cadence_;       ///< s
   bool                          fresh_ = false; ///< searched since the last add_forces()
