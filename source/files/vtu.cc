@@ -2,9 +2,10 @@
 #include <chaindrive/files/vtu.h>
 
 #include <algorithm>
+#include <libdeflate.h>
+#include <memory>
+#include <new>
 #include <ostream>
-#include <stdexcept>
-#include <zlib.h>
 
 namespace chaindrive::files
 {
@@ -15,6 +16,12 @@ namespace
 class Arrays
 {
 public:
+  Arrays()
+  {
+    if (compressor_ == nullptr)
+      throw std::bad_alloc();
+  }
+
   template <typename Number>
   std::string add(const std::string         &type,
                   const std::string         &name,
@@ -42,25 +49,29 @@ private:
     std::string                packed;
     for (std::size_t b = 0; b < n_blocks; ++b)
       {
-        const uLong       length = std::min(block, size - b * block);
-        uLongf            room   = compressBound(length);
-        const std::size_t end    = packed.size();
+        const std::size_t length = std::min(block, size - b * block), end = packed.size(),
+                          room = libdeflate_zlib_compress_bound(compressor_.get(), length);
         packed.resize(end + room);
-        if (compress2(reinterpret_cast<Bytef *>(&packed[end]),
-                      &room,
-                      reinterpret_cast<const Bytef *>(bytes + b * block),
-                      length,
-                      Z_BEST_SPEED) != Z_OK)
-          throw std::bad_alloc(); // the only thing that can go wrong
-        packed.resize(end + room);
-        header.push_back(room);
+        header.push_back(libdeflate_zlib_compress(
+            compressor_.get(), bytes + b * block, length, &packed[end], room));
+        packed.resize(end + header.back());
       }
     binary_.append(reinterpret_cast<const char *>(header.data()),
                    header.size() * sizeof(std::uint64_t));
     binary_ += packed;
   }
 
-  std::string binary_;
+  struct Free
+  {
+    void operator()(libdeflate_compressor *compressor) const
+    {
+      libdeflate_free_compressor(compressor);
+    }
+  };
+
+  static constexpr int level = 2; ///< as small as zlib's 1, in half the time
+  std::unique_ptr<libdeflate_compressor, Free> compressor_{libdeflate_alloc_compressor(level)};
+  std::string                                  binary_;
 };
 } // namespace
 
