@@ -246,7 +246,11 @@ def refuse():
         refused(f"{name}.*damaged", content[:place] + bytes([content[place] ^ 1]) + content[place + 1 :])
     refused(f"{name}' is no checkpoint", b"")
     refused(f"{name}' is no checkpoint", os.urandom(5000))
-    refused(f"{name}.*format 77; this program reads the format 4", signed(content[:-8].replace(b"checkpoint 4", b"checkpoint 77", 1)))
+    number = re.search(rb"checkpoint (\d+)", content).group(1)
+    refused(
+        f"{name}.*format 77; this program reads the format {number.decode()}",
+        signed(content[:-8].replace(b"checkpoint " + number, b"checkpoint 77", 1)),
+    )
     refused(f"{name}.*written by chaindrive 9.9.9", signed(re.sub(rb"version [0-9.]+", b"version 9.9.9", content[:-8], 1)))
     refused(
         f"{name}.*other parameters: there Loads/Resisting torque in N m = 20, here .* = 30",
