@@ -137,6 +137,7 @@ scene::SurfaceFamily on_flanks(const scene::ToothFamily &family, const World &wo
           family.slaves,
           family.elastic,
           family.slave_surface,
-          family.tooth_stiffness};
+          family.tooth_stiffness,
+          family.half_angle};
 }
 } // namespace chaindrive::contact

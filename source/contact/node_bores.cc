@@ -162,7 +162,8 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
                 {closed_side(bore, master_surface, carried, law_.stiffness, world, master_group),
                  closed_side(cylinder, slave_surface, own, law_.stiffness, world, slave_group)}};
       for (ClosedSide &side : group.closed)
-        side.half_touches = cylinder.radius < bore.radius;
+        if (cylinder.radius < bore.radius)
+          side.half_angle = scene.half_angle;
       if (master_group < world.n_elastic_groups() && slave_group < world.n_elastic_groups())
         group.closed[1].springs = closed_springs(
             bore, masters.nodes.of_vertex, cylinder, slaves.nodes.of_vertex, law_.stiffness);

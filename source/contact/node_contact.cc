@@ -30,6 +30,7 @@ NodeContact::NodeContact(const scene::SurfaceFamily &scene,
     , slaves_(world, bodies_of(scene.slaves), scene.slave_surface)
     , every_step_(search_every_step)
     , surface_stiffness_(scene.surface_stiffness)
+    , half_angle_(scene.half_angle)
 {
   for (unsigned int i = 0; i < slaves_.n_bodies(); ++i)
     owner_.push_back(slaves_.owner(world, i));
@@ -232,7 +233,7 @@ std::vector<ClosedPair> NodeContact::closed_pairs(const World &world) const
         slaves_.node(s), law_.stiffness * slaves_.area(s), batches.nodes.mass[slaves_.node(s)]);
   if (slave.surface == mesh::roller_outside)
     {
-      slave.half_touches = true;
+      slave.half_angle = half_angle_;
       slave.normal.resize(batches.n_nodes());
       for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
         {

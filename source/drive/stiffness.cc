@@ -75,6 +75,26 @@ ConformingContact conforming_contact(const double    radius,
   return contact;
 }
 
+double largest_half_angle(const double radius, const double clearance, const Material &steel)
+{
+  constexpr double pressure = 500e6; // Pa
+  return clearance > 0. ?
+             conforming_contact(radius, clearance, pressure * 2. * radius, steel).half_angle :
+             0.5 * PI;
+}
+
+double foundation_of_seat(const double    radius,
+                          const double    clearance,
+                          const double    length,
+                          const double    load,
+                          const double    stiffness,
+                          const Material &steel)
+{
+  // half an ellipse, whose mean weighted by itself is 8/(3 pi) of its peak
+  const double peak = conforming_contact(radius, clearance, load / length, steel).peak_pressure;
+  return stiffness * 8. * peak / (3. * PI * load);
+}
+
 double roller_bush_stiffness(const ChainDimensions &c, const double load, const Material &steel)
 {
   return load / conforming_contact(

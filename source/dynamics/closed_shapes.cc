@@ -14,14 +14,15 @@ namespace
 {
 using Springs = std::vector<dealii::SymmetricTensor<2, 3>>;
 
-/// The springs of the nodes whose normals have no negative part along @p direction, or of all if it
-/// is zero; @p across: stiffness across the normals over that along them.
+/// The springs of the nodes whose normals are at most the side's angle from @p direction, or of all
+/// if it is zero; @p across: stiffness across the normals over that along them.
 Springs springs_of(const contact::ClosedSide  &side,
                    const double                across,
                    const dealii::Tensor<1, 3> &direction)
 {
-  const auto unit = dealii::unit_symmetric_tensor<3>();
-  Springs    springs(side.stiffness.size());
+  const double least = direction.norm_square() > 0. ? std::cos(side.half_angle) : 0.;
+  const auto   unit  = dealii::unit_symmetric_tensor<3>();
+  Springs      springs(side.stiffness.size());
   for (unsigned int n = 0; n < springs.size(); ++n)
     {
       const double k = side.stiffness[n];
@@ -29,7 +30,7 @@ Springs springs_of(const contact::ClosedSide  &side,
         continue;
       if (side.normal.empty())
         springs[n] = k * unit;
-      else if (const auto &e = side.normal[n]; e * direction > -1e-9)
+      else if (const auto &e = side.normal[n]; e * direction > least - 1e-9)
         springs[n] =
             k * (across * unit + (1. - across) * dealii::symmetrize(dealii::outer_product(e, e)));
     }
@@ -49,17 +50,17 @@ Matrix added_to_shapes(const BodyGroup           &bodies,
 {
   const double across = law.friction > 0. ? law.tangential_stiffness / law.stiffness : 0.;
 
-  const bool   half    = side.half_touches && !side.normal.empty();
+  const bool   in_part = side.touches_in_part() && !side.normal.empty();
   Matrix       worst   = bodies.matrix_of_shapes({});
   double       fastest = 0.;
   const Matrix free    = worst;
-  for (unsigned int i = 0; i < (half ? 8 : 1); ++i)
+  for (unsigned int i = 0; i < (in_part ? n_directions : 1); ++i)
     {
       dealii::Tensor<1, 3> direction;
-      if (half)
+      if (in_part)
         {
-          direction[0] = std::cos(0.25 * i * dealii::numbers::PI);
-          direction[1] = std::sin(0.25 * i * dealii::numbers::PI);
+          direction[0] = std::cos(2. * dealii::numbers::PI * i / n_directions);
+          direction[1] = std::sin(2. * dealii::numbers::PI * i / n_directions);
         }
       const Matrix matrix = bodies.matrix_of_shapes(springs_of(side, across, direction));
       const double value  = largest(matrix);

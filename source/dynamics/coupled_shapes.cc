@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/dynamics/closed_shapes.h>
 #include <chaindrive/dynamics/coupled_shapes.h>
 #include <chaindrive/dynamics/stable_step.h>
 #include <chaindrive/utilities/eigenvalue.h>
@@ -22,8 +23,6 @@ using Vector  = dealii::Vector<double>;
 using Matrix  = dealii::FullMatrix<double>;
 using Tensor  = dealii::Tensor<1, 3>;
 using Motions = std::vector<Tensor>;
-
-constexpr unsigned int n_directions = 8;
 
 /// The groups of bodies that move by shapes by their number in World::copies, others nullptr.
 std::vector<const BodyGroup *> groups_of(const World &world)
@@ -63,14 +62,18 @@ public:
       }
   }
 
-  /// All springs whose normals are at most a right angle from direction @p i.
-  Matrix half(const unsigned int i) const
+  /// All springs whose normals, or those of the middle of their sector, are at most @p half_angle
+  /// [rad] from direction @p i.
+  Matrix about(const unsigned int i, const double half_angle) const
   {
     Matrix matrix(n_, n_);
     for (const auto &[sector, sum] : sums_)
-      if (const unsigned int apart = (sector + 4 * n_directions - 2 * i) % (2 * n_directions);
-          apart <= n_directions / 2 || apart >= 2 * n_directions - n_directions / 2)
-        matrix.add(1., sum);
+      {
+        const unsigned int ahead = (sector + 4 * n_directions - 2 * i) % (2 * n_directions),
+                           apart = std::min(ahead, 2 * n_directions - ahead);
+        if (apart * dealii::numbers::PI / n_directions < half_angle + 1e-9)
+          matrix.add(1., sum);
+      }
     return matrix;
   }
 
@@ -244,9 +247,9 @@ void CoupledShapes::add_ways(const World                       &world,
       kind.law.friction > 0. ? kind.law.tangential_stiffness / kind.law.stiffness : 0.;
   const auto moved = motions_of(*groups[slave.group], world.copies[slave.group].n_nodes());
   const auto close = [&](const Sectors &sectors) {
-    if (slave.half_touches)
+    if (slave.touches_in_part())
       for (unsigned int i = 0; i < n_directions; ++i)
-        interface.ways.push_back({sectors.half(i), kind.time});
+        interface.ways.push_back({sectors.about(i, slave.half_angle), kind.time});
     else
       interface.ways.push_back({sectors.all(), kind.time});
   };
@@ -308,7 +311,7 @@ void CoupledShapes::find_worst(const double dt)
   Vector                    x(n), y(n), part, product;
   double                    fastest = 0.;
   std::vector<unsigned int> worst(interfaces_.size(), 0);
-  for (unsigned int start = 0; start < n_directions; ++start)
+  for (unsigned int start = 0; start < n_directions; start += 2)
     {
       for (Interface &interface : interfaces_)
         interface.way = start % interface.ways.size();

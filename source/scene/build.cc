@@ -95,6 +95,16 @@ ContactLaw make_area_law(const Parameters           &parameters,
                   friction);
 }
 
+ContactLaw in_series(const ContactLaw &law, const double modulus)
+{
+  const double softer = modulus / (modulus + law.stiffness);
+  return {law.stiffness * softer,
+          law.damping * std::sqrt(softer),
+          law.friction,
+          law.tangential_stiffness * softer,
+          law.tangential_damping * std::sqrt(softer)};
+}
+
 Scene build_scene(const Parameters               &parameters,
                   const drive::Drive             &drive,
                   const std::vector<std::string> &folders,

@@ -39,11 +39,7 @@ void add_foundation(const drive::Drive &drive, Scene &scene, ContactLaw &law)
   const double                   d = contact.approach, a = std::acos(c / (c + d));
   const double                   modulus =
       2. * q / (radius * ((c + d) * (a + 0.5 * std::sin(2. * a)) - 2. * c * std::sin(a)));
-  const double softer = modulus / (modulus + law.stiffness);
-  for (double *stiffness : {&law.stiffness, &law.tangential_stiffness})
-    *stiffness *= softer;
-  for (double *damping : {&law.damping, &law.tangential_damping})
-    *damping *= std::sqrt(softer); // of the same ratio
+  law = in_series(law, modulus);
   scene.notes.push_back("One of roller and bush is rigid: a foundation of " + to_text(modulus, 4) +
                         " N/m3, its local compliance, is in series with the penalty of their "
                         "contact");
@@ -103,6 +99,9 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
                     parameters.contact.roller_bush_friction);
   if (is_on(scene.effects, "elastic rollers") != is_on(scene.effects, "elastic links"))
     add_foundation(drive, scene, rollers.law);
+  const drive::ChainDimensions &chain = drive.chain;
+  rollers.half_angle                  = drive::largest_half_angle(
+      0.5 * chain.bush_diameter, chain.roller_clearance(), scene.material);
   pins.name    = "bush-pin";
   pins.elastic = true;
   pins.law     = law(Kind::inner_link,
@@ -110,12 +109,13 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
                  Kind::outer_link,
                  mesh::pin_outside_first,
                  parameters.contact.bush_pin_friction);
+  pins.half_angle =
+      drive::largest_half_angle(0.5 * chain.pin_diameter, chain.pin_clearance(), scene.material);
   scene.notes.push_back("Penalty per area (N/m3): roller-bush " +
                         to_text(rollers.law.stiffness, 4) + ", bush-pin " +
                         to_text(pins.law.stiffness, 4));
 
-  const drive::ChainDimensions &chain      = drive.chain;
-  const auto                    is_elastic = [&scene](const unsigned int body) {
+  const auto is_elastic = [&scene](const unsigned int body) {
     return deforms(scene.bodies[body].motion);
   };
   for (unsigned int k = 0; k < scene.n_joints; ++k)

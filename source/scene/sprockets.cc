@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/stiffness.h>
 #include <chaindrive/mesh/import/import.h>
 #include <chaindrive/mesh/sector.h>
 #include <chaindrive/mesh/surface/facet_surface.h>
@@ -140,13 +141,28 @@ ToothFamily with_elastic_rollers(const Parameters   &parameters,
     }
   teeth.law =
       make_area_law(parameters, scene.effects, thickness, parameters.contact.roller_tooth_friction);
-  teeth.elastic = true;
+  teeth.elastic          = true;
+  const double radius    = 0.5 * drive.chain.roller_diameter,
+               clearance = teeth.form->seat_radius - radius;
+  teeth.half_angle       = drive::largest_half_angle(radius, clearance, scene.material);
   if (is_on(scene.effects, "tooth compliance") && sector == scene.sectors.end())
-    teeth.tooth_stiffness = (scene.half ? 0.5 : 1.) * tooth_stiffness;
+    {
+      // one half of the compliance is that of the surface, the other that of the tooth as a whole
+      const double half     = 2. * tooth_stiffness;
+      teeth.tooth_stiffness = (scene.half ? 0.5 : 1.) * half;
+      teeth.law             = in_series(
+          teeth.law,
+          drive::foundation_of_seat(radius,
+                                    clearance,
+                                    std::min(drive.chain.roller_length, drive.sprocket_width),
+                                    drive.reference_load,
+                                    half,
+                                    scene.material));
+    }
   teeth.slave_surface = mesh::roller_outside;
   for (unsigned int k = 0; k < scene.n_joints; ++k)
     if (scene.bodies[k].motion == motion)
-      teeth.slaves.push_back({k, dealii::Point<3>(), 0.5 * drive.chain.roller_diameter, k});
+      teeth.slaves.push_back({k, dealii::Point<3>(), radius, k});
   return teeth;
 }
 

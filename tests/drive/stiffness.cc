@@ -51,6 +51,24 @@ int main()
           84.8,
           1);
 
+  std::cout << "== the largest forces\n";
+  // 500 MPa on 7.43 mm by 7 mm are 26005 N
+  compare("half angle, deg",
+          drive::largest_half_angle(3.715e-3, 0.045e-3, steel) / degree,
+          at(26005.).half_angle / degree,
+          4);
+  compare("without clearance, deg", drive::largest_half_angle(3e-3, 0., steel) / degree, 90., 4);
+
+  // under a light load Hertz' ellipse of half width a: a foundation K deflects by p / K, on the
+  // average weighted by p by (8 / 3 pi) (2 q / pi a) / K
+  const double width =
+      std::sqrt(8. * light / (dealii::numbers::PI * steel.plane_modulus() * 0.045e-3)) * 3.715e-3;
+  compare("foundation of a seat over Hertz'",
+          drive::foundation_of_seat(3.715e-3, 0.045e-3, 7e-3, 7e-3 * light, 3e8, steel) /
+              (3e8 * 16. / (3. * dealii::numbers::PI * dealii::numbers::PI * width * 7e-3)),
+          1.,
+          4);
+
   std::cout << "== plates, kN/mm, beside a finite element solution and the deviation in percent\n";
   double worst = 0.;
   for (const auto &[hole, height, ratio, expected] :

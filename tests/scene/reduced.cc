@@ -76,13 +76,18 @@ double error_of_masses(const scene::Scene &scene)
   return largest;
 }
 
-/// The stiffness of teeth under the rollers of each family.
+/// The stiffness of teeth as a whole under the rollers of each family, and per area that of the
+/// contact with those that deform.
 void show_teeth(const std::string &what, const Parameters &p)
 {
   std::cout << what << ": teeth, kN/mm";
   const scene::Scene scene = build(p);
   for (const scene::ToothFamily &teeth : scene.teeth)
     std::cout << ' ' << 1e-6 * teeth.tooth_stiffness;
+  std::cout << ", contact, N/mm3" << std::setprecision(4);
+  for (const scene::ToothFamily &teeth : scene.teeth)
+    if (teeth.elastic)
+      std::cout << ' ' << 1e-9 * teeth.law.stiffness;
   std::cout << (scene::is_on(scene.effects, "tooth compliance") ? ", on\n" : ", off\n");
 }
 
@@ -111,7 +116,7 @@ void check_teeth()
   show_teeth("switched on", p);
   p.contact.tooth_stiffness.reset();
   ratio("from dimensions, against the half-space of a tooth",
-        build(p).teeth[1].tooth_stiffness,
+        0.5 * build(p).teeth[1].tooth_stiffness, // half of the compliance is that of the surface
         0.25 * dealii::numbers::PI * p.material.plane_modulus() *
             drive::make_drive(p).chain.roller_length);
   p.contact.tooth_stiffness = 1e5;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/tensor.h>
 
 #include <algorithm>
@@ -37,8 +38,11 @@ struct ClosedSide
   /// Of a cylinder with elastic nodes in a bore with such: the springs between the two.
   std::vector<ClosedSpring> springs;
 
-  /// The side is round, and no more than half of it can touch at a time.
-  bool half_touches = false;
+  /// Of a round side: up to which angle [rad] from the middle of a contact it may touch. At least
+  /// a straight angle: all of it may touch at a time.
+  double half_angle = dealii::numbers::PI;
+
+  bool touches_in_part() const { return half_angle < dealii::numbers::PI; }
 
   /// Holds an elastic body's node of @p mass [kg] by a spring @p k [N/m].
   void hold(const unsigned int node, const double k, const double mass)

@@ -118,6 +118,7 @@ private:
   double                         unforeseen_ = 0.; ///< see unforeseen_speed(), m/s
 
   double                   surface_stiffness_; ///< see scene::SurfaceFamily, N/m
+  double                   half_angle_;        ///< see scene::SurfaceFamily, rad
   std::vector<Visit>       visits_;            ///< of one body, on a surface that gives way
   std::vector<SpringPoint> overlapping_;       ///< nodes of it
 };

@@ -53,6 +53,21 @@ struct ConformingContact
 ConformingContact
 conforming_contact(double radius, double clearance, double q, const Material &steel);
 
+/// Up to which angle [rad] from the middle a cylinder of @p radius [m] touches a hole wider by
+/// @p clearance [m] when it bears 500 MPa over its projection, length times diameter. Chains of the
+/// standards break at less, or at 510 MPa (525). Without clearance a right angle.
+double largest_half_angle(double radius, double clearance, const Material &steel);
+
+/// Modulus [N/m3] of a foundation in a seat wider than the roller of @p radius [m] by @p clearance
+/// [m] that gives way by a force of @p stiffness [N/m] at @p load [N] on the @p length [m]: the
+/// force over the mean of the deflection, weighted by the pressure of conforming contact.
+double foundation_of_seat(double          radius,
+                          double          clearance,
+                          double          length,
+                          double          load,
+                          double          stiffness,
+                          const Material &steel);
+
 /// Secant stiffness, load over approach, at @p load [N].
 double roller_bush_stiffness(const ChainDimensions &chain, double load, const Material &steel);
 double bush_pin_stiffness(const ChainDimensions &chain, double load, const Material &steel);

@@ -13,13 +13,14 @@ namespace chaindrive::dynamics
 {
 using Matrix = dealii::FullMatrix<double>;
 
+constexpr unsigned int n_directions = 16; ///< about which a round side may touch
+
 /// The largest eigenvalue of a symmetric matrix without negative ones.
 double largest(const Matrix &matrix);
 
 /// What the springs of a @p side of @p bodies that move by shapes add to
 /// BodyGroup::matrix_of_shapes(), 1/s2. They act along the normals of the side and, with friction,
-/// across. Of a round side of which no more than a half can touch, that half, in the worst of eight
-/// directions.
+/// across. Of a round side that touches in part, that part, about the worst of n_directions.
 Matrix added_to_shapes(const BodyGroup           &bodies,
                        const contact::ClosedSide &side,
                        const scene::ContactLaw   &law);

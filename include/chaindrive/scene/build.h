@@ -84,6 +84,9 @@ ContactLaw make_area_law(const Parameters          &parameters,
                          double                     thickness,
                          std::optional<double>      friction);
 
+/// @p law in series with a foundation of @p modulus [N/m3], with the same damping ratio.
+ContactLaw in_series(const ContactLaw &law, double modulus);
+
 /// Meshes of parts at the refinement of section Mesh.
 std::shared_ptr<const mesh::Part> make_roller_part(const Parameters &, const drive::Drive &);
 std::shared_ptr<const mesh::Part>

@@ -3,6 +3,7 @@
 
 #include <chaindrive/scene/contact_law.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/point.h>
 
 #include <memory>
@@ -26,6 +27,8 @@ class Surface;
 
 namespace chaindrive::scene
 {
+constexpr double right_angle = 0.5 * dealii::numbers::PI;
+
 /// A point of a body's axis that carries a radius: the slave side of a rigid cylinder.
 struct SlavePoint
 {
@@ -52,7 +55,8 @@ struct BoreFamily
   std::string           name;
   ContactLaw            law; ///< of elastic bodies, whose nodes touch: per m2
   std::vector<BorePair> pairs;
-  bool elastic = false; ///< nodes touch: one of each two bodies is elastic at least
+  bool   elastic    = false;       ///< nodes touch: one of each two bodies is elastic at least
+  double half_angle = right_angle; ///< up to which nodes touch under the largest forces, rad
 };
 
 /// Two elastic bodies whose faces across z may touch round a common axis along z.
@@ -89,6 +93,7 @@ struct ToothFamily
   std::vector<SlavePoint> slaves;
   double tooth_stiffness = 0.; ///< of a rigid sprocket's tooth and rim behind the contact with an
                                ///< elastic slave, N/m; 0: they do not give way
+  double half_angle = right_angle; ///< up to which round slaves touch under the largest forces, rad
 };
 
 /// Slaves that may meet a surface of some body: what needs no chain, such as a block on an incline
@@ -103,6 +108,7 @@ struct SurfaceFamily
   unsigned int slave_surface     = 0;  ///< of elastic slaves: the side of their mesh that touches
   double       surface_stiffness = 0.; ///< of a rigid surface that gives way as a whole under each
                                        ///< elastic slave, N/m; 0: it does not
+  double half_angle = right_angle; ///< up to which round slaves touch under the largest forces, rad
 };
 
 /// A massless elastic bar between the centres of two bodies.
