@@ -168,6 +168,8 @@ struct Pressing
   bool   by_shapes = false; ///< the link is reduced, else rigid
   bool   at_bottom = false; ///< of the seat, from which it does not slide, else near its end
   bool   sticks    = false; ///< by friction, so that it does not turn
+
+  reduction::BasisOptions basis = {}; ///< of reduced bodies
 };
 
 /// The roller before the seat, and the link, whose weight presses it there.
@@ -239,7 +241,7 @@ scene::Scene pressed(const Pressing &p)
       drive::largest_half_angle(0.5 * chain.bush_diameter, clearance, scene.material);
   scene.bores.push_back(joint);
   if (!p.elastic)
-    reduce(scene);
+    reduce(scene, p.basis);
   scene.bodies[2].mass    = mass;
   scene.bodies[2].inertia = inertia;
   scene.loads.gravity     = p.load / (mass + scene.bodies[0].mass);
@@ -313,10 +315,15 @@ double blow_up(const scene::Scene &scene)
 /// The largest load that the limit of the step allows for: 500 MPa on the bush and the roller.
 void check_step()
 {
-  const double share = blow_up(pressed({false, 3e8, 0.5, 26e3, true, true, true}));
+  // with few shapes, as in the files of prm/paper, what is closed together matters most
+  Pressing p{false, 3e8, 0.5, 26e3, true, true, true};
+  p.basis.cap    = 2. * dealii::numbers::PI * 100e3;
+  p.basis.orders = {4, 3};
+
+  const double share = blow_up(pressed(p));
   std::cout << "pressed with 26 kN by a reduced link\n";
   verdict("  bounded at 0.98 of the limit", share > 0.99);
-  verdict("  not at 1.4", share < 1.4); // the worst directions do not all occur at once
+  verdict("  not at 1.25", share < 1.25); // the worst directions do not all occur at once
 }
 } // namespace
 
