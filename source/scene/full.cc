@@ -99,16 +99,16 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
                     parameters.contact.roller_bush_friction);
   if (is_on(scene.effects, "elastic rollers") != is_on(scene.effects, "elastic links"))
     add_foundation(drive, scene, rollers.law);
-  const drive::ChainDimensions &chain = drive.chain;
-  rollers.half_angle                  = drive::largest_half_angle(
-      0.5 * chain.bush_diameter, chain.roller_clearance(), scene.material);
-  pins.name    = "bush-pin";
-  pins.elastic = true;
-  pins.law     = law(Kind::inner_link,
+  pins.name                           = "bush-pin";
+  pins.elastic                        = true;
+  pins.law                            = law(Kind::inner_link,
                  mesh::bush_bore_first,
                  Kind::outer_link,
                  mesh::pin_outside_first,
                  parameters.contact.bush_pin_friction);
+  const drive::ChainDimensions &chain = drive.chain;
+  rollers.half_angle                  = drive::largest_half_angle(
+      0.5 * chain.bush_diameter, chain.roller_clearance(), scene.material);
   pins.half_angle =
       drive::largest_half_angle(0.5 * chain.pin_diameter, chain.pin_clearance(), scene.material);
   scene.notes.push_back("Penalty per area (N/m3): roller-bush " +

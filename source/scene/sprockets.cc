@@ -141,23 +141,20 @@ ToothFamily with_elastic_rollers(const Parameters   &parameters,
     }
   teeth.law =
       make_area_law(parameters, scene.effects, thickness, parameters.contact.roller_tooth_friction);
-  teeth.elastic          = true;
-  const double radius    = 0.5 * drive.chain.roller_diameter,
-               clearance = teeth.form->seat_radius - radius;
-  teeth.half_angle       = drive::largest_half_angle(radius, clearance, scene.material);
+  teeth.elastic       = true;
+  const double radius = 0.5 * drive.chain.roller_diameter;
+  teeth.half_angle =
+      drive::largest_half_angle(radius, teeth.form->seat_radius - radius, scene.material);
   if (is_on(scene.effects, "tooth compliance") && sector == scene.sectors.end())
     {
-      // one half of the compliance is that of the surface, the other that of the tooth as a whole
-      const double half     = 2. * tooth_stiffness;
-      teeth.tooth_stiffness = (scene.half ? 0.5 : 1.) * half;
-      teeth.law             = in_series(
-          teeth.law,
-          drive::foundation_of_seat(radius,
-                                    clearance,
-                                    std::min(drive.chain.roller_length, drive.sprocket_width),
-                                    drive.reference_load,
-                                    half,
-                                    scene.material));
+      let_give_way(teeth,
+                   tooth_stiffness,
+                   radius,
+                   std::min(drive.chain.roller_length, drive.sprocket_width),
+                   drive.reference_load,
+                   scene.material);
+      if (scene.half)
+        teeth.tooth_stiffness *= 0.5;
     }
   teeth.slave_surface = mesh::roller_outside;
   for (unsigned int k = 0; k < scene.n_joints; ++k)
@@ -196,6 +193,20 @@ ToothFamily with_rigid_rollers(const Parameters   &parameters,
   return teeth;
 }
 } // namespace
+
+void let_give_way(ToothFamily    &teeth,
+                  const double    stiffness,
+                  const double    radius,
+                  const double    length,
+                  const double    load,
+                  const Material &steel)
+{
+  teeth.tooth_stiffness = 2. * stiffness;
+  teeth.law =
+      in_series(teeth.law,
+                drive::foundation_of_seat(
+                    radius, teeth.form->seat_radius - radius, length, load, 2. * stiffness, steel));
+}
 
 void add_sprockets(const Parameters               &parameters,
                    const drive::Drive             &drive,

@@ -3,12 +3,10 @@
 // bushes, too: all nodes of the joints stay closed. The stable step that is printed is safe, and
 // not far below the one at which the bodies blow up. With an argument: for so many steps, and with
 // the share of the limit at which they do.
-#include "../support/reduced.h"
+#include "../support/blow_up.h"
 
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/mesh/generate/links.h>
-
-#include <random>
 
 using namespace test;
 
@@ -107,38 +105,6 @@ make_chain(const mesh::RollerGrid &grid, const double stiffness, const scene::Co
   scene.bores.push_back(joint);
   return scene;
 }
-
-/// The smallest of the tried shares of the limit with which the joint blows up.
-double blow_up(const scene::Scene &scene, const unsigned long steps)
-{
-  dynamics::System                       system(scene, false);
-  const double                           limit = system.stable_step_limit();
-  std::mt19937                           random(1);
-  std::uniform_real_distribution<double> uniform(-1e-3, 1e-3); // m/s
-  advance(system, 2000, 0.8 * limit, []() {});
-  const double at_rest = system.world.ledger.kinetic;
-  double       first   = 0.; // energy of the disturbance
-  for (double share = 0.98; share < 2.; share += 0.02)
-    {
-      for (const auto &group : system.world.groups)
-        if (auto *reduced = dynamic_cast<ReducedBodies *>(group.get()))
-          for (unsigned int m = 0; m < reduced->n_modes(); ++m)
-            reduced->rate(system.world, 0, m) += 1e-2 * uniform(random); // m/s sqrt(kg)
-      for (BodyBatches &copies : system.world.copies)
-        for (unsigned int i = 0; i < copies.velocity.locally_owned_size(); i += n_lanes)
-          copies.velocity.local_element(i) += uniform(random); // of the first lane, the body
-      double largest = 0.;
-      advance(system, share < 0.99 ? steps : 1000, share * limit, [&]() {
-        const double kinetic = system.world.ledger.kinetic;
-        if (first == 0.)
-          first = kinetic;
-        largest = kinetic > largest || std::isnan(kinetic) ? kinetic : largest;
-      });
-      if (!(largest < 1e3 * (first + at_rest)))
-        return share;
-    }
-  return 2.;
-}
 } // namespace
 
 int main(int argc, char **argv)
@@ -185,7 +151,7 @@ int main(int argc, char **argv)
           if (c.mixed)
             scene.bodies[1] = roller;
         }
-      const double share = blow_up(scene, steps);
+      const double share = blow_up(scene, 2000, steps);
       verdict(c.name + ": bounded at 0.98 of the limit", share > 0.99);
       const bool coupled = c.reduced && !c.mixed;
       verdict(c.name + ": the limit is less than " + (coupled ? "6" : "15") + " % below",

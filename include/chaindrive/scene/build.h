@@ -87,6 +87,16 @@ ContactLaw make_area_law(const Parameters          &parameters,
 /// @p law in series with a foundation of @p modulus [N/m3], with the same damping ratio.
 ContactLaw in_series(const ContactLaw &law, double modulus);
 
+/// Lets the rigid teeth of @p teeth give way by @p stiffness [N/m] under a roller of this @p radius
+/// [m] that bears @p load [N] on the @p length [m]: one half of the compliance is that of the
+/// surface, in series with the law of the contact, the other that of the tooth as a whole.
+void let_give_way(ToothFamily    &teeth,
+                  double          stiffness,
+                  double          radius,
+                  double          length,
+                  double          load,
+                  const Material &steel);
+
 /// Meshes of parts at the refinement of section Mesh.
 std::shared_ptr<const mesh::Part> make_roller_part(const Parameters &, const drive::Drive &);
 std::shared_ptr<const mesh::Part>
