@@ -53,6 +53,7 @@ BodyBatches::BodyBatches(std::shared_ptr<const mesh::Part> the_part,
     , rank_(rank_in(comm))
     , first_batch_(std::move(first_batch))
     , ghosts_(n_batches() * stride())
+    , is_shared_(n_batches(), 0)
 {
   dealii::IndexSet owned(n_batches() * stride());
   owned.add_range(first_owned_batch() * stride(), end_of_owned_batches() * stride());
@@ -92,6 +93,12 @@ void BodyBatches::want(const unsigned int copy, const std::vector<unsigned int> 
 {
   if (owns(copy))
     return;
+  if (counts_readers())
+    {
+      const std::size_t first = batch_of(copy) * stride();
+      ghosts_.add_range(first, first + stride());
+      return;
+    }
   for (const unsigned int node : wanted)
     {
       const std::size_t first = batch_of(copy) * stride() + node_offset(node);
@@ -109,42 +116,41 @@ void BodyBatches::make_ghosts()
       with_ghosts.copy_locally_owned_data_from(*vector);
       vector->swap(with_ghosts);
     }
-  if (!counts_readers())
+  if (nodes_travel())
     return;
-  for (const auto &[begin, end] : position.get_partitioner()->import_indices())
-    for (std::size_t at = begin; at < end; at += numbers_per_node)
-      add_readers(static_cast<unsigned int>(first_owned_batch() + at / stride()),
-                  {static_cast<unsigned int>(at % stride() / numbers_per_node)},
-                  1);
+  std::vector<unsigned int> wanted(n_batches());
+  for (unsigned int batch = 0; batch < n_batches(); ++batch)
+    wanted[batch] = ghosts_.is_element(batch * stride()) ? 1 : 0;
+  dealii::Utilities::MPI::max(wanted, comm_, wanted);
+  is_shared_.assign(wanted.begin(), wanted.end());
 }
 
 void BodyBatches::count_readers()
 {
-  const std::size_t n = end_of_owned_batches() - first_owned_batch();
-  readers_.assign(n * n_nodes(), 0);
-  reader_changes_.assign(n, 0);
+  readers_.assign(std::size_t(n_batches()) * n_nodes(), 0);
+  reader_changes_.assign(n_batches(), 0);
 }
 
 void BodyBatches::add_readers(const unsigned int               batch,
                               const std::vector<unsigned int> &nodes,
                               const int                        more)
 {
-  if (!counts_readers() || batch < first_owned_batch() || batch >= end_of_owned_batches())
+  if (!counts_readers())
     return;
   for (const unsigned int node : nodes)
-    readers_[(batch - first_owned_batch()) * n_nodes() + node] += more;
-  ++reader_changes_[batch - first_owned_batch()];
+    readers_[batch * n_nodes() + node] += more;
+  ++reader_changes_[batch];
 }
 
 void BodyBatches::fetch_ghosts(std::vector<BodyBatches> &copies)
 {
   unsigned int channel = 0;
   for (BodyBatches &c : copies)
-    if (c.first_batch_.size() > 2)
+    if (c.nodes_travel())
       for (const Vector *vector : {&c.position, &c.velocity})
         vector->update_ghost_values_start(channel++);
   for (BodyBatches &c : copies)
-    if (c.first_batch_.size() > 2)
+    if (c.nodes_travel())
       for (const Vector *vector : {&c.position, &c.velocity})
         vector->update_ghost_values_finish();
 }
@@ -153,10 +159,10 @@ void BodyBatches::send_forces(std::vector<BodyBatches> &copies)
 {
   unsigned int channel = 0;
   for (BodyBatches &c : copies)
-    if (c.first_batch_.size() > 2)
+    if (c.nodes_travel())
       c.force.compress_start(channel++, dealii::VectorOperation::add);
   for (BodyBatches &c : copies)
-    if (c.first_batch_.size() > 2)
+    if (c.nodes_travel())
       c.force.compress_finish(dealii::VectorOperation::add);
 }
 

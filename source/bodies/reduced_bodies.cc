@@ -73,16 +73,14 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene,
   take_basis(copies.nodes, basis, touches);
   rigid_motions_ = reduction::rigid_motions(*copies.part, copies.nodes);
 
-  first_batch_                 = copies.first_owned_batch();
-  const unsigned int n_batches = copies.end_of_owned_batches() - first_batch_;
   for (Numbers *numbers : {&amplitude_, &rate_, &acceleration_, &modal_force_})
-    numbers->resize(std::size_t(n_batches) * n_modes() * n_lanes, 0.);
+    numbers->resize(copies.n_batches() * per_batch(), 0.);
   in_body_.resize(node_offset(node_.size()));
   found_.resize(n_touching_);
   ReadNodes nobody;
   nobody.node.resize(node_.size(), ModalNodes::none);
   nobody.placed.resize(node_.size(), 0);
-  read_.assign(n_batches, nobody);
+  read_.assign(copies.n_batches(), nobody);
 }
 
 void ReducedBodies::take_basis(const mesh::Nodes       &nodes,
@@ -138,24 +136,23 @@ void ReducedBodies::take_basis(const mesh::Nodes       &nodes,
       node_[orbit_[node] * n_images + image_[node]] = node;
 }
 
-std::size_t ReducedBodies::start_of(const BodyBatches &copies, const unsigned int batch) const
+std::size_t ReducedBodies::place_of(const BodyBatches &copies,
+                                    const unsigned int copy,
+                                    const unsigned int mode) const
 {
-  return std::size_t(batch - copies.first_owned_batch()) * n_modes() * n_lanes;
+  return copies.batch_of(copy) * per_batch() + mode * n_lanes + copies.lane_of(copy);
 }
 
 double &
 ReducedBodies::amplitude(const World &world, const unsigned int copy, const unsigned int mode)
 {
   forget_places();
-  const BodyBatches &copies = world.copies[group_];
-  return amplitude_[start_of(copies, copies.batch_of(copy)) + mode * n_lanes +
-                    copies.lane_of(copy)];
+  return amplitude_[place_of(world.copies[group_], copy, mode)];
 }
 
 double &ReducedBodies::rate(const World &world, const unsigned int copy, const unsigned int mode)
 {
-  const BodyBatches &copies = world.copies[group_];
-  return rate_[start_of(copies, copies.batch_of(copy)) + mode * n_lanes + copies.lane_of(copy)];
+  return rate_[place_of(world.copies[group_], copy, mode)];
 }
 
 void ReducedBodies::take_frames(const World &world, const unsigned int batch)
@@ -197,7 +194,7 @@ ModalNodes ReducedBodies::modal_nodes(const std::vector<unsigned int> &orbits,
 
 void ReducedBodies::update_read(const BodyBatches &copies, const unsigned int batch)
 {
-  ReadNodes &nodes = read_[batch - first_batch_];
+  ReadNodes &nodes = read_[batch];
   if (nodes.changes == copies.reader_changes(batch))
     return;
   nodes.changes = copies.reader_changes(batch);
@@ -240,33 +237,38 @@ void ReducedBodies::kick(World &world, const double /*h*/)
   // are there: the step then tells its speed, whether or not a checkpoint lies between.
   const BodyBatches &copies = world.copies[group_];
   bool               known  = true;
-  for (unsigned int batch = first_batch_; batch < copies.end_of_owned_batches(); ++batch)
+  for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
     {
       update_read(copies, batch);
-      known = known && read_[batch - first_batch_].fresh.empty();
+      known = known && read_[batch].fresh.empty();
     }
   if (!known)
     place_surface(world, 0.);
 }
 
-void ReducedBodies::drift(World & /*world*/, const Step &step)
+void ReducedBodies::drift(World &world, const Step &step)
 {
-  for (std::size_t i = 0; i < rate_.size(); ++i)
-    {
-      rate_[i] += 0.5 * step.dt * acceleration_[i];
-      amplitude_[i] += step.dt * rate_[i];
-    }
+  const BodyBatches &copies = world.copies[group_];
+  for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
+    if (copies.owns_batch(batch) || copies.is_shared(batch))
+      for (std::size_t i = batch * per_batch(); i < (batch + 1) * per_batch(); ++i)
+        {
+          rate_[i] += 0.5 * step.dt * acceleration_[i];
+          amplitude_[i] += step.dt * rate_[i];
+        }
 }
 
 void ReducedBodies::place_surface(World &world, const double earlier)
 {
   BodyBatches &copies = world.copies[group_];
-  for (unsigned int batch = first_batch_; batch < copies.end_of_owned_batches(); ++batch)
+  for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
     {
+      if (!copies.has_nodes(batch))
+        continue;
       take_frames(world, batch);
       update_read(copies, batch);
-      ReadNodes        &nodes = read_[batch - first_batch_];
-      const std::size_t first = start_of(copies, batch);
+      ReadNodes        &nodes = read_[batch];
+      const std::size_t first = batch * per_batch();
       const double     *rate  = rate_.data() + first;
       const auto        place = [&](const std::vector<unsigned int> &some, const double *speeds) {
         kernels_.place({modal_nodes(some, nodes),
@@ -290,15 +292,20 @@ void ReducedBodies::place_surface(World &world, const double earlier)
 void ReducedBodies::gather_forces(World &world)
 {
   BodyBatches &copies = world.copies[group_];
-  for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
-       ++batch)
+  for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
     {
+      double *modal_force = modal_force_.data() + batch * per_batch();
+      if (!copies.has_nodes(batch))
+        {
+          std::fill_n(modal_force, per_batch(), 0.); // others may add theirs
+          continue;
+        }
       take_frames(world, batch);
-      const ReadNodes &nodes = read_[batch - first_batch_];
+      const ReadNodes &nodes = read_[batch];
       kernels_.gather({modal_nodes(nodes.known, nodes),
                        copies.position.begin() + copies.start_of(batch),
                        copies.force.begin() + copies.start_of(batch),
-                       modal_force_.data() + start_of(copies, batch),
+                       modal_force,
                        moment_.data(),
                        in_body_.data(),
                        found_.data()});
@@ -311,27 +318,56 @@ void ReducedBodies::gather_forces(World &world)
 
 void ReducedBodies::advance(World &world, const Step &step, const ForceTimer & /*timer*/)
 {
+  const BodyBatches &copies = world.copies[group_];
+  for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
+       ++batch)
+    if (!copies.is_shared(batch))
+      kick_again(batch, step, 1., world.ledger);
+}
+
+std::vector<dealii::ArrayView<double>> ReducedBodies::shared_forces(const World &world)
+{
+  const BodyBatches                     &copies = world.copies[group_];
+  std::vector<dealii::ArrayView<double>> forces;
+  for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
+    if (copies.is_shared(batch))
+      forces.emplace_back(modal_force_.data() + batch * per_batch(), per_batch());
+  return forces;
+}
+
+void ReducedBodies::advance_shared(World &world, const Step &step)
+{
+  const BodyBatches &copies = world.copies[group_];
+  for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
+    if (copies.is_shared(batch))
+      kick_again(batch, step, world.whole, world.ledger);
+}
+
+void ReducedBodies::kick_again(const unsigned int batch,
+                               const Step        &step,
+                               const double       share,
+                               Ledger            &ledger)
+{
   const double half = 0.5 * step.dt, drag = step.drag;
   double       kinetic[n_lanes] = {}, strain[n_lanes] = {}, dragged[n_lanes] = {};
-  for (std::size_t first = 0; first < rate_.size(); first += n_modes() * n_lanes)
-    for (unsigned int m = 0; m < n_modes(); ++m)
-      for (unsigned int lane = 0; lane < n_lanes; ++lane)
-        {
-          const std::size_t i = first + m * n_lanes + lane;
-          const double      q = amplitude_[i], before = rate_[i], square = square_[m];
-          const double      acceleration = modal_force_[i] - square * q - drag * before;
-          const double      now          = before + half * acceleration;
-          acceleration_[i]               = acceleration;
-          rate_[i]                       = now;
-          kinetic[lane] += now * now;
-          strain[lane] += square * q * q;
-          dragged[lane] += before * before;
-        }
+  for (unsigned int m = 0; m < n_modes(); ++m)
+    for (unsigned int lane = 0; lane < n_lanes; ++lane)
+      {
+        const std::size_t i = batch * per_batch() + m * n_lanes + lane;
+        const double      q = amplitude_[i], before = rate_[i], square = square_[m];
+        const double      acceleration = modal_force_[i] - square * q - drag * before;
+        const double      now          = before + half * acceleration;
+        acceleration_[i]               = acceleration;
+        rate_[i]                       = now;
+        kinetic[lane] += now * now;
+        strain[lane] += square * q * q;
+        dragged[lane] += before * before;
+      }
   for (unsigned int lane = 0; lane < n_lanes; ++lane)
     {
-      world.ledger.kinetic += 0.5 * kinetic[lane];
-      world.ledger.strain += 0.5 * strain[lane];
-      world.ledger.drag += drag * dragged[lane] * step.dt;
+      ledger.kinetic += share * 0.5 * kinetic[lane];
+      ledger.strain += share * 0.5 * strain[lane];
+      ledger.drag += share * drag * dragged[lane] * step.dt;
     }
 }
 
@@ -349,10 +385,9 @@ dealii::Tensor<1, 3> ReducedBodies::sum_of_shapes(const World       &world,
                                                   const unsigned int copy,
                                                   const unsigned int node) const
 {
-  const BodyBatches &copies = world.copies[group_];
-  const double      *of_copy =
-      numbers.data() + start_of(copies, copies.batch_of(copy)) + copies.lane_of(copy);
-  const double        *shape = shape_.data() + 3 * std::size_t(orbit_[node]) * n_modes();
+  const BodyBatches   &copies  = world.copies[group_];
+  const double        *of_copy = numbers.data() + place_of(copies, copy, 0);
+  const double        *shape   = shape_.data() + 3 * std::size_t(orbit_[node]) * n_modes();
   dealii::Tensor<1, 3> sum;
   for (unsigned int c = 0; c < symmetry_.n_classes(); ++c)
     {
@@ -385,9 +420,12 @@ dealii::Tensor<1, 3> ReducedBodies::velocity_now(const World       &world,
          world.frames[body].rotation * sum_of_shapes(world, rate_, copy, node);
 }
 
-double ReducedBodies::shape_energy() const
+double ReducedBodies::shape_energy(const World &world) const
 {
-  return 0.5 * std::inner_product(rate_.begin(), rate_.end(), rate_.begin(), 0.);
+  const BodyBatches &copies = world.copies[group_];
+  const double      *first  = rate_.data() + copies.first_owned_batch() * per_batch(),
+               *last        = rate_.data() + copies.end_of_owned_batches() * per_batch();
+  return 0.5 * std::inner_product(first, last, first, 0.);
 }
 
 void ReducedBodies::rest()
@@ -450,11 +488,9 @@ std::vector<dealii::Tensor<1, 3>> ReducedBodies::motions_of(const unsigned int n
 
 std::vector<double> ReducedBodies::amplitudes_of(const World &world, const unsigned int copy) const
 {
-  const BodyBatches  &copies = world.copies[group_];
-  const std::size_t   first  = start_of(copies, copies.batch_of(copy)) + copies.lane_of(copy);
   std::vector<double> amplitudes(n_modes());
   for (unsigned int m = 0; m < n_modes(); ++m)
-    amplitudes[m] = amplitude_[first + std::size_t(m) * n_lanes];
+    amplitudes[m] = amplitude_[place_of(world.copies[group_], copy, m)];
   return amplitudes;
 }
 
@@ -469,18 +505,20 @@ ReducedBodies::stress_recoveries(const World &world) const
   return recoveries;
 }
 
-void ReducedBodies::serialize(const Archive &archive)
+void ReducedBodies::serialize(const Archive &archive, const World &world)
 {
-  const std::size_t per_batch = std::size_t(n_modes()) * n_lanes;
   if (archive.reads())
     forget_places();
-  for (unsigned int i = 0; i * per_batch < amplitude_.size(); ++i)
-    {
-      const Archive own = archive.of_this_rank() / ("batch " + std::to_string(first_batch_ + i));
-      own.numbers("amplitude", amplitude_.data() + i * per_batch, per_batch);
-      own.numbers("rate", rate_.data() + i * per_batch, per_batch);
-      own.numbers("acceleration", acceleration_.data() + i * per_batch, per_batch);
-    }
+  const BodyBatches &copies = world.copies[group_];
+  for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
+    if (copies.owns_batch(batch) || (archive.reads() && copies.is_shared(batch)))
+      {
+        const Archive own = archive.of_this_rank() / ("batch " + std::to_string(batch));
+        for (const auto &[name, numbers] : {std::make_pair("amplitude", &amplitude_),
+                                            std::make_pair("rate", &rate_),
+                                            std::make_pair("acceleration", &acceleration_)})
+          own.numbers(name, numbers->data() + batch * per_batch(), per_batch());
+      }
 }
 
 std::size_t ReducedBodies::memory_consumption() const

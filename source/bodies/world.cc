@@ -271,45 +271,38 @@ void World::sum_over_ranks()
 {
   if (n_ranks_ == 1 && whole == 1.)
     return;
-  // This rank's share of everything, one number after the other; frames of bodies that move by
-  // nodes have one share only, their owner's.
-  const auto visit = [this](const auto &item) {
-    item(alarm, 1.);
+  std::vector<double> booked; // since clear_resultants()
+  for (double Ledger::*term : Ledger::added)
+    booked.push_back(ledger.*term - before_.*term);
+  for (std::size_t i = 0; i < losses.size(); ++i)
+    for (double Loss::*term : {&Loss::friction, &Loss::damping})
+      booked.push_back(losses[i].*term - losses_before_[i].*term);
+
+  // Visits all numbers to be summed, so many at a time, and with which share they count; frames of
+  // bodies that move by nodes have one share only, their owner's.
+  const auto visit = [&](const auto &numbers) {
+    numbers(&alarm, 1, 1.);
     for (Rim &rim : rims)
-      for (unsigned int d = 0; d < 3; ++d)
-        item(rim.momentum[d], whole);
+      numbers(rim.momentum.begin_raw(), 3, whole);
     for (Vector *vector : {&force, &moment})
-      for (double &value : *vector)
-        item(value, whole);
-    for (double &request : requests)
-      item(request, 1.);
-    for (double Ledger::*term : Ledger::added)
-      {
-        double increment = ledger.*term - before_.*term;
-        item(increment, whole);
-        ledger.*term = before_.*term + increment;
-      }
-    for (std::size_t i = 0; i < losses.size(); ++i)
-      for (double Loss::*term : {&Loss::friction, &Loss::damping})
-        {
-          double increment = losses[i].*term - losses_before_[i].*term;
-          item(increment, whole);
-          losses[i].*term = losses_before_[i].*term + increment;
-        }
+      numbers(vector->begin(), vector->locally_owned_size(), whole);
+    for (const auto &group : groups)
+      for (const dealii::ArrayView<double> &forces : group->shared_forces(*this))
+        numbers(forces.data(), forces.size(), 1.);
+    numbers(requests.data(), requests.size(), 1.);
+    numbers(booked.data(), booked.size(), whole);
     for (unsigned int body = 0; body < n_bodies(); ++body)
       if (moves_by_nodes(body))
-        {
-          Frame       &frame = frames[body];
-          const double mine  = owns(body) ? 1. : 0.;
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              item(frame.position[d], mine);
-              item(frame.velocity[d], mine);
-            }
-        }
+        for (dealii::Tensor<1, 3> *vector : {&frames[body].position, &frames[body].velocity})
+          numbers(vector->begin_raw(), 3, owns(body) ? 1. : 0.);
   };
   shared_.clear();
-  visit([this](const double value, const double share) { shared_.push_back(share * value); });
+  visit([this](const double *first, const std::size_t n, const double share) {
+    const std::size_t before = shared_.size();
+    shared_.resize(before + n);
+    for (std::size_t i = 0; i < n; ++i)
+      shared_[before + i] = share * first[i];
+  });
   if (n_ranks_ > 1)
     {
       const int status = MPI_Allreduce(
@@ -317,7 +310,18 @@ void World::sum_over_ranks()
       AssertThrowMPI(status);
     }
   auto total = shared_.cbegin();
-  visit([&total](double &value, double) { value = *total++; });
+  visit([&total](double *first, const std::size_t n, double) {
+    std::copy_n(total, n, first);
+    total += n;
+  });
+
+  auto increment = booked.cbegin();
+  for (double Ledger::*term : Ledger::added)
+    ledger.*term = before_.*term + *increment++;
+  for (std::size_t i = 0; i < losses.size(); ++i)
+    for (double Loss::*term : {&Loss::friction, &Loss::damping})
+      losses[i].*term = losses_before_[i].*term + *increment++;
+
   if (whole != 1.) // what the other halves add cancels across the middle plane
     for (unsigned int body = 0; body < n_bodies(); ++body)
       force.local_element(3 * body + 2)      = moment.local_element(3 * body) =
@@ -357,7 +361,7 @@ void World::serialize(const Archive &archive)
   for (unsigned int g = 0; g < n_nodal_groups(); ++g)
     copies[g].serialize(archive / ("copies " + std::to_string(g)));
   for (unsigned int g = 0; g < groups.size(); ++g)
-    groups[g]->serialize(archive / ("group " + std::to_string(g)));
+    groups[g]->serialize(archive / ("group " + std::to_string(g)), *this);
 }
 
 std::size_t World::memory_consumption() const

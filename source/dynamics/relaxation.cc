@@ -218,7 +218,7 @@ public:
       slow_down(*group);
     double of_shapes = 0.;
     for (const auto &group : world_.groups)
-      of_shapes += group->shape_energy();
+      of_shapes += group->shape_energy(world_);
     return world_.kinetic_energy() + dealii::Utilities::MPI::sum(of_shapes, world_.communicator());
   }
 
@@ -242,7 +242,8 @@ private:
     if (group.elastic_copies() == BodyGroup::none ||
         group.elastic_copies() < world_.n_nodal_groups())
       return;
-    const BodyBatches &copies = world_.copies[group.elastic_copies()];
+    const BodyBatches  &copies = world_.copies[group.elastic_copies()];
+    std::vector<double> share(copies.n_copies(), 1.);
     for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
          ++batch)
       {
@@ -255,9 +256,13 @@ private:
                                          v[2 * n_lanes + lane] * v[2 * n_lanes + lane]);
         copies.for_each_copy_of(batch, [&](const unsigned int copy, const unsigned int lane) {
           if (fastest[lane] > fastest_node * fastest_node)
-            group.slow_shapes(world_, copy, fastest_node / std::sqrt(fastest[lane]));
+            share[copy] = fastest_node / std::sqrt(fastest[lane]);
         });
       }
+    dealii::Utilities::MPI::min(share, world_.communicator(), share); // all move what is shared
+    for (unsigned int copy = 0; copy < copies.n_copies(); ++copy)
+      if (share[copy] < 1.)
+        group.slow_shapes(world_, copy, share[copy]);
   }
 
   /// Nothing moves the other bodies as a whole.

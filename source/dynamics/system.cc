@@ -64,8 +64,8 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 // with the mean of the velocities before and after. Observers and the guard look between two steps;
 // BodyBatches::position_now() gives them nodes at n.
 //
-// ONE EVALUATION OF THE FORCES, in this order. "Owners" are the ranks that own a batch, "first" is
-// the first rank, which does for all what is not dealt out.
+// ONE EVALUATION OF THE FORCES, in this order. "Owners" are the ranks that own a batch, "readers"
+// those that touch its nodes, "first" is the first rank, which does for all what is not dealt out.
 //
 //   clear_resultants     force, moment, momenta of rims and stored energies become zero. Forces on
 //                        nodes are zero: whoever used them up has cleared them              all
@@ -75,22 +75,26 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 //                        held nodes go to the hub, those between sectors become means       owners
 //   Contacts::add_forces
 //     groups: place_surface   nodes that follow rigid bodies                                first
-//                             nodes of reduced bodies                                       owners
-//     fetch_ghosts            positions and velocities of nodes that other ranks touch      message
+//                             nodes of reduced bodies                                       readers
+//     fetch_ghosts            positions and velocities of other nodes of elastic bodies
+//                             that other ranks touch                                        message
 //     search, if it is due
 //     families                forces on nodes of both sides; resultants on bodies, of
 //                             elastic ones too, for results and the guard; energies         owners
-//     send_forces             forces on nodes of other ranks, and halves of rims' means     message
+//     send_forces             forces on these nodes, and halves of rims' means              message
 //     groups: gather_forces   nodes that follow rigid bodies: moments on those              first
-//                             nodes of reduced bodies: moments, and forces on shapes        owners
+//                             nodes of reduced bodies: moments, and forces on shapes        readers
 //   groups: advance      elastic bodies: internal forces, then kick and drift of the nodes;
 //                        energies, momenta, centres of mass                                 owners
-//                        reduced bodies: second kick of the shapes, and their energies      owners
+//                        reduced bodies: second kick of other shapes, and their energies    owners
 //   sum_over_ranks       forces, moments, energies, what ranks ask of each other, frames of
-//                        elastic bodies; with halves all of it doubled                      message
+//                        elastic bodies; with halves all of it doubled; forces on shapes of
+//                        batches whose nodes several ranks touch                            message
+//   groups: advance_shared  those shapes: second kick, and their energies                   all
 //   Loads::add_work      load torque on the hub, work of both hubs                          all
 //
-// A step waits for other ranks at the three messages.
+// A step waits for other ranks at the three messages, or only at the last one if no nodes travel:
+// those of reduced bodies do not.
 
 void System::evaluate_forces(const double dt)
 {
@@ -116,6 +120,8 @@ void System::evaluate_forces(const double dt)
   for (const auto &group : world.groups)
     group->advance(world, step, force_timer);
   world.sum_over_ranks();
+  for (const auto &group : world.groups)
+    group->advance_shared(world, step);
   loads.add_work(world);
 }
 

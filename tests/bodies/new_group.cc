@@ -36,7 +36,7 @@ public:
   void   advance(World &, const Step &, const ForceTimer &) override { calls += "advance "; }
   void   finish(World &, const Step &) override { calls += "finish "; }
   double kinetic_energy(const World &) const override { return 0.5 * inner * speed * speed; }
-  void   serialize(const Archive &archive) override
+  void   serialize(const Archive &archive, const World &) override
   {
     archive("position", position);
     archive("speed", speed);

@@ -25,7 +25,9 @@ namespace chaindrive
 ///
 /// Whole batches are dealt out to the ranks. A rank sees of the batches of others the nodes that it
 /// asked for, as ghosts: their positions and velocities come with fetch_ghosts(), and forces that
-/// it adds to them go home with send_forces().
+/// it adds to them go home with send_forces(). Nodes of reduced bodies do not travel: batches whose
+/// nodes several ranks touch are shared, which is that all ranks know their motion, and each rank
+/// places for itself the nodes that it reads.
 class BodyBatches
 {
 public:
@@ -62,16 +64,32 @@ public:
   unsigned int owner_of(const unsigned int copy) const { return owner_of_batch(batch_of(copy)); }
   bool         owns(const unsigned int copy) const { return owner_of(copy) == rank_; }
 
+  bool owns_batch(const unsigned int batch) const
+  {
+    return batch >= first_owned_batch() && batch < end_of_owned_batches();
+  }
+
+  /// Whether several ranks touch nodes of @p batch, whose bodies are reduced.
+  bool is_shared(const unsigned int batch) const { return is_shared_[batch] != 0; }
+
+  /// Whether all nodes of @p batch are in this rank's share of the vectors.
+  bool has_nodes(const unsigned int batch) const
+  {
+    return owns_batch(batch) || ghosts_.is_element(batch * stride());
+  }
+
   unsigned int first_owned_batch() const { return first_batch_[rank_]; }
   unsigned int end_of_owned_batches() const { return first_batch_[rank_ + 1]; }
 
   /// Numbers in one batch of a vector.
   std::size_t stride() const { return node_offset(n_nodes()); }
 
-  /// Where the numbers of an owned batch begin in this rank's share of the vectors.
+  /// Where the numbers of a batch that has_nodes() begin in this rank's share of the vectors.
   std::size_t start_of(const unsigned int batch) const
   {
-    return (batch - first_owned_batch()) * stride();
+    return owns_batch(batch) ?
+               (batch - first_owned_batch()) * stride() :
+               position.get_partitioner()->global_to_local(std::size_t(batch) * stride());
   }
 
   /// The index, for a NodeView, of @p node of @p copy in this rank's share of the vectors; the copy
@@ -80,7 +98,7 @@ public:
   {
     const unsigned int batch  = batch_of(copy);
     const std::size_t  within = node_offset(node) + lane_of(copy);
-    if (batch >= first_owned_batch() && batch < end_of_owned_batches())
+    if (owns_batch(batch))
       return start_of(batch) + within;
     return position.get_partitioner()->global_to_local(batch * stride() + within);
   }
@@ -109,33 +127,31 @@ public:
   dealii::Tensor<1, 3>
   displacement_to(const dealii::Tensor<1, 3> &x, unsigned int copy, unsigned int node) const;
 
-  /// Makes ghosts of these nodes of the batch that holds @p copy, unless this rank owns it. To be
-  /// followed by make_ghosts().
+  /// Makes ghosts of these nodes of the batch that holds @p copy, of all its nodes if its bodies
+  /// are reduced, unless this rank owns it. To be followed by make_ghosts().
   void want(unsigned int copy, const std::vector<unsigned int> &wanted);
 
-  /// Gives the vectors room for all ghosts that any rank wants. Collective.
+  /// Gives the vectors room for all ghosts that any rank wants, and finds out which batches are
+  /// shared. Collective.
   void make_ghosts();
 
-  /// From now on counts who reads which nodes of this rank's batches: nodes that nobody reads need
-  /// not be placed. Ghosts of other ranks are read.
+  /// Of reduced bodies: from now on counts who reads which nodes on this rank. Nodes that nobody
+  /// reads need not be placed. To be called before want().
   void count_readers();
   bool counts_readers() const { return !readers_.empty(); }
 
-  /// So many more, or fewer, read the @p nodes of @p batch. Others' batches are left to them.
+  /// So many more, or fewer, read the @p nodes of @p batch on this rank.
   void add_readers(unsigned int batch, const std::vector<unsigned int> &nodes, int more);
 
   bool is_read(const unsigned int batch, const unsigned int node) const
   {
-    return readers_[(batch - first_owned_batch()) * n_nodes() + node] > 0;
+    return readers_[batch * n_nodes() + node] > 0;
   }
 
   /// How often readers of @p batch have come or gone.
-  unsigned long reader_changes(const unsigned int batch) const
-  {
-    return reader_changes_[batch - first_owned_batch()];
-  }
+  unsigned long reader_changes(const unsigned int batch) const { return reader_changes_[batch]; }
 
-  /// For all @p copies, whose messages travel side by side. Collective.
+  /// For all @p copies but those of reduced bodies. Messages travel side by side. Collective.
   static void fetch_ghosts(std::vector<BodyBatches> &copies);
   static void send_forces(std::vector<BodyBatches> &copies);
 
@@ -164,12 +180,17 @@ public:
   double ahead = 0.;
 
 private:
+  /// Whether ghosts come and go by messages.
+  bool nodes_travel() const { return first_batch_.size() > 2 && !counts_readers(); }
+
   MPI_Comm                  comm_;
   unsigned int              rank_;
   std::vector<unsigned int> first_batch_; ///< per rank, and their number
   dealii::IndexSet          ghosts_;
 
-  std::vector<unsigned short> readers_;        ///< [batch of this rank][node]; empty: not counted
-  std::vector<unsigned long>  reader_changes_; ///< [batch of this rank]
+  std::vector<char> is_shared_; ///< [batch]
+
+  std::vector<unsigned short> readers_;        ///< [batch][node]; empty: not counted
+  std::vector<unsigned long>  reader_changes_; ///< [batch]
 };
 } // namespace chaindrive

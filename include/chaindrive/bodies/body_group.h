@@ -5,6 +5,7 @@
 #include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/timing.h>
 
+#include <deal.II/base/array_view.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/lac/full_matrix.h>
@@ -81,6 +82,17 @@ public:
   /// and its centres of mass. With dt = 0 nothing moves.
   virtual void advance(World & /*world*/, const Step & /*step*/, const ForceTimer & /*timer*/) {}
 
+  /// Forces on what all ranks move alike: each rank adds its own until World::sum_over_ranks()
+  /// makes them the forces of all. The same numbers on each rank.
+  virtual std::vector<dealii::ArrayView<double>> shared_forces(const World & /*world*/)
+  {
+    return {};
+  }
+
+  /// advance() of that, when these sums are there. Energies are booked on each rank, those of whole
+  /// bodies.
+  virtual void advance_shared(World & /*world*/, const Step & /*step*/) {}
+
   /// Frames take the velocities at the end of the step, after the second kick.
   virtual void finish(World & /*world*/, const Step & /*step*/) {}
 
@@ -90,12 +102,12 @@ public:
   /// In World::copies, if its bodies have nodes that vibrate.
   virtual unsigned int elastic_copies() const { return none; }
 
-  /// Kinetic energy [J] of shapes on this rank at the last advance(); shapes come to rest; and they
-  /// take the amplitudes of another group of the same bodies, at rest.
-  virtual double shape_energy() const { return 0.; }
+  /// Kinetic energy [J] of shapes that this rank owns at the last advance(); shapes come to rest;
+  /// and they take the amplitudes of another group of the same bodies, at rest.
+  virtual double shape_energy(const World & /*world*/) const { return 0.; }
   virtual void   rest() {}
 
-  /// The rates of the shapes of a copy of this rank are multiplied by @p share.
+  /// The rates of the shapes of a copy are multiplied by @p share, on all ranks alike.
   virtual void slow_shapes(const World & /*world*/, unsigned int /*copy*/, double /*share*/) {}
   virtual void take_shapes(const BodyGroup & /*other*/) {}
 
@@ -143,7 +155,7 @@ public:
   }
 
   /// The state between two steps that is not in World.
-  virtual void serialize(const Archive & /*archive*/) {}
+  virtual void serialize(const Archive & /*archive*/, const World & /*world*/) {}
 
   /// Bytes, without what World holds.
   virtual std::size_t memory_consumption() const { return 0; }

@@ -3,6 +3,7 @@
 
 #include <chaindrive/bodies/body_batches.h>
 #include <chaindrive/bodies/body_group.h>
+#include <chaindrive/bodies/ledger.h>
 #include <chaindrive/bodies/modal_kernels.h>
 
 #include <chaindrive/reduction/basis.h>
@@ -20,12 +21,12 @@ namespace chaindrive
 ///   x_a = x_c + R (X_a + Phi_a q),   q" + W^2 q = sum Phi_a^T R^T f_a.
 ///
 /// The rigid motion is that of RigidBodies, with mass and inertia of the nodes. This group has q,
-/// which the ranks that own a batch compute, places the nodes of sides that touch, and takes the
-/// forces on them to q and, as moments, to the bodies. Forces act at displaced nodes, so that their
-/// power is that on R, x_c and q; momentum and moment of momentum are those of a rigid body. What
-/// is left out is the inertia that comes from q itself: its part in the inertia tensor, and
-/// Coriolis and centrifugal forces on it, of the order of the speed of turning over the lowest
-/// frequency.
+/// which the rank that owns a batch computes, or all do for a shared one, places the nodes of sides
+/// that touch, and takes the forces on them to q and, as moments, to the bodies. Forces act at
+/// displaced nodes, so that their power is that on R, x_c and q; momentum and moment of momentum
+/// are those of a rigid body. What is left out is the inertia that comes from q itself: its part in
+/// the inertia tensor, and Coriolis and centrifugal forces on it, of the order of the speed of
+/// turning over the lowest frequency.
 ///
 /// Central differences in the halves of Newmark's method: the first one is in drift(), the second
 /// in advance(), which books the energies of full steps.
@@ -44,13 +45,15 @@ public:
   void gather_forces(World &world) override;
 
   void advance(World &world, const Step &step, const ForceTimer &timer) override;
+  std::vector<dealii::ArrayView<double>> shared_forces(const World &world) override;
+  void                                   advance_shared(World &world, const Step &step) override;
 
   dealii::Tensor<1, 3>
   position_now(const World &world, unsigned int copy, unsigned int node) const override;
   dealii::Tensor<1, 3>
   velocity_now(const World &world, unsigned int copy, unsigned int node) const override;
 
-  double shape_energy() const override;
+  double shape_energy(const World &world) const override;
   void   rest() override;
   void   slow_shapes(const World &world, unsigned int copy, double share) override;
   void   take_shapes(const BodyGroup &other) override;
@@ -65,14 +68,15 @@ public:
   std::vector<std::unique_ptr<const element::StressRecovery>>
   stress_recoveries(const World &world) const override;
 
-  void        serialize(const Archive &archive) override;
+  void        serialize(const Archive &archive, const World &world) override;
   std::size_t memory_consumption() const override;
 
   unsigned int n_modes() const { return static_cast<unsigned int>(square_.size()); }
 
   double omega(const unsigned int m) const { return std::sqrt(square_[m]); } ///< rad/s
 
-  /// q [m sqrt(kg)] and q' of mode @p m of a copy that this rank owns.
+  /// q [m sqrt(kg)] and q' of mode @p m of a copy that this rank owns; of shared batches to be
+  /// changed on all ranks alike.
   double &amplitude(const World &world, unsigned int copy, unsigned int m);
   double &rate(const World &world, unsigned int copy, unsigned int m);
 
@@ -85,8 +89,12 @@ private:
                   const reduction::Basis  &basis,
                   const std::vector<char> &touches);
 
-  /// Where the numbers of a batch that this rank owns begin in arrays [batch][mode][lane].
-  std::size_t start_of(const BodyBatches &copies, unsigned int batch) const;
+  /// Numbers of a batch in arrays [batch][mode][lane], and where there that of a mode of a copy is.
+  std::size_t per_batch() const { return std::size_t(n_modes()) * n_lanes; }
+  std::size_t place_of(const BodyBatches &copies, unsigned int copy, unsigned int mode) const;
+
+  /// The second kick of the shapes of @p batch. Adds @p share of their energies to @p ledger.
+  void kick_again(unsigned int batch, const Step &step, double share, Ledger &ledger);
 
   /// Phi of mode @p m at @p node, body axes.
   dealii::Tensor<1, 3> shape_at(unsigned int node, unsigned int m) const;
@@ -120,8 +128,7 @@ private:
   /// say.
   ModalNodes modal_nodes(const std::vector<unsigned int> &orbits, const ReadNodes &nodes) const;
 
-  unsigned int         group_;       ///< in World::copies
-  unsigned int         first_batch_; ///< of this rank
+  unsigned int         group_; ///< in World::copies
   Material             material_;
   parameters::Elements elements_;
   const ModalKernels  &kernels_;
@@ -139,8 +146,9 @@ private:
 
   std::vector<reduction::Vector> rigid_motions_; ///< of unit mass, 1/sqrt(kg)
 
-  Numbers amplitude_, rate_, acceleration_; ///< q, q', q", [batch][mode][lane]
-  Numbers modal_force_;                     ///< Q of contacts, [batch][mode][lane]
+  // [batch][mode][lane], of batches that this rank owns and of shared ones
+  Numbers amplitude_, rate_, acceleration_; ///< q, q', q"
+  Numbers modal_force_;                     ///< Q of contacts; of shared ones this rank's, or all
 
   std::vector<ReadNodes> read_; ///< of each batch
 

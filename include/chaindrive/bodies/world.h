@@ -24,9 +24,10 @@ namespace chaindrive
 /// forces are computed from.
 ///
 /// Elastic bodies move by nodes, or are reduced: rigid bodies whose nodes move by shapes as well.
-/// The nodes of both and the shapes are dealt out to the ranks of a communicator, all else is
-/// repeated on each of them. While forces are evaluated, a rank adds its own share of resultants,
-/// moments and energies to what it holds; sum_over_ranks() makes the totals of it.
+/// The nodes of both and the shapes are dealt out to the ranks of a communicator, all else, and
+/// shapes of batches whose nodes several ranks touch, is repeated on each of them. While forces are
+/// evaluated, a rank adds its own share of resultants, moments and energies to what it holds;
+/// sum_over_ranks() makes the totals of it.
 class World
 {
 public:
@@ -95,9 +96,10 @@ public:
   /// The same but for the forces on nodes, which elastic bodies use up.
   void clear_resultants();
 
-  /// Sums what the ranks have added since clear_forces(): forces and moments on bodies, the ledger
-  /// but for the work of the hubs, losses of interfaces, and requests; with halves, of whole
-  /// bodies. Shares out frames of elastic bodies. Collective.
+  /// Sums what the ranks have added since clear_forces(): forces and moments on bodies, forces on
+  /// shared shapes, the ledger but for the work of the hubs, losses of interfaces, and requests;
+  /// with halves, of whole bodies, but for the shapes. Shares out frames of elastic bodies.
+  /// Collective.
   void sum_over_ranks();
 
   /// A force @p f [N] that acts on @p body at the world point @p at [m].
