@@ -4,13 +4,14 @@
 #include <chaindrive/contact/tributary_area.h>
 #include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/mesh/surface/surface_nodes.h>
+#include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/simd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
+#include <utility>
 
 namespace chaindrive::contact
 {
@@ -75,9 +76,9 @@ body_at(BodyBatches &copies, const std::size_t first, const std::vector<unsigned
           copies.force.begin() + first};
 }
 
-/// A body that this rank owns.
+/// A body all of whose nodes this rank has.
 JointBody
-own_body(BodyBatches &copies, const unsigned int copy, const std::vector<unsigned int> &nodes)
+whole_body(BodyBatches &copies, const unsigned int copy, const std::vector<unsigned int> &nodes)
 {
   return body_at(copies, copies.index(copy, 0), nodes);
 }
@@ -97,28 +98,9 @@ JointBody ghost_body(BodyBatches                     &copies,
 }
 } // namespace
 
-void NodeBores::want_ghosts(const scene::BoreFamily &scene, World &world)
+NodeBores::Kinds NodeBores::kinds_of(const scene::BoreFamily &scene, const World &world)
 {
-  for (const scene::BorePair &pair : scene.pairs)
-    {
-      const World::Address &master = world.node_address[pair.master],
-                           &slave  = world.node_address[pair.slave.body];
-      BodyBatches &slaves          = world.copies[slave.group];
-      if (world.copies[master.group].owns(master.copy) && !slaves.owns(slave.copy))
-        slaves.want(slave.copy,
-                    mesh::SurfaceNodes(
-                        *slaves.part, slaves.nodes, static_cast<mesh::Surface>(pair.slave_surface))
-                        .node);
-    }
-}
-
-NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool search_every_step)
-    : Family(scene.name, scene.law), every_step_(search_every_step)
-{
-  // which two sides of which two parts -> pairs
-  std::map<std::tuple<unsigned int, unsigned int, unsigned int, unsigned int>,
-           std::vector<unsigned int>>
-      kinds;
+  Kinds kinds;
   for (unsigned int i = 0; i < scene.pairs.size(); ++i)
     {
       const scene::BorePair &pair = scene.pairs[i];
@@ -127,15 +109,80 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
              world.node_address[pair.slave.body].group,
              pair.slave_surface}]
           .push_back(i);
-      owner_.push_back(world.copies[world.node_address[pair.master].group].owner_of(
-          world.node_address[pair.master].copy));
+    }
+  return kinds;
+}
+
+std::vector<unsigned int> NodeBores::owners_of(const scene::BoreFamily &scene, const World &world)
+{
+  std::vector<unsigned int> owner(scene.pairs.size()), load(n_ranks_in(world.communicator()), 0);
+  for (const auto &[sides, pairs] : kinds_of(scene, world))
+    {
+      const BodyBatches &masters = world.copies[std::get<0>(sides)],
+                        &slaves  = world.copies[std::get<2>(sides)];
+      std::vector<unsigned int> by_bore, by_cylinder;
+      for (const unsigned int i : pairs)
+        {
+          by_bore.push_back(masters.owner_of(world.node_address[scene.pairs[i].master].copy));
+          by_cylinder.push_back(
+              slaves.owner_of(world.node_address[scene.pairs[i].slave.body].copy));
+        }
+      const auto with = [&load](const std::vector<unsigned int> &owners) {
+        std::vector<unsigned int> sum = load;
+        for (const unsigned int rank : owners)
+          ++sum[rank];
+        return sum;
+      };
+      const auto most = [&with](const std::vector<unsigned int> &owners) {
+        const std::vector<unsigned int> sum = with(owners);
+        return *std::max_element(sum.begin(), sum.end());
+      };
+      const bool                       either = masters.counts_readers() && slaves.counts_readers();
+      const std::vector<unsigned int> &owners =
+          either && most(by_cylinder) < most(by_bore) ? by_cylinder : by_bore;
+      load = with(owners);
+      for (unsigned int k = 0; k < pairs.size(); ++k)
+        owner[pairs[k]] = owners[k];
+    }
+  return owner;
+}
+
+void NodeBores::want_ghosts(const scene::BoreFamily &scene, World &world)
+{
+  const unsigned int              rank  = rank_in(world.communicator());
+  const std::vector<unsigned int> owner = owners_of(scene, world);
+  for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+    if (owner[i] == rank)
+      {
+        const scene::BorePair &pair = scene.pairs[i];
+        for (const auto &[body, surface] : {std::make_pair(pair.master, pair.master_surface),
+                                            std::make_pair(pair.slave.body, pair.slave_surface)})
+          {
+            const World::Address &at     = world.node_address[body];
+            BodyBatches          &copies = world.copies[at.group];
+            if (!copies.owns(at.copy))
+              copies.want(at.copy,
+                          mesh::SurfaceNodes(
+                              *copies.part, copies.nodes, static_cast<mesh::Surface>(surface))
+                              .node);
+          }
+      }
+}
+
+NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool search_every_step)
+    : Family(scene.name, scene.law), every_step_(search_every_step)
+{
+  for (const scene::BorePair &pair : scene.pairs)
+    {
       add_radius(pair.slave.radius);
       add_record(pair.master, pair.slave.body, pair.slave.joint);
     }
   states_.resize(records_.size());
+  owner_                  = owners_of(scene, world);
+  const unsigned int rank = rank_in(world.communicator());
 
   const JointKernels &kernels = *joint_kernels(simd_width());
-  for (auto &[sides, pairs] : kinds)
+  for (auto &[sides, pairs] : kinds_of(scene, world))
     {
       const auto &[master_group, master_surface, slave_group, slave_surface] = sides;
       BodyBatches             &masters = world.copies[master_group];
@@ -170,10 +217,7 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
 
       pairs.erase(std::remove_if(pairs.begin(),
                                  pairs.end(),
-                                 [&](const unsigned int i) {
-                                   return !masters.owns(
-                                       world.node_address[scene.pairs[i].master].copy);
-                                 }),
+                                 [&](const unsigned int i) { return owner_[i] != rank; }),
                   pairs.end());
       // joints whose bores lie in one batch, lane by lane: their numbers are then side by side
       std::sort(pairs.begin(), pairs.end(), [&](const unsigned int a, const unsigned int b) {
@@ -202,12 +246,13 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
                              slave      = world.node_address[pair.slave.body].copy;
           placed.batches.back()->set_joint(
               i % n_lanes,
-              own_body(masters, master, placed.master_nodes),
-              slaves.owns(slave) ? own_body(slaves, slave, placed.slave_nodes) :
-                                   ghost_body(slaves,
-                                              slave,
-                                              placed.slave_nodes,
-                                              placed.ghost_nodes[slaves.batch_of(slave)]));
+              whole_body(masters, master, placed.master_nodes),
+              slaves.has_nodes(slaves.batch_of(slave)) ?
+                  whole_body(slaves, slave, placed.slave_nodes) :
+                  ghost_body(slaves,
+                             slave,
+                             placed.slave_nodes,
+                             placed.ghost_nodes[slaves.batch_of(slave)]));
         }
     }
 }

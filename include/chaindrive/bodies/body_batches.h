@@ -75,7 +75,7 @@ public:
   /// Whether all nodes of @p batch are in this rank's share of the vectors.
   bool has_nodes(const unsigned int batch) const
   {
-    return owns_batch(batch) || ghosts_.is_element(batch * stride());
+    return owns_batch(batch) || (counts_readers() && ghosts_.is_element(batch * stride()));
   }
 
   unsigned int first_owned_batch() const { return first_batch_[rank_]; }

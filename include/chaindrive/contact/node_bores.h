@@ -7,20 +7,21 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace chaindrive::contact
 {
 /// Elastic cylinders in elastic bores, n_lanes joints at a time: see JointBatch. One of the two may
 /// be rigid, see World::Follower. One record per pair. A joint is evaluated by the rank that owns
-/// its bore.
+/// its bore or, where nodes do not travel and that makes loads more even, its cylinder.
 class NodeBores : public Family
 {
 public:
   /// @p world must outlive this.
   NodeBores(const scene::BoreFamily &scene, World &world, bool search_every_step);
 
-  /// Makes ghosts in @p world of the nodes of cylinders whose bores this rank owns.
+  /// Makes ghosts in @p world of the nodes of other ranks in joints that this rank evaluates.
   static void want_ghosts(const scene::BoreFamily &scene, World &world);
 
   void search(const World &, double) override {}
@@ -35,6 +36,14 @@ public:
   std::optional<unsigned int> deepest_node(unsigned int i) const override;
 
 private:
+  /// Which two sides of which two parts, (group, surface) twice, bore and cylinder -> pairs.
+  using Kinds = std::map<std::tuple<unsigned int, unsigned int, unsigned int, unsigned int>,
+                         std::vector<unsigned int>>;
+  static Kinds kinds_of(const scene::BoreFamily &scene, const World &world);
+
+  /// The rank that evaluates each pair.
+  static std::vector<unsigned int> owners_of(const scene::BoreFamily &scene, const World &world);
+
   /// Pairs whose two sides are the same surfaces of the same parts.
   struct Group
   {
