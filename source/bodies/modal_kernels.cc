@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/bodies/packed_modes.h>
+#include <chaindrive/bodies/modal_kernels.h>
 #include <chaindrive/utilities/simd.h>
 
 namespace chaindrive
 {
-namespace
-{
-// The same source for each instruction set: what these functions call is inlined into them and so
-// takes over their target.
-// NOLINTBEGIN(bugprone-macro-parentheses): attributes stand in none
-#define CHAINDRIVE_KERNELS(name, width, attributes)                                                \
-  attributes void        place_##name(const PlaceArguments &arg) { packed::place<width>(arg); }    \
-  attributes void        gather_##name(const GatherArguments &arg) { packed::gather<width>(arg); } \
-  constexpr ModalKernels name{width, place_##name, gather_##name};
-// NOLINTEND(bugprone-macro-parentheses)
-
-CHAINDRIVE_KERNELS(scalar, 1, )
-CHAINDRIVE_KERNELS(baseline, 2, )
+// Each is made in a file of its own, see there.
+extern const ModalKernels scalar_modal_kernels, baseline_modal_kernels;
 #ifdef __x86_64__
-CHAINDRIVE_KERNELS(avx2, 4, __attribute__((target("arch=x86-64-v3"))))
-CHAINDRIVE_KERNELS(avx512, 8, __attribute__((target("arch=x86-64-v4"))))
+extern const ModalKernels avx2_modal_kernels, avx512_modal_kernels;
 #endif
-#undef CHAINDRIVE_KERNELS
-} // namespace
 
 const ModalKernels *modal_kernels(const int width)
 {
@@ -31,15 +17,15 @@ const ModalKernels *modal_kernels(const int width)
   switch (width)
     {
     case 1:
-      return &scalar;
+      return &scalar_modal_kernels;
 #ifdef __x86_64__
     case 4:
-      return &avx2;
+      return &avx2_modal_kernels;
     case 8:
-      return &avx512;
+      return &avx512_modal_kernels;
 #endif
     default:
-      return &baseline;
+      return &baseline_modal_kernels;
     }
 }
 } // namespace chaindrive

@@ -1,31 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/contact/packed_joint.h>
+#include <chaindrive/contact/joint_kernels.h>
 #include <chaindrive/utilities/simd.h>
 
 namespace chaindrive::contact
 {
-namespace
-{
-// The same source for each instruction set: what these functions call is inlined into them and so
-// takes over their target.
-// NOLINTBEGIN(bugprone-macro-parentheses): attributes stand in none
-#define CHAINDRIVE_KERNELS(name, width, attributes)                                                \
-  attributes void add_forces_##name(const JointArguments &arg) { packed::add_forces<width>(arg); } \
-  attributes void measure_##name(const JointArguments &arg, GapArguments &gaps)                    \
-  {                                                                                                \
-    packed::measure_gaps<width>(arg, gaps);                                                        \
-  }                                                                                                \
-  constexpr JointKernels name{width, add_forces_##name, measure_##name};
-// NOLINTEND(bugprone-macro-parentheses)
-
-CHAINDRIVE_KERNELS(scalar, 1, )
-CHAINDRIVE_KERNELS(baseline, 2, )
+// Each is made in a file of its own, see there.
+extern const JointKernels scalar_joint_kernels, baseline_joint_kernels;
 #ifdef __x86_64__
-CHAINDRIVE_KERNELS(avx2, 4, __attribute__((target("arch=x86-64-v3"))))
-CHAINDRIVE_KERNELS(avx512, 8, __attribute__((target("arch=x86-64-v4"))))
+extern const JointKernels avx2_joint_kernels, avx512_joint_kernels;
 #endif
-#undef CHAINDRIVE_KERNELS
-} // namespace
 
 const JointKernels *joint_kernels(const int width)
 {
@@ -34,15 +17,15 @@ const JointKernels *joint_kernels(const int width)
   switch (width)
     {
     case 1:
-      return &scalar;
+      return &scalar_joint_kernels;
 #ifdef __x86_64__
     case 4:
-      return &avx2;
+      return &avx2_joint_kernels;
     case 8:
-      return &avx512;
+      return &avx512_joint_kernels;
 #endif
     default:
-      return &baseline;
+      return &baseline_joint_kernels;
     }
 }
 } // namespace chaindrive::contact

@@ -386,7 +386,7 @@ CHAINDRIVE_ALWAYS_INLINE void gather_all(const GatherArguments &arg)
 }
 
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE void place(const PlaceArguments &arg)
+void place(const PlaceArguments &arg)
 {
   switch (arg.nodes.n_images)
     {
@@ -402,7 +402,7 @@ CHAINDRIVE_ALWAYS_INLINE void place(const PlaceArguments &arg)
 }
 
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE void gather(const GatherArguments &arg)
+void gather(const GatherArguments &arg)
 {
   switch (arg.nodes.n_images)
     {
@@ -415,5 +415,11 @@ CHAINDRIVE_ALWAYS_INLINE void gather(const GatherArguments &arg)
     default:
       return gather_all<width, 8>(arg);
     }
+}
+
+template <int width>
+constexpr ModalKernels make_modal_kernels()
+{
+  return {width, place<width>, gather<width>};
 }
 } // namespace chaindrive::packed

@@ -363,16 +363,22 @@ measure_gaps_of(const JointArguments &arg, GapArguments &gaps, const int lane)
 }
 
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE void add_forces(const JointArguments &arg)
+void add_forces(const JointArguments &arg)
 {
   for (int lane = 0; lane < n_lanes; lane += width)
     add_forces_of<width>(arg, lane);
 }
 
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE void measure_gaps(const JointArguments &arg, GapArguments &gaps)
+void measure_gaps(const JointArguments &arg, GapArguments &gaps)
 {
   for (int lane = 0; lane < n_lanes; lane += width)
     measure_gaps_of<width>(arg, gaps, lane);
+}
+
+template <int width>
+constexpr JointKernels make_joint_kernels()
+{
+  return {width, add_forces<width>, measure_gaps<width>};
 }
 } // namespace chaindrive::contact::packed
