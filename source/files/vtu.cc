@@ -2,10 +2,13 @@
 #include <chaindrive/files/vtu.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <libdeflate.h>
 #include <memory>
 #include <new>
 #include <ostream>
+#include <type_traits>
 
 namespace chaindrive::files
 {
@@ -16,11 +19,7 @@ namespace
 class Arrays
 {
 public:
-  Arrays()
-  {
-    if (compressor_ == nullptr)
-      throw std::bad_alloc();
-  }
+  explicit Arrays(VtuPacked &before) : before_(before) {}
 
   template <typename Number>
   std::string add(const std::string         &type,
@@ -32,7 +31,17 @@ public:
                       "\" NumberOfComponents=\"" + std::to_string(components) +
                       "\" format=\"appended\" offset=\"" + std::to_string(binary_.size()) +
                       "\"/>\n";
-    append(reinterpret_cast<const char *>(values.data()), values.size() * sizeof(Number));
+    const char       *bytes = reinterpret_cast<const char *>(values.data());
+    const std::size_t size  = values.size() * sizeof(Number);
+    if (std::is_floating_point_v<Number>)
+      binary_ += pack(bytes, size);
+    else
+      {
+        VtuPacked::Array &known = before_.arrays[name];
+        if (known.packed.empty() || known.plain.compare(0, std::string::npos, bytes, size) != 0)
+          known = {std::string(bytes, size), pack(bytes, size)};
+        binary_ += known.packed;
+      }
     return xml;
   }
 
@@ -41,24 +50,41 @@ public:
 private:
   /// A header of 64-bit numbers (blocks, their size, size of the last if smaller, compressed sizes)
   /// and the compressed blocks.
-  void append(const char *bytes, const std::size_t size)
+  std::string pack(const char *bytes, const std::size_t size) const
   {
     constexpr std::size_t      block    = 1 << 18;
     const std::size_t          n_blocks = (size + block - 1) / block;
     std::vector<std::uint64_t> header{n_blocks, block, size % block};
-    std::string                packed;
+    header.resize(3 + n_blocks);
+    const std::size_t header_size = header.size() * sizeof(std::uint64_t);
+    std::string       packed(header_size, '\0');
     for (std::size_t b = 0; b < n_blocks; ++b)
       {
-        const std::size_t length = std::min(block, size - b * block), end = packed.size(),
-                          room = libdeflate_zlib_compress_bound(compressor_.get(), length);
+        const char            *begin  = bytes + b * block;
+        const std::size_t      length = std::min(block, size - b * block), end = packed.size();
+        libdeflate_compressor *compressor = pays(begin, length) ? compressor_.get() : stores_.get();
+        const std::size_t      room       = libdeflate_zlib_compress_bound(compressor, length);
         packed.resize(end + room);
-        header.push_back(libdeflate_zlib_compress(
-            compressor_.get(), bytes + b * block, length, &packed[end], room));
-        packed.resize(end + header.back());
+        header[3 + b] = libdeflate_zlib_compress(compressor, begin, length, &packed[end], room);
+        packed.resize(end + header[3 + b]);
       }
-    binary_.append(reinterpret_cast<const char *>(header.data()),
-                   header.size() * sizeof(std::uint64_t));
-    binary_ += packed;
+    std::memcpy(&packed[0], header.data(), header_size);
+    return packed;
+  }
+
+  /// Whether a block shrinks by more than a fifth, as pieces of it tell. Digits of velocities and
+  /// stresses do not: they would cost most of the time, for a tenth of the file.
+  bool pays(const char *bytes, const std::size_t length) const
+  {
+    constexpr std::size_t n_pieces = 8, piece = 1 << 11, size = n_pieces * piece;
+    if (length <= size)
+      return true;
+    std::string pieces;
+    for (std::size_t i = 0; i < n_pieces; ++i) // each begins with a number
+      pieces.append(bytes + i * (length - piece) / (n_pieces - 1) / 4 * 4, piece);
+    const std::size_t room = 4 * size / 5; // nothing is returned if this is too little
+    std::string       packed(room, '\0');
+    return libdeflate_zlib_compress(compressor_.get(), pieces.data(), size, &packed[0], room) > 0;
   }
 
   struct Free
@@ -68,14 +94,24 @@ private:
       libdeflate_free_compressor(compressor);
     }
   };
+  using Compressor = std::unique_ptr<libdeflate_compressor, Free>;
 
-  static constexpr int level = 2; ///< as small as zlib's 1, in half the time
-  std::unique_ptr<libdeflate_compressor, Free> compressor_{libdeflate_alloc_compressor(level)};
-  std::string                                  binary_;
+  static Compressor make_compressor(const int level)
+  {
+    Compressor compressor(libdeflate_alloc_compressor(level));
+    if (compressor == nullptr)
+      throw std::bad_alloc();
+    return compressor;
+  }
+
+  static constexpr int level       = 2; ///< as small as zlib's 1, in half the time
+  Compressor           compressor_ = make_compressor(level), stores_ = make_compressor(0);
+  VtuPacked           &before_;
+  std::string          binary_;
 };
 } // namespace
 
-void write_vtu(std::ostream &out, const VtuGrid &grid, const double time)
+void write_vtu(std::ostream &out, const VtuGrid &grid, const double time, VtuPacked &before)
 {
   const std::size_t points_per_cell = grid.cell == VtuGrid::Cell::line ? 2 : 8;
   const std::size_t n_cells         = grid.connectivity.size() / points_per_cell;
@@ -85,7 +121,7 @@ void write_vtu(std::ostream &out, const VtuGrid &grid, const double time)
     offsets[c] = (c + 1) * points_per_cell;
   const std::vector<std::uint8_t> types(n_cells, static_cast<std::uint8_t>(grid.cell));
 
-  Arrays arrays;
+  Arrays arrays(before);
   out << "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n"

@@ -40,7 +40,7 @@ void VtuSeries::write(const VtuGrid &grid, const double time)
   if (error)
     throw RunError(write_failure(directory_ + "/fields", error.value()));
   write_file(directory_ + "/fields/" + piece(rank),
-             [&](std::ostream &out) { write_vtu(out, grid, time); });
+             [&](std::ostream &out) { write_vtu(out, grid, time, packed_); });
   std::string file = piece(0);
   if (n_ranks > 1)
     {

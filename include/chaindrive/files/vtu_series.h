@@ -35,5 +35,6 @@ private:
   const std::string                           directory_, name_;
   MPI_Comm                                    comm_;
   std::vector<std::pair<double, std::string>> instants_; ///< time and file
+  VtuPacked                                   packed_;
 };
 } // namespace chaindrive::files

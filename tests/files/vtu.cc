@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Arrays of several blocks in VTU files, read back without the code that wrote them: digits that
+// cannot be compressed are stored, others shrink, and of a second picture the numbers count that it
+// has, not those of the first.
+#include <chaindrive/files/vtu.h>
+
+#include <cstring>
+#include <iostream>
+#include <random>
+#include <sstream>
+#include <zlib.h>
+
+using namespace chaindrive;
+
+/// The bytes of an array of a file by its name, and how many they are in the file.
+template <typename Number>
+std::vector<Number>
+read_array(const std::string &text, const std::string &name, std::size_t &in_file)
+{
+  const std::size_t xml   = text.find("Name=\"" + name + "\"");
+  const std::size_t field = text.find("offset=\"", xml) + 8;
+  std::size_t       at =
+      text.find('_', text.find("<AppendedData")) + 1 + std::stoul(text.substr(field, 20));
+  const auto next = [&]() {
+    std::uint64_t number;
+    std::memcpy(&number, &text[at], sizeof(number));
+    at += sizeof(number);
+    return number;
+  };
+  const std::uint64_t        n_blocks = next(), block = next(), rest = next();
+  std::vector<std::uint64_t> packed(n_blocks);
+  for (std::uint64_t &size : packed)
+    size = next();
+  std::vector<Number> values((n_blocks * block - (rest > 0 ? block - rest : 0)) / sizeof(Number));
+  auto               *to = reinterpret_cast<Bytef *>(values.data());
+  in_file                = 0;
+  for (std::uint64_t b = 0; b < n_blocks; ++b)
+    {
+      uLongf length = b + 1 < n_blocks || rest == 0 ? block : rest;
+      if (uncompress(to, &length, reinterpret_cast<const Bytef *>(&text[at]), packed[b]) != Z_OK)
+        std::cout << "cannot be unpacked" << std::endl;
+      to += length;
+      at += packed[b];
+      in_file += packed[b];
+    }
+  return values;
+}
+
+int main()
+{
+  constexpr std::size_t n_points = 60000;
+
+  files::VtuGrid                        grid;
+  std::mt19937                          random(1);
+  std::uniform_real_distribution<float> uniform(-1.F, 1.F);
+  for (std::size_t i = 0; i < 3 * n_points; ++i)
+    grid.points.push_back(uniform(random));
+  grid.point_data = {{"steady", 3, std::vector<float>(3 * n_points, 0.25F)}};
+  for (std::size_t i = 0; i + 8 <= n_points; ++i)
+    for (std::size_t v = 0; v < 8; ++v)
+      grid.connectivity.push_back(static_cast<std::int32_t>(i + v));
+  const std::size_t n_cells = grid.connectivity.size() / 8;
+  grid.cell_numbers         = {{"body", std::vector<std::int32_t>(n_cells, 3)}};
+
+  files::VtuPacked before;
+  for (const int picture : {1, 2, 3})
+    {
+      if (picture == 2)
+        grid.cell_numbers[0].values.back() = 4;
+      if (picture == 3) // another mesh: its last cells are missing
+        {
+          grid.connectivity.resize(4000);
+          grid.cell_numbers[0].values.resize(500);
+        }
+      std::ostringstream out;
+      files::write_vtu(out, grid, 0.5, before);
+      const auto look = [&](const std::string &name, const auto &values) {
+        std::size_t size;
+        const bool  same =
+            read_array<std::decay_t<decltype(values[0])>>(out.str(), name, size) == values;
+        const double part = double(size) / double(values.size() * sizeof(values[0]));
+        std::cout << name << ": " << (same ? "the same" : "others") << ", "
+                  << (part > 1.001 ? "larger" :
+                      part > 0.999 ? "stored" :
+                                     "smaller")
+                  << std::endl;
+      };
+      std::cout << "picture " << picture << std::endl;
+      look("position", grid.points);
+      look("steady", grid.point_data[0].values);
+      look("connectivity", grid.connectivity);
+      look("body", grid.cell_numbers[0].values);
+    }
+}
