@@ -420,6 +420,60 @@ dealii::Tensor<1, 3> ReducedBodies::velocity_now(const World       &world,
          world.frames[body].rotation * sum_of_shapes(world, rate_, copy, node);
 }
 
+void ReducedBodies::nodes_now(const World                       &world,
+                              const unsigned int                 copy,
+                              std::vector<dealii::Tensor<1, 3>> &position,
+                              std::vector<dealii::Tensor<1, 3>> &velocity) const
+{
+  const BodyBatches &copies  = world.copies[group_];
+  const unsigned int n_nodes = copies.n_nodes(), n_classes = symmetry_.n_classes();
+  const std::size_t  first = place_of(copies, copy, 0);
+
+  // displacement and velocity in body axes by the shapes of each class: images of a node have the
+  // same but for signs
+  constexpr unsigned int n_numbers = 6;
+  const std::size_t      n_orbits  = shape_.size() / (3 * std::size_t(n_modes()));
+  std::vector<double>    sums(n_orbits * n_classes * n_numbers, 0.);
+  for (std::size_t orbit = 0; orbit < n_orbits; ++orbit)
+    for (unsigned int c = 0; c < n_classes; ++c)
+      {
+        double *sum = sums.data() + (orbit * n_classes + c) * n_numbers;
+        for (unsigned int m = first_mode_[c]; m < first_mode_[c + 1]; ++m)
+          {
+            const double *shape = shape_.data() + 3 * (orbit * n_modes() + m);
+            const double  q     = amplitude_[first + std::size_t(m) * n_lanes],
+                         rate   = rate_[first + std::size_t(m) * n_lanes];
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                sum[d] += shape[d] * q;
+                sum[3 + d] += shape[d] * rate;
+              }
+          }
+      }
+
+  const unsigned int body  = copies.bodies[copy];
+  const Frame       &frame = world.frames[body];
+  position.resize(n_nodes);
+  velocity.resize(n_nodes);
+  for (unsigned int node = 0; node < n_nodes; ++node)
+    {
+      dealii::Tensor<1, 3> u, v;
+      for (unsigned int c = 0; c < n_classes; ++c)
+        {
+          const double *sum = sums.data() + (std::size_t(orbit_[node]) * n_classes + c) * n_numbers;
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              const double sign = symmetry_.sign(image_[node], c, d);
+              u[d] += sign * sum[d];
+              v[d] += sign * sum[3 + d];
+            }
+        }
+      position[node] =
+          frame.position + frame.rotation * (dealii::Tensor<1, 3>(copies.nodes.position[node]) + u);
+      velocity[node] = world.velocity_at(body, position[node], 0.) + frame.rotation * v;
+    }
+}
+
 double ReducedBodies::shape_energy(const World &world) const
 {
   const BodyBatches &copies = world.copies[group_];

@@ -97,13 +97,13 @@ ElasticSnapshot ElasticSnapshots::of(const dynamics::System &system,
   const std::size_t  n      = copies.nodes.of_vertex.size();
   ElasticSnapshot    snapshot{
       std::vector<dealii::Tensor<1, 3>>(n), std::vector<dealii::Tensor<1, 3>>(n), {}, {}};
-  std::vector<dealii::Tensor<1, 3>> position(copies.n_nodes());
+  std::vector<dealii::Tensor<1, 3>> position, velocity;
+  group.nodes_now(system.world, place.copy, position, velocity);
   for (unsigned int node = 0; node < copies.n_nodes(); ++node)
     {
       const unsigned int vertex     = copies.nodes.vertex[node];
-      position[node]                = group.position_now(system.world, place.copy, node);
       snapshot.displacement[vertex] = copies.displacement_to(position[node], place.copy, node);
-      snapshot.velocity[vertex]     = group.velocity_now(system.world, place.copy, node);
+      snapshot.velocity[vertex]     = velocity[node];
     }
   for (const Rim &rim : system.world.rims) // the hub knows the velocities of nodes that it holds
     if (rim.group == place.group)

@@ -113,6 +113,18 @@ void look_at_nodes(const scene::Scene &scene)
   const double     dt    = 0.5 * system.stable_step_limit();
   excite(system, dt);
   place_all_nodes(world);
+  double               apart = 0.;
+  std::vector<Vector3> positions, velocities;
+  for (unsigned int copy = 0; copy < n_copies; ++copy)
+    {
+      reduced_group(world, 0).nodes_now(world, copy, positions, velocities);
+      for_each_node(
+          world, copy, [&](const unsigned int n, double, const Vector3 &x, const Vector3 &v) {
+            apart = std::max({apart, (positions[n] - x).norm(), 1e-3 * (velocities[n] - v).norm()});
+          });
+    }
+  verdict("all nodes at once are where they are one by one, to 1e-15 m and 1e-12 m/s",
+          apart < 1e-15);
   double linear = 0., angular = 0., centre = 0.;
   for (unsigned int copy = 0; copy < n_copies; ++copy)
     {

@@ -147,6 +147,12 @@ public:
   virtual dealii::Tensor<1, 3>
   velocity_now(const World &world, unsigned int copy, unsigned int node) const;
 
+  /// Both of all nodes of a copy at once.
+  virtual void nodes_now(const World                       &world,
+                         unsigned int                       copy,
+                         std::vector<dealii::Tensor<1, 3>> &position,
+                         std::vector<dealii::Tensor<1, 3>> &velocity) const;
+
   /// What finds stresses in the cells of its part; empty for rigid bodies.
   virtual std::vector<std::unique_ptr<const element::StressRecovery>>
   stress_recoveries(const World & /*world*/) const

@@ -51,7 +51,11 @@ public:
   dealii::Tensor<1, 3>
   position_now(const World &world, unsigned int copy, unsigned int node) const override;
   dealii::Tensor<1, 3>
-  velocity_now(const World &world, unsigned int copy, unsigned int node) const override;
+       velocity_now(const World &world, unsigned int copy, unsigned int node) const override;
+  void nodes_now(const World                       &world,
+                 unsigned int                       copy,
+                 std::vector<dealii::Tensor<1, 3>> &position,
+                 std::vector<dealii::Tensor<1, 3>> &velocity) const override;
 
   double shape_energy(const World &world) const override;
   void   rest() override;
