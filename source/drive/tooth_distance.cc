@@ -3,6 +3,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace chaindrive::drive
@@ -70,21 +71,48 @@ inline Tensor<1, 2> rotated(const Tensor<1, 2> &v, const Tensor<1, 2> &by)
   result[1] = by[1] * v[0] + by[0] * v[1];
   return result;
 }
+/// The polar angle of @p p, 0 ... 2 pi, within 1e-5 (Abramowitz, Stegun, Handbook of Mathematical
+/// Functions, 4.4.49); of the origin 0.
+inline double rough_angle(const Point<2> &p)
+{
+  const double a = std::abs(p[0]), b = std::abs(p[1]), most = std::max(a, b);
+  if (most == 0.)
+    return 0.;
+  const double t = std::min(a, b) / most, s = t * t;
+  double       angle =
+      t * (0.9998660 + s * (-0.3302995 + s * (0.1801410 + s * (-0.0851330 + s * 0.0208351))));
+  if (b > a)
+    angle = 0.5 * dealii::numbers::PI - angle;
+  if (p[0] < 0.)
+    angle = dealii::numbers::PI - angle;
+  return p[1] < 0. ? 2. * dealii::numbers::PI - angle : angle;
+}
 } // namespace
 
 Projection ToothForm::closest_point(const Point<2> &p) const
 {
   // fold p into the sector 0 <= polar angle <= pi / z: the profile maps to itself under those
   // rotations and mirrors, so the point nearest to p lies in the sector of p
-  const double gaps = std::atan2(p[1], p[0]) * (teeth / (2. * dealii::numbers::PI));
-  int          gap  = static_cast<int>(std::lround(gaps));
-  if (gap < 0)
-    gap += teeth;
-  const Tensor<1, 2> &turn  = rotations[gap];
-  const double        x     = turn[0] * p[0] + turn[1] * p[1];
-  const double        y     = turn[0] * p[1] - turn[1] * p[0];
-  const double        side  = y < 0. ? -1. : 1.;
-  const Point<2>      local = Point<2>(x, side * y);
+  const double gaps   = rough_angle(p) * (teeth / (2. * dealii::numbers::PI));
+  const int    n_gaps = static_cast<int>(teeth);
+  int          gap    = gaps < n_gaps ? static_cast<int>(gaps + 0.5) : 0; // 0 of no number, too
+  Tensor<1, 2> turn;
+  double       x, y;
+  const auto   fold = [&]() {
+    gap  = gap < 0 ? gap + n_gaps : gap >= n_gaps ? gap - n_gaps : gap;
+    turn = rotations[gap];
+    x    = turn[0] * p[0] + turn[1] * p[1];
+    y    = turn[0] * p[1] - turn[1] * p[0];
+  };
+  fold();
+  // the middle of the tooth is where y / x = tan(pi / z)
+  if (std::abs(y) * (1. + rotations[1][0]) > x * rotations[1][1])
+    {
+      gap += y < 0. ? -1 : 1;
+      fold();
+    }
+  const double   side  = y < 0. ? -1. : 1.;
+  const Point<2> local = Point<2>(x, side * y);
 
   const std::size_t n     = half_profile.size();
   std::size_t       which = 0;
