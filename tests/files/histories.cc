@@ -8,8 +8,11 @@
 #include <deal.II/lac/vector.h>
 
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <hdf5.h>
 #include <iostream>
+#include <random>
 
 using namespace chaindrive;
 using dealii::HDF5::File;
@@ -61,6 +64,35 @@ void check(const std::string &prefix)
             << right << ", not written " << unwritten << std::endl;
 }
 
+/// Numbers without a pattern: all of them come through the compression, which they defeat.
+std::uintmax_t n_wrong_after_compression(const std::string &prefix, const unsigned int n)
+{
+  std::mt19937                           random(3);
+  std::uniform_real_distribution<double> uniform(-1., 1.);
+  std::vector<double>                    given;
+  files::Histories                       histories(prefix, {}, 512);
+  const auto noise = histories.add({"noise", "values", "1", "Nothing", 2, {"a", "b"}});
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      histories.begin_sample(i);
+      for (unsigned int c = 0; c < 2; ++c)
+        {
+          given.push_back(std::ldexp(uniform(random), static_cast<int>(random() % 2000) - 1000));
+          histories.values(noise)[c] = given.back();
+        }
+      histories.end_sample();
+    }
+  histories.close();
+  histories.compress();
+  File           file(prefix + ".h5", File::FileAccessMode::open);
+  const auto     values = file.open_dataset("noise/values").read<dealii::FullMatrix<double>>();
+  std::uintmax_t wrong  = values.m() == n ? 0 : 1;
+  for (unsigned int i = 0; i < values.m(); ++i)
+    for (unsigned int c = 0; c < 2; ++c)
+      wrong += values(i, c) == given[2 * i + c] ? 0 : 1;
+  return wrong;
+}
+
 /// The names of the columns of a dataset.
 std::vector<std::string> columns_of(const std::string &path, const std::string &dataset)
 {
@@ -107,9 +139,19 @@ int main()
         for (unsigned int i = 0; i < n; ++i)
           run.sample(i);
         run.histories.close();
+        check(prefix);
+        const auto plain = std::filesystem::file_size(prefix + ".h5");
+        run.histories.compress();
+        std::cout << "compressed, smaller: "
+                  << (std::filesystem::file_size(prefix + ".h5") < plain ? "yes" : "no")
+                  << std::endl;
       }
       check(prefix);
     }
+
+  for (const unsigned int n : {1u, 2u, 700u})
+    std::cout << n << " rows of noise compressed: wrong " << n_wrong_after_compression("noise", n)
+              << std::endl;
 
   Run run("being_written", 512);
   for (unsigned int i = 0; i < 300; ++i)
