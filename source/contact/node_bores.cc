@@ -17,7 +17,14 @@ namespace chaindrive::contact
 {
 namespace
 {
-constexpr double reach = 8e-6; // m; larger: fewer searches but wider windows
+/// How far [m] a search looks: larger, and searches were fewer but windows wider. Steps of elements
+/// have many to a search either way; at those of reduced bodies, which are longer, a search is to
+/// hold for some, even if gaps close with the speed @p unforeseen [m/s].
+double reach(const double dt, const double unforeseen)
+{
+  constexpr double least = 8e-6, steps = 10.;
+  return std::max(least, steps * unforeseen * dt);
+}
 
 /// One side of a joint with all of its nodes closed: each node carries the springs of its share of
 /// the surface, @p area(station) [m2]. The nodes of a rigid body have all of it to move: at the
@@ -314,7 +321,7 @@ void NodeBores::add_forces(World &world, const double dt)
         JointBatch &batch = *group.batches[b];
         if (every_step_ || batch.search_due(dt))
           {
-            n_missed_ += batch.search(every_step_ ? 0. : reach, unforeseen);
+            n_missed_ += batch.search(every_step_ ? 0. : reach(dt, unforeseen), unforeseen);
             announce_joints(world, group, b, every_step_);
           }
         batch.add_forces(dt);
