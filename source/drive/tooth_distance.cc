@@ -93,9 +93,9 @@ Projection ToothForm::closest_point(const Point<2> &p) const
 {
   // fold p into the sector 0 <= polar angle <= pi / z: the profile maps to itself under those
   // rotations and mirrors, so the point nearest to p lies in the sector of p
-  const double gaps   = rough_angle(p) * (teeth / (2. * dealii::numbers::PI));
+  const double gaps   = 0.5 + rough_angle(p) * (teeth / (2. * dealii::numbers::PI));
   const int    n_gaps = static_cast<int>(teeth);
-  int          gap    = gaps < n_gaps ? static_cast<int>(gaps + 0.5) : 0; // 0 of no number, too
+  int          gap    = gaps < n_gaps ? static_cast<int>(gaps) : 0; // 0 of no number, too
   Tensor<1, 2> turn;
   double       x, y;
   const auto   fold = [&]() {
