@@ -162,9 +162,9 @@ void Reduction::declare(Declarations &declarations)
       highest,
       unit::kilo,
       above(0., 1e9),
-      "Of the shapes beside natural modes, which give reduced bodies the local compliance of their "
-      "parts under pressures on the sides that touch. Those that would vibrate faster do so with "
-      "this frequency, without a change of their compliance. It limits the step.");
+      "Of the shapes beside natural modes, which give reduced bodies the compliance of their parts "
+      "under pressure and friction on the sides that touch. Those that would vibrate faster do so "
+      "with this frequency, without a change of their compliance. It limits the step.");
   add(declarations,
       "Harmonics of rollers and bushes",
       tube_order,

@@ -174,14 +174,14 @@ void add(std::vector<Shape> shapes, Basis &basis)
 } // namespace
 
 Basis make_basis(const FreePart            &part,
-                 const std::vector<Vector> &pressures,
+                 const std::vector<Vector> &tractions,
                  const BasisOptions        &options)
 {
   const std::vector<Mode> modes = free_modes(part, options.modes_up_to);
   std::vector<Attachment> loads;
-  loads.reserve(pressures.size());
-  for (const Vector &pressure : pressures)
-    loads.push_back({pressure, part.displacement(pressure)});
+  loads.reserve(tractions.size());
+  for (const Vector &traction : tractions)
+    loads.push_back({traction, part.displacement(traction)});
 
   std::vector<Shape> natural, attached;
   for (unsigned int c = 0; c < part.symmetry().n_classes(); ++c)

@@ -20,9 +20,9 @@ void add(Checksum &sum, const double *values, const std::size_t n)
 }
 
 /// All that a basis follows from: mesh, material and elements are in the numbers of the matrices
-/// and of the @p pressures.
+/// and of the @p tractions.
 std::string
-key_of(const FreePart &part, const std::vector<Vector> &pressures, const BasisOptions &options)
+key_of(const FreePart &part, const std::vector<Vector> &tractions, const BasisOptions &options)
 {
   Checksum sum;
   for (unsigned int row = 0; row < part.n_unknowns(); ++row)
@@ -34,11 +34,11 @@ key_of(const FreePart &part, const std::vector<Vector> &pressures, const BasisOp
       }
   const Vector &mass = part.mass().get_vector();
   add(sum, mass.begin(), mass.size());
-  for (const std::vector<Vector> &vectors : {part.rigid(), pressures})
+  for (const std::vector<Vector> &vectors : {part.rigid(), tractions})
     for (const Vector &vector : vectors)
       add(sum, vector.begin(), vector.size());
   return "basis of the " + part.name() + "; " + std::to_string(part.n_unknowns()) +
-         " unknowns; matrices and pressures " + std::to_string(sum.value()) + "; modes up to " +
+         " unknowns; matrices and tractions " + std::to_string(sum.value()) + "; modes up to " +
          to_text(options.modes_up_to, 12) + "; cap " + to_text(options.cap, 12) + "; negligible " +
          to_text(options.negligible, 12) + "; version " + std::to_string(version) + " of " +
          chaindrive::version;
@@ -116,7 +116,7 @@ Basis kept_basis(const mesh::Part           &part,
     const mesh::Nodes          nodes(part);
     const element::ElasticPart elastic(part, nodes, material, elements);
     const FreePart             free(part, nodes, elastic);
-    const std::vector<Vector>  loads = pressures(part, nodes, options.orders);
+    const std::vector<Vector>  loads = tractions(part, nodes, options.orders);
     const std::string          key   = key_of(free, loads, options);
     if (const auto found = cache.find(key))
       {

@@ -38,7 +38,7 @@ struct Case
       : part(part_of(which, half))
       , nodes(part)
       , free(part, nodes, element::ElasticPart(part, nodes, material, elements))
-      , basis(make_basis(free, pressures(part, nodes, options.orders), options))
+      , basis(make_basis(free, tractions(part, nodes, options.orders), options))
   {
   }
 
@@ -126,7 +126,7 @@ void compare(const Case &half, const Case &whole)
   for (unsigned int i = 0; i < std::min<std::size_t>(symmetric.size(), half.basis.size()); ++i)
     worst = std::max(worst, std::abs(symmetric[i] / half.basis.omega[i] - 1.));
 
-  // the third load is a patch along x, which is not among the pressures
+  // the third load is a patch along x, which is not among the tractions
   const Vector of_whole =
                    displacement(whole.basis, contact_loads(whole.part, whole.nodes)[3].force),
                of_half = displacement(half.basis, contact_loads(half.part, half.nodes)[3].force);

@@ -13,7 +13,7 @@
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/reduction/free_modes.h>
-#include <chaindrive/reduction/pressures.h>
+#include <chaindrive/reduction/tractions.h>
 #include <chaindrive/utilities/eigenvalue.h>
 
 using namespace test;

@@ -19,7 +19,7 @@ inline reduction::Basis basis_of(const scene::Scene            &scene,
   const mesh::Nodes         nodes(part);
   const reduction::FreePart free(
       part, nodes, element::ElasticPart(part, nodes, scene.material, scene.elements));
-  return make_basis(free, pressures(part, nodes, options.orders), options);
+  return make_basis(free, tractions(part, nodes, options.orders), options);
 }
 
 /// Makes all elastic bodies of @p scene but sprockets reduced ones.

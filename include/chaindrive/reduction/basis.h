@@ -2,7 +2,7 @@
 #pragma once
 
 #include <chaindrive/reduction/free_modes.h>
-#include <chaindrive/reduction/pressures.h>
+#include <chaindrive/reduction/tractions.h>
 
 #include <string>
 #include <vector>
@@ -15,12 +15,12 @@ struct BasisOptions
   double modes_up_to = 2. * dealii::numbers::PI * 60e3; ///< all free modes below, rad/s
   double cap = 2. * dealii::numbers::PI * 300e3;        ///< no vector has a higher frequency, rad/s
   Orders orders;
-  double negligible = 3e-3; ///< of the compliance under a pressure: what gives way less is left out
+  double negligible = 3e-3; ///< of the compliance under a traction: what gives way less is left out
 };
 
 /// Displacements that stand for the elasticity of a part: u = Phi q with q" + W^2 q = Phi^T f.
-/// First natural modes, then attachment vectors. These are made of what pressures on sides that
-/// touch displace beside the natural modes, so that the statics of such pressures are those of the
+/// First natural modes, then attachment vectors. These are made of what tractions on sides that
+/// touch displace beside the natural modes, so that the statics of such tractions are those of the
 /// mesh; they vibrate, and those that would be faster than the cap do so with its frequency and a
 /// mass to match, without a change of their compliance.
 struct Basis
@@ -43,16 +43,16 @@ struct Basis
   unsigned int size() const { return static_cast<unsigned int>(omega.size()); }
 };
 
-/// The basis of @p part for some @p pressures, without errors.
+/// The basis of @p part for some @p tractions, without errors.
 ///
-/// With u_j what the pressure j displaces beside the natural modes and C_ij = f_i . u_j, vectors U
+/// With u_j what the traction j displaces beside the natural modes and C_ij = f_i . u_j, vectors U
 /// V L^-1/2 with the eigenpairs C = V L V^T have unit stiffness; the eigenpairs of their masses, of
-/// values 1/omega^2, are the Ritz vectors of both K and M. The pressures are scaled to unit
+/// values 1/omega^2, are the Ritz vectors of both K and M. The tractions are scaled to unit
 /// compliance before; eigenvectors of C whose value is negligible are left out. All of this is done
-/// for each class of the part's symmetry apart, with the parts of pressures and natural modes that
+/// for each class of the part's symmetry apart, with the parts of tractions and natural modes that
 /// are of this class, so that every shape is of one.
 Basis make_basis(const FreePart            &part,
-                 const std::vector<Vector> &pressures,
+                 const std::vector<Vector> &tractions,
                  const BasisOptions        &options);
 
 /// The part of the compliance f . u under the @p force that the @p basis lacks.

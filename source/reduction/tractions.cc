@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/surface/cylinder_grid.h>
-#include <chaindrive/reduction/pressures.h>
+#include <chaindrive/reduction/tractions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,14 +37,22 @@ bool has(const mesh::Part &part, const mesh::Surface surface)
   return std::find(ids.begin(), ids.end(), surface) != ids.end();
 }
 
-/// Pressure over the angle about the axis [rad] and zeta.
-using Pressure = std::function<double(double theta, double zeta)>;
+/// Pressure or friction over the angle about the axis [rad] and zeta.
+using Traction = std::function<double(double theta, double zeta)>;
 
-/// Adds the forces of @p pressure on a side, away from its axis.
+/// Where forces on a side point.
+enum class Towards
+{
+  outside, ///< away from its axis
+  around   ///< along its circumference, as friction of turning joints
+};
+
+/// Adds the forces of a @p traction on a side.
 void add(const mesh::CylinderGrid &grid,
          const mesh::Nodes        &nodes,
-         const Pressure           &pressure,
-         Vector                   &force)
+         const Traction           &traction,
+         Vector                   &force,
+         const Towards             towards = Towards::outside)
 {
   const double length = std::max(std::abs(grid.stations.front()), std::abs(grid.stations.back()));
   for (unsigned int s = 0; s < grid.n_stations(); ++s)
@@ -52,15 +60,16 @@ void add(const mesh::CylinderGrid &grid,
       {
         const unsigned int node  = nodes.of_vertex[grid.vertex_at(s, c)];
         const double       theta = grid.angles[c];
-        const double       f     = grid.area(s, c) * pressure(theta, grid.stations[s] / length);
-        force[3 * node] += f * std::cos(theta);
-        force[3 * node + 1] += f * std::sin(theta);
+        const double       f     = grid.area(s, c) * traction(theta, grid.stations[s] / length);
+        const double       x = std::cos(theta), y = std::sin(theta);
+        force[3 * node] += f * (towards == Towards::outside ? x : -y);
+        force[3 * node + 1] += f * (towards == Towards::outside ? y : x);
       }
 }
 } // namespace
 
 std::vector<Vector>
-pressures(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders)
+tractions(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders)
 {
   std::vector<Vector> forces;
   for (const Side &side : all_sides)
@@ -86,6 +95,17 @@ pressures(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders
                   },
                   forces.back());
             }
+      if (side.joint >= 0)
+        for (unsigned int power = 0; power <= (part.half ? 0 : 1); ++power)
+          {
+            forces.emplace_back(3 * nodes.size());
+            add(
+                grid,
+                nodes,
+                [power](double, const double zeta) { return std::pow(zeta, power); },
+                forces.back(),
+                Towards::around);
+          }
     }
   return forces;
 }
@@ -135,6 +155,9 @@ std::vector<Load> contact_loads(const mesh::Part &part, const mesh::Nodes &nodes
       add(grid, nodes, pressed(0.5 * PI), begin("side"));
       add(grid, nodes, patch(0.), begin("patch along"));
       add(grid, nodes, patch(0.5 * PI), begin("patch across"));
+      if (side.joint == 0)
+        add(
+            grid, nodes, [](double, double) { return 1.; }, begin("turn"), Towards::around);
     }
   return loads;
 }

@@ -16,13 +16,15 @@ struct Orders
   unsigned int pin  = 6;
 };
 
-/// Pressures [Pa] cos(n theta), sin(n theta) times powers of zeta on every cylindrical side of
-/// @p part that touches another part, n up to the @p orders as long as there are more than two
-/// columns of nodes for a wave, zeta = z over half of the side's length. The powers go up to 2, on
-/// bores of bushes to 4 and on pins, which bend in them, to 6, without odd ones on a half part. As
-/// forces of the nodes, N.
+/// What acts on every cylindrical side of @p part that touches another part, as forces of the
+/// nodes, N, with zeta = z over half of the side's length:
+/// - pressures [Pa] cos(n theta), sin(n theta) times powers of zeta, n up to the @p orders as long
+///   as there are more than two columns of nodes for a wave. The powers go up to 2, on bores of
+///   bushes to 4 and on pins, which bend in them, to 6, without odd ones on a half part;
+/// - on links, even friction around the side: its couple bends them, which no pressure does. On
+///   whole parts also zeta times as much, friction that differs from one end to the other.
 std::vector<Vector>
-pressures(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders);
+tractions(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders);
 
 /// A load by which the statics of a basis are judged.
 struct Load
@@ -36,6 +38,7 @@ struct Load
 /// - pull: cos theta on the half that is pressed, on both joints of a link apart;
 /// - pull at the ends: the same on the outer halves of the length alone;
 /// - side: cos theta on the half towards the chain's side, on one joint;
-/// - patch: even pressure within 22.5 degrees, along the chain and across it.
+/// - patch: even pressure within 22.5 degrees, along the chain and across it;
+/// - turn: even friction around the side, on one joint of a link.
 std::vector<Load> contact_loads(const mesh::Part &part, const mesh::Nodes &nodes);
 } // namespace chaindrive::reduction
