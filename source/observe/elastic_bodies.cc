@@ -82,6 +82,29 @@ bool has_elastic(const scene::Scene             &scene,
   return false;
 }
 
+double spin_of_nodes(const dynamics::System &system, const unsigned int body)
+{
+  const World::Address             &place  = system.world.elastic_address[body];
+  const BodyBatches                &copies = system.world.copies[place.group];
+  const std::vector<double>        &mass   = copies.nodes.mass;
+  std::vector<dealii::Tensor<1, 3>> position, velocity;
+  system.world.group_of(place.group).nodes_now(system.world, place.copy, position, velocity);
+  dealii::Tensor<1, 3> centre, mean;
+  for (unsigned int node = 0; node < copies.n_nodes(); ++node)
+    {
+      centre += mass[node] / copies.mass * position[node];
+      mean += mass[node] / copies.mass * velocity[node];
+    }
+  double momentum = 0., inertia = 0.;
+  for (unsigned int node = 0; node < copies.n_nodes(); ++node)
+    {
+      const dealii::Tensor<1, 3> arm = position[node] - centre, v = velocity[node] - mean;
+      momentum += mass[node] * (arm[0] * v[1] - arm[1] * v[0]);
+      inertia += mass[node] * (arm[0] * arm[0] + arm[1] * arm[1]);
+    }
+  return momentum / inertia;
+}
+
 ElasticSnapshots::ElasticSnapshots(const dynamics::System &system)
 {
   for (const auto &group : system.world.groups)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Numbers of single elastic bodies among others, from the state of a system: rollers and links that
 // fly and spin, without stress and after they have been stretched along their own x axis. The
-// surface node of a roller lies in its middle plane, on its outside, next to the span's normal.
+// surface node of a roller lies in its middle plane, on its outside, next to the span's normal. The
+// spin of a body that moves by nodes is that at which it was started.
 #include "../support/scenes.h"
 
 #include <chaindrive/mesh/generate/links.h>
@@ -73,6 +74,13 @@ int main()
     }
   verdict("surface nodes are on the outside", speed < 1e-9 && across < 1e-12);
   verdict("and at most half a column from the normal", angle < dealii::numbers::PI / 24. + 1e-9);
+  double spin = 0.;
+  for (unsigned int b = 0; b < n_bodies; ++b)
+    spin = std::max(
+        spin,
+        std::abs(observe::spin_of_nodes(system, b) / scene.bodies[b].initial.angular_velocity[2] -
+                 1.));
+  verdict("bodies spin as they were started", spin < 1e-9);
 
   const double strain = 1e-4, stress = E * strain * (1. + 0.5 * strain);
   for (const bool stretched : {false, true})

@@ -2,15 +2,18 @@
 """resume.py CASE PROGRAM REPOSITORY: runs that are interrupted and go on. Every case ends by comparing all
 results with those of a run that nobody disturbed: histories, pictures, lists and summary, byte by byte.
 
-  same FIDELITY     A to C is A to B to C, by a greater end time; simple, layered, reduced, full or full2 on two ranks;
-                    from a settled start with the word `settled`
+  same FIDELITY     A to C is A to B to C, by a greater end time; simple, layered, reduced, full, full2 on two ranks, or
+                    mixed, elastic rollers on rigid links; from a settled start with the word `settled`
   ranks             a checkpoint of two ranks is read by one and the other way round: equal to round-off
   stop              SIGTERM, SIGINT and the wall-clock limit: a checkpoint, status 4, and what to do next; a signal before the
                     first step
   refuse            checkpoints that are cut off, damaged, of other parameters, versions and formats, or none
   histories         histories kept for a checkpoint that are cut off, damaged or gone
   mesh              an imported mesh whose contents have changed
-  kill [N] [RANKS]  kill -9 at N random moments, 4 by default
+  kill [N] [RANKS] [FIDELITY]
+                    kill -9 at N random moments, 4 by default; layered on one rank, full on more
+  bits [N]          one bit of a checkpoint turned round, at N places, 12 by default: refused, nothing touched
+  cache             goes on after the cache of parts was deleted
 """
 import contextlib
 import os
@@ -58,10 +61,17 @@ FULL = {
 }
 
 
+MIXED = {"Effects/Elastic driver": "off", "Effects/Elastic driven": "off", "Effects/Elastic links": "off"}
+ELASTIC = ("full", "reduced", "mixed")
+
+
 def drive(fidelity, **more):
     """Entries of a small drive."""
     entries = dict(DRIVE)
-    entries.update({**(FULL if fidelity in ("full", "reduced") else RIGID), "Model/Fidelity": fidelity})
+    entries.update(FULL if fidelity in ELASTIC else RIGID)
+    entries["Model/Fidelity"] = "full" if fidelity == "mixed" else fidelity
+    if fidelity == "mixed":
+        entries.update(MIXED)
     entries.update(more)
     return entries
 
@@ -119,7 +129,7 @@ def checkpoints(directory):
 def same(fidelity, start="taut"):
     ranks = 2 if fidelity == "full2" else 1
     entries = drive(fidelity.rstrip("2"), **{"Drive/Layout/Start": start})
-    end, middle = (0.06, 0.031) if fidelity.startswith(("full", "reduced")) else (3, 1.3)
+    end, middle = (0.06, 0.031) if fidelity.startswith(ELASTIC) else (3, 1.3)
     fresh("through", "resumed")
     run("through", {**entries, "Time/End time in ms": end}, ranks=ranks)
     run("resumed", {**entries, "Time/End time in ms": middle, "Output/Checkpoint interval in ms": middle / 3}, ranks=ranks)
@@ -184,8 +194,8 @@ def stop_early():
 
 def stop():
     stop_early()
-    for fidelity, ranks in (("layered", 1), ("full", 2)):
-        end = {"Time/End time in ms": 0.3 if fidelity == "full" else 20}
+    for fidelity, ranks in (("layered", 1), ("full", 2), ("reduced", 2)):
+        end = {"Time/End time in ms": 0.3 if fidelity in ELASTIC else 20}
         entries = {**drive(fidelity), **end}
         fresh("through", "resumed")
         run("through", entries, ranks=ranks)
@@ -354,11 +364,42 @@ def mesh():
     run("whole", entries, ["--resume", "auto"])
 
 
-def kill(n=4, ranks=1):
+def bits(n=12):
+    """Header, length of every place and numbers: whatever bit is wrong, the file is refused."""
+    entries = {**drive("reduced"), "Time/End time in ms": 0.02, "Output/Checkpoint interval in ms": 0.01}
+    fresh("whole")
+    run("whole", entries)
+    newest = checkpoints("whole")[-1]
+    content, before = newest.read_bytes(), results("whole")
+    places = random.Random(2).sample(range(8 * len(content)), n)
+    for place in places:
+        changed = bytearray(content)
+        changed[place // 8] ^= 1 << place % 8
+        newest.write_bytes(changed)
+        said = run("whole", {**entries, "Time/End time in ms": 0.03}, ["--resume", str(newest)], status=2)
+        check(re.search(re.escape(str(newest)), said) and "xception" not in said, f"bit {place}:\n{said}")
+        check(results("whole") == before, f"bit {place}: results were touched")
+    print(f"{n} bits of {len(content)} bytes: all refused")
+
+
+def cache():
+    """Parts are solved anew: the same numbers."""
+    os.environ["CHAINDRIVE_CACHE"] = str(pathlib.Path("cache").resolve())
+    entries = {**drive("reduced"), "Time/End time in ms": 0.06}
+    fresh("through", "resumed", "cache")
+    run("through", entries)
+    run("resumed", {**entries, "Time/End time in ms": 0.03, "Output/Checkpoint interval in ms": 0.01})
+    check(any(pathlib.Path("cache").iterdir()), "nothing was cached")
+    fresh("cache")
+    run("resumed", entries, ["--resume", "auto"])
+    compare("through", "resumed")
+
+
+def kill(n=4, ranks=1, fidelity=None):
     """Each kill comes at a random moment after the run has begun; what is finished must stay as it is."""
     random.seed(int(os.environ.get("CHAINDRIVE_SEED", "0")) or None)
-    fidelity = "layered" if ranks == 1 else "full"
-    end, interval = (0.5 * n, 0.05) if ranks == 1 else (0.015 * n, 0.002)
+    fidelity = fidelity or ("layered" if ranks == 1 else "full")
+    end, interval = (0.015 * n, 0.002) if fidelity in ELASTIC else (0.5 * n, 0.05)
     entries = {**drive(fidelity), "Time/End time in ms": end, "Output/Checkpoint interval in ms": interval}
     fresh("through", "resumed")
     began = time.time()
@@ -416,9 +457,9 @@ def examine(directory):
 
 def main():
     case, arguments = sys.argv[1].split()[0], sys.argv[1].split()[1:]
-    {"same": same, "ranks": ranks, "stop": stop, "refuse": refuse, "histories": histories, "mesh": mesh}.get(
-        case, lambda *words: kill(*(int(word) for word in words))
-    )(*arguments)
+    arguments = [int(word) if word.isdigit() else word for word in arguments]
+    cases = (same, ranks, stop, refuse, histories, mesh, bits, cache, kill)
+    {function.__name__: function for function in cases}[case](*arguments)
 
 
 if __name__ == "__main__":

@@ -25,6 +25,10 @@ bool has_elastic(const scene::Scene             &scene,
                  const dynamics::System         &system,
                  const std::vector<scene::Kind> &kinds);
 
+/// Angular velocity [rad/s] about the z axis through its centre of mass of a @p body that moves by
+/// nodes and that this rank owns: of its angular momentum over its moment of inertia as it is now.
+double spin_of_nodes(const dynamics::System &system, unsigned int body);
+
 /// Displacement, velocity and stress everywhere in elastic bodies.
 class ElasticSnapshots
 {

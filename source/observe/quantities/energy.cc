@@ -12,11 +12,12 @@ struct Line
 {
   const char *name;
   double Ledger::*term;
-  const char     *effect; ///< that fills the line; null: always there; or elastic bodies
+  const char     *effect; ///< that fills the line; null: always there; or bodies
   const char     *description;
 };
 
-constexpr const char *elastic = "elastic bodies"; // of any kind
+// bodies that fill a line: elastic ones of any kind, and those made of elements
+constexpr const char *elastic = "elastic bodies", *nodal = "bodies that move by nodes";
 
 constexpr Line lines[] = {
     {"kinetic", &Ledger::kinetic, nullptr, "Of all bodies but the prescribed hub"},
@@ -25,7 +26,7 @@ constexpr Line lines[] = {
     {"strain", &Ledger::strain, elastic, "Strain energy of elastic bodies"},
     {"hourglass",
      &Ledger::hourglass,
-     elastic,
+     nodal,
      "In the hourglass stiffness of elastic bodies; physical bending for the enhanced elements"},
     {"contact", &Ledger::contact, nullptr, "Stored in the contact springs"},
     {"friction_loss", &Ledger::friction, "friction", "Lost by friction since the start"},
@@ -59,6 +60,7 @@ public:
     const auto is_there = [this](const Line &line) {
       return line.effect == nullptr ||
              (line.effect == elastic ? now_.scene.has_elastic_bodies() :
+              line.effect == nodal   ? now_.system.world.n_nodal_groups() > 0 :
                                        scene::is_on(now_.scene.effects, line.effect));
     };
     for (const Line &line : lines)

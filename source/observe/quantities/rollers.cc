@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/dynamics/newmark.h>
+#include <chaindrive/observe/elastic_bodies.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/rows.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 
@@ -50,19 +53,42 @@ public:
             [this, d](const unsigned int k) { return acceleration_[3 * k + d]; });
       }
     if (std::all_of(now_.rollers.begin(), now_.rollers.end(), [this](const unsigned int k) {
-          const scene::Body &roller = now_.scene.bodies[k];
-          return roller.motion == scene::Motion::rigid || roller.inertia[2] > 0.;
+          return turns(now_.scene.bodies[k]);
         }))
       add("spin",
           "rad/s",
           "Angular velocity, counter-clockwise positive",
-          [&frames](const unsigned int k) { return frames[k].angular_velocity[2]; });
+          [this, &frames](const unsigned int k) {
+            return now_.system.world.moves_by_nodes(k) ? spin_of_nodes_[k] :
+                                                         frames[k].angular_velocity[2];
+          });
   }
 
-  void gather() override { dynamics::accelerations(now_.system.world, acceleration_); }
+  /// Every rank looks at its own rollers that move by nodes and leaves zeros where others do.
+  void gather() override
+  {
+    const World &world = now_.system.world;
+    dynamics::accelerations(world, acceleration_);
+    if (std::none_of(now_.rollers.begin(), now_.rollers.end(), [&world](const unsigned int k) {
+          return world.moves_by_nodes(k);
+        }))
+      return;
+    spin_of_nodes_.assign(now_.scene.n_joints, 0.);
+    for (const unsigned int k : now_.rollers)
+      if (world.moves_by_nodes(k) && world.owns(k))
+        spin_of_nodes_[k] = spin_of_nodes(now_.system, k);
+    dealii::Utilities::MPI::sum(spin_of_nodes_, world.communicator(), spin_of_nodes_);
+  }
 
 private:
-  std::vector<double> acceleration_; ///< of all bodies at the present sample
+  /// Whether @p roller has an angular velocity: a lumped one only where its ring turns.
+  static bool turns(const scene::Body &roller)
+  {
+    return roller.motion != scene::Motion::lumped || roller.inertia[2] > 0.;
+  }
+
+  std::vector<double> acceleration_;  ///< of all bodies at the present sample
+  std::vector<double> spin_of_nodes_; ///< of rollers that move by nodes, by body, rad/s
 };
 
 const Registered<Rollers> registration("rollers", 20, parameters::QuantityGroup::roller_motion);
