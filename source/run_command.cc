@@ -48,6 +48,26 @@ std::string output_directory(const CommandLine &command_line, const Parameters &
   return "results/" + std::filesystem::path(command_line.parameter_file).stem().string();
 }
 
+/// Says where results go if the .prm file alone sends them outside of its folder and of that of the
+/// call: it may be somebody else's.
+std::string far_away(const CommandLine &command_line, const std::string &output)
+{
+  namespace fs = std::filesystem;
+  if (output.empty() || !command_line.output_directory.empty())
+    return "";
+  const auto inside = [](const fs::path &inner, const fs::path &outer) {
+    const fs::path path = fs::weakly_canonical(fs::absolute(inner))
+                              .lexically_relative(fs::weakly_canonical(fs::absolute(outer)));
+    return !path.empty() && *path.begin() != "..";
+  };
+  const fs::path folder = fs::path(command_line.parameter_file).parent_path();
+  if (inside(output, fs::current_path()) || inside(output, folder.empty() ? "." : folder))
+    return "";
+  return "Output/Directory = " + output +
+         " of the parameter file lies outside of its folder and of the present one: the results go "
+         "there.";
+}
+
 /// What a resumed run must find as it was: parameters::Input::fixed and the contents of meshes.
 std::string fixed_text(const parameters::Input        &input,
                        const drive::Drive             &drive,
@@ -269,7 +289,12 @@ std::optional<std::string> run_command(const CommandLine &command_line, const MP
     return prepared.directory.path();
   if (stopped_before_first_step(prepared))
     return std::nullopt;
-  on_first_rank(simulation.communicator(), [&] { warn(prepared.log, prepared.directory.claim()); });
+  on_first_rank(simulation.communicator(), [&] {
+    prepared.directory.spare(command_line.parameter_file);
+    warn(prepared.log, far_away(command_line, prepared.input.parameters.output.directory));
+    warn(prepared.log, prepared.directory.strangers());
+    warn(prepared.log, prepared.directory.claim());
+  });
   const auto checkpoint = find_checkpoint(prepared);
   print_plan(prepared);
   print_meshes(prepared);
@@ -305,7 +330,7 @@ std::optional<std::string> run_command(const CommandLine &command_line, const MP
       throw RunError(log.end_with(error.what() + checkpoints.last()));
     }
   const bool finished = simulation.is_finished();
-  recorder.close(finished);
+  warn(log, recorder.close(finished));
   if (finished)
     end_files(prepared);
   else

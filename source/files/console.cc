@@ -118,8 +118,10 @@ protected:
     if (shared_->waiting.empty())
       shared_->last_taken = Clock::now();
     shared_->waiting.append(text, static_cast<std::size_t>(n));
-    if (!thread_.joinable())
+    if (!thread_.joinable() && !alone_)
       start();
+    if (alone_)
+      hand_over_here();
     shared_->changed.notify_all();
     return n;
   }
@@ -135,14 +137,39 @@ private:
       {
         thread_ = std::thread(hand_over, descriptor_, shared_);
       }
-    catch (const std::system_error &) // no room for a thread: the file must do
+    catch (const std::system_error &) // no room for a thread: the program waits for the reader
       {
-        shared_->refused = true;
+        alone_ = true;
       }
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
 
+  /// Hands over what waits without a thread, while the reader takes something now and then.
+  void hand_over_here()
+  {
+    std::string &waiting = shared_->waiting;
+    while (!waiting.empty() && Clock::now() - shared_->last_taken <= std::min(patience_, longest))
+      {
+        pollfd        room = {descriptor_, POLLOUT, 0};
+        const ssize_t n =
+            ::poll(&room, 1, 100) > 0 ?
+                ::write(descriptor_, waiting.data(), std::min<std::size_t>(waiting.size(), 512)) :
+                0;
+        if (n < 0 && errno != EAGAIN && errno != EINTR)
+          break;
+        if (n > 0)
+          {
+            waiting.erase(0, static_cast<std::size_t>(n));
+            shared_->last_taken = Clock::now();
+          }
+      }
+    shared_->refused = !waiting.empty();
+  }
+
+  static constexpr std::chrono::milliseconds longest = 10s; ///< without a thread
+
   int                       descriptor_;
+  bool                      alone_    = false; ///< without a thread
   std::chrono::milliseconds patience_ = std::chrono::hours(24 * 365 * 100);
   std::shared_ptr<Shared>   shared_   = std::make_shared<Shared>();
   std::thread               thread_;

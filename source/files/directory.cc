@@ -53,7 +53,8 @@ std::string either(const std::vector<std::string> &names)
 /// Finished or not.
 std::string both(const std::string &names) { return names + "(" + unfinished + ")?"; }
 
-/// The files of @p directory whose whole name matches @p names; only directories if so asked.
+/// The files of @p directory whose whole name matches @p names, symbolic links among them wherever
+/// they lead; only directories if so asked.
 std::vector<fs::path>
 entries(const fs::path &directory, const std::string &names, const bool directories = false)
 {
@@ -65,7 +66,8 @@ entries(const fs::path &directory, const std::string &names, const bool director
     {
       std::error_code ignored;
       if (std::regex_match(entry->path().filename().string(), expression) &&
-          (directories ? entry->is_directory(ignored) : entry->is_regular_file(ignored)))
+          (directories ? entry->is_directory(ignored) :
+                         entry->is_regular_file(ignored) || entry->is_symlink(ignored)))
         found.push_back(entry->path());
     }
   return found;
@@ -96,8 +98,9 @@ public:
     do
       {
         close();
-        descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
-        error_      = descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 ? errno : 0;
+        descriptor_ =
+            ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK, 0666);
+        error_ = descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 ? errno : 0;
       }
     while (error_ == 0 && !is_still_there()); // who had it may have removed the file meanwhile
     if (error_ == 0)
@@ -137,7 +140,7 @@ private:
   bool is_still_there() const
   {
     struct ::stat mine = {}, there = {};
-    return ::fstat(descriptor_, &mine) == 0 && ::stat(file_.c_str(), &there) == 0 &&
+    return ::fstat(descriptor_, &mine) == 0 && ::lstat(file_.c_str(), &there) == 0 &&
            mine.st_ino == there.st_ino && mine.st_dev == there.st_dev;
   }
 
@@ -182,7 +185,10 @@ std::string Directory::lock()
                        ". Choose another one with --output, or wait for its end.");
     }
   if (!lock_->is_open())
-    throw InputError(refusal() + std::generic_category().message(lock_->error()) + ".");
+    throw InputError(refusal() +
+                     (lock_->error() == ELOOP ? "chaindrive.lock there is a symbolic link" :
+                                                std::generic_category().message(lock_->error())) +
+                     ".");
   if (lock_->error() != 0)
     return "The output directory '" + path_ + "' cannot be locked (" +
            std::generic_category().message(lock_->error()) +
@@ -220,6 +226,52 @@ void Directory::check_contents() const
   if (fs::exists(status) && !fs::is_directory(status))
     throw InputError(refusal() + "'" + fields.string() +
                      "' is a file, where a directory is to stand.");
+  if (fs::is_symlink(fs::symlink_status(fields, error)))
+    throw InputError(refusal() + "'" + fields.string() +
+                     "' is a symbolic link, where a directory is to stand.");
+}
+
+std::string Directory::strangers() const
+{
+  const std::regex ours(either({both(either({series, lists, others, summary, csv_files()})),
+                                "fields|chaindrive\\.lock|variant\\.prm|result\\.json"}));
+  std::error_code  error;
+  std::string      first;
+  std::size_t      n = 0;
+  for (auto entry = fs::directory_iterator(path_, error); !error && entry != fs::end(entry);
+       entry.increment(error))
+    if (const std::string name = entry->path().filename().string(); !std::regex_match(name, ours))
+      {
+        ++n;
+        first = first.empty() ? name : std::min(first, name);
+      }
+  if (n == 0 || fs::exists(fs::path(path_) / "log.txt"))
+    return "";
+  return "The output directory '" + path_ + "' holds " + std::to_string(n) +
+         (n == 1 ? " file" : " files") + " that no run has written, such as '" + first +
+         "': the results go beside them.";
+}
+
+void Directory::spare(const std::string &parameter_file) const
+{
+  // a run opens its log first, then writes these two
+  std::error_code error;
+  const fs::path  folder(path_);
+  if (fs::exists(folder / "log.txt", error))
+    return;
+  for (const char *name : {"parameters.prm", "input.prm"})
+    {
+      const fs::path file = folder / name;
+      if (!fs::exists(fs::symlink_status(file, error)))
+        continue;
+      const bool own = fs::equivalent(file, parameter_file, error);
+      if (own && file.filename() == "input.prm")
+        continue; // gets the text that it has
+      throw InputError(refusal() + "'" + file.string() + "' is " +
+                       (own ? "the parameter file of this run" : "there and not of a run") +
+                       ", and would be replaced. Choose another one with --output, or rename the "
+                       "file.");
+    }
 }
 
 std::string Directory::claim()

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 #include <streambuf>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -18,7 +19,23 @@ namespace chaindrive::files
 {
 std::string write_failure(const std::string &path, const int error_number)
 {
-  return "Cannot write '" + path + "': " + std::generic_category().message(error_number) + ".";
+  return "Cannot write '" + path + "': " +
+         (error_number == ELOOP ? "it is a symbolic link" :
+                                  std::generic_category().message(error_number)) +
+         ".";
+}
+
+int create_anew(const std::string &path)
+{
+  struct ::stat there = {};
+  if (::lstat(path.c_str(), &there) == 0)
+    {
+      if (!S_ISREG(there.st_mode) && !S_ISLNK(there.st_mode))
+        return ::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
+      if (::unlink(path.c_str()) != 0)
+        return -1;
+    }
+  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
 }
 
 namespace
@@ -49,8 +66,9 @@ class File::Buffer : public std::streambuf
 {
 public:
   Buffer(const std::string &path, const bool append)
-      : descriptor_(
-            ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (append ? 0 : O_TRUNC), 0666))
+      : descriptor_(append ?
+                        ::open(path.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666) :
+                        create_anew(path))
       , error_(descriptor_ < 0 ? errno : 0)
   {
     if (append && error_ == 0)

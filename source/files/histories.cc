@@ -285,10 +285,11 @@ void Histories::close()
   d.file->close(d.written);
 }
 
-void Histories::compress()
+std::string Histories::compress()
 {
   Data &d = *data_;
-  if (d.file && d.written > 0)
-    HistoryFile::compress(d.prefix + ".h5", d.attributes, d.tables(), d.block);
+  return d.file && d.written > 0 ?
+             HistoryFile::compress(d.prefix + ".h5", d.attributes, d.tables(), d.block) :
+             "";
 }
 } // namespace chaindrive::files

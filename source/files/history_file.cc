@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <hdf5.h>
@@ -17,6 +18,7 @@
 #include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace chaindrive::files
@@ -45,7 +47,6 @@ int last_error_number()
 
 struct HistoryFile::Data
 {
-
   std::string               path;
   std::size_t               rows, block;
   std::vector<unsigned int> columns;
@@ -241,7 +242,7 @@ struct HistoryFile::Data
     // KiB; a later one marks the file as being written, and nobody could read it meanwhile.
     check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
     // first without HDF5, which need not be tidied up after
-    const int trial = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    const int trial = create_anew(path);
     if (trial < 0)
       abandon(errno);
     const int error = compressed ? 0 : reserve(trial, rows);
@@ -252,6 +253,11 @@ struct HistoryFile::Data
         abandon(error);
       }
 
+    // for want of this room the library would not fail but crash
+    void *volatile room = std::malloc(16 << 20);
+    if (room == nullptr)
+      throw std::bad_alloc();
+    std::free(room);
     file = Object(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)));
     void *handle;
     check(H5Fget_vfd_handle(file, access, &handle));
@@ -294,12 +300,13 @@ HistoryFile::HistoryFile(const std::string            &path,
 
 HistoryFile::HistoryFile() : data_(std::make_unique<Data>()) {}
 
-void HistoryFile::compress(const std::string            &path,
-                           const Attributes             &attributes,
-                           const std::vector<TableInfo> &tables,
-                           const std::size_t             block)
+std::string HistoryFile::compress(const std::string            &path,
+                                  const Attributes             &attributes,
+                                  const std::vector<TableInfo> &tables,
+                                  const std::size_t             block)
 {
   const std::string part = path + ".part";
+  std::string       why;
   try
     {
       HistoryFile from(path, tables), to;
@@ -322,12 +329,19 @@ void HistoryFile::compress(const std::string            &path,
       to.close(d.rows);
       sync_file(part); // its name must not be there before its content
       if (std::rename(part.c_str(), path.c_str()) == 0)
-        return;
+        return "";
+      why = write_failure(path, errno);
     }
-  catch (const RunError &) // the disk is full
+  catch (const RunError &error) // the disk is full
     {
+      why = error.what();
+    }
+  catch (const InputError &error) // something else has removed, cut or locked the file
+    {
+      why = error.what();
     }
   ::unlink(part.c_str());
+  return "Histories were not compressed: " + why;
 }
 
 HistoryFile::HistoryFile(const std::string &path, const std::vector<TableInfo> &tables)
@@ -338,7 +352,15 @@ HistoryFile::HistoryFile(const std::string &path, const std::vector<TableInfo> &
   d.complete = true;
   d.rows     = std::numeric_limits<std::size_t>::max();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  d.file = Object(d.check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)));
+  if (::access(path.c_str(), R_OK) != 0)
+    throw InputError("The histories '" + path +
+                     "' cannot be read: " + std::generic_category().message(errno) + ".");
+  d.file = Object(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+  if (d.file < 0)
+    throw InputError("The histories '" + path + "' cannot be read: " +
+                     (last_error_number() == EAGAIN ?
+                          "another program has the file open to write." :
+                          "the file is damaged."));
   for (const TableInfo &info : tables)
     {
       d.columns.push_back(info.columns);

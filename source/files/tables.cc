@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <hdf5.h>
+#include <new>
+#include <ostream>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -25,32 +26,30 @@ Object open_file(const std::string &path)
   return Object(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
 }
 
-/// What a call returned, whose failure is one of writing.
+/// What a call returned that makes a part of a file in memory: there it fails for want of that
+/// only.
 template <typename Result>
-Result written(const Result result, const std::string &path)
+Result made(const Result result)
 {
   if (result < 0)
-    throw RunError(write_failure(path, errno != 0 ? errno : EIO));
+    throw std::bad_alloc();
   return result;
 }
 
-void add_table(const Object &file, const Table &table, const std::string &path)
+void add_table(const Object &file, const Table &table)
 {
   const TableInfo             &info = table.info;
   const std::array<hsize_t, 2> size{{table.n_rows(), info.columns}};
-  const Object                 space(
-      written(H5Screate_simple(info.columns == 1 ? 1 : 2, size.data(), nullptr), path));
-  const Object links(written(H5Pcreate(H5P_LINK_CREATE), path));
-  written(H5Pset_create_intermediate_group(links, 1), path);
-  const Object dataset(written(
-      H5Dcreate2(file, info.path.c_str(), H5T_IEEE_F64LE, space, links, H5P_DEFAULT, H5P_DEFAULT),
-      path));
-  written(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()),
-          path);
+  const Object space(made(H5Screate_simple(info.columns == 1 ? 1 : 2, size.data(), nullptr)));
+  const Object links(made(H5Pcreate(H5P_LINK_CREATE)));
+  made(H5Pset_create_intermediate_group(links, 1));
+  const Object dataset(made(
+      H5Dcreate2(file, info.path.c_str(), H5T_IEEE_F64LE, space, links, H5P_DEFAULT, H5P_DEFAULT)));
+  made(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()));
   for (const auto &[name, value] : info.attributes)
-    written(write_attribute(dataset, name, {value}), path);
+    made(write_attribute(dataset, name, {value}));
   if (!info.labels.empty())
-    written(write_attribute(dataset, "columns", info.labels), path);
+    made(write_attribute(dataset, "columns", info.labels));
 }
 } // namespace
 
@@ -130,24 +129,22 @@ void write_tables(const std::string        &path,
                   const Attributes         &attributes,
                   const std::vector<Table> &tables)
 {
-  const std::string part = path + ".part";
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  try
-    {
-      errno = 0;
-      Object file(written(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), path));
-      for (const auto &[name, value] : attributes)
-        written(write_attribute(file, name, {value}), path);
-      for (const Table &table : tables)
-        add_table(file, table, path);
-      written(H5Fflush(file, H5F_SCOPE_GLOBAL), path);
-      written(H5Fclose(file.release()), path);
-      written(std::rename(part.c_str(), path.c_str()), path);
-    }
-  catch (const RunError &)
-    {
-      ::unlink(part.c_str());
-      throw;
-    }
+  const Object access(made(H5Pcreate(H5P_FILE_ACCESS)));
+  made(H5Pset_fapl_core(access, 1 << 20, false));
+  std::vector<char> bytes;
+  {
+    const Object file(made(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)));
+    for (const auto &[name, value] : attributes)
+      made(write_attribute(file, name, {value}));
+    for (const Table &table : tables)
+      add_table(file, table);
+    made(H5Fflush(file, H5F_SCOPE_GLOBAL));
+    bytes.resize(made(H5Fget_file_image(file, nullptr, 0)));
+    made(H5Fget_file_image(file, bytes.data(), bytes.size()));
+  }
+  write_file(path, [&bytes](std::ostream &out) {
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  });
 }
 } // namespace chaindrive::files

@@ -122,8 +122,9 @@ void Checkpoints::write(dynamics::System &system, const unsigned long step)
   const PhaseTimer::Scope scope(system.timer, system.timer.add("Output"));
   files::CheckpointItems  items(system.world.communicator());
   serialize_all(items.archive(), system);
-  last_ = files::checkpoint_path(directory_, step);
-  items.write(last_, {step, system.world.time, dt_}, fixed_);
+  const std::string path = files::checkpoint_path(directory_, step);
+  items.write(path, {step, system.world.time, dt_}, fixed_);
+  last_    = path; // not before it is there
   written_ = Clock::now();
   if (!system.world.is_first_rank())
     return;

@@ -107,15 +107,17 @@ void Recorder::check(const Archive &archive, const std::string &directory)
   files::Histories::check(directory + histories_name, archive / "histories");
 }
 
-void Recorder::close(const bool finished)
+std::string Recorder::close(const bool finished)
 {
   if (!sampling_)
-    return;
+    return "";
   sampling_->histories->close();
   if (!finished)
-    return;
-  sampling_->histories->compress();
-  sampling_->histories->remove_saved();
+    return "";
+  std::string why_not = sampling_->histories->compress();
+  if (why_not.empty()) // what may be lost there is still in these rows
+    sampling_->histories->remove_saved();
+  return why_not;
 }
 
 void Recorder::summarize(files::Json &summary) const

@@ -34,6 +34,14 @@ public:
   /// be continued. Returns as claim().
   std::string take_over(bool resumes = false, bool csv = true);
 
+  /// A sentence on what is there and not of any run, if no run has been there; or nothing. Nothing
+  /// of it is touched.
+  std::string strangers() const;
+
+  /// Refuses a directory where no run has been and a file of somebody stands under the name of one
+  /// that a run of @p parameter_file writes.
+  void spare(const std::string &parameter_file) const;
+
 private:
   class Lock;
 

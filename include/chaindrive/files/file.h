@@ -37,6 +37,10 @@ private:
   std::unique_ptr<Buffer> buffer_;
 };
 
+/// Opens a new file @p path to be written. What stood there goes, of a symbolic link the link and
+/// not what it leads to; a device is opened as it is. Returns the descriptor, or -1 with errno.
+int create_anew(const std::string &path);
+
 /// The sentence of a RunError: file and reason, the latter from @p error_number (errno).
 std::string write_failure(const std::string &path, int error_number);
 

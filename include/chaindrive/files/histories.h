@@ -91,9 +91,9 @@ public:
   /// Writes what is left and closes the files.
   void close();
 
-  /// Compresses the HDF5 file, which has been closed; where there is no room for it, it stays as it
-  /// is.
-  void compress();
+  /// Compresses the HDF5 file, which has been closed. Where that cannot be it stays as it is;
+  /// returns why, a sentence, or nothing.
+  std::string compress();
 
   /// Removes the file of serialize(), which the closed histories make superfluous.
   void remove_saved();

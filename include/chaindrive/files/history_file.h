@@ -39,11 +39,12 @@ public:
 
   /// Puts a compressed copy in the place of the complete file @p path, which has these tables, all
   /// at once: a reader finds one or the other. Pieces of @p block rows are shuffled and deflated,
-  /// which every HDF5 library reads. Where there is no room for the copy the file stays as it is.
-  static void compress(const std::string            &path,
-                       const Attributes             &attributes,
-                       const std::vector<TableInfo> &tables,
-                       std::size_t                   block);
+  /// which every HDF5 library reads. Where there is no room for the copy, or another program has
+  /// locked, cut or removed the file, that stays as it is. Returns why, a sentence, or nothing.
+  static std::string compress(const std::string            &path,
+                              const Attributes             &attributes,
+                              const std::vector<TableInfo> &tables,
+                              std::size_t                   block);
 
   /// Opens a complete file to read these tables of it; InputError when it has them not, or other
   /// numbers of columns.

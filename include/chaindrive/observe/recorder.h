@@ -43,8 +43,9 @@ public:
   static void check(const Archive &archive, const std::string &directory);
 
   /// Writes what is left and closes the histories; those of a run that is @p finished are
-  /// compressed, and what was kept to resume it is removed.
-  void close(bool finished);
+  /// compressed, and what was kept to resume it is removed. Returns why they could not be
+  /// compressed, a sentence, or nothing.
+  std::string close(bool finished);
 
   /// The window of the averages.
   const Window &window() const { return now_.window(); }

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Drives drawn at random from what the entries allow, each run for 0.3 ms.
+
+    random_drives.py [-n 200] [--seed 0] [--fidelities simple,layered] [--program PROGRAM]
+
+A drive runs to its end with its energy and momentum balanced, or is refused by a sentence that names an entry; nothing
+else is right: no signal, no hang, no stop without advice. Prints a line for each that did not run, with what the program
+said, and how many of each fidelity ran; 200 of rigid chains take three minutes on one core. Drive k of a seed is always
+the same: --only k runs it alone and keeps its results.
+"""
+import argparse
+import collections
+import math
+import pathlib
+import random
+import re
+import subprocess
+import sys
+import tempfile
+
+import program
+
+PITCH = {"06B": 9.525, "08B": 12.7, "10B": 15.875, "12B": 19.05, "16A": 25.4, "40": 12.7, "60": 19.05, "428": 12.7, "525": 15.875}
+ELASTIC = ("reduced", "full")
+
+
+def draw(rng, fidelity):
+    """Entries of a drive. The chains of elastic ones are few, since a new chain has to be solved first."""
+    elastic = fidelity in ELASTIC
+    chain = rng.choice(("525", "08B") if elastic else sorted(PITCH))
+    driver, driven = rng.randint(9, 19 if elastic else 40), rng.randint(9, 19 if elastic else 90)
+    pitch = PITCH[chain]
+    radii = [0.5 * pitch / math.sin(math.pi / teeth) for teeth in (driver, driven)]
+    links = 2 * math.ceil(0.5 * (0.5 * (driver + driven) + rng.uniform(1.2, 2 if elastic else 6) * sum(radii) / pitch * 2))
+    pull = rng.choice((0, 1)) * 10 ** rng.uniform(0, 1.3) * pitch**2  # N: up to a tenth of what breaks such chains
+    rpm = rng.choice((0, 1, 1, 1, 1)) * 10 ** rng.uniform(0, 3.5)
+    entries = {
+        "Drive/Chain/Designation": chain,
+        "Drive/Number of links": links,
+        "Drive/Driver teeth": driver,
+        "Drive/Driven teeth": driven,
+        "Drive/Sprockets/Tooth form": rng.choice(("iso min", "iso mid", "iso max")),
+        "Drive/Chain/Elongation in percent": rng.choice((0, 0, 0, 0.5, 1.5)),
+        "Drive/Layout/Tight span": rng.choice(("upper", "lower")),
+        "Drive/Layout/Start phase": round(rng.random(), 3),
+        "Drive/Layout/Start": rng.choice(("settled", "settled", "settled", "taut")),
+        "Model/Fidelity": fidelity,
+        "Model/Stiffness from": "dimensions",
+        "Model/Driven inertia in kg m2": f"{10 ** rng.uniform(-4, -0.5):.3g}",
+        "Loads/Driver speed in rad/s": f"{rpm * math.pi / 30:.4g}",
+        "Loads/Resisting torque in N m": f"{1e-3 * radii[1] * pull:.4g}",
+        "Loads/Ramp time in ms": rng.choice((1, 5, 50)),
+        "Contact/Friction coefficient": rng.choice((0, 0.1, 0.3)),
+        "Contact/Damping ratio": rng.choice((0, 0.1, 1)),
+        "Time/End time in ms": 0.3,
+        "Output/Window start in ms": 0,
+    }
+    kind, value = rng.choice((("slack", f"{rng.uniform(0, 0.5):.2f}"), ("sag", f"{rng.uniform(0.2, 5):.2f}"), ("pretension", f"{rng.uniform(50, 2000):.0f}")))
+    entries["Drive/Layout/Centre distance from"] = kind
+    entries[{"slack": "Drive/Layout/Slack in mm", "sag": "Drive/Layout/Sag in percent", "pretension": "Drive/Layout/Pretension in N"}[kind]] = value
+    if elastic:
+        entries["Mesh/Refinement"] = 0
+        entries["Model/Half model"] = rng.choice(("auto", "false"))
+        entries["Contact/Plate faces"] = rng.choice(("auto", "on")) if entries["Model/Half model"] == "false" else "auto"
+        entries["Effects/Tooth compliance"] = rng.choice(("auto", "on", "off"))
+        entries["Time/End time in ms"] = 0.05
+        entries["Model/Stiffness from"] = "parts"
+    if fidelity == "full":
+        for body in ("links", "rollers", "driver", "driven"):
+            entries[f"Effects/Elastic {body}"] = rng.choice(("auto", "off"))
+        entries["Elements/Plates"] = rng.choice(("brick", "shell", "membrane"))
+        entries["Elements/Bushes"] = rng.choice(("brick", "shell"))
+    return entries
+
+
+def outcome(entries, directory, path, limit):
+    """What became of a drive, and what is wrong with that or an empty text."""
+    words = program.command("prm/verification/hard.prm", entries, "--output", directory, program=path)
+    try:
+        done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", timeout=limit)
+    except subprocess.TimeoutExpired:
+        return "hangs", f"still runs after {limit} s"
+    said = " ".join(done.stdout.split()[-80:])
+    if done.returncode == 0:
+        summary = program.summary(directory)
+        energy, momentum = summary["energy_imbalance_max"], summary["momentum_imbalance_max"]
+        # with a light load so little energy is turned over within 0.3 ms that round-off counts
+        wrong = not (energy < 0.01 and momentum < 1e-8)
+        return "runs", f"imbalance of energy {energy:.2g}, of momentum {momentum:.2g}" if wrong else ""
+    sentence = re.search(r"chaindrive: (.*)", done.stdout, re.S)
+    named = sentence and re.search(r"[A-Z][a-z-]+/|Start|Step|Slack|Sag|teeth|links", sentence[1])
+    if done.returncode == 2 and named:
+        return "refused", ""
+    return f"status {done.returncode}", said
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("-n", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--fidelities", default="simple,layered")
+    parser.add_argument("--limit", type=float, default=120, help="seconds for one drive")
+    parser.add_argument("--only", type=int)
+    parser.add_argument("--program", default=program.PROGRAM)
+    options = parser.parse_args()
+    fidelities, counts, wrong = options.fidelities.split(","), collections.Counter(), 0
+    with tempfile.TemporaryDirectory() as scratch:
+        for k in range(options.n) if options.only is None else (options.only,):
+            fidelity = fidelities[k % len(fidelities)]
+            entries = draw(random.Random(f"{options.seed} {k}"), fidelity)
+            directory = pathlib.Path(scratch) / str(k) if options.only is None else pathlib.Path(f"results/random-{k}")
+            became, fault = outcome(entries, directory, options.program, options.limit)
+            counts[fidelity, became] += 1
+            if fault:
+                wrong += 1
+                sets = " ".join(f'--set "{name}={value}"' for name, value in entries.items())
+                print(f"drive {k} of seed {options.seed}: {became}: {fault}\n  prm/verification/hard.prm {sets}", flush=True)
+            elif became != "runs" and options.only is not None:
+                print(f"drive {k}: {became}")
+    for (fidelity, became), count in sorted(counts.items()):
+        print(f"{fidelity}: {count} {became}")
+    runs = sum(count for (_, became), count in counts.items() if became == "runs")
+    program.check(not wrong, f"{wrong} drives ended as none should")
+    program.check(runs > 0.5 * sum(counts.values()), "most drives were refused: nothing was tried")
+
+
+if __name__ == "__main__":
+    main()
