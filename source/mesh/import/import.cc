@@ -14,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace chaindrive::mesh
 {
@@ -26,7 +27,7 @@ void check_elements(const std::string &file, const GmshFile &gmsh)
   std::map<long, unsigned int> n_elements; // of each type
   for (const GmshFile::Element &element : gmsh.elements)
     ++n_elements[element.type];
-  // Gmsh's numbers of the three-dimensional elements of first and second order
+  // Gmsh's numbers of the three-dimensional elements that its manual lists
   static const std::map<long, std::string> others = {{4, "tetrahedra"},
                                                      {6, "prisms"},
                                                      {7, "pyramids"},
@@ -34,17 +35,24 @@ void check_elements(const std::string &file, const GmshFile &gmsh)
                                                      {12, "hexahedra of second order"},
                                                      {17, "hexahedra of second order"},
                                                      {13, "prisms of second order"},
-                                                     {14, "pyramids of second order"}};
+                                                     {14, "pyramids of second order"},
+                                                     {18, "prisms of second order"},
+                                                     {19, "pyramids of second order"},
+                                                     {29, "tetrahedra of third order"},
+                                                     {30, "tetrahedra of fourth order"},
+                                                     {31, "tetrahedra of fifth order"},
+                                                     {92, "hexahedra of third order"},
+                                                     {93, "hexahedra of fourth order"}};
   for (const auto &[type, name] : others)
     if (const auto found = n_elements.find(type); found != n_elements.end())
       throw InputError("The mesh '" + file + "' has " + std::to_string(found->second) + " " + name +
                        "; only hexahedra of first order are allowed.");
   if (n_elements.count(5) == 0)
-    throw InputError("The mesh '" + file + "' has no hexahedra.");
+    throw InputError("The mesh '" + file + "' has no hexahedra" + gmsh.not_read() + ".");
 }
 
-/// Number of the surface called @p name.
-long number_of(const std::string &file, const GmshFile &gmsh, const std::string &name)
+/// Numbers of the physical surfaces called @p name.
+std::vector<long> numbers_of(const std::string &file, const GmshFile &gmsh, const std::string &name)
 {
   if (const auto found = gmsh.surfaces.find(name); found != gmsh.surfaces.end())
     return found->second;
@@ -52,13 +60,34 @@ long number_of(const std::string &file, const GmshFile &gmsh, const std::string 
   for (const auto &surface : gmsh.surfaces)
     names += (names.empty() ? "'" : ", '") + surface.first + "'";
   throw InputError("The mesh '" + file + "' has no physical surface '" + name + "'; it has " +
-                   (names.empty() ? "none with a name" : names) + ".");
+                   (names.empty() ? "none with a name" : names) + gmsh.not_read() + ".");
 }
 
 std::string in_mm(const Point<3> &p)
 {
   return "(" + to_text(1e3 * p[0]) + ", " + to_text(1e3 * p[1]) + ", " + to_text(1e3 * p[2]) +
          ") mm";
+}
+
+/// The surfaces that are needed must have faces.
+void check_surfaces(const std::string              &file,
+                    const dealii::Triangulation<3> &mesh,
+                    const GmshFile                 &gmsh)
+{
+  const bool grouped =
+      std::any_of(gmsh.elements.begin(), gmsh.elements.end(), [](const GmshFile::Element &element) {
+        return !element.groups.empty() && element.groups != std::vector<long>{0};
+      });
+  const auto there = mesh.get_boundary_ids();
+  for (const Surface surface : {tooth_flanks, hub})
+    if (std::count(there.begin(), there.end(), surface) == 0)
+      throw InputError(
+          "No quadrangle of the mesh '" + file + "' belongs to its physical surface '" +
+          surface_name(surface) + "'" +
+          (grouped ? "" :
+                     ", nor any element to any group: in version 2.2, Gmsh writes all elements "
+                     "(Mesh.SaveAll) without their groups") +
+          gmsh.not_read() + ".");
 }
 
 /// Calls @p f with every face of @p mesh that belongs to the tooth flanks.
@@ -196,17 +225,21 @@ Part import_sprocket(const std::string      &file,
 {
   const GmshFile gmsh = read_gmsh(file);
   check_elements(file, gmsh);
-  std::map<long, Surface> surface_of = {{number_of(file, gmsh, "tooth flanks"), tooth_flanks},
-                                        {number_of(file, gmsh, "hub"), hub}};
+  std::map<long, Surface> surface_of;
+  for (const Surface surface : {tooth_flanks, hub})
+    for (const long number : numbers_of(file, gmsh, surface_name(surface)))
+      surface_of[number] = surface;
   if (gmsh.surfaces.count("sides") > 0)
-    surface_of[gmsh.surfaces.at("sides")] = sprocket_sides;
+    for (const long number : gmsh.surfaces.at("sides"))
+      surface_of[number] = sprocket_sides;
+  std::set<long> hub_volumes;
+  if (gmsh.volumes.count("hub zone") > 0)
+    hub_volumes.insert(gmsh.volumes.at("hub zone").begin(), gmsh.volumes.at("hub zone").end());
 
-  const auto hub_volume = gmsh.volumes.find("hub zone");
-  Part       part;
+  Part part;
   part.name    = "imported sprocket";
   part.density = density;
-  part.mesh    = make_triangulation(
-      file, gmsh, surface_of, hub_volume == gmsh.volumes.end() ? -1 : hub_volume->second);
+  part.mesh    = make_triangulation(file, gmsh, surface_of, hub_volumes);
   double low = 1e300, high = -1e300;
   for (const Point<3> &x : part.mesh->get_vertices())
     {
@@ -215,6 +248,7 @@ Part import_sprocket(const std::string      &file,
     }
   dealii::GridTools::shift(Point<3>(0., 0., -0.5 * (low + high)), *part.mesh);
   check_teeth(file, *part.mesh, form);
+  check_surfaces(file, *part.mesh, gmsh);
   check_whole(file, *part.mesh, form);
   if (half)
     {

@@ -12,7 +12,7 @@ namespace chaindrive::mesh
 /// has it. Throws InputError, with the places looked at, if none has.
 std::string find_file(const std::string &name, const std::vector<std::string> &folders);
 
-/// A sprocket from the Gmsh file @p file (format 2.2 or 4.1, ASCII, lengths in mm).
+/// A sprocket from the Gmsh file @p file (format 2.2 or 4.1, ASCII or binary, lengths in mm).
 ///
 /// The file holds hexahedra and a physical surface `tooth flanks`, the whole profile with its tips,
 /// and a physical surface `hub`, where the shaft holds the sprocket; a physical surface `sides` and
