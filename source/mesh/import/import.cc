@@ -4,10 +4,12 @@
 #include <chaindrive/mesh/generate/cut_out.h>
 #include <chaindrive/mesh/import/gmsh_cells.h>
 #include <chaindrive/mesh/import/gmsh_file.h>
+#include <chaindrive/mesh/import/joined.h>
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
+#include <deal.II/base/tensor.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
@@ -160,6 +162,30 @@ void check_whole(const std::string              &file,
                        "between the two sides, and no other.");
 }
 
+/// Outer faces without a name must look along the axis, as the sides do: others are gaps in the
+/// body, or a part of the flanks or the hub that was forgotten.
+void check_named(const std::string &file, const dealii::Triangulation<3> &mesh)
+{
+  constexpr double along = 0.9;
+  unsigned int     n     = 0;
+  Point<3>         where;
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary() && face->boundary_id() == other_surface)
+      {
+        const auto normal = dealii::cross_product_3d(face->vertex(3) - face->vertex(0),
+                                                     face->vertex(2) - face->vertex(1));
+        if (std::abs(normal[2]) < along * normal.norm() && n++ == 0)
+          where = face->center();
+      }
+  if (n > 0)
+    throw InputError("The mesh '" + file + "' has " + std::to_string(n) +
+                     " outer faces that are in no physical surface and do not look along the axis; "
+                     "the first is at " +
+                     in_mm(where) +
+                     ". If cells should be joined there, let them share whole faces; if not, put "
+                     "the faces into 'tooth flanks', 'hub' or 'sides'.");
+}
+
 /// The cells of @p mesh at z >= 0, which must be its mirror image in this plane.
 std::unique_ptr<dealii::Triangulation<3>> upper_half(const std::string              &file,
                                                      const dealii::Triangulation<3> &mesh)
@@ -240,6 +266,7 @@ Part import_sprocket(const std::string      &file,
   part.name    = "imported sprocket";
   part.density = density;
   part.mesh    = make_triangulation(file, gmsh, surface_of, hub_volumes);
+  check_joined(file, *part.mesh);
   double low = 1e300, high = -1e300;
   for (const Point<3> &x : part.mesh->get_vertices())
     {
@@ -250,6 +277,7 @@ Part import_sprocket(const std::string      &file,
   check_teeth(file, *part.mesh, form);
   check_surfaces(file, *part.mesh, gmsh);
   check_whole(file, *part.mesh, form);
+  check_named(file, *part.mesh);
   if (half)
     {
       part.mesh = upper_half(file, *part.mesh);

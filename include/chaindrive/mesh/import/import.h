@@ -24,7 +24,8 @@ std::string find_file(const std::string &name, const std::vector<std::string> &f
 /// inverted cells or no surface of the required names, or whose teeth are elsewhere than those of
 /// @p form: it says where the largest deviation is. A vertex of the flanks may lie up to five
 /// percent of the pitch off the profile of @p form, so that real tooth shapes can be imported. The
-/// area of the flanks in every gap must be that of the whole profile within a fifth.
+/// area of the flanks in every gap must be that of the whole profile within a fifth. The mesh is
+/// one body without coincident vertices; outer faces in no physical surface look along the axis.
 ///
 /// For @p half see Part::half; the mesh must then be symmetric about its middle plane and have
 /// vertices in it.
