@@ -119,6 +119,15 @@ int main()
 
   say("good", good);
   say("sectors with vertices of their own", split(good, everywhere));
+  // as Gmsh writes them without coherence: faces of one sector, flanks too, have nodes of others
+  GmshFile mixed = split(good, everywhere);
+  for (GmshFile::Element &element : mixed.elements)
+    if (element.type == 3)
+      for (long &node : element.nodes)
+        if (const long other = node % 10000 + 10000 * (node / 10000 % teeth + 1);
+            mixed.nodes.count(other) > 0)
+          node = other;
+  say("and surfaces that have those of the next sector", mixed);
   say("and these a fraction of a micrometre apart", split(good, everywhere, 1e-4));
   say("sectors with other vertices", split(good, everywhere, 0.05));
   const Chosen slit = [](const dealii::Point<3> &cell, const dealii::Point<3> &node) {

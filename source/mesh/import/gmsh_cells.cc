@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/import/gmsh_cells.h>
+#include <chaindrive/mesh/import/joined.h>
 #include <chaindrive/mesh/quality.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -207,7 +208,6 @@ make_triangulation(const std::string             &file,
   collect_vertices(mesh, gmsh);
   collect_cells(mesh, gmsh, hub_volumes);
   collect_faces(mesh);
-  const auto surfaces = collect_surfaces(mesh, gmsh, surface_of);
 
   std::vector<dealii::CellData<3>> cells;
   for (const Cell &cell : mesh.cells)
@@ -220,6 +220,8 @@ make_triangulation(const std::string             &file,
   dealii::GridTools::consistently_order_cells(cells);
   auto triangulation = std::make_unique<dealii::Triangulation<3>>();
   triangulation->create_triangulation(mesh.vertices, cells, dealii::SubCellData());
+  check_joined(file, *triangulation); // what is not joined need not fit the surfaces
+  const auto surfaces = collect_surfaces(mesh, gmsh, surface_of);
   for (const auto &face : triangulation->active_face_iterators())
     if (face->at_boundary())
       {

@@ -4,7 +4,6 @@
 #include <chaindrive/mesh/generate/cut_out.h>
 #include <chaindrive/mesh/import/gmsh_cells.h>
 #include <chaindrive/mesh/import/gmsh_file.h>
-#include <chaindrive/mesh/import/joined.h>
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -266,7 +265,6 @@ Part import_sprocket(const std::string      &file,
   part.name    = "imported sprocket";
   part.density = density;
   part.mesh    = make_triangulation(file, gmsh, surface_of, hub_volumes);
-  check_joined(file, *part.mesh);
   double low = 1e300, high = -1e300;
   for (const Point<3> &x : part.mesh->get_vertices())
     {

@@ -19,7 +19,8 @@ namespace chaindrive::mesh
 /// is listed for several physical groups is there once.
 ///
 /// Throws InputError for nodes that are not there or far away, inverted cells, cells that do not
-/// share whole faces with their neighbours, and surfaces that are not on the outside.
+/// share whole faces with their neighbours or are not joined to one body (joined.h), and surfaces
+/// that are not on the outside.
 std::unique_ptr<dealii::Triangulation<3>>
 make_triangulation(const std::string             &file,
                    const GmshFile                &gmsh,
