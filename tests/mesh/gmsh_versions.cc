@@ -59,8 +59,10 @@ int main()
            two.elements[i].nodes == four.elements[i].nodes;
   say("elements", same);
 
-  const auto cubes = mesh::make_triangulation(
-      "cubes.msh", four, {{1, mesh::tooth_flanks}, {7, mesh::hub}}, four.volumes.at("hub zone"));
+  const auto cubes = mesh::make_triangulation("cubes.msh",
+                                              four,
+                                              {{1, mesh::tooth_flanks}, {7, mesh::hub}},
+                                              {four.volumes.at("hub zone").at(0)});
   std::cout << "volume over that of two cubes of 1 mm: " << dealii::GridTools::volume(*cubes) / 2e-9
             << '\n';
   for (const auto &cell : cubes->active_cell_iterators())

@@ -83,6 +83,10 @@ int main()
   reject("cut in the vertices", good.substr(0, good.size() / 2));
   reject("cut in the cells", good.substr(0, good.size() - 20000));
   reject("no flanks", replaced(good, "tooth flanks", "teeth"));
+  reject("no faces of a surface",
+         replaced(replaced(good, "2 1 \"tooth flanks\"", "2 9 \"tooth flanks\""),
+                  "$Nodes",
+                  "$Extra\n$EndExtra\n$Nodes"));
   reject("no names",
          replaced(replaced(replaced(good, "tooth flanks", ""), "hub", ""), "sides", ""));
   reject("tetrahedra", cubes("1\n1 4 2 0 0 1 2 3 5\n"));
@@ -96,6 +100,7 @@ int main()
          replaced(cubes("3\n" + first + "2 5 2 0 0 2 9 10 3 6 11 12 7\n" + side),
                   "12 2 1 1",
                   "12 1.1 0.1 0.6"));
+  reject("no groups at all", cubes("1\n" + first));
   const std::string second = "2 5 2 0 0 2 9 10 3 6 11 12 7\n";
   reject("fewer vertices than counted", replaced(good, "3150\n", "3151\n"));
   reject("more vertices than counted", replaced(good, "3150\n", "3149\n"));
@@ -107,8 +112,11 @@ int main()
   reject("more tags than words", cubes("2\n1 5 99 0 0 1 2 3 4 5 6 7 8\n" + side));
   reject("seven vertices", cubes("2\n1 5 2 0 0 1 2 3 4 5 6 7\n" + side));
   reject("a vertex twice in a cell", cubes("2\n1 5 2 0 0 1 1 3 4 5 6 7 8\n" + side));
-  reject("a cell twice", cubes("3\n" + first + first + side));
-  reject("three cells at a face", cubes("4\n" + first + second + second + side));
+  reject("a cell twice, which is one cell", cubes("3\n" + first + first + side));
+  reject("three cells at a face",
+         replaced(cubes("4\n" + first + second + "2 5 2 0 0 2 13 14 3 6 15 16 7\n" + side),
+                  "$Nodes\n12\n",
+                  "$Nodes\n16\n13 3 0 0\n14 3 1 0\n15 3 0 1\n16 3 1 1\n"));
   reject("a cell folded over its neighbour",
          replaced(cubes("3\n" + first + second + side),
                   "9 2 0 0\n10 2 1 0\n11 2 0 1\n12 2 1 1",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/import/gmsh_cells.h>
+#include <chaindrive/mesh/import/joined.h>
 #include <chaindrive/mesh/quality.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -27,8 +28,9 @@ struct Mesh
   std::map<long, unsigned int> index; // of the nodes that hexahedra have
   std::vector<Point<3>>        vertices;
   std::vector<Cell>            cells;
-  std::map<Face, Face>         outside; // faces of one cell, seen from outside, by their sorted
-  std::map<Face, unsigned int> n_cells; // vertices
+  std::vector<bool>            in_hub_zone; // the cells
+  std::map<Face, Face>         outside;     // faces of one cell, seen from outside, by their sorted
+  std::map<Face, unsigned int> n_cells;     // vertices
 };
 
 std::string in_mm(const Point<3> &p)
@@ -52,9 +54,11 @@ Face sorted(Face face)
   return face;
 }
 
-bool belongs(const GmshFile::Element &element, const long group)
+bool belongs(const GmshFile::Element &element, const std::set<long> &groups)
 {
-  return std::find(element.groups.begin(), element.groups.end(), group) != element.groups.end();
+  return std::any_of(element.groups.begin(), element.groups.end(), [&](const long group) {
+    return groups.count(group) > 0;
+  });
 }
 
 /// The vertices that hexahedra have, in m and in the order of their numbers.
@@ -74,7 +78,8 @@ void collect_vertices(Mesh &mesh, const GmshFile &gmsh)
       const auto found = gmsh.nodes.find(node);
       if (found == gmsh.nodes.end())
         throw InputError("The mesh '" + mesh.file + "' has a hexahedron with the node " +
-                         std::to_string(node) + ", which is not among its nodes.");
+                         std::to_string(node) + ", which is not among its nodes" + gmsh.not_read() +
+                         ".");
       index = mesh.vertices.size();
       mesh.vertices.push_back(1e-3 * found->second);
       if (!(mesh.vertices.back().norm() < 100.)) // also when it is not a number
@@ -92,11 +97,13 @@ double scaled_jacobian(const Mesh &mesh, const Cell &cell)
   return mesh::scaled_jacobian(corners);
 }
 
-/// Left-handed cells are numbered anew; any other inverted ones are an error.
-void collect_cells(Mesh &mesh, const GmshFile &gmsh)
+/// Left-handed cells are numbered anew; any other inverted ones are an error. A cell of the same
+/// nodes is the same cell, listed for another group.
+void collect_cells(Mesh &mesh, const GmshFile &gmsh, const std::set<long> &hub_volumes)
 {
-  unsigned int n_inverted = 0;
-  Point<3>     where;
+  std::map<Cell, unsigned int> listed; // by its sorted vertices
+  unsigned int                 n_inverted = 0;
+  Point<3>                     where;
   for (const GmshFile::Element &element : gmsh.elements)
     if (element.type == hexahedron)
       {
@@ -112,7 +119,14 @@ void collect_cells(Mesh &mesh, const GmshFile &gmsh)
             std::adjacent_find(different.begin(), different.end()) != different.end())
           if (n_inverted++ == 0)
             where = centre(mesh, cell);
-        mesh.cells.push_back(cell);
+        const auto [place, is_new] = listed.emplace(different, mesh.cells.size());
+        if (is_new)
+          {
+            mesh.cells.push_back(cell);
+            mesh.in_hub_zone.push_back(false);
+          }
+        if (belongs(element, hub_volumes))
+          mesh.in_hub_zone[place->second] = true;
       }
   if (n_inverted > 0)
     throw InputError("The mesh '" + mesh.file + "' has " + std::to_string(n_inverted) +
@@ -157,7 +171,7 @@ collect_surfaces(const Mesh &mesh, const GmshFile &gmsh, const std::map<long, Su
   std::map<Face, Surface> surfaces;
   for (const GmshFile::Element &element : gmsh.elements)
     for (const auto &[group, surface] : surface_of)
-      if (element.type == quadrangle && belongs(element, group))
+      if (element.type == quadrangle && belongs(element, {group}))
         {
           Face face{};
           bool good = element.nodes.size() == 4;
@@ -188,26 +202,26 @@ std::unique_ptr<dealii::Triangulation<3>>
 make_triangulation(const std::string             &file,
                    const GmshFile                &gmsh,
                    const std::map<long, Surface> &surface_of,
-                   const long                     hub_volume)
+                   const std::set<long>          &hub_volumes)
 {
-  Mesh mesh{file, {}, {}, {}, {}, {}};
+  Mesh mesh{file, {}, {}, {}, {}, {}, {}};
   collect_vertices(mesh, gmsh);
-  collect_cells(mesh, gmsh);
+  collect_cells(mesh, gmsh, hub_volumes);
   collect_faces(mesh);
-  const auto surfaces = collect_surfaces(mesh, gmsh, surface_of);
 
   std::vector<dealii::CellData<3>> cells;
-  for (const GmshFile::Element &element : gmsh.elements)
-    if (element.type == hexahedron)
-      {
-        const Cell &cell = mesh.cells[cells.size()];
-        cells.emplace_back();
-        cells.back().vertices.assign(cell.begin(), cell.end());
-        cells.back().material_id = belongs(element, hub_volume) ? hub_zone : rim;
-      }
+  for (const Cell &cell : mesh.cells)
+    {
+      const bool inner = mesh.in_hub_zone[cells.size()];
+      cells.emplace_back();
+      cells.back().vertices.assign(cell.begin(), cell.end());
+      cells.back().material_id = inner ? hub_zone : rim;
+    }
   dealii::GridTools::consistently_order_cells(cells);
   auto triangulation = std::make_unique<dealii::Triangulation<3>>();
   triangulation->create_triangulation(mesh.vertices, cells, dealii::SubCellData());
+  check_joined(file, *triangulation); // what is not joined need not fit the surfaces
+  const auto surfaces = collect_surfaces(mesh, gmsh, surface_of);
   for (const auto &face : triangulation->active_face_iterators())
     if (face->at_boundary())
       {

@@ -8,12 +8,14 @@
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
+#include <deal.II/base/tensor.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace chaindrive::mesh
 {
@@ -26,7 +28,7 @@ void check_elements(const std::string &file, const GmshFile &gmsh)
   std::map<long, unsigned int> n_elements; // of each type
   for (const GmshFile::Element &element : gmsh.elements)
     ++n_elements[element.type];
-  // Gmsh's numbers of the three-dimensional elements of first and second order
+  // Gmsh's numbers of the three-dimensional elements that its manual lists
   static const std::map<long, std::string> others = {{4, "tetrahedra"},
                                                      {6, "prisms"},
                                                      {7, "pyramids"},
@@ -34,17 +36,24 @@ void check_elements(const std::string &file, const GmshFile &gmsh)
                                                      {12, "hexahedra of second order"},
                                                      {17, "hexahedra of second order"},
                                                      {13, "prisms of second order"},
-                                                     {14, "pyramids of second order"}};
+                                                     {14, "pyramids of second order"},
+                                                     {18, "prisms of second order"},
+                                                     {19, "pyramids of second order"},
+                                                     {29, "tetrahedra of third order"},
+                                                     {30, "tetrahedra of fourth order"},
+                                                     {31, "tetrahedra of fifth order"},
+                                                     {92, "hexahedra of third order"},
+                                                     {93, "hexahedra of fourth order"}};
   for (const auto &[type, name] : others)
     if (const auto found = n_elements.find(type); found != n_elements.end())
       throw InputError("The mesh '" + file + "' has " + std::to_string(found->second) + " " + name +
                        "; only hexahedra of first order are allowed.");
   if (n_elements.count(5) == 0)
-    throw InputError("The mesh '" + file + "' has no hexahedra.");
+    throw InputError("The mesh '" + file + "' has no hexahedra" + gmsh.not_read() + ".");
 }
 
-/// Number of the surface called @p name.
-long number_of(const std::string &file, const GmshFile &gmsh, const std::string &name)
+/// Numbers of the physical surfaces called @p name.
+std::vector<long> numbers_of(const std::string &file, const GmshFile &gmsh, const std::string &name)
 {
   if (const auto found = gmsh.surfaces.find(name); found != gmsh.surfaces.end())
     return found->second;
@@ -52,13 +61,34 @@ long number_of(const std::string &file, const GmshFile &gmsh, const std::string 
   for (const auto &surface : gmsh.surfaces)
     names += (names.empty() ? "'" : ", '") + surface.first + "'";
   throw InputError("The mesh '" + file + "' has no physical surface '" + name + "'; it has " +
-                   (names.empty() ? "none with a name" : names) + ".");
+                   (names.empty() ? "none with a name" : names) + gmsh.not_read() + ".");
 }
 
 std::string in_mm(const Point<3> &p)
 {
   return "(" + to_text(1e3 * p[0]) + ", " + to_text(1e3 * p[1]) + ", " + to_text(1e3 * p[2]) +
          ") mm";
+}
+
+/// The surfaces that are needed must have faces.
+void check_surfaces(const std::string              &file,
+                    const dealii::Triangulation<3> &mesh,
+                    const GmshFile                 &gmsh)
+{
+  const bool grouped =
+      std::any_of(gmsh.elements.begin(), gmsh.elements.end(), [](const GmshFile::Element &element) {
+        return !element.groups.empty() && element.groups != std::vector<long>{0};
+      });
+  const auto there = mesh.get_boundary_ids();
+  for (const Surface surface : {tooth_flanks, hub})
+    if (std::count(there.begin(), there.end(), surface) == 0)
+      throw InputError(
+          "No quadrangle of the mesh '" + file + "' belongs to its physical surface '" +
+          surface_name(surface) + "'" +
+          (grouped ? "" :
+                     ", nor any element to any group: in version 2.2, Gmsh writes all elements "
+                     "(Mesh.SaveAll) without their groups") +
+          gmsh.not_read() + ".");
 }
 
 /// Calls @p f with every face of @p mesh that belongs to the tooth flanks.
@@ -131,6 +161,30 @@ void check_whole(const std::string              &file,
                        "between the two sides, and no other.");
 }
 
+/// Outer faces without a name must look along the axis, as the sides do: others are gaps in the
+/// body, or a part of the flanks or the hub that was forgotten.
+void check_named(const std::string &file, const dealii::Triangulation<3> &mesh)
+{
+  constexpr double along = 0.9;
+  unsigned int     n     = 0;
+  Point<3>         where;
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary() && face->boundary_id() == other_surface)
+      {
+        const auto normal = dealii::cross_product_3d(face->vertex(3) - face->vertex(0),
+                                                     face->vertex(2) - face->vertex(1));
+        if (std::abs(normal[2]) < along * normal.norm() && n++ == 0)
+          where = face->center();
+      }
+  if (n > 0)
+    throw InputError("The mesh '" + file + "' has " + std::to_string(n) +
+                     " outer faces that are in no physical surface and do not look along the axis; "
+                     "the first is at " +
+                     in_mm(where) +
+                     ". If cells should be joined there, let them share whole faces; if not, put "
+                     "the faces into 'tooth flanks', 'hub' or 'sides'.");
+}
+
 /// The cells of @p mesh at z >= 0, which must be its mirror image in this plane.
 std::unique_ptr<dealii::Triangulation<3>> upper_half(const std::string              &file,
                                                      const dealii::Triangulation<3> &mesh)
@@ -196,17 +250,21 @@ Part import_sprocket(const std::string      &file,
 {
   const GmshFile gmsh = read_gmsh(file);
   check_elements(file, gmsh);
-  std::map<long, Surface> surface_of = {{number_of(file, gmsh, "tooth flanks"), tooth_flanks},
-                                        {number_of(file, gmsh, "hub"), hub}};
+  std::map<long, Surface> surface_of;
+  for (const Surface surface : {tooth_flanks, hub})
+    for (const long number : numbers_of(file, gmsh, surface_name(surface)))
+      surface_of[number] = surface;
   if (gmsh.surfaces.count("sides") > 0)
-    surface_of[gmsh.surfaces.at("sides")] = sprocket_sides;
+    for (const long number : gmsh.surfaces.at("sides"))
+      surface_of[number] = sprocket_sides;
+  std::set<long> hub_volumes;
+  if (gmsh.volumes.count("hub zone") > 0)
+    hub_volumes.insert(gmsh.volumes.at("hub zone").begin(), gmsh.volumes.at("hub zone").end());
 
-  const auto hub_volume = gmsh.volumes.find("hub zone");
-  Part       part;
+  Part part;
   part.name    = "imported sprocket";
   part.density = density;
-  part.mesh    = make_triangulation(
-      file, gmsh, surface_of, hub_volume == gmsh.volumes.end() ? -1 : hub_volume->second);
+  part.mesh    = make_triangulation(file, gmsh, surface_of, hub_volumes);
   double low = 1e300, high = -1e300;
   for (const Point<3> &x : part.mesh->get_vertices())
     {
@@ -215,7 +273,9 @@ Part import_sprocket(const std::string      &file,
     }
   dealii::GridTools::shift(Point<3>(0., 0., -0.5 * (low + high)), *part.mesh);
   check_teeth(file, *part.mesh, form);
+  check_surfaces(file, *part.mesh, gmsh);
   check_whole(file, *part.mesh, form);
+  check_named(file, *part.mesh);
   if (half)
     {
       part.mesh = upper_half(file, *part.mesh);

@@ -12,7 +12,7 @@ namespace chaindrive::mesh
 /// has it. Throws InputError, with the places looked at, if none has.
 std::string find_file(const std::string &name, const std::vector<std::string> &folders);
 
-/// A sprocket from the Gmsh file @p file (format 2.2 or 4.1, ASCII, lengths in mm).
+/// A sprocket from the Gmsh file @p file (format 2.2 or 4.1, ASCII or binary, lengths in mm).
 ///
 /// The file holds hexahedra and a physical surface `tooth flanks`, the whole profile with its tips,
 /// and a physical surface `hub`, where the shaft holds the sprocket; a physical surface `sides` and
@@ -24,7 +24,8 @@ std::string find_file(const std::string &name, const std::vector<std::string> &f
 /// inverted cells or no surface of the required names, or whose teeth are elsewhere than those of
 /// @p form: it says where the largest deviation is. A vertex of the flanks may lie up to five
 /// percent of the pitch off the profile of @p form, so that real tooth shapes can be imported. The
-/// area of the flanks in every gap must be that of the whole profile within a fifth.
+/// area of the flanks in every gap must be that of the whole profile within a fifth. The mesh is
+/// one body without coincident vertices; outer faces in no physical surface look along the axis.
 ///
 /// For @p half see Part::half; the mesh must then be symmetric about its middle plane and have
 /// vertices in it.
