@@ -61,7 +61,7 @@ class Sweep:
             return []
         drive = outputs.chaindrive.open(self.results(first)[0]).drive
         found = [("driven inertia on the tight span", drive["driven_frequency"], drive["driven_resonance"] * RPM)]
-        found += [(f"{span['name']} span as a string", span["frequency"], span["resonance"] * RPM) for span in drive["spans"]]
+        found += [(f"{span['name']} span", span["frequency"], span["resonance"] * RPM) for span in drive["spans"]]
         return [(what, frequency, speed) for what, frequency, speed in found if frequency and speed]
 
 

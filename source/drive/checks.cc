@@ -123,7 +123,8 @@ struct Checks
     for (const Facts::Span &span : facts.spans)
       add(near(span.frequency),
           "span_resonance",
-          sentence(std::string("the ") + (span.tight ? "tight" : "slack") + " span as a string",
+          sentence(std::string("the ") + (span.tight ? "tight" : "slack") + " span " +
+                       mode_in_words(span),
                    span.frequency) +
               "change the speed, the centre distance or guide the span.");
   }

@@ -154,6 +154,54 @@ parameters::Drive worn_drive(const Parameters &parameters, const Lay &lay, Drive
   return entries;
 }
 
+/// Greatest distance of the joints in @p span from the straight line between its ends, m.
+double depth(const Layout &layout, const Layout::Span &span)
+{
+  const auto &from = layout.joints[span.first].bush;
+  double      most = 0.;
+  for (unsigned int i = 1; i < span.links; ++i)
+    {
+      const auto &joint = layout.joints[(span.first + i) % layout.joints.size()].bush;
+      most              = std::max(most, std::abs((joint - from) * span.normal));
+    }
+  return most;
+}
+
+/// Sag over the distance that the slack span bridges.
+double relative_sag(const Layout &layout)
+{
+  const Layout::Span &span = layout.span(false);
+  const auto         &from = layout.joints[span.first].bush;
+  return span.sag /
+         from.distance(layout.joints[(span.first + span.links) % layout.joints.size()].bush);
+}
+
+/// Lays the settled drive of @p d anew with other sags until it has the one of @p entries. Rollers
+/// climb in their seats and play opens when a chain is loaded, which changes its slack, to which
+/// the square of the sag is proportional: secants of that. @p lay finds the settled layout.
+template <typename Lay>
+void keep_sag(const parameters::Drive &entries, Drive &d, const Lay &lay)
+{
+  const double      asked = entries.layout.sag * entries.layout.sag;
+  parameters::Drive trial = entries;
+  double            tried = asked, slope = 1., before = 0., now = relative_sag(d.layout);
+  for (unsigned int i = 0; i < 12 && std::abs(now / entries.layout.sag - 1.) > 2e-4; ++i)
+    {
+      const double next = std::clamp(tried + (asked - now * now) / slope, 0.25 * tried, 4. * tried);
+      trial.layout.sag  = std::sqrt(next);
+      before            = now;
+      d.layout          = lay(trial);
+      now               = relative_sag(d.layout);
+      const double rise = (now * now - before * before) / (next - tried);
+      slope             = rise > 0.05 ? rise : slope;
+      tried             = next;
+    }
+  if (std::abs(now / entries.layout.sag - 1.) > 1e-2)
+    d.notes.push_back("Drive/Layout/Sag in percent = " + to_text(100. * entries.layout.sag) +
+                      ": the settled slack span hangs by " + to_text(100. * now, 3) +
+                      " %, for loaded joints and seats change the slack by more than that sag.");
+}
+
 void append(std::vector<std::string> &notes, const std::vector<std::string> &more)
 {
   notes.insert(notes.end(), more.begin(), more.end());
@@ -256,7 +304,9 @@ Drive make_drive(const Parameters  &parameters,
   std::vector<ToothForm> forms;
   for (const Sprocket &sprocket : d.sprockets)
     forms.push_back(sprocket.form);
-  const auto lay = [&](const parameters::Drive &entries, const ChainDimensions &chain) {
+  const double mass  = given.mass_per_pitch.value_or(d.mass_per_pitch) / d.chain.loaded_pitch();
+  const double speed = parameters.loads.driver_speed * 0.5 * forms[0].pitch_diameter;
+  const auto   lay   = [&](const parameters::Drive &entries, const ChainDimensions &chain) {
     return make_layout(entries,
                        chain,
                        forms,
@@ -264,7 +314,9 @@ Drive make_drive(const Parameters  &parameters,
                        d.stiffness_per_pitch,
                        parameters.loads.driver_speed,
                        d.nominal_tension,
-                       gravity(parameters) == 0.);
+                       gravity(parameters) == 0.,
+                       mass * gravity(parameters),
+                       mass * speed * speed);
   };
   const parameters::Drive   entries = worn_drive(parameters, lay, d);
   const parameters::Layout &layout  = entries.layout;
@@ -276,12 +328,22 @@ Drive make_drive(const Parameters  &parameters,
     {
       RestingChain chain = resting_chain(parameters, d);
       chain.shifts       = shifts;
-      settle(d.layout,
-             chain,
-             forms,
-             {std::abs(parameters.loads.driver_speed),
-              parameters.loads.resisting_torque,
-              parameters.model.mass_per_pitch.value_or(d.mass_per_pitch)});
+      const auto settled = [&](Layout start) {
+        settle(start,
+               chain,
+               forms,
+               {std::abs(parameters.loads.driver_speed),
+                parameters.loads.resisting_torque,
+                parameters.model.mass_per_pitch.value_or(d.mass_per_pitch)});
+        for (Layout::Span &span : start.spans)
+          span.sag = span.tight ? span.sag : depth(start, span);
+        return start;
+      };
+      d.layout = settled(d.layout);
+      if (keeps_sag(layout) && layout.sag > 0. && gravity(parameters) > 0.)
+        keep_sag(entries, d, [&](const parameters::Drive &trial) {
+          return settled(lay(trial, d.chain));
+        });
     }
   if (layout.centre_distance_from != CentreDistanceFrom::given)
     d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance() * 1e3, 7) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/catalogue.h>
 #include <chaindrive/drive/facts.h>
+#include <chaindrive/drive/hanging_span.h>
 #include <chaindrive/utilities/text.h>
 
 #include <deal.II/base/numbers.h>
@@ -97,25 +98,43 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
   const double straight =
       std::sqrt(std::max(0., facts.centre_distance * facts.centre_distance - rise * rise));
   for (const Layout::Span &span : d.layout.spans)
-    facts.spans.push_back({span.tight, span.links, straight, span.slack, span.sag, 0., 0., 0.});
+    facts.spans.push_back(
+        {span.tight, span.links, straight, span.slack, span.sag, 0., 0., 0., true});
+}
+
+/// A span as it hangs in operation. Of its tension both spans stretch: the driven sprocket, which
+/// turns freely, passes it on to the other one.
+HangingSpan
+hanging(const Facts &facts, const Facts::Span &span, const Parameters &p, const Drive &d)
+{
+  const double gravity = p.effects.gravity == parameters::Switch::off ? 0. : p.loads.gravity;
+  return {span.length,
+          facts.mass_per_metre * gravity,
+          (facts.span(true).links + facts.span(false).links) / d.stiffness_per_pitch};
 }
 
 /// The tension that the slack span keeps, and the tight one has besides the effective tension: of
-/// its weight, with the slack that the tight span's stretch adds; of pre-tension what stretch
-/// leaves of it. N.
+/// its weight, with the slack that all stretch adds or the sag that a settled start has found; of
+/// pre-tension what stretch leaves of it. N.
 double kept_tension(const Facts &facts, const Parameters &p, const Drive &d)
 {
   const parameters::Layout &layout = p.drive.layout;
+  HangingSpan               slack  = hanging(facts, facts.span(false), p, d);
+  slack.length = facts.span(false).links * facts.loaded_pitch; // slack and sag are between seats
+  const bool settled = layout.start == parameters::Start::settled;
+  if (settled && slack.weight > 0. && facts.span(false).sag > 0.)
+    return slack.tension_of_sag(facts.span(false).sag);
+  const double by_load = facts.effective_tension * facts.span(true).links / d.stiffness_per_pitch;
   if (layout.centre_distance_from == parameters::CentreDistanceFrom::pretension &&
       layout.pretension > 0.)
-    return std::max(0., layout.pretension - 0.5 * facts.effective_tension);
-  const double stretch =
-      layout.start == parameters::Start::settled ?
-          0. :
-          facts.effective_tension * facts.span(true).links / d.stiffness_per_pitch;
-  const double gravity = p.effects.gravity == parameters::Switch::off ? 0. : p.loads.gravity;
-  return parabola_tension(
-      facts.span(false).length, facts.span(false).slack + stretch, facts.mass_per_metre * gravity);
+    {
+      // at rest both spans have the pre-tension, and this one hangs with it
+      const double sag  = slack.sag(layout.pretension);
+      const double hang = 8. * sag * sag / (3. * slack.length);
+      return slack.tension(hang - slack.flexibility * layout.pretension + by_load);
+    }
+  return slack.tension(facts.span(false).slack + (settled ? 0. : by_load) +
+                       slack.flexibility * facts.centrifugal_tension);
 }
 
 /// The tension of the tight span at the driver while the speed grows, when that is fastest: the
@@ -204,10 +223,9 @@ double parabola_sag(const double length, const double slack)
   return std::sqrt(0.375 * length * std::max(0., slack)); // slack = 8 sag^2 / (3 length)
 }
 
-double parabola_tension(const double length, const double slack, const double weight)
+std::string mode_in_words(const Facts::Span &span)
 {
-  const double sag = parabola_sag(length, slack);
-  return sag > 0. ? weight * length * length / (8. * sag) : 0.;
+  return span.symmetric ? "as a string" : "as a chain that sags, in two half waves";
 }
 
 const Facts::Span &Facts::span(const bool tight) const
@@ -229,22 +247,20 @@ Facts make_facts(const Parameters &p, const Drive &d)
   facts.effective_tension   = 2. * PI * torque / (z2 * facts.loaded_pitch);
   facts.centrifugal_tension = facts.mass_per_metre * facts.chain_speed * facts.chain_speed;
 
-  const double kept = kept_tension(facts, p, d);
-  const bool   prestressed =
-      p.drive.layout.centre_distance_from == parameters::CentreDistanceFrom::pretension;
-  // stretch takes from one span of a pre-tensioned drive what it gives to the other
-  const double tight = prestressed && kept > 0. ?
-                           p.drive.layout.pretension + 0.5 * facts.effective_tension :
-                           facts.effective_tension + kept;
+  const double kept  = kept_tension(facts, p, d);
+  const double tight = facts.effective_tension + kept;
   for (Facts::Span &span : facts.spans)
     {
-      const double pull = span.tight ? tight : kept;
-      span.tension      = pull + facts.centrifugal_tension;
+      const double pull      = span.tight ? tight : kept;
+      span.tension           = pull + facts.centrifugal_tension;
+      const HangingSpan hung = hanging(facts, span, p, d);
+      const LowestMode  mode = lowest_mode(hung, pull);
+      const double      wave = span.length / mode.factor; // of a string with that frequency
+      span.symmetric         = mode.symmetric;
       span.frequency =
-          string_frequency(span.length, facts.mass_per_metre, span.tension, facts.chain_speed);
-      span.resonance =
-          string_resonance(span.length, facts.mass_per_metre, pull, facts.loaded_pitch) * 2. * PI /
-          (z1 * facts.loaded_pitch);
+          string_frequency(wave, facts.mass_per_metre, span.tension, facts.chain_speed);
+      span.resonance = string_resonance(wave, facts.mass_per_metre, pull, facts.loaded_pitch) * 2. *
+                       PI / (z1 * facts.loaded_pitch);
     }
   const double tension = facts.span(true).tension;
   facts.joint_pressure = tension / facts.bearing_area;
@@ -295,6 +311,7 @@ files::Json to_json(const Facts &facts)
                              {"sag", span.sag},
                              {"tension", span.tension},
                              {"frequency", span.frequency},
+                             {"mode", span.symmetric ? "symmetric" : "antisymmetric"},
                              {"resonance", span.resonance}});
   json["power"]               = facts.power;
   json["chain_speed"]         = facts.chain_speed;
@@ -345,7 +362,7 @@ void print(std::ostream &out, const Facts &facts)
     line(s.tight ? "tight span" : "slack span",
          std::to_string(s.links) + " links over " + mm(s.length) + ", slack " +
              to_text(s.slack * 1e3, 3) + " mm, sag " + to_text(s.sag * 1e3, 3) + " mm, tension " +
-             to_text(s.tension, 4) + " N, as a string " + to_text(s.frequency, 3) +
+             to_text(s.tension, 4) + " N, " + mode_in_words(s) + " " + to_text(s.frequency, 3) +
              " Hz (tooth frequency at " + rpm(s.resonance) + ")");
   line("tension",
        "effective " + to_text(facts.effective_tension, 4) + " N, centrifugal " +

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/centre_distance.h>
+#include <chaindrive/drive/hanging_span.h>
 #include <chaindrive/drive/layout.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -32,13 +33,15 @@ LinkLengths stretched(const LinkLengths &lengths, const bool clearances, const d
 
 /// What the chain is to be fitted with: the distances of bushes on the sprockets and in either
 /// span, all from the loaded pitches of the chain, longer by the tension of the start over the
-/// stiffness of a pitch. On the sprockets they are never stretched: seats decide there.
+/// stiffness of a pitch; @p in_both [N] is added in both. On the sprockets they are never
+/// stretched: seats decide there.
 Fitter make_fitter(const parameters::Drive &drive,
                    const ChainDimensions   &chain,
                    const bool               clearances,
                    const double             stiffness_per_pitch,
                    const double             tight_tension,
-                   const bool               weightless)
+                   const bool               weightless,
+                   const double             in_both)
 {
   const parameters::Layout &layout = drive.layout;
   Fitter                    fitter;
@@ -61,8 +64,9 @@ Fitter make_fitter(const parameters::Drive &drive,
                                 0.;
   const double in_tight =
       layout.start == parameters::Start::settled ? tight_tension / stiffness_per_pitch : everywhere;
-  fitter.tight = stretched(fitter.tight, clearances, in_tight);
-  fitter.slack = stretched(fitter.slack, clearances, everywhere);
+  const double more = in_both / stiffness_per_pitch;
+  fitter.tight      = stretched(fitter.tight, clearances, in_tight + more);
+  fitter.slack      = stretched(fitter.slack, clearances, everywhere + more);
   return fitter;
 }
 
@@ -297,6 +301,12 @@ const Layout::Span &Layout::span(const bool tight) const
       spans.begin(), spans.end(), [tight](const Span &span) { return span.tight == tight; });
 }
 
+bool keeps_sag(const parameters::Layout &layout)
+{
+  return layout.start == parameters::Start::settled &&
+         layout.centre_distance_from == CentreDistanceFrom::sag;
+}
+
 // The velocities v = w x r of the tight span's ends along it are the same. With r from either
 // centre and d along the span, w2 (r2 x d) = w1 (r1 x d), where r1 x d and r2 x d are the distances
 // of the centres from the span's line; their ratio is the instantaneous speed ratio. Joints on a
@@ -348,13 +358,26 @@ Layout make_layout(const parameters::Drive      &drive,
                    const double                  stiffness_per_pitch,
                    const double                  driver_speed,
                    const double                  tight_tension,
-                   const bool                    weightless)
+                   const bool                    weightless,
+                   const double                  weight,
+                   const double                  centrifugal)
 {
   check_entries(drive, clearances);
-  const Fitter fitter =
-      make_fitter(drive, chain, clearances, stiffness_per_pitch, tight_tension, weightless);
-  const double   least    = 0.5 * (forms[0].outside_diameter + forms[1].outside_diameter);
-  const Proposal proposal = propose(fitter, drive.layout, least, clearances);
+  const auto fitter_with = [&](const double in_both) {
+    return make_fitter(
+        drive, chain, clearances, stiffness_per_pitch, tight_tension, weightless, in_both);
+  };
+  const double least    = 0.5 * (forms[0].outside_diameter + forms[1].outside_diameter);
+  Fitter       fitter   = fitter_with(0.);
+  Proposal     proposal = propose(fitter, drive.layout, least, clearances);
+  if (keeps_sag(drive.layout) && drive.layout.sag > 0. && !proposal.fits.empty())
+    {
+      // the span is longer by the stretch, which changes its tension by as small a part
+      const SlackSpan  &slack = proposal.fits.front().slack;
+      const HangingSpan hung{slack.from.distance(slack.to), weight, 0.};
+      fitter   = fitter_with(hung.tension_of_sag(drive.layout.sag * hung.length) + centrifugal);
+      proposal = propose(fitter, drive.layout, least, clearances);
+    }
 
   // The best route may leave a roller just short of its seat, touching a flank: then it belongs on
   // the sprocket, which is one of the next routes.

@@ -30,7 +30,7 @@ void Contact::declare(Declarations &declarations)
       above(0., 1e13),
       "Force over deflection of a tooth and the rim below it under an elastic roller, if "
       "Effects/Tooth compliance is on. auto: of each sprocket that of its elastic rim, pressed "
-      "near the end of the seat, where rollers of a new chain bear; see Model/Stiffness from.");
+      "near the end of the seat; see Model/Stiffness from.");
   add(declarations,
       "Damping ratio",
       damping_ratio,

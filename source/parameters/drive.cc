@@ -225,7 +225,8 @@ void Layout::declare(Declarations &declarations)
       sag,
       unit::percent,
       between(0., 10.),
-      "Sag of the slack span in its middle over its length. Makers ask for 1 to 3 percent; "
+      "Sag of the slack span in its middle over its length: with Start = settled in operation, "
+      "else as laid, before load and weight stretch the chain. Makers ask for 1 to 3 percent; "
       "steeper or reversing drives for less.");
   add(declarations,
       "Pretension in N",

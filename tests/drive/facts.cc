@@ -7,6 +7,7 @@
 #include "compare.h"
 
 #include <chaindrive/drive/checks.h>
+#include <chaindrive/drive/hanging_span.h>
 
 #include <cmath>
 
@@ -81,8 +82,42 @@ int main()
     {
       const double slack = parabola_length(1., sag) - 1.;
       std::cout << "sag " << sag << ": " << drive::parabola_sag(1., slack) / sag << ", tension "
-                << drive::parabola_tension(1., slack, 10.) * sag * 8. / 10. << '\n';
+                << drive::HangingSpan{1., 10., 1e-12}.tension(slack) * sag * 8. / 10. << '\n';
     }
+
+  std::cout << "== hanging spans that stretch\n";
+  for (const double stretch : {1e-5, 1e-3}) // by the tension; the rest of the parabola is slack
+    {
+      const double             sag = 0.01, tension = 10. / (8. * sag);
+      const drive::HangingSpan span{1., 10., stretch / tension};
+      compare("tension over that of the sag",
+              span.tension(parabola_length(1., sag) - 1. - stretch) / tension,
+              1.,
+              3);
+    }
+  const drive::HangingSpan taut{0.6, 10., 3e-7};
+  compare("without slack the tension falls with the cube root of the flexibility",
+          drive::HangingSpan{0.6, 10., 8. * 3e-7}.tension(0.) / taut.tension(0.),
+          0.5,
+          9);
+  compare("a weightless chain that is too short is pulled to its place, N",
+          drive::HangingSpan{0.6, 0., 3e-7}.tension(-3e-6),
+          10.,
+          9);
+  compare(
+      "a weightless chain with slack, N", drive::HangingSpan{0.6, 0., 3e-7}.tension(1e-3), 0., 9);
+  const auto mode = [](const double lambda) { // squared
+    return drive::lowest_mode({1., 1., 1. / lambda}, 1.);
+  };
+  const double small = 1e-3, pi = std::acos(-1.);
+  compare("growth of the first mode with a little sag, over Rayleigh's 8 lambda^2 / pi^4",
+          (std::pow(mode(small).factor, 2) - 1.) * std::pow(pi, 4) / (8. * small),
+          1.,
+          4);
+  compare("modes meet where lambda is 2 pi", mode(4. * pi * pi * (1. - 1e-9)).factor, 2., 6);
+  verdict("symmetric before, antisymmetric after",
+          mode(0.99 * 4. * pi * pi).symmetric && !mode(1.01 * 4. * pi * pi).symmetric &&
+              mode(0.).factor == 1. && mode(1e9).factor == 2.);
 
   std::cout << "== the paper's drive\n";
   const drive::Facts f = facts_of(Parameters());
@@ -143,6 +178,33 @@ int main()
       [](Parameters &p, const double x) { p.loads.driver_speed = x; },
       1.3 * tight,
       tight);
+  // the sagging span does not swing as a string of its tension would: in two half waves
+  const drive::Facts::Span &slack = f.span(false);
+  std::cout << "slack span " << mode_in_words(slack) << '\n';
+  const double string = slack.resonance *
+                        drive::string_resonance(slack.length, 1., 1., f.loaded_pitch) /
+                        drive::string_resonance(0.5 * slack.length, 1., 1., f.loaded_pitch);
+  test_check(
+      "span_resonance",
+      [](Parameters &p, const double x) { p.loads.driver_speed = x; },
+      string,
+      slack.resonance);
+  std::cout << "== no slack\n";
+  for (const auto from : {parameters::CentreDistanceFrom::slack,
+                          parameters::CentreDistanceFrom::sag,
+                          parameters::CentreDistanceFrom::pretension})
+    {
+      Parameters p                        = sound_drive();
+      p.drive.layout.centre_distance_from = from;
+      p.drive.layout.slack = p.drive.layout.sag = p.drive.layout.pretension = 0.;
+      if (from != parameters::CentreDistanceFrom::pretension)
+        p.drive.layout.start = parameters::Start::settled;
+      const drive::Facts none = facts_of(p);
+      verdict(text_of(from) + " 0: tension of the slack span below a tenth of the load's",
+              none.span(false).tension < 0.1 * none.effective_tension + none.centrifugal_tension &&
+                  none.span(false).tension > none.centrifugal_tension);
+      verdict("  its stretch keeps the design sound", drive::check_design(p, none).empty());
+    }
   test_check(
       "start", [](Parameters &p, const double x) { p.loads.ramp_time = x; }, 5e-3, 2e-3);
   test_check(

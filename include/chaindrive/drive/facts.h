@@ -32,10 +32,11 @@ struct Facts
     bool         tight;
     unsigned int links;
     double       length;     ///< between the points where it leaves the pitch circles
-    double       slack, sag; ///< at the start
+    double       slack, sag; ///< at the start; of a settled one the sag with all stretch
     double       tension;    ///< mean, with the centrifugal one
-    double       frequency;  ///< first, of a string that moves
+    double       frequency;  ///< lowest in the plane, of a string or hanging chain that moves
     double       resonance;  ///< driver speed at which the tooth frequency is that, rad/s
+    bool         symmetric;  ///< its mode; one of a chain that sags may be antisymmetric
   };
 
   std::string  chain;
@@ -89,8 +90,9 @@ double string_frequency(double length, double mass, double tension, double speed
 /// @p tension [N] without the centrifugal one, which grows with the speed.
 double string_resonance(double length, double mass, double tension, double pitch);
 
-/// Sag [m] of a span of this @p length with this @p slack [m], and the tension [N] in its middle
-/// from its weight per metre [N/m]; zero without slack.
+/// Sag [m] of a span of this @p length with this @p slack [m], a flat parabola.
 double parabola_sag(double length, double slack);
-double parabola_tension(double length, double slack, double weight);
+
+/// Of a span's lowest mode, in words.
+std::string mode_in_words(const Facts::Span &span);
 } // namespace chaindrive::drive

@@ -34,7 +34,7 @@ struct Layout
     unsigned int first; ///< joint at which it begins: the last seat of the sprocket before it
     unsigned int links;
     double       slack;             ///< length of its links less the distance that they bridge, m
-    double       sag;               ///< from the straight line between its ends, m
+    double       sag;               ///< from the straight line between its ends, m; settled if so
     dealii::Tensor<1, 2> direction; ///< unit, of travel
     dealii::Tensor<1, 2> normal;    ///< unit, outward
   };
@@ -83,6 +83,9 @@ struct JointShifts
   double seat_of(const unsigned int k) const { return seat.empty() ? 0. : seat[k]; }
 };
 
+/// Whether the sag of @p layout is that of the drive in operation: the start is settled.
+bool keeps_sag(const parameters::Layout &layout);
+
 /// Lays the chain on the sprockets.
 ///
 /// Rollers on a sprocket are on the circle of radius p / (2 sin(pi/z)), p the loaded pitch, in the
@@ -99,6 +102,9 @@ struct JointShifts
 /// @param driver_speed   magnitude, rad/s, for start `settled`
 /// @param tight_tension  N, for start `settled`
 /// @param weightless     no gravity acts
+/// @param weight, centrifugal  Per metre of chain, N/m, and the tension that turns it, N. For start
+/// `settled` with a given sag both spans are stretched by the centrifugal tension and by the one
+/// that the weight makes of this sag.
 ///
 /// @throws InputError when the chain does not fit (states what would), when a roller overlaps a
 /// tooth or a bush its roller (states where and by how much), for an odd number of links with
@@ -110,7 +116,9 @@ Layout make_layout(const parameters::Drive      &drive,
                    double                        stiffness_per_pitch,
                    double                        driver_speed,
                    double                        tight_tension,
-                   bool                          weightless = false);
+                   bool                          weightless  = false,
+                   double                        weight      = 0.,
+                   double                        centrifugal = 0.);
 
 /// Velocities of a drive at speed, as of a four-bar linkage: the tight span is a rigid link between
 /// the seats at its ends. The driver turns at @p driver_speed [rad/s] in the sense of the drive.

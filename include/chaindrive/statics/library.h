@@ -15,8 +15,8 @@
 
 namespace chaindrive::statics
 {
-/// Where a roller of a new chain bears: a patch before the end of the seat, as an angle from its
-/// bottom, rad.
+/// The place on a seat that is farthest from its bottom and carries a patch of contact, as an angle
+/// from the bottom, rad.
 double seat_end(const drive::ToothForm &form);
 
 /// Elastic parts of one material whose flexibilities are computed once: they are kept in memory and

@@ -107,7 +107,7 @@ def drive_tables(run):
     sprockets.append(("polygon effect", [number(100 * s["polygon_effect"], 3) + "\u00a0%" for s in drive["sprockets"]]))
     spans = [(title, [q(s[name], unit, digits) if unit else number(s[name]) for s in drive["spans"]])
              for name, title, unit, digits in (("links", "links", "", 3), ("length", "length", "m", 6), ("slack", "slack", "m", 3), ("sag", "sag", "m", 3),
-                                               ("tension", "tension", "N", 4), ("frequency", "first frequency, as a string", "Hz", 3),
+                                               ("tension", "tension", "N", 4), ("frequency", "lowest frequency", "Hz", 3),
                                                ("resonance", "met by the teeth at a driver speed of", "rad/s", 4))]
     return (table([], [(escape(a), b) for a, b in chain], classes="facts") + '<div class="side">'
             + table(["", *(escape(s["name"]) for s in drive["sprockets"])], [(name, *cells) for name, cells in sprockets])
