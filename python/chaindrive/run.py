@@ -54,10 +54,10 @@ class Run:
     def _json(self, name):
         path = self.folder / name
         try:
-            return json.loads(path.read_text(encoding="utf-8"))
-        except (OSError, UnicodeDecodeError) as error:
+            return json.loads(path.read_text(encoding="utf-8", errors="replace"))
+        except OSError as error:
             raise RunError(f"'{path}' cannot be read: {error}.") from None
-        except json.JSONDecodeError as error:
+        except (json.JSONDecodeError, RecursionError) as error:
             raise RunError(f"'{path}' is damaged: {error}.") from None
 
     @functools.cached_property
@@ -98,13 +98,17 @@ class Run:
     @functools.cached_property
     def parameters(self):
         """All entries as they were used."""
+        return Parameters(self._parameter_text())
+
+    def _parameter_text(self):
+        """A byte that is no UTF-8, as in a name of Latin-1, spoils its sign alone."""
         path = self.folder / "parameters.prm"
         if path.exists():
             try:
-                return Parameters(path.read_text(encoding="utf-8"))
-            except (OSError, UnicodeDecodeError) as error:
+                return path.read_text(encoding="utf-8", errors="replace")
+            except OSError as error:
                 raise RunError(f"'{path}' cannot be read: {error}.") from None
-        return Parameters(str(self.attribute("parameters")))
+        return str(self.attribute("parameters"))
 
     def parameter(self, name):
         """A number from the parameters, in the unit of its entry."""

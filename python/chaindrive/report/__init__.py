@@ -6,9 +6,10 @@ from chaindrive import comparison
 from chaindrive.report import curves, facts, motion
 from chaindrive.report.answers import answers
 from chaindrive.report.page import Page
-from chaindrive.report.parts import Subject, of_each
+from chaindrive.errors import RunError
+from chaindrive.report.foreign import ForeignRun, plain
+from chaindrive.report.parts import DAMAGE, Subject, of_each, of_other_files
 from chaindrive.report.text import escape, number, quantity, sentences, table
-from chaindrive.run import open as open_run
 
 #: As many as there are colours.
 MOST_RUNS = 7
@@ -17,14 +18,24 @@ MOST_RUNS = 7
 def write(folders, file=None):
     """Writes the report on the runs in `folders` to `file`, report.html in the first folder by default; returns its path. RunError when a folder
     is not that of a run."""
-    runs = [open_run(folder, partial=True) for folder in folders]
-    names = comparison.names(runs)
+    runs = [ForeignRun(folder, partial=True) for folder in folders]
+    names = [plain(name) for name in comparison.names(runs)]
     subjects = [Subject(run, name, k) for k, (run, name) in enumerate(zip(runs, names))]
     page = Page()
     file = pathlib.Path(file) if file is not None else runs[0].folder / "report.html"
     title = names[0] if len(runs) == 1 else "Comparison of " + ", ".join(names)
-    page.write(file, title, _lead(subjects), [section for section in _sections(page, subjects) if section[2]])
+    page.write(file, title, _shown(_lead, subjects), [section for section in _sections(page, subjects) if section[2]])
     return file
+
+
+def _shown(make, *arguments):
+    """What `make` gives, or the sentence on why it cannot."""
+    try:
+        return make(*arguments)
+    except RunError as error:
+        return sentences([error], "missing")
+    except DAMAGE as error:
+        return sentences([f"This could not be drawn: {of_other_files(error)}"], "missing")
 
 
 def _lead(subjects):
@@ -41,6 +52,9 @@ def _lead(subjects):
         if question:
             lead += f'<p class="question">{escape(question.split("? ")[0] + "?" if "? " in question else question[:300])}</p>'
     for subject in subjects:
+        subject.run.summary  # looks at it
+        if subject.run.damage:
+            lead += sentences([f"{subject.run.damage} What the other files hold is shown."])
         if not subject.run.finished:
             lead += sentences([f"The run in '{subject.run.folder}' has not finished: there is no summary.json. What its histories hold is shown."])
     return lead
@@ -70,16 +84,20 @@ def _what(subjects):
                  classes="facts") + sentences(missing, "missing")
 
 
-def _sections(page, subjects):
-    """(key, title, parts) of all sections."""
-    several = len(subjects) > 1
+def _motion(page, subjects):
     films, unmoved = of_each(subjects, lambda s: motion.frames_of(s.run))
     for one in ("low", "high"):  # the same colours for all
         extreme = (min if one == "low" else max)((frames[one] for _, frames in films), default=0)
         for _, frames in films:
             frames[one] = extreme
-    moving = [page.film(frames, s.name if several else "") for s, frames in films] + [sentences(unmoved, "missing")]
-    answered = [_each(subjects, _cards)]
+    return "".join(page.film(frames, s.name if len(subjects) > 1 else "") for s, frames in films) + sentences(unmoved, "missing")
+
+
+def _sections(page, subjects):
+    """(key, title, parts) of all sections."""
+    several = len(subjects) > 1
+    moving = _shown(_motion, page, subjects)
+    answered = [_shown(_each, subjects, _cards)]
     if several:
         done, missing = of_each(subjects[:1], lambda _: facts.differences(subjects))
         answered = [html for _, html in done] + [sentences(missing, "missing")]
@@ -87,17 +105,17 @@ def _sections(page, subjects):
         answered += [html for _, html in done] + [sentences(missing, "missing")]
         answered += [f"<details><summary>Key figures of {escape(s.name)} in sentences</summary>{_each([s], _cards)}</details>" for s in subjects]
     yield "answers", "Key figures", answered
-    yield "checks", "Design checks", [facts.checks(subjects)]
-    yield "run", "What was run", [_what(subjects)]
-    yield "drive", "The drive", [_each(subjects, facts.drive_tables)]
-    yield "motion", "The chain in motion", moving
-    yield "spans", "Spans and shafts", [curves.tensions(subjects), curves.offsets(subjects), curves.shapes(subjects), curves.shafts(subjects)]
-    yield "rollers", "Engaging rollers", [curves.velocities(subjects), curves.link_forces(subjects), curves.contact_forces(subjects),
-                                          curves.plate_stress(subjects), facts.plate_table(subjects)]
-    yield "impacts", "Impacts and tooth load", [curves.aligned(subjects), curves.peaks(subjects), curves.wrap(subjects)]
-    yield "vibration", "Spectra", [curves.line_spectra(subjects), curves.roller_bands(subjects)]
-    yield "noise", "Noise", [_each(subjects, facts.noise_tables), curves.noise_spectra(subjects), curves.pressures(subjects),
-                             curves.noise_engagements(subjects), curves.directivity(subjects)]
-    yield "statistics", "Window statistics", [_each(subjects, facts.statistics_tables)]
-    yield "cost", "Energy and computing time", [curves.energies(subjects), _each(subjects, facts.costs)]
-    yield "entries", "Entries", [_each(subjects, facts.all_entries)]
+    yield "checks", "Design checks", [_shown(facts.checks, subjects)]
+    yield "run", "What was run", [_shown(_what, subjects)]
+    yield "drive", "The drive", [_shown(_each, subjects, facts.drive_tables)]
+    yield "motion", "The chain in motion", [moving]
+    yield "spans", "Spans and shafts", [_shown(curves.tensions, subjects), _shown(curves.offsets, subjects), _shown(curves.shapes, subjects), _shown(curves.shafts, subjects)]
+    yield "rollers", "Engaging rollers", [_shown(curves.velocities, subjects), _shown(curves.link_forces, subjects), _shown(curves.contact_forces, subjects),
+                                          _shown(curves.plate_stress, subjects), _shown(facts.plate_table, subjects)]
+    yield "impacts", "Impacts and tooth load", [_shown(curves.aligned, subjects), _shown(curves.peaks, subjects), _shown(curves.wrap, subjects)]
+    yield "vibration", "Spectra", [_shown(curves.line_spectra, subjects), _shown(curves.roller_bands, subjects)]
+    yield "noise", "Noise", [_shown(_each, subjects, facts.noise_tables), _shown(curves.noise_spectra, subjects), _shown(curves.pressures, subjects),
+                             _shown(curves.noise_engagements, subjects), _shown(curves.directivity, subjects)]
+    yield "statistics", "Window statistics", [_shown(_each, subjects, facts.statistics_tables)]
+    yield "cost", "Energy and computing time", [_shown(curves.energies, subjects), _shown(_each, subjects, facts.costs)]
+    yield "entries", "Entries", [_shown(_each, subjects, facts.all_entries)]

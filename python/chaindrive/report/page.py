@@ -4,10 +4,14 @@ import base64
 import gzip
 import importlib.util
 import json
+import os
 import pathlib
+import tempfile
 
 from chaindrive.report import motion, svg
+from chaindrive.errors import RunError
 from chaindrive.report.figure import Figure, as_data
+from chaindrive.report.parts import DAMAGE, of_other_files
 from chaindrive.report.text import escape, number, sentences
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -40,22 +44,30 @@ class Page:
         """A figure as HTML: legend, panels with their still pictures, sentences in the place of what is missing."""
         if not figure.panels and not figure.missing:
             return ""
+        data, stills = [], []
+        for panel in figure.panels:
+            try:
+                data.append(json.loads(json.dumps(as_data(panel), allow_nan=False)))
+                stills.append(svg.draw(panel, f"clip{len(self.panels) + len(data) - 1}"))
+            except DAMAGE as error:
+                return sentences([f"{figure.title} could not be drawn: {of_other_files(error)}"], "missing")
         legend = "".join(f'<li><button type="button" aria-pressed="true">{_look(color, dash, kind)}{escape(label)}</button></li>'
                          for label, color, dash, kind in figure.legend())
         out = [f'<figure id="{figure.key}"><h3>{escape(figure.title)}</h3><p class="caption">{escape(figure.sentence)}</p>']
         if legend:
             out.append(f'<ul class="key">{legend}</ul>')
         out.append(f'<div class="panels{" single" if len(figure.panels) == 1 else ""}">')
-        for panel in figure.panels:
+        for panel, numbers, still in zip(figure.panels, data, stills):
             which = len(self.panels)
-            self.panels.append(as_data(panel))
+            self.panels.append(numbers)
             title = f"<h4>{escape(panel.title)}</h4>" if panel.title else ""
-            out.append(f'<div class="panel">{title}<div class="live" data-panel="{which}"></div>{svg.draw(panel, f"clip{which}")}</div>')
+            out.append(f'<div class="panel">{title}<div class="live" data-panel="{which}"></div>{still}</div>')
         out.append("</div>" + sentences(figure.missing, "missing") + "</figure>")
         return "".join(out)
 
     def film(self, frames, title):
         """The chain in motion."""
+        json.dumps(frames, allow_nan=False)  # or it is damaged, before anything is made of it
         which = len(self.films)
         self.films.append({**frames, "light": motion.LIGHT, "dark": motion.DARK})
         light, dark = (", ".join(motion.color(k / 5, stops) for k in range(6)) for stops in (motion.LIGHT, motion.DARK))
@@ -76,7 +88,7 @@ class Page:
             html = "".join(self.figure(part) if isinstance(part, Figure) else part for part in parts)
             body.append(f'<section id="{key}"><h2>{escape(name)}</h2>{html}</section>')
         library = plotly()
-        scripts, footer = "", "<p>Made by <code>chaindrive report</code>. It needs no network and no other file.</p>"
+        scripts, footer = "", f"<p>{MADE_BY}. It needs no network and no other file.</p>"
         if library is not None:
             text = library.read_bytes()
             version = text[:200].decode(errors="replace").split("plotly.js v")[-1].split()[0]
@@ -94,9 +106,29 @@ class Page:
                 f"<header><h1>{escape(title)}</h1>{lead}</header>\n<nav><div>{menu}</div></nav>\n<main>\n" + "\n".join(body) +
                 f"\n</main>\n<footer>{footer}</footer>\n<script type=\"application/gzip\" id=\"data\">{packed(data)}</script>\n{scripts}\n"
                 f"<script>\n{(HERE / 'page.js').read_text()}</script>\n</body>\n</html>\n")
-        part = file.with_name(file.name + ".part")
-        part.write_text(page, encoding="utf-8")
-        part.replace(file)
+        replace(file, page)
+
+
+MADE_BY = "Made by <code>chaindrive report</code>"
+
+
+def replace(file, page):
+    """Puts a page in the place of an earlier one, all at once. RunError when anything else stands there."""
+    if file.is_symlink() or (file.exists() and not file.is_file()):
+        raise RunError(f"'{file}' is no file that a report could replace: --output takes the name of a new file, such as report.html.")
+    if file.exists() and MADE_BY.encode() not in file.read_bytes():
+        raise RunError(f"'{file}' is not a page of chaindrive and stays as it is: --output takes the name of a new file, such as report.html.")
+    descriptor, part = tempfile.mkstemp(prefix=file.name + ".", suffix=".part", dir=file.parent)
+    try:
+        with os.fdopen(descriptor, "w", encoding="utf-8", errors="replace") as out:
+            out.write(page)
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(part, 0o666 & ~mask)
+        os.replace(part, file)
+    except BaseException:
+        pathlib.Path(part).unlink(missing_ok=True)
+        raise
 
 
 def _look(color, dash, kind):

@@ -31,10 +31,17 @@ def of_each(subjects, make):
             done.append((subject, make(subject)))
         except RunError as error:
             missing.append(str(error))
-        except (KeyError, IndexError, TypeError, ValueError, OSError) as error:
-            missing.append(f"This could not be drawn of the run in '{subject.run.folder}': its files are not as this version writes them "
-                           f"({type(error).__name__}: {error}).")
+        except DAMAGE as error:
+            missing.append(f"This could not be drawn of the run in '{subject.run.folder}': {of_other_files(error)}")
     return done, list(dict.fromkeys(missing))
+
+
+#: What files that are damaged, or of other versions, make of a reader.
+DAMAGE = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, OSError, RuntimeError, StopIteration)
+
+
+def of_other_files(error):
+    return f"its files are damaged, or not as this version writes them ({type(error).__name__}: {error})."
 
 
 def together(subjects, key, title, sentence, x, y, curve_of, **axes):
