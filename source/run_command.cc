@@ -225,6 +225,18 @@ std::string window_sentence(const Simulation &simulation)
                  "ms a time.";
 }
 
+/// Says what makes figures of the run meaningless.
+void warn_of_events(files::Log &log, const files::Json &summary)
+{
+  if (!summary.contains("events"))
+    return;
+  for (const files::Json &event : summary["events"])
+    log.warn(event["sentence"].get<std::string>() +
+             (event["in_window"].get<bool>() ?
+                  " It was so in the window: means over it are not valid." :
+                  " It was not so in the window of the means."));
+}
+
 /// Computes the noise of the run that has just ended; says why if that cannot be.
 void try_noise(Prepared &prepared)
 {
@@ -247,6 +259,7 @@ void end_files(Prepared &prepared)
   files::Log &log = prepared.log;
   files::write_json(prepared.directory.path() + "/summary.json", summary.values);
   warn(log, window_sentence(prepared.simulation));
+  warn_of_events(log, summary.values);
   observe::print_summary(log, summary.values);
   PhaseTimer::print(log, summary.phases);
   if (prepared.simulation.parameters.acoustics.noise)

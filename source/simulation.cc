@@ -39,6 +39,19 @@ void add_balances(files::Json &values, const dynamics::Guard &guard)
     }
 }
 
+/// Whether means over the window tell what they are said to.
+void add_validity(files::Json &values)
+{
+  files::Json &window = values["window"];
+  window["valid"]     = nullptr; // there are none
+  if (window["start"].is_number())
+    window["valid"] =
+        !values.contains("events") ||
+        std::none_of(values["events"].begin(),
+                     values["events"].end(),
+                     [](const files::Json &event) { return event["in_window"].get<bool>(); });
+}
+
 /// The shift of one joint that lets it carry the force that it is placed for: Newton's method with
 /// a slope from secants as long as forces change a lot.
 struct ShiftOfJoint
@@ -182,7 +195,8 @@ observe::Summary Simulation::summary() const
   values["memory_peak"]  = observe::memory_peak(communicator());
   values["wall_seconds"] = system_->timer.elapsed();
   values["cpu_seconds"]  = observe::cpu_seconds(summary.phases);
-  values                 = observe::in_order(values);
+  add_validity(values);
+  values = observe::in_order(values);
   return summary;
 }
 } // namespace chaindrive

@@ -73,6 +73,12 @@ class Run:
         """What closed forms say of the drive, member `drive` of the summary; empty where it has none."""
         return self.summary.get("drive", {})
 
+    @property
+    def events(self):
+        """What makes figures of the run meaningless, such as a chain that jumped: member `events` of the summary, a list of dictionaries; None where
+        nobody looked, in runs that have not finished and summaries of older versions."""
+        return self.summary.get("events")
+
     @functools.cached_property
     def acoustics(self):
         """acoustics.json, what `chaindrive noise` has found; empty without it."""

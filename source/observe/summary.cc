@@ -13,7 +13,8 @@ namespace chaindrive::observe
 namespace
 {
 /// What a reader looks for first, the machine, and the longest list.
-constexpr const char *first_members[] = {"driven_angle_end",
+constexpr const char *first_members[] = {"events",
+                                         "driven_angle_end",
                                          "driven_speed_mean",
                                          "span_speed_mean",
                                          "pitch_time_mean",

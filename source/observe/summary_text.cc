@@ -131,7 +131,10 @@ void print_summary(std::ostream &out, const files::Json &summary)
   if (window["start"].is_number())
     out << "Means from " << window["start"].get<double>() * 1e3 << " ms to "
         << window["end"].get<double>() * 1e3 << " ms"
-        << (window["settled"].is_boolean() ? ", after the drive had settled\n" : "\n");
+        << (window["settled"].is_boolean() ? ", after the drive had settled" : "")
+        << (window.value("valid", files::Json(true)) == false ?
+                ": NOT VALID, see the events in the window\n" :
+                "\n");
   else
     out << "No means: the drive has not settled\n";
   line("pitch time", "pitch_time_mean", "ms", 1e3);

@@ -75,6 +75,9 @@ def folder(name, time, datasets, summary=()):
 
 def frames():
     one = run("simple")
+    check(one.events == [] and one.summary["window"]["valid"] is True, f"events of a sound run: {one.events}")
+    jumped = run("jumped", Drive__Layout__Centre_distance_from="slack", Drive__Layout__Slack_in_mm=70, Loads__Resisting_torque_in_N_m=600)
+    check("jumped" in [event["kind"] for event in jumped.events] and jumped.summary["window"]["valid"] is False, f"events: {jumped.events}")
     with h5py.File("simple/histories.h5") as file:
         time, tension = file["time"][:], file["links/tension"][:]
         frame = one.history("links/tension", columns=[7, 3], start=4e-3, end=6e-3, units=("ms", "kN"))

@@ -156,8 +156,13 @@ def one():
     check(f"{power:.3g}\u00a0W" in found.texts["statistics"], "the loss at the driver")
     check("chaindrive noise" in found.texts["noise-spectra"], "what is missing of noise is not said")
     check(found.texts["all"].count("How does the drive of Zheng, Wang and Quek") == 1, "the question of the file")
+    event = {"kind": "jumped", "time": 9e-3, "sprocket": "driver", "in_window": True, "sentence": "The chain jumped <i>a</i> tooth."}
+    pathlib.Path("results/summary.json").write_text(json.dumps({**summary, "events": [event]}))
     begin = time.time()
     report("results")
+    text = read("results/report.html").texts["all"]
+    check("not valid" in text.split("Key figures")[0] and event["sentence"] in text and "not valid" not in found.texts["all"],
+          "an event is not said above the key figures, or one of a sound run")
     check(time.time() - begin < 10, f"{time.time() - begin:.1f} s for a report")
     run("results", "--quiet", "--report", Time__End_time_in_ms=10)
     check(not pathlib.Path("results/report.html").exists(), "an old page is left beside new results, or --quiet wrote one")

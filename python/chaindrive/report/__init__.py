@@ -57,7 +57,17 @@ def _lead(subjects):
             lead += sentences([f"{subject.run.damage} What the other files hold is shown."])
         if not subject.run.finished:
             lead += sentences([f"The run in '{subject.run.folder}' has not finished: there is no summary.json. What its histories hold is shown."])
-    return lead
+    return _events(subjects) + lead
+
+
+def _events(subjects):
+    """What makes figures of the runs meaningless, above all else."""
+    texts = []
+    for subject in subjects:
+        for event in subject.run.events or []:
+            which = f"{subject.name}: " if len(subjects) > 1 else ""
+            texts.append(f"{which}{event['sentence']}" + (" Means over the window are not valid." if event["in_window"] else ""))
+    return sentences(texts)
 
 
 def _each(subjects, make, heading=True):

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/catalogue.h>
+#include <chaindrive/observe/quantity.h>
+#include <chaindrive/observe/schedule.h>
+#include <chaindrive/observe/wrap.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+// What makes figures of a run meaningless: a chain that jumps, is off its sprocket, stands on tips,
+// hangs where it must pull, or would have broken. Runs go on; their summary says so.
+
+namespace chaindrive::observe
+{
+namespace
+{
+constexpr double look_interval = 20e-6; // s, at most: a chain slips less than half a pitch in it
+constexpr double looks_a_pitch = 50.;   // and so many times in a pitch time
+constexpr double longest_pitch = 10e-3; // s, for a drive that stands still or creeps
+constexpr double slack_part    = 0.05;  // of the tension that the load asks for
+constexpr double slack_pitches = 3.;    // that are slack one after the other
+
+/// Something of one kind at one place.
+struct Event
+{
+  double       first     = -1.;   ///< s; below zero: never
+  double       amount    = 0.;    ///< teeth, s or N
+  unsigned int body      = 0;     ///< the joint or link at which it was first or most
+  bool         in_window = false; ///< at least once
+
+  bool happened() const { return first >= 0.; }
+};
+
+/// A state that counts when it lasts.
+struct Lasting
+{
+  double since = -1.; ///< s; below zero: it is not so
+
+  /// For how long it has been so, s.
+  double look(const bool is_so, const double time)
+  {
+    if (!is_so)
+      since = -1.;
+    else if (since < 0.)
+      since = time;
+    return is_so ? time - since : 0.;
+  }
+};
+
+/// Sums over the looks of a pitch time; a chain vibrates too much to be judged at an instant.
+struct OfPitch
+{
+  double       begin   = 0.;            ///< s
+  double       tension = 0., pull = 0.; ///< of the tight span, and what the load asks for, N
+  unsigned int n = 0;
+};
+
+std::string at(const double time) { return to_text(time * 1e3, 4) + " ms"; }
+
+class Events : public Quantity
+{
+public:
+  explicit Events(const Observation &now)
+      : Quantity(now)
+      , pitch_time_(std::min(2. * dealii::numbers::PI /
+                                 (now.scene.sprockets[0].teeth * now.parameters.loads.driver_speed),
+                             longest_pitch))
+      , looks_(now.parameters.time.start, std::min(look_interval, pitch_time_ / looks_a_pitch))
+      , knows_tensions_(now.parameters.output.asks_for(parameters::QuantityGroup::tensions))
+  {
+    for (unsigned int i = 0; i < now.scene.sprockets.size(); ++i)
+      sprockets_.emplace_back(now.scene, i);
+    const auto *row = drive::find_chain(now.parameters.drive.chain.designation);
+    if (row != nullptr)
+      strength_ = row->tensile_strength;
+  }
+
+  static bool exists(const Observation &start)
+  {
+    const scene::Scene &scene = start.scene;
+    return scene.n_joints > 0 && scene.sprockets.size() == 2 &&
+           std::all_of(scene.sprockets.begin(), scene.sprockets.end(), [&](const auto &sprocket) {
+             return std::any_of(scene.teeth.begin(), scene.teeth.end(), [&](const auto &teeth) {
+               return teeth.sprocket == sprocket.body;
+             });
+           });
+  }
+
+  /// Tensions are known where they are asked for anyway.
+  bool reads_contacts() const override { return knows_tensions_; }
+
+  void update() override
+  {
+    if (knows_tensions_)
+      look_for_breaking();
+    if (!looks_.due(now_.time()))
+      return;
+    for (OnSprocket &sprocket : sprockets_)
+      look_at(sprocket);
+    if (knows_tensions_)
+      look_for_slack();
+  }
+
+  void summarize(files::Json &summary) const override
+  {
+    files::Json list = files::Json::array();
+    for (unsigned int i = 0; i < sprockets_.size(); ++i)
+      add_sprocket(list, sprockets_[i], now_.scene.sprockets[i].role);
+    if (slack_.happened())
+      list.push_back(json("tight span slack",
+                          slack_,
+                          "s",
+                          {"span", "tight"},
+                          "The tight span was slack for " + at(slack_.amount) + " from " +
+                              at(slack_.first) + " on, while a load acted."));
+    if (broken_.happened())
+      list.push_back(json("above breaking",
+                          broken_,
+                          "N",
+                          {"link", broken_.body},
+                          "The tension of link " + std::to_string(broken_.body) + " rose to " +
+                              to_text(broken_.amount, 4) + " N, above the " +
+                              to_text(strength_, 4) + " N at which the chain breaks, first at " +
+                              at(broken_.first) + "."));
+    summary["events"] = list;
+  }
+
+  void serialize(const Archive &archive) override
+  {
+    looks_.serialize(archive / "looks", now_.time());
+    for (unsigned int i = 0; i < sprockets_.size(); ++i)
+      {
+        const Archive part     = archive / std::to_string(i);
+        OnSprocket   &sprocket = sprockets_[i];
+        sprocket.wrap.serialize(part);
+        part("jumps", sprocket.jumped);
+        part("off", sprocket.off);
+        part("off since", sprocket.off_since);
+        part("tip", sprocket.tip);
+        part.numbers("tip since", sprocket.tip_since);
+      }
+    archive("slack", slack_);
+    archive("slack since", slack_since_);
+    archive("pitch", pitch_);
+    archive("broken", broken_);
+  }
+
+private:
+  struct OnSprocket
+  {
+    OnSprocket(const scene::Scene &scene, const unsigned int i)
+        : wrap(scene, i), tip_since(scene.n_joints)
+    {
+    }
+
+    Wrap                 wrap;
+    Event                jumped, off, tip;
+    Lasting              off_since;
+    std::vector<Lasting> tip_since; ///< per joint
+  };
+
+  /// Books @p amount of something that was first so at @p first.
+  void book(Event &event, const double first, const double amount, const unsigned int body = 0)
+  {
+    const Window &window = now_.window();
+    if (!event.happened())
+      event.first = first;
+    if (amount > event.amount)
+      {
+        event.amount = amount;
+        event.body   = body;
+      }
+    event.in_window |= now_.time() >= window.start() && first <= window.end();
+  }
+
+  void look_at(OnSprocket &sprocket)
+  {
+    const double time   = now_.time();
+    const int    before = sprocket.wrap.jumped();
+    sprocket.wrap.look(now_.system.world);
+    if (const int teeth = std::abs(sprocket.wrap.jumped() - before); teeth > 0)
+      book(sprocket.jumped, time, sprocket.jumped.amount + teeth);
+    if (const double lasts = sprocket.off_since.look(sprocket.wrap.is_off(), time);
+        lasts >= pitch_time_)
+      book(sprocket.off, time - lasts, lasts);
+    const std::vector<unsigned int> &tips = sprocket.wrap.on_tips();
+    for (unsigned int k = 0; k < sprocket.tip_since.size(); ++k)
+      {
+        const bool   is_on = std::find(tips.begin(), tips.end(), k) != tips.end();
+        const double lasts = sprocket.tip_since[k].look(is_on, time);
+        if (lasts >= pitch_time_)
+          book(sprocket.tip, time - lasts, lasts, k);
+      }
+  }
+
+  void look_for_breaking()
+  {
+    const std::vector<double> &tension = now_.spans().link_tension();
+    if (strength_ <= 0. || tension.empty())
+      return;
+    const auto most = std::max_element(tension.begin(), tension.end());
+    if (*most > strength_)
+      book(broken_, now_.time(), *most, static_cast<unsigned int>(most - tension.begin()));
+  }
+
+  /// Only in the window: before it drives start up, and driven inertia overruns them.
+  void look_for_slack()
+  {
+    const parameters::Loads &loads = now_.parameters.loads;
+    const double             time  = now_.time();
+    const double             start =
+        now_.parameters.time.start + (now_.scene.at_speed ? 0. : loads.ramp_time) + pitch_time_;
+    const double radius =
+        0.5 * now_.scene.pitch /
+        std::sin(dealii::numbers::PI / now_.scene.with(parameters::Role::driven).teeth);
+    const double pull = now_.system.loads.load_torque() / radius;
+    if (time < std::max(start, now_.window().start()) || time > now_.window().end() || pull <= 0.)
+      {
+        pitch_       = {};
+        slack_since_ = {};
+        return;
+      }
+    if (pitch_.n++ == 0)
+      pitch_.begin = time;
+    // what the chain's own motion needs pulls at no sprocket
+    const Spans &spans = now_.spans();
+    pitch_.tension += spans.tight_tension - now_.scene.mass_per_pitch / now_.scene.pitch *
+                                                spans.tight_speed * spans.tight_speed;
+    pitch_.pull += pull;
+    if (time < pitch_.begin + pitch_time_)
+      return;
+    slack_since_.look(pitch_.tension < slack_part * pitch_.pull, pitch_.begin);
+    if (slack_since_.since >= 0. && time - slack_since_.since >= slack_pitches * pitch_time_)
+      book(slack_, slack_since_.since, time - slack_since_.since);
+    pitch_ = {};
+  }
+
+  static files::Json json(const std::string                          &kind,
+                          const Event                                &event,
+                          const std::string                          &unit,
+                          const std::pair<const char *, files::Json> &place,
+                          const std::string                          &sentence)
+  {
+    return {{"kind", kind},
+            {"time", event.first},
+            {place.first, place.second},
+            {"amount", event.amount},
+            {"unit", unit},
+            {"in_window", event.in_window},
+            {"sentence", sentence}};
+  }
+
+  static void add_sprocket(files::Json &list, const OnSprocket &found, const parameters::Role role)
+  {
+    const std::pair<const char *, files::Json> place = {"sprocket", text_of(role)};
+    const std::string                          name  = in_words(role);
+    if (found.jumped.happened())
+      {
+        const int   teeth = static_cast<int>(std::lround(found.jumped.amount));
+        files::Json one =
+            json("jumped",
+                 found.jumped,
+                 "teeth",
+                 place,
+                 "The chain jumped " +
+                     (teeth == 1 ? std::string("a tooth") : std::to_string(teeth) + " teeth") +
+                     " of the " + name + (teeth == 1 ? ", at " : ", first at ") +
+                     at(found.jumped.first) + ".");
+        one["ahead"] = found.wrap.jumped();
+        list.push_back(one);
+      }
+    if (found.off.happened())
+      list.push_back(json("chain off",
+                          found.off,
+                          "s",
+                          place,
+                          "The chain was off the teeth of the " + name + " for " +
+                              at(found.off.amount) + ", first from " + at(found.off.first) +
+                              " on."));
+    if (found.tip.happened())
+      {
+        files::Json one =
+            json("roller on a tip",
+                 found.tip,
+                 "s",
+                 place,
+                 "Roller " + std::to_string(found.tip.body) +
+                     " stood on the tip of a tooth of the " + name + " for " +
+                     at(found.tip.amount) + "; the first one did at " + at(found.tip.first) + ".");
+        one["roller"] = found.tip.body;
+        list.push_back(one);
+      }
+  }
+
+  double                  pitch_time_; ///< of the driver at its full speed; states must last it, s
+  Schedule                looks_;
+  bool                    knows_tensions_;
+  double                  strength_ = 0.; ///< of the chain, N; 0: not known
+  std::vector<OnSprocket> sprockets_;
+  Event                   slack_, broken_;
+  Lasting                 slack_since_;
+  OfPitch                 pitch_;
+};
+
+const Registered<Events> registration("events", 130);
+} // namespace
+} // namespace chaindrive::observe
