@@ -7,12 +7,14 @@ import jinja2
 import matplotlib
 import numpy as np
 
+import stats
 import sweep
 
 matplotlib.use("Agg")
 matplotlib.rcParams["svg.hashsalt"] = "study"  # the same picture from the same figures
 import matplotlib.pyplot as plt  # noqa: E402
 
+NO_INTERVALS = f"Fewer than {stats.FEWEST} start phases give no interval."
 MANY = 8  # panels; bands of a spectrum stand in the table only
 
 
@@ -138,6 +140,10 @@ def _svg(file):
     return text[text.index("<svg"):]
 
 
+def _phases(study):
+    return len(study.variants[0]["runs"])
+
+
 def draw_all(study, folder, name="chart", kind="svg", dpi=100):
     """All pictures of a study: (what it shows, file, what to see in it)."""
     chart = folder / f"{name}.{kind}"
@@ -147,13 +153,19 @@ def draw_all(study, folder, name="chart", kind="svg", dpi=100):
                  "Grey band: within it the reference itself is not known.")]
     of = sweep.Sweep(study)
     sweep.draw(of, chart, dpi)
-    pictures = [(f"Outputs against {of.label}", chart, "Bars: 95 % intervals over start phases." + (
+    pictures = [(f"Outputs against {of.label}", chart, ("Bars: 95 % intervals over start phases." if _phases(study) >= stats.FEWEST else NO_INTERVALS) + (
         " Dashed and dotted lines: the order of tooth frequency meets the frequency of the driven inertia." if of.resonances() else ""))]
     orders = folder / f"{name}-orders.{kind}"
     if sweep.draw_orders(of, orders, dpi):
         pictures.append(("Orders of tooth frequency at each speed", orders, "A row for each speed; lines: the frequencies "
                          "that the figures of the drive foretell."))
     return pictures
+
+
+def _intervals(study):
+    if _phases(study) < stats.FEWEST:
+        return "without intervals, which fewer than four start phases do not give"
+    return f"with their 95 % intervals (bootstrap, {study.about['bootstrap']['samples']} samples)"
 
 
 def write(study, directory):
@@ -169,7 +181,7 @@ def write(study, directory):
     about = dict(about=study.about, against=against, tables=[*found, cost_rows(study)], failed=failed,
                  pictures=[(what, file.name, _svg(file), text) for what, file, text in pictures],
                  cpu=cpu, markdown=markdown, changes=[(v["name"], v.get("changes", {})) for v in study.variants],
-                 phases=len(study.variants[0]["runs"]))
+                 phases=_phases(study), intervals=_intervals(study))
     for source, target in (("page.md.j2", "study.md"), ("page.html.j2", "study.html")):
         part = directory / (target + ".part")
         part.write_text(environment.get_template(source).render(about), encoding="utf-8")

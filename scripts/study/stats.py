@@ -3,15 +3,19 @@
 bootstrap (Efron 1979) take phases, with both runs of each."""
 import numpy as np
 
+#: The bootstrap of fewer values, which knows nothing between them, gives intervals that are too short: those of two values hold the
+#: mean in half of all cases.
+FEWEST = 4
+
 
 def _resample(n, samples, seed):
     return np.random.default_rng(seed).integers(n, size=(samples, n))
 
 
 def mean_interval(values, samples, seed):
-    """Mean and its 95 percent percentile interval; an interval of nan for a single value."""
+    """Mean and its 95 percent percentile interval; an interval of nan for fewer than FEWEST values."""
     values = np.asarray(values, float)
-    if len(values) < 2 or not np.all(np.isfinite(values)):
+    if len(values) < FEWEST or not np.all(np.isfinite(values)):
         return (float(values.mean()) if len(values) else np.nan, np.nan, np.nan)
     means = values[_resample(len(values), samples, seed)].mean(axis=1)
     return float(values.mean()), *map(float, np.percentile(means, (2.5, 97.5)))
@@ -19,12 +23,12 @@ def mean_interval(values, samples, seed):
 
 def error_interval(values, reference, samples, seed):
     """Mean of `values` over mean of `reference`, less one, in percent, and its 95 percent interval. Both belong to the
-    same phases in the same order."""
+    same phases in the same order; nan for the interval of fewer than FEWEST."""
     values, reference = np.asarray(values, float), np.asarray(reference, float)
     if len(values) == 0 or not np.all(np.isfinite(values)) or not np.all(np.isfinite(reference)) or reference.mean() == 0:
         return np.nan, np.nan, np.nan
     error = 100 * (values.mean() / reference.mean() - 1)
-    if len(values) < 2:
+    if len(values) < FEWEST:
         return float(error), np.nan, np.nan
     of = _resample(len(values), samples, seed)
     errors = 100 * (values[of].mean(axis=1) / reference[of].mean(axis=1) - 1)

@@ -33,7 +33,7 @@ const CatalogueChain &look_up(const std::string &designation)
     list += (list.empty() ? "" : ", ") + name;
   throw InputError(
       "Drive/Chain/Designation = " + designation + " is not a chain this program knows" +
-      (nearest.empty() ? "" : "; did you mean " + nearest + "?") + " Known are: " + list + ".");
+      (nearest.empty() ? "." : "; did you mean " + nearest + "?") + " Known are: " + list + ".");
 }
 
 /// Takes a value from its entry, else from the table, else from a rule, which it then states.

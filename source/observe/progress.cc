@@ -29,7 +29,8 @@ constexpr int steps = 20; ///< lines in the log
 
 bool Progress::console_is_terminal()
 {
-  for (const char *name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK", "SLURM_STEP_ID"})
+  for (const char *name :
+       {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK", "SLURM_STEP_ID", "SLURM_STEPID"})
     if (std::getenv(name) != nullptr)
       return false;
   return ::isatty(STDOUT_FILENO) == 1;

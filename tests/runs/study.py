@@ -100,8 +100,10 @@ def statistics():
     unpaired = stats.error_interval(1.03 * reference[::-1], reference, 500, 1)
     check(unpaired[2] - unpaired[1] > 5., "phases are not paired")
 
-    mean, low, high = stats.mean_interval([0., 1.], 4000, 1)  # means 0, 1/2, 1 with 1/4, 1/2, 1/4
-    check((mean, low, high) == (0.5, 0., 1.), f"two values: {mean} {low} {high}")
+    mean, low, high = stats.mean_interval([0., 0., 1., 1.], 4000, 1)  # means 0 and 1 with 1/16 each
+    check((mean, low, high) == (0.5, 0., 1.), f"four values: {mean} {low} {high}")
+    few = [*stats.mean_interval([0., 1., 2.], 100, 1)[1:], *stats.error_interval([1., 2., 3.], [1., 1., 1.], 100, 1)[1:]]
+    check(np.isnan(few).all(), f"an interval of three values: {few}")
     mean, low, high = stats.mean_interval([0., 0., 0., 0., 0., 0., 0., 1.], 200000, 1)
     # the number of ones among 8 draws is binomial with 1/8: P(0) = 0.344, P(<= 2) = 0.933, P(<= 3) = 0.989
     check((low, high) == (0., 3. / 8.), f"binomial: {low} {high}")
@@ -241,6 +243,7 @@ def run():
     subprocess.run(alone, check=True)
     check(json.loads(pathlib.Path("alone/summary.json").read_text())["tight_tension_mean"] == values["coarse"][1], "variant.prm alone")
     page = pathlib.Path("there/study.html").read_text()
+    check("95 %" not in page and "fewer than four start phases" in page, "an interval of two phases")
     check("<svg" in page and "hopeless" in page and "src=" not in page and "<link" not in page, "the page is not complete in itself")
     for file in ("study.md", "chart.png", "chart.svg"):
         check(pathlib.Path("there", file).stat().st_size > 500, file)
