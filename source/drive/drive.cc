@@ -318,13 +318,16 @@ Drive make_drive(const Parameters  &parameters,
                        mass * gravity(parameters),
                        mass * speed * speed);
   };
-  const parameters::Drive   entries = worn_drive(parameters, lay, d);
-  const parameters::Layout &layout  = entries.layout;
-  d.layout                          = lay(entries, d.chain);
-  if (layout.centre_distance_from == CentreDistanceFrom::pretension && layout.pretension > 0. &&
-      layout.start != parameters::Start::settled)
+  parameters::Drive   entries   = worn_drive(parameters, lay, d);
+  parameters::Layout &layout    = entries.layout;
+  const bool          settled   = layout.start == parameters::Start::settled;
+  const bool          stretched = layout.centre_distance_from == CentreDistanceFrom::pretension;
+  if (settled && stretched) // shafts are where the drive at rest has its pre-tension
+    layout.start = parameters::Start::taut;
+  d.layout = lay(entries, d.chain);
+  if (stretched && layout.pretension > 0.)
     bring_to_rest(d.layout, resting_chain(parameters, d), forms, layout.pretension);
-  if (layout.start == parameters::Start::settled)
+  if (settled)
     {
       RestingChain chain = resting_chain(parameters, d);
       chain.shifts       = shifts;

@@ -234,10 +234,9 @@ void Layout::declare(Declarations &declarations)
       unit::si,
       between(0., 1e6),
       "Tension in the middle of the spans at rest, the mean of the two, in place of slack: the "
-      "drive "
-      "starts in equilibrium with it, whatever the chain on the sprockets gives way. Keep it far "
-      "below the working tension and well above the weight of a span; 0 lays both spans straight "
-      "and unstressed. With Start = settled it is that of the slack span as laid.");
+      "drive starts in equilibrium with it, whatever the chain on the sprockets gives way. Keep it "
+      "far below the working tension and well above the weight of a span; 0 lays both spans "
+      "straight and unstressed. Start = settled keeps the shafts where they are at rest.");
   add(declarations,
       "Worn chain",
       worn_chain,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace chaindrive::scene
@@ -120,7 +121,7 @@ Scene build_scene(const Parameters               &parameters,
   scene.half            = is_on(scene.effects, "half model");
   scene.plates_bend     = is_on(scene.effects, "plate bending");
   scene.sense           = layout.sense;
-  scene.at_speed        = layout.sprockets.front().speed != 0.;
+  scene.at_speed        = parameters.drive.layout.start == parameters::Start::settled;
   scene.n_joints        = static_cast<unsigned int>(layout.joints.size());
   scene.centre_distance = layout.centre_distance();
   scene.pitch           = drive.chain.loaded_pitch();
@@ -136,8 +137,8 @@ Scene build_scene(const Parameters               &parameters,
                            "Drive/Layout/Start = " + text_of(parameters.drive.layout.start) +
                                (scene.at_speed ? ": at full speed" : ": from rest")});
   scene.prestress = layout.prestress;
-  if (scene.at_speed) // a settled start finds the load torque fully applied
-    scene.torque_angle_offset = scene.loads.torque_ramp_angle;
+  if (scene.at_speed) // the load torque is fully applied, and stays so if a held drive turns back
+    scene.torque_angle_offset = std::numeric_limits<double>::infinity();
 
   builder_of(parameters.model.fidelity)(parameters, drive, scene);
   add_sprockets(parameters, drive, folders, scene);

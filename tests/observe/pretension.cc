@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Pre-tension asked for is the mean tension of the two spans at the start, at which nothing moves:
 // after 2 ms with the driver held it is still there. Over fidelities, tooth forms, start phases and
-// sprockets; with friction and gravity.
+// sprockets; with friction and gravity. A settled start without speed and load is the same state.
 #include "../support/scenes.h"
 
 #include <chaindrive/observe/spans.h>
@@ -92,5 +92,9 @@ int main()
       small.drive.n_links                = 60;
       small.drive.layout.tight_span      = parameters::TightSide::upper;
       report(text_of(fidelity) + ", 19/11", {small});
+      Parameters settled             = p;
+      settled.drive.layout.start     = parameters::Start::settled;
+      settled.loads.resisting_torque = 0.;
+      report(text_of(fidelity) + ", settled", {settled});
     }
 }

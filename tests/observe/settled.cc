@@ -123,6 +123,9 @@ int main(int argc, char *argv[])
          0.001,
          0.01);
   report("layered", {}, 0.01, 0.001, 0.01);
+  const std::string held = "Loads/Driver speed in rad/s=0";
+  report("simple, driver held", {"Model/Fidelity=simple", held}, 0.01, 0.001, 0.01);
+  report("layered, driver held", {held, "Loads/Torque ramp angle in rad=0"}, 0.01, 0.001, 0.01);
   // single joints are wrong by a few hundred N
   report("full", small_full_drive, 0.05, 0.6, 0.2);
   report("arriving, half",
