@@ -74,6 +74,15 @@ int main()
                    std::to_string(static_cast<int>(speed)) + " rad/s",
                p);
         }
+  std::cout << "== worn chains, whose rollers ride up\n";
+  p.model.fidelity     = parameters::Fidelity::simple;
+  p.loads.driver_speed = 10.;
+  for (const double elongation : {0.005, 0.015, 0.025})
+    {
+      p.drive.chain.elongation = elongation;
+      test(std::to_string(elongation), p);
+    }
+  p.drive.chain.elongation = 0.;
   std::cout << "== without slack but for the stretch\n";
   p.model.fidelity                    = parameters::Fidelity::simple;
   p.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::slack;
