@@ -92,4 +92,15 @@ int main()
       p.drive.n_links = links;
       test(std::to_string(links) + " links", p);
     }
+
+  std::cout << "== refusals name what may be too much\n";
+  p.drive.chain.designation           = "08B";
+  p.drive.sprockets.driver.teeth      = 15;
+  p.drive.sprockets.driven.teeth      = 114;
+  p.drive.n_links                     = 194;
+  p.drive.chain.elongation            = 0.05;
+  p.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::sag;
+  p.drive.layout.sag                  = 0.01;
+  p.loads.resisting_torque            = 240.;
+  expect_refusal("worn by 5 %", [&] { drive::make_drive(p); });
 }
