@@ -4,6 +4,8 @@
 #include <chaindrive/utilities/text.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace chaindrive::drive
 {
@@ -271,5 +273,28 @@ ChainDimensions make_chain(const parameters::Chain &chain, const parameters::Eff
   set_hole_pitches(c, chain);
   check(c);
   return c;
+}
+
+bool has_own_dimensions(const ChainDimensions &chain)
+{
+  parameters::Chain plain;
+  plain.designation            = chain.designation;
+  const ChainDimensions listed = make_chain(plain);
+  const auto            values = [](const ChainDimensions &c) {
+    return std::array<double, 10>{{c.pitch,
+                                   c.roller_diameter,
+                                   c.bush_diameter,
+                                   c.pin_diameter,
+                                   c.pin_bore,
+                                   c.inner_plate_height,
+                                   c.inner_plate_thickness,
+                                   c.outer_plate_height,
+                                   c.outer_plate_thickness,
+                                   c.waist_ratio}};
+  };
+  const auto own = values(chain), of_table = values(listed);
+  return !std::equal(own.begin(), own.end(), of_table.begin(), [](const double a, const double b) {
+    return std::abs(a - b) <= 1e-3 * b;
+  });
 }
 } // namespace chaindrive::drive

@@ -23,6 +23,9 @@ constexpr double       slow                 = 1.;           // m/s
 constexpr double       resonance_margin     = 0.1;          // of the frequency
 constexpr double       most_start_tension   = 3.;           // of the tight span's tension
 constexpr double       least_window_pitches = 10.;
+constexpr double       most_wear            = 0.03;  // elongation; of large sprockets 2 / z
+constexpr double       most_wear_kept       = 0.015; // where shafts cannot be moved
+constexpr double       most_sag             = 0.1;   // of the slack span's length
 
 std::string newton(const double force)
 {
@@ -106,6 +109,28 @@ struct Checks
       }
   }
 
+  void wear()
+  {
+    const double       worn  = p.drive.chain.elongation;
+    const bool         kept  = p.drive.layout.worn_chain == parameters::WornChain::shafts_kept;
+    const unsigned int teeth = std::max(facts.sprockets[0].teeth, facts.sprockets[1].teeth);
+    const double       most  = std::min({most_wear, 2. / teeth, kept ? most_wear_kept : most_wear});
+    add(worn > most,
+        "wear",
+        "The chain is worn by Drive/Chain/Elongation in percent = " + to_text(100. * worn, 3) +
+            ", more than the " + to_text(100. * most, 3) +
+            " % at which a chain is replaced on sprockets of up to " + std::to_string(teeth) +
+            " teeth" + (kept ? " whose shafts are not moved" : "") +
+            ": its rollers ride near or above the tips of the teeth.");
+    const Facts::Span &slack = facts.span(false);
+    add(slack.sag >= most_sag * slack.length,
+        "sag",
+        "The slack span sags by " + to_text(slack.sag * 1e3, 3) + " mm, " +
+            to_text(100. * slack.sag / slack.length, 3) + " % of its length, where 1 to 3 % are " +
+            "usual: closed forms are for flat spans, and the chain may jump teeth. Take less " +
+            "slack or fewer links, or a larger centre distance.");
+  }
+
   void resonances()
   {
     const double tooth = facts.tooth_frequency;
@@ -181,6 +206,7 @@ std::vector<Check> check_design(const Parameters &parameters, const Facts &facts
   checks.strength();
   checks.size();
   checks.sprockets();
+  checks.wear();
   checks.resonances();
   checks.start();
   checks.window();

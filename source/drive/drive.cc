@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace chaindrive::drive
 {
@@ -154,6 +155,38 @@ parameters::Drive worn_drive(const Parameters &parameters, const Lay &lay, Drive
   return entries;
 }
 
+/// Says by how much the solids' mass differs from that of the chain's table, which counts overhangs
+/// of pins and rivets.
+void note_mass(Drive &d, const Parameters &parameters)
+{
+  const CatalogueChain *row = find_chain(d.chain.designation);
+  if (row == nullptr || row->mass_per_metre <= 0. || parameters.model.mass_per_pitch ||
+      has_own_dimensions(d.chain))
+    return;
+  const double listed = row->mass_per_metre * d.chain.pitch;
+  if (std::abs(d.mass_per_pitch / listed - 1.) > 0.03)
+    d.notes.push_back("Mass of the chain " + to_text(d.mass_per_pitch / d.chain.pitch, 4) +
+                      " kg/m, of its solids; catalogues have " + to_text(row->mass_per_metre, 4) +
+                      " kg/m, which Model/Mass per pitch in g = " + to_text(1e3 * listed, 4) +
+                      " takes.");
+}
+
+/// What may keep a drive from being settled, in a sentence after the refusal; else nothing.
+std::string reason_to_fail(const parameters::Chain &chain, const Layout &layout)
+{
+  const double slack = layout.span(false).slack;
+  std::string  text;
+  if (chain.elongation > 0.01)
+    text += " Drive/Chain/Elongation in percent = " + to_text(100. * chain.elongation) +
+            " lets rollers ride up the teeth; a chain is replaced at 3 or less.";
+  if (slack > 0.03 * layout.centre_distance())
+    text +=
+        " The slack span has " + in_mm(slack) +
+        " of slack, by Drive/Layout/Slack in mm, Sag in percent, Centre distance in mm or wear: "
+        "take less.";
+  return text;
+}
+
 /// Greatest distance of the joints in @p span from the straight line between its ends, m.
 double depth(const Layout &layout, const Layout::Span &span)
 {
@@ -182,22 +215,38 @@ double relative_sag(const Layout &layout)
 template <typename Lay>
 void keep_sag(const parameters::Drive &entries, Drive &d, const Lay &lay)
 {
-  const double      asked = entries.layout.sag * entries.layout.sag;
+  const double      wanted = entries.layout.sag, asked = wanted * wanted;
   parameters::Drive trial = entries;
-  double            tried = asked, slope = 1., before = 0., now = relative_sag(d.layout);
-  for (unsigned int i = 0; i < 12 && std::abs(now / entries.layout.sag - 1.) > 2e-4; ++i)
+  double            tried = asked, slope = 1., now = relative_sag(d.layout), last = now;
+  double            low = 0., high = std::numeric_limits<double>::infinity(); // of what is tried
+  for (unsigned int i = 0; i < 12 && std::abs(last / wanted - 1.) > 5e-4; ++i)
     {
-      const double next = std::clamp(tried + (asked - now * now) / slope, 0.25 * tried, 4. * tried);
-      trial.layout.sag  = std::sqrt(next);
-      before            = now;
-      d.layout          = lay(trial);
-      now               = relative_sag(d.layout);
-      const double rise = (now * now - before * before) / (next - tried);
+      (last > wanted ? high : low) = tried;
+      double next = std::clamp(tried + (asked - last * last) / slope, 0.25 * tried, 4. * tried);
+      if (!(next > low && next < high))
+        next = std::sqrt(low * high);
+      trial.layout.sag    = std::sqrt(next);
+      const double before = last;
+      try
+        {
+          const Layout layout = lay(trial);
+          last                = relative_sag(layout);
+          if (std::abs(last - wanted) < std::abs(now - wanted))
+            {
+              d.layout = layout;
+              now      = last;
+            }
+        }
+      catch (const InputError &) // the drive can be settled, but not with less slack
+        {
+          break;
+        }
+      const double rise = (last * last - before * before) / (next - tried);
       slope             = rise > 0.05 ? rise : slope;
       tried             = next;
     }
-  if (std::abs(now / entries.layout.sag - 1.) > 1e-2)
-    d.notes.push_back("Drive/Layout/Sag in percent = " + to_text(100. * entries.layout.sag) +
+  if (std::abs(now / wanted - 1.) > 1e-2)
+    d.notes.push_back("Drive/Layout/Sag in percent = " + to_text(100. * wanted) +
                       ": the settled slack span hangs by " + to_text(100. * now, 3) +
                       " %, for loaded joints and seats change the slack by more than that sag.");
 }
@@ -248,6 +297,7 @@ Drive make_drive(const Parameters  &parameters,
     sprocket.solid = sprocket_solid(sprocket.form, sprocket.bore, d.sprocket_width, steel.density);
   d.mass_per_pitch =
       d.roller_solid.mass + 0.5 * (d.inner_link_solid.mass + d.outer_link_solid.mass);
+  note_mass(d, parameters);
 
   const ToothForm &driven = d.with(Role::driven).form;
   d.nominal_tension       = parameters.loads.resisting_torque / (0.5 * driven.pitch_diameter);
@@ -332,12 +382,19 @@ Drive make_drive(const Parameters  &parameters,
       RestingChain chain = resting_chain(parameters, d);
       chain.shifts       = shifts;
       const auto settled = [&](Layout start) {
-        settle(start,
-               chain,
-               forms,
-               {std::abs(parameters.loads.driver_speed),
-                parameters.loads.resisting_torque,
-                parameters.model.mass_per_pitch.value_or(d.mass_per_pitch)});
+        try
+          {
+            settle(start,
+                   chain,
+                   forms,
+                   {std::abs(parameters.loads.driver_speed),
+                    parameters.loads.resisting_torque,
+                    given.mass_per_pitch.value_or(d.mass_per_pitch)});
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(error.what() + reason_to_fail(parameters.drive.chain, start));
+          }
         for (Layout::Span &span : start.spans)
           span.sag = span.tight ? span.sag : depth(start, span);
         return start;

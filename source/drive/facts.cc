@@ -71,7 +71,8 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
   facts.loaded_pitch   = d.chain.loaded_pitch();
   facts.mass_per_metre = p.model.mass_per_pitch.value_or(d.mass_per_pitch) / facts.loaded_pitch;
   const CatalogueChain *row = find_chain(d.chain.designation);
-  facts.tensile_strength    = row != nullptr ? row->tensile_strength : 0.;
+  facts.own_dimensions      = has_own_dimensions(d.chain);
+  facts.tensile_strength    = row != nullptr && !facts.own_dimensions ? row->tensile_strength : 0.;
   // the bush ends in the middle of the inner plates; the whole plate carries
   facts.bearing_area = d.chain.pin_diameter * (d.chain.bush_length + d.chain.inner_plate_thickness);
 
@@ -86,7 +87,7 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
     const double w = role == Role::driver ? speed : speed / facts.ratio;
     return Facts::Sprocket{parameters::in_words(role),
                            static_cast<unsigned int>(z),
-                           2. * radius(z),
+                           d.with(role).form.pitch_diameter, // teeth do not grow with wear
                            wrap,
                            w,
                            role == Role::driver ? torque / facts.ratio : torque,
@@ -344,7 +345,8 @@ void print(std::ostream &out, const Facts &facts)
            to_text(facts.mass_per_metre, 4) + " kg/m" +
            (facts.tensile_strength > 0. ?
                 ", breaks at " + to_text(facts.tensile_strength * 1e-3, 4) + " kN or more" :
-                ", strength not listed"));
+            facts.own_dimensions ? ", strength unknown with dimensions of its own" :
+                                   ", strength not listed"));
   for (const Facts::Sprocket &s : facts.sprockets)
     line(s.name,
          std::to_string(s.teeth) + " teeth, pitch diameter " + mm(s.pitch_diameter) + ", wrap " +

@@ -10,6 +10,8 @@
 #include <chaindrive/drive/hanging_span.h>
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 using namespace chaindrive;
 
@@ -189,6 +191,73 @@ int main()
       [](Parameters &p, const double x) { p.loads.driver_speed = x; },
       string,
       slack.resonance);
+  const auto wear = [](Parameters &p, const double x) {
+    p.drive.chain.elongation = x;
+    p.drive.layout.slack     = 5e-3;
+  };
+  test_check("wear", wear, 0.0295, 0.0305);
+  test_check(
+      "wear",
+      [&](Parameters &p, const double x) {
+        wear(p, x);
+        p.drive.layout.worn_chain = parameters::WornChain::shafts_kept;
+      },
+      0.0145,
+      0.0155);
+  test_check(
+      "wear",
+      [&](Parameters &p, const double x) {
+        wear(p, 0.0175);
+        p.drive.sprockets.driven.teeth = static_cast<unsigned int>(x);
+        p.drive.n_links                = 190;
+      },
+      112.,
+      116.);
+  test_check(
+      "sag",
+      [](Parameters &p, const double x) {
+        p.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::sag;
+        p.drive.layout.sag                  = x;
+      },
+      0.09,
+      0.11);
+  std::cout << "== a chain with dimensions of its own\n";
+  Parameters worn = sound_drive();
+  wear(worn, 0.02);
+  verdict("wear does not widen sprockets",
+          facts_of(worn).sprockets[1].pitch_diameter == f.sprockets[1].pitch_diameter);
+  verdict("nor weaken plates", facts_of(worn).tensile_strength == f.tensile_strength);
+  for (const auto &[name, member] :
+       {std::pair<const char *, std::optional<double> parameters::Chain::*>{
+            "inner plates", &parameters::Chain::inner_plate_thickness},
+        {"outer plates", &parameters::Chain::outer_plate_height},
+        {"pins", &parameters::Chain::pin_diameter},
+        {"rollers", &parameters::Chain::roller_diameter}})
+    {
+      Parameters   p        = sound_drive();
+      const double of_table = 1e-3 * (std::string(name) == "inner plates" ? 2. :
+                                      std::string(name) == "outer plates" ? 13.02 :
+                                      std::string(name) == "pins"         ? 5.24 :
+                                                                            10.16);
+      p.drive.chain.*member = of_table;
+      const double same     = facts_of(p).tensile_strength;
+      p.drive.chain.*member = 0.98 * of_table;
+      verdict(std::string("other ") + name + ": strength unknown, the same: known",
+              facts_of(p).tensile_strength == 0. && same == f.tensile_strength);
+    }
+  std::cout << "== masses of solids and of catalogues\n";
+  for (const char *name : {"06B", "08B"})
+    {
+      Parameters p;
+      p.drive.chain.designation = name;
+      for (const std::string &note : drive::make_drive(p).notes)
+        if (note.find("catalogues") != std::string::npos)
+          std::cout << "  " << name << ": " << note << '\n';
+      p.drive.chain.outer_plate_thickness = 3e-3;
+      for (const std::string &note : drive::make_drive(p).notes)
+        if (note.find("catalogues") != std::string::npos)
+          std::cout << "NOT SILENT with plates of its own\n";
+    }
   std::cout << "== no slack\n";
   for (const auto from : {parameters::CentreDistanceFrom::slack,
                           parameters::CentreDistanceFrom::sag,

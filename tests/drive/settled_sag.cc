@@ -74,6 +74,15 @@ int main()
                    std::to_string(static_cast<int>(speed)) + " rad/s",
                p);
         }
+  std::cout << "== worn chains, whose rollers ride up\n";
+  p.model.fidelity     = parameters::Fidelity::simple;
+  p.loads.driver_speed = 10.;
+  for (const double elongation : {0.005, 0.015, 0.025})
+    {
+      p.drive.chain.elongation = elongation;
+      test(std::to_string(elongation), p);
+    }
+  p.drive.chain.elongation = 0.;
   std::cout << "== without slack but for the stretch\n";
   p.model.fidelity                    = parameters::Fidelity::simple;
   p.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::slack;
@@ -83,4 +92,15 @@ int main()
       p.drive.n_links = links;
       test(std::to_string(links) + " links", p);
     }
+
+  std::cout << "== refusals name what may be too much\n";
+  p.drive.chain.designation           = "08B";
+  p.drive.sprockets.driver.teeth      = 15;
+  p.drive.sprockets.driven.teeth      = 114;
+  p.drive.n_links                     = 194;
+  p.drive.chain.elongation            = 0.05;
+  p.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::sag;
+  p.drive.layout.sag                  = 0.01;
+  p.loads.resisting_torque            = 240.;
+  expect_refusal("worn by 5 %", [&] { drive::make_drive(p); });
 }

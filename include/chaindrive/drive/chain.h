@@ -61,4 +61,8 @@ struct ChainDimensions
 /// inner plates, plates that intersect.
 ChainDimensions make_chain(const parameters::Chain   &chain,
                            const parameters::Effects &effects = parameters::Effects());
+
+/// Whether pitch, plates, pins, bushes or rollers of @p chain differ from those of its designation
+/// alone, so that strength and mass of the tables are not its own.
+bool has_own_dimensions(const ChainDimensions &chain);
 } // namespace chaindrive::drive

@@ -44,8 +44,10 @@ struct Facts
   double       pitch;        ///< nominal
   double       loaded_pitch; ///< mean distance of rollers under load
   double       mass_per_metre;
-  double       tensile_strength; ///< least, of the standard's table; 0: not listed there
-  double       bearing_area;     ///< of a joint: pin diameter times length of the bush
+  double       tensile_strength; ///< least, of the standard's table; 0: not listed there, or the
+                                 ///< chain has dimensions of its own
+  bool   own_dimensions;         ///< in pitch, plates, pins, bushes or rollers
+  double bearing_area;           ///< of a joint: pin diameter times length of the bush
 
   std::array<Sprocket, 2> sprockets; ///< driver and driven one
   double                  ratio;     ///< teeth of the driven one over those of the driver
