@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/drive.h>
+#include <chaindrive/drive/facts.h>
 #include <chaindrive/drive/rest.h>
 #include <chaindrive/parameters/needs.h>
 #include <chaindrive/utilities/errors.h>
@@ -279,12 +280,14 @@ Drive make_drive(const Parameters  &parameters,
     {
       RestingChain chain = resting_chain(parameters, d);
       chain.shifts       = shifts;
+      const Facts facts  = make_facts(parameters, d);
       settle(d.layout,
              chain,
              forms,
              {std::abs(parameters.loads.driver_speed),
               parameters.loads.resisting_torque,
-              parameters.model.mass_per_pitch.value_or(d.mass_per_pitch)});
+              parameters.model.mass_per_pitch.value_or(d.mass_per_pitch),
+              facts.tooth_frequency < facts.driven_frequency});
     }
   if (layout.centre_distance_from != CentreDistanceFrom::given)
     d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance() * 1e3, 7) +
