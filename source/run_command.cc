@@ -201,8 +201,11 @@ std::string window_sentence(const Simulation &simulation)
                  " ms on, is not full at " + end + ": it would end at " +
                  to_text(window.end() * 1e3, 5) + " ms." :
              "The drive has not settled before " + end +
-                 ": there are no means over a window. Run longer, or give Output/Window start in "
-                 "ms a time.";
+                 ": there are no means over a window. It is judged over " +
+                 std::to_string(window.judged_pitches()) +
+                 " pitch times, so that the window can be full at " +
+                 to_text(window.earliest_end() * 1e3, 5) +
+                 " ms at the earliest. Run longer, or give Output/Window start in ms a time.";
 }
 
 /// Computes the noise of the run that has just ended; says why if that cannot be.

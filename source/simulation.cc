@@ -148,7 +148,8 @@ Simulation::Simulation(const Parameters               &parameters,
   step    = dynamics::choose_step(*system_, parameters);
   guard_  = std::make_unique<dynamics::Guard>(
       scene, *system_, parameters.time.energy_limit, step.limit, parameters.time.guard);
-  recorder_ = std::make_unique<observe::Recorder>(scene, parameters, *system_);
+  recorder_ = std::make_unique<observe::Recorder>(
+      scene, parameters, *system_, drive::pitches_per_resonance(facts));
 }
 
 unsigned long Simulation::n_steps() const
