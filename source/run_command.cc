@@ -301,7 +301,9 @@ std::optional<std::string> run_command(const CommandLine &command_line, const MP
   catch (const dynamics::Fault &fault)
     {
       recorder.close(false);
-      throw RunError(log.end_with(fault.what() + checkpoints.last_sound(fault.sound_until())));
+      throw RunError(log.end_with(fault.what() +
+                                  std::string(" Histories up to this moment are complete.") +
+                                  checkpoints.last_sound(fault.sound_until())));
     }
   catch (const RunError &error)
     {
