@@ -54,7 +54,7 @@ std::pair<double, double> read_window(const std::string &directory)
     throw InputError("'" + file +
                      "': the run has no window, since the drive had not settled at its "
                      "end. Run longer, or give Output/Window start in ms a time.");
-  if (!start.is_number() || !end.is_number())
+  if (!start.is_number() || !end.is_number() || !(end.get<double>() > start.get<double>()))
     throw InputError("'" + file + "' is damaged: its window is not from a time to a time.");
   return {start.get<double>(), end.get<double>()};
 }
@@ -83,6 +83,9 @@ acoustics::Site make_site(const drive::Drive &drive, const drive::Facts &facts)
   site.roller_length = drive.chain.roller_length;
   site.pitch_time    = facts.pitch_time;
   site.lowest        = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < layout.sprockets.size(); ++s)
+    site.sprockets.emplace_back(in_space(layout.sprockets[s].centre),
+                                0.5 * drive.sprockets[s].form.outside_diameter);
   for (const drive::Layout::Joint &joint : layout.joints)
     {
       const Vector3 place = in_space(joint.roller);
@@ -249,14 +252,22 @@ void print(std::ostream &out, const acoustics::Noise &noise, const double tooth_
 }
 } // namespace
 
+void check_noise(const drive::Drive &drive, const drive::Facts &facts, const Parameters &parameters)
+{
+  if (parameters.loads.driver_speed == 0.)
+    throw InputError(
+        "Acoustics/Noise: the driver stands still, with Loads/Driver speed in rad/s = 0: "
+        "there are no pitch times.");
+  acoustics::check_site(parameters.acoustics, make_site(drive, facts));
+}
+
 void write_noise(const std::string &directory, const Parameters &parameters, std::ostream &out)
 {
-  const drive::Drive    drive = drive::make_drive(parameters);
-  const drive::Facts    facts = drive::make_facts(parameters, drive);
-  const acoustics::Site site  = make_site(drive, facts);
-  if (parameters.loads.driver_speed == 0.)
-    throw InputError("'" + directory + "': the driver stands still: there are no pitch times.");
-  const auto [start, end] = read_window(directory);
+  const drive::Drive drive = drive::make_drive(parameters);
+  const drive::Facts facts = drive::make_facts(parameters, drive);
+  check_noise(drive, facts, parameters);
+  const acoustics::Site site = make_site(drive, facts);
+  const auto [start, end]    = read_window(directory);
   const files::TableFile file(directory + "/histories.h5");
   // before the window what is heard at its begin, and some samples more for the filter
   const double before = acoustics::longest_delay(parameters.acoustics, site) +

@@ -162,6 +162,8 @@ void print_plan(Prepared &prepared)
   files::Log         &log        = prepared.log;
   const double        step       = simulation.step.step;
   const unsigned long n_steps    = simulation.n_steps();
+  if (parameters.acoustics.noise)
+    check_noise(simulation.drive, simulation.facts, parameters);
   drive::print(log, simulation.facts);
   for (const std::string &note : prepared.input.notes)
     log << note << '\n';
@@ -221,8 +223,11 @@ std::string window_sentence(const Simulation &simulation)
                  " ms on, is not full at " + end + ": it would end at " +
                  to_text(window.end() * 1e3, 5) + " ms." :
              "The drive has not settled before " + end +
-                 ": there are no means over a window. Run longer, or give Output/Window start in "
-                 "ms a time.";
+                 ": there are no means over a window. It is judged over " +
+                 std::to_string(window.judged_pitches()) +
+                 " pitch times, so that the window can be full at " +
+                 to_text(window.earliest_end() * 1e3, 5) +
+                 " ms at the earliest. Run longer, or give Output/Window start in ms a time.";
 }
 
 /// Says what makes figures of the run meaningless.
@@ -336,7 +341,9 @@ std::optional<std::string> run_command(const CommandLine &command_line, const MP
   catch (const dynamics::Fault &fault)
     {
       recorder.close(false);
-      throw RunError(log.end_with(fault.what() + checkpoints.last_sound(fault.sound_until())));
+      throw RunError(log.end_with(fault.what() +
+                                  std::string(" Histories up to this moment are complete.") +
+                                  checkpoints.last_sound(fault.sound_until())));
     }
   catch (const RunError &error)
     {

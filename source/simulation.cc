@@ -134,6 +134,16 @@ drive::Drive make_drive(const Parameters               &parameters,
     }
   return drive;
 }
+
+/// What the checks of the design say of loads that chain or contacts may not stand.
+std::string overload(const Parameters &parameters, const drive::Facts &facts)
+{
+  std::string sentences;
+  for (const drive::Check &check : drive::check_design(parameters, facts))
+    if (check.name == "strength" || check.name == "start")
+      sentences += (sentences.empty() ? "" : " ") + check.sentence;
+  return sentences;
+}
 } // namespace
 
 Simulation::Simulation(const Parameters               &parameters,
@@ -154,14 +164,19 @@ Simulation::Simulation(const Parameters               &parameters,
 {
   if (!scene.has_elastic_bodies() && rank_in(comm) != 0)
     return;
-  system_ = std::make_unique<dynamics::System>(scene,
+  system_   = std::make_unique<dynamics::System>(scene,
                                                parameters.contact.search ==
                                                    parameters::Search::every_step,
                                                scene.has_elastic_bodies() ? comm : MPI_COMM_SELF);
-  step    = dynamics::choose_step(*system_, parameters);
-  guard_  = std::make_unique<dynamics::Guard>(
-      scene, *system_, parameters.time.energy_limit, step.limit, parameters.time.guard);
-  recorder_ = std::make_unique<observe::Recorder>(scene, parameters, *system_);
+  step      = dynamics::choose_step(*system_, parameters);
+  guard_    = std::make_unique<dynamics::Guard>(scene,
+                                             *system_,
+                                             parameters.time.energy_limit,
+                                             step.limit,
+                                             parameters.time.guard,
+                                             overload(parameters, facts));
+  recorder_ = std::make_unique<observe::Recorder>(
+      scene, parameters, *system_, drive::pitches_per_resonance(facts));
 }
 
 unsigned long Simulation::n_steps() const

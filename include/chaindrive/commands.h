@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chaindrive/command_line.h>
+#include <chaindrive/drive/drive.h>
+#include <chaindrive/drive/facts.h>
 #include <chaindrive/parameters/parameters.h>
 
 #include <mpi.h>
@@ -38,6 +40,11 @@ void noise_command(const CommandLine &command_line);
 
 /// The same for a run at hand that has ended in @p directory; the table goes to @p out.
 void write_noise(const std::string &directory, const Parameters &parameters, std::ostream &out);
+
+/// InputError, before a run, where its noise could not be computed whatever the rollers do.
+void check_noise(const drive::Drive &drive,
+                 const drive::Facts &facts,
+                 const Parameters   &parameters);
 
 /// Writes a .prm file to begin with to @p out: one that can be run for @p design, whose number of
 /// links is the even one that comes nearest to its centre distance; without a design every entry

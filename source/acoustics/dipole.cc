@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/acoustics/dipole.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -14,7 +16,7 @@ namespace chaindrive::acoustics
 double added_mass(const double length_over_diameter)
 {
   // boundary elements of bodies of revolution, which give a sphere 0.4998
-  static const std::array<std::pair<double, double>, 11> table = {{{0.25, 0.272},
+  static const std::array<std::pair<double, double>, 11> table = {{{shortest_cylinder, 0.272},
                                                                    {0.5, 0.414},
                                                                    {0.689, 0.489},
                                                                    {0.98, 0.575},
@@ -67,7 +69,10 @@ void add_pressure(const Air                  &air,
       const double               far  = arm * source.acceleration[i] / (r * r);
       const double               time = source.grid.time(i) + r / air.speed;
       if (!heard.empty() && !(time > heard.back().time))
-        throw std::logic_error("add_pressure: the source is faster than sound");
+        throw InputError("Acoustics/Speed of sound in m/s = " + to_text(air.speed, 4) +
+                         ": a roller comes faster than that at " +
+                         to_text(source.grid.time(i) * 1e3, 5) +
+                         " ms, and sound is computed of slower ones.");
       heard.push_back({time, far, far / r});
     }
   const double factor = source.mass / (4. * dealii::numbers::PI);

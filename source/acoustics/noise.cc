@@ -201,6 +201,39 @@ void check_floor(const parameters::Acoustics &settings,
                      to_text(lowest, 4) + " m.");
 }
 
+void check_rollers(const parameters::Acoustics &settings, const Site &site)
+{
+  if (site.roller_length < 2. * shortest_cylinder * site.roller_radius)
+    throw InputError(
+        "Acoustics/Noise: the rollers are " + to_text(1e3 * site.roller_length, 4) +
+        " mm long and " + to_text(2e3 * site.roller_radius, 4) +
+        " mm in diameter; the sound of cylinders is known from a length of a quarter of "
+        "the diameter on. Choose a longer Drive/Chain/Roller length in mm, or no noise.");
+  constexpr double fastest = 0.8; // parts of the chain run faster than the whole
+  if (const double speed = site.pitch / site.pitch_time; speed > fastest * settings.speed_of_sound)
+    throw InputError("Acoustics/Speed of sound in m/s = " + to_text(settings.speed_of_sound, 4) +
+                     ": the chain runs at " + to_text(speed, 4) +
+                     " m/s; sound is computed of chains slower than " + to_text(fastest) +
+                     " of that.");
+}
+
+void check_observers(const Site &site, const std::vector<Observer> &observers)
+{
+  for (const Observer &observer : observers)
+    for (const auto &[centre, radius] : site.sprockets)
+      {
+        const Vector3 arm = observer.position - centre;
+        if (std::hypot(arm[0], arm[1]) < radius && std::abs(arm[2]) < site.pitch)
+          throw InputError("Acoustics/Observers: the observer " + observer.name + " at " +
+                           to_text(observer.position[0]) + " " + to_text(observer.position[1]) +
+                           " " + to_text(observer.position[2]) +
+                           " m lies in a sprocket: at least a pitch of " +
+                           to_text(1e3 * site.pitch, 4) +
+                           " mm before or behind its plane, or outside of its radius of " +
+                           to_text(1e3 * radius, 4) + " mm, is allowed.");
+      }
+}
+
 void check_samples(const Regular &regular, const std::string &name)
 {
   if (regular.largest_shift() > 0.1)
@@ -286,6 +319,14 @@ std::vector<Observer> make_observers(const parameters::Acoustics &settings, cons
   return observers;
 }
 
+void check_site(const parameters::Acoustics &settings, const Site &site)
+{
+  const std::vector<Observer> observers = make_observers(settings, site);
+  check_rollers(settings, site);
+  check_observers(site, observers);
+  check_floor(settings, site, observers);
+}
+
 double longest_delay(const parameters::Acoustics &settings, const Site &site)
 {
   double farthest = settings.radius;
@@ -309,8 +350,8 @@ Noise listen(const Motion                &motion,
              const double                 end,
              const std::string           &name)
 {
+  check_site(settings, site);
   const std::vector<Observer> observers = make_observers(settings, site);
-  check_floor(settings, site, observers);
   if (motion.time.size() < 20)
     throw InputError("'" + name + "', dataset /time: there are only " +
                      std::to_string(motion.time.size()) +
@@ -364,7 +405,12 @@ Noise listen(const Motion                &motion,
     }
 
   for (Heard &heard : noise.observers)
-    judge(heard, noise);
+    {
+      judge(heard, noise);
+      if (!std::isfinite(heard.level))
+        noise.notes.push_back("Nothing is heard at " + heard.observer.name +
+                              ": no roller is accelerated in the window. It has no level.");
+    }
   std::vector<double> of_driven = noise.observers.front().pressure;
   for (std::size_t i = 0; i < of_driven.size(); ++i)
     of_driven[i] -= of_driver[i];

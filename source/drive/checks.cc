@@ -26,6 +26,7 @@ constexpr double       least_window_pitches = 10.;
 constexpr double       most_wear            = 0.03;  // elongation; of large sprockets 2 / z
 constexpr double       most_wear_kept       = 0.015; // where shafts cannot be moved
 constexpr double       most_sag             = 0.1;   // of the slack span's length
+constexpr double       least_window_swings  = 3.;    // periods of the driven inertia's resonance
 
 std::string newton(const double force)
 {
@@ -190,6 +191,17 @@ struct Checks
             "least " +
             to_text(std::ceil((from + least_window_pitches * facts.pitch_time) * 1e3), 4) +
             ", or judge several start phases by a study.");
+    const double swings = (to - from) * facts.driven_frequency;
+    add(swings < 0.99 * least_window_swings && facts.tooth_frequency > facts.driven_frequency,
+        "window",
+        "The window has " + to_text(swings, 3) +
+            " periods of the driven inertia on the tight span, " +
+            to_text(facts.driven_frequency, 4) +
+            " Hz, whose swings do not cancel in means over so few: choose Time/End time in ms of "
+            "at "
+            "least " +
+            to_text(std::ceil((from + least_window_swings / facts.driven_frequency) * 1e3), 4) +
+            ", or Output/Window start in ms = settled.");
     const bool   settled = p.drive.layout.start == parameters::Start::settled;
     const double over    = p.time.start + (settled ? 0. : p.loads.ramp_time) + facts.pitch_time;
     add(!settled && from < over,

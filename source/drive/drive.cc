@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/drive.h>
+#include <chaindrive/drive/facts.h>
 #include <chaindrive/drive/rest.h>
 #include <chaindrive/parameters/needs.h>
 #include <chaindrive/utilities/errors.h>
@@ -379,9 +380,10 @@ Drive make_drive(const Parameters  &parameters,
     bring_to_rest(d.layout, resting_chain(parameters, d), forms, layout.pretension);
   if (settled)
     {
-      RestingChain chain = resting_chain(parameters, d);
-      chain.shifts       = shifts;
-      const auto settled = [&](Layout start) {
+      RestingChain chain  = resting_chain(parameters, d);
+      chain.shifts        = shifts;
+      const Facts facts   = make_facts(parameters, d);
+      const auto  settled = [&](Layout start) {
         try
           {
             settle(start,
@@ -389,7 +391,8 @@ Drive make_drive(const Parameters  &parameters,
                    forms,
                    {std::abs(parameters.loads.driver_speed),
                     parameters.loads.resisting_torque,
-                    given.mass_per_pitch.value_or(d.mass_per_pitch)});
+                    given.mass_per_pitch.value_or(d.mass_per_pitch),
+                    facts.tooth_frequency < facts.driven_frequency});
           }
         catch (const InputError &error)
           {

@@ -277,6 +277,12 @@ Facts make_facts(const Parameters &p, const Drive &d)
   return facts;
 }
 
+unsigned int pitches_per_resonance(const Facts &facts)
+{
+  const double pitches = facts.tooth_frequency / facts.driven_frequency;
+  return pitches > 1. && pitches < 1e6 ? static_cast<unsigned int>(std::ceil(pitches)) : 1;
+}
+
 files::Json to_json(const Facts &facts)
 {
   files::Json json;

@@ -436,6 +436,27 @@ private:
   std::vector<Vector> step_;
   double              hub_step_ = 0.;
 };
+
+/// Gives the driven sprocket @p speed, and the chain in the spans its share of the change.
+void set_driven_speed(Layout &layout, const double speed)
+{
+  Layout::Sprocket  &driven = layout.sprockets[free_sprocket];
+  const double       factor = speed / driven.speed;
+  const unsigned int n      = layout.joints.size();
+  for (const Layout::Span &span : layout.spans)
+    {
+      const unsigned int last   = (span.first + span.links) % n;
+      const bool         leads  = layout.joints[last].sprocket == free_sprocket;
+      const Vector       change = (factor - 1.) * layout.joints[leads ? last : span.first].velocity;
+      for (unsigned int i = 1; i < span.links; ++i)
+        layout.joints[(span.first + i) % n].velocity +=
+            static_cast<double>(leads ? i : span.links - i) / span.links * change;
+    }
+  for (Layout::Joint &joint : layout.joints)
+    if (joint.sprocket == free_sprocket)
+      joint.velocity *= factor;
+  driven.speed = speed;
+}
 } // namespace
 
 void bring_to_rest(Layout                       &layout,
@@ -500,5 +521,9 @@ void settle(Layout                       &layout,
                      "which comes to speed and load in a ramp.");
   equilibrium.store();
   set_in_motion(layout, operation.driver_speed);
+  // above the resonance the inertia keeps its mean speed, whatever the polygon
+  if (!operation.follows_polygon && operation.driver_speed > 0.)
+    set_driven_speed(layout,
+                     layout.sprockets[0].speed * forms[0].teeth / forms[free_sprocket].teeth);
 }
 } // namespace chaindrive::drive

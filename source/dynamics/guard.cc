@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace chaindrive::dynamics
 {
@@ -91,12 +92,14 @@ Guard::Guard(const scene::Scene &scene,
              const System       &system,
              const double        limit,
              const double        stable_step,
-             const bool          on)
+             const bool          on,
+             std::string         overload)
     : scene_(scene)
     , energy_(limit)
     , stable_step_(system.world.has_elastic_bodies() ? std::numeric_limits<double>::infinity() :
                                                        stable_step)
     , on_(on)
+    , overload_(std::move(overload))
     , sound_until_(system.world.time)
     , start_time_(system.world.time)
     , before_(system.world.ledger)
@@ -323,10 +326,11 @@ bool Guard::observe(System &system, const unsigned long step, const double dt)
   if (!finding)
     return true;
 
-  throw Fault(finding->what + ", at " + to_text(world.time * 1e3, 8) + " ms, step " +
-                  std::to_string(step) + ". Where: " + list_of(finding->places, 4) + ". " +
-                  finding->hint + " Until " + to_text(sound_until_ * 1e3, 8) +
-                  " ms nothing was wrong. Histories up to this moment are complete.",
-              sound_until_);
+  throw Fault(
+      finding->what + ", at " + to_text(world.time * 1e3, 8) + " ms, step " + std::to_string(step) +
+          ". Where: " + list_of(finding->places, 4) + ". " +
+          (overload_.empty() ? finding->hint : overload_ + " If that is meant: " + finding->hint) +
+          " Until " + to_text(sound_until_ * 1e3, 8) + " ms nothing was wrong.",
+      sound_until_);
 }
 } // namespace chaindrive::dynamics

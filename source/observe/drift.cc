@@ -21,11 +21,14 @@ enum Signal : unsigned int
 };
 } // namespace
 
-Drift::Drift(const scene::Scene &scene, const Parameters &parameters)
+Drift::Drift(const scene::Scene &scene,
+             const Parameters   &parameters,
+             const unsigned int  pitches_per_period)
 {
   const unsigned int teeth = scene.with(parameters::Role::driver).teeth;
   radius_                  = 0.5 * scene.pitch / std::sin(dealii::numbers::PI / teeth);
-  period_                  = 2. * dealii::numbers::PI / (teeth * parameters.loads.driver_speed);
+  pitch_time_              = 2. * dealii::numbers::PI / (teeth * parameters.loads.driver_speed);
+  period_                  = pitches_per_period * pitch_time_;
   begin(0.);
 }
 

@@ -7,13 +7,14 @@ namespace chaindrive::observe
 {
 Observation::Observation(const scene::Scene     &scene,
                          const Parameters       &parameters,
-                         const dynamics::System &system)
+                         const dynamics::System &system,
+                         const unsigned int      pitches_per_period)
     : scene(scene)
     , parameters(parameters)
     , system(system)
     , rollers(parameters.output.rollers)
     , spans_(scene, system)
-    , window_(scene, parameters)
+    , window_(scene, parameters, pitches_per_period)
 {
   if (rollers.empty())
     {

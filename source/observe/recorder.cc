@@ -29,9 +29,10 @@ std::string axis_text(const dealii::Tensor<1, 3> &axis)
 
 Recorder::Recorder(const scene::Scene &scene,
                    const Parameters   &parameters,
-                   dynamics::System   &system)
+                   dynamics::System   &system,
+                   const unsigned int  pitches_per_period)
     : phase_(system.timer.add("Output"))
-    , now_(scene, parameters, system)
+    , now_(scene, parameters, system, pitches_per_period)
     , quantities_(make_quantities(now_))
     , samples_(parameters.time.start, parameters.output.history_interval)
     , reads_contacts_(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/summary.h>
+#include <chaindrive/utilities/text.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -69,10 +70,25 @@ void print_statistics(std::ostream &out, const files::Json &statistics)
     }
   if (headed && statistics["tooth_periods"].is_number())
     out << "  harmonics over " << statistics["tooth_periods"] << " whole tooth periods\n";
-  if (statistics.contains("settled") && statistics["settled"].is_boolean())
-    out << (statistics["settled"].get<bool>() ?
-                "  The drive had settled in the last six pitch times of the window.\n" :
-                "  The drive had not settled in the last six pitch times of the window.\n");
+}
+
+std::string judged_pitches(const files::Json &window)
+{
+  return to_text(window["judged_pitches"].get<double>()) + " pitch times";
+}
+
+/// Of a window that was given: whether the drive had settled there. One that waited says so itself.
+void print_settled(std::ostream &out, const files::Json &statistics, const files::Json &window)
+{
+  if (!statistics.contains("settled") || window["settled"].is_boolean())
+    return;
+  const std::string judged = judged_pitches(window);
+  if (statistics["settled"].is_boolean())
+    out << "  The drive had " << (statistics["settled"].get<bool>() ? "" : "not ")
+        << "settled in the last " << judged << " of the window.\n";
+  else
+    out << "  Whether the drive had settled is judged over " << judged
+        << ": the window is shorter.\n";
 }
 
 void print_impacts(std::ostream &out, const files::Json &impacts)
@@ -131,7 +147,9 @@ void print_summary(std::ostream &out, const files::Json &summary)
   if (window["start"].is_number())
     out << "Means from " << window["start"].get<double>() * 1e3 << " ms to "
         << window["end"].get<double>() * 1e3 << " ms"
-        << (window["settled"].is_boolean() ? ", after the drive had settled" : "")
+        << (window["settled"].is_boolean() ?
+                ", after the drive had settled over " + judged_pitches(window) :
+                "")
         << (window.value("valid", files::Json(true)) == false ?
                 ": NOT VALID, see the events in the window\n" :
                 "\n");
@@ -139,7 +157,10 @@ void print_summary(std::ostream &out, const files::Json &summary)
     out << "No means: the drive has not settled\n";
   line("pitch time", "pitch_time_mean", "ms", 1e3);
   if (summary.contains("statistics"))
-    print_statistics(out, summary["statistics"]);
+    {
+      print_statistics(out, summary["statistics"]);
+      print_settled(out, summary["statistics"], window);
+    }
   if (summary.contains("impacts"))
     print_impacts(out, summary["impacts"]);
   if (summary.contains("losses"))

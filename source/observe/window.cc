@@ -16,20 +16,27 @@ namespace
 constexpr double infinity = std::numeric_limits<double>::infinity();
 } // namespace
 
-Window::Window(const scene::Scene &scene, const Parameters &parameters)
+Window::Window(const scene::Scene &scene,
+               const Parameters   &parameters,
+               const unsigned int  pitches_per_period)
     : waits_(!parameters.output.window_start)
     , open_(!waits_)
     , start_(parameters.output.window_start.value_or(infinity))
     , end_(parameters.output.window_end.value_or(infinity))
     , run_end_(parameters.time.end)
+    , pitches_per_period_(pitches_per_period)
 {
   if (!waits_)
     return;
   const parameters::Loads &loads = parameters.loads;
-  drift_.emplace(scene, parameters);
+  drift_.emplace(scene, parameters, pitches_per_period);
   drift_->begin(parameters.time.start + std::max(scene.at_speed ? 0. : loads.ramp_time,
                                                  loads.torque_step_time.value_or(0.)));
-  length_ = parameters.output.window_pitches * drift_->pitch_time();
+  unsigned int pitches = parameters.output.window_pitches;
+  if (pitches_per_period > 1)
+    pitches = std::max(pitches, judged_pitches());
+  length_       = pitches * drift_->pitch_time();
+  earliest_end_ = drift_->period_start() + judged_pitches() * drift_->pitch_time() + length_;
 }
 
 void Window::look(const Observation &now)
@@ -57,6 +64,7 @@ void Window::next_period(const Observation &now)
 files::Json Window::summary(const double time) const
 {
   files::Json window = {{"start", start_}, {"end", std::min(end_, run_end_)}, {"settled", nullptr}};
+  window["judged_pitches"] = judged_pitches();
   if (!waits_)
     return window;
   window["settled"] = open_;

@@ -133,7 +133,8 @@ void Output::declare(Declarations &declarations)
       1,
       1000000,
       "Length, in whole pitch times of the driver, of a window that begins when the drive has "
-      "settled.");
+      "settled. Where the driven inertia on the tight span swings slower than the tooth frequency, "
+      "it is at least six of its periods.");
   add(declarations,
       "Checkpoint interval in ms",
       checkpoint_interval,

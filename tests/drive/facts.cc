@@ -279,5 +279,7 @@ int main()
   test_check(
       "window", [](Parameters &p, const double x) { p.time.end = x; }, 50e-3, 40e-3);
   test_check(
+      "window", [](Parameters &p, const double x) { p.model.driven_inertia = x; }, 0.1, 0.5);
+  test_check(
       "start_up", [](Parameters &p, const double x) { p.loads.ramp_time = x; }, 6e-3, 7e-3);
 }

@@ -176,6 +176,21 @@ def settled():
         if name.endswith("_mean"):
             check(abs(value / s[name] - 1) < 1e-9, f"{name} {s[name]}, and {value} over the same window, given")
 
+    # a driven inertia that swings slower than the tooth frequency: over whole swings, and one decision
+    heavy = {**entries, "Model/Driven inertia in kg m2": 0.04, "Drive/Layout/Start": "settled", "Time/End time in ms": 1000}
+    said = run("heavy", heavy)
+    s = numbers("heavy")
+    swing = s["drive"]["tooth_frequency"] / s["drive"]["driven_frequency"]
+    judged = s["window"]["judged_pitches"]
+    check(swing > 1.5 and judged == 6 * math.ceil(swing), f"judged over {judged} pitch times, and a swing takes {swing}")
+    first, last = (s["window"][which] / pitch_time for which in ("start", "end"))
+    check(abs(first / math.ceil(swing) - round(first / math.ceil(swing))) < 1e-6, f"the window begins after {first} pitch times")
+    check(abs(last - first - judged) < 1e-6, f"a window of {last - first} pitch times")
+    check(s["statistics"]["settled"] is True and "not settled" not in said and f"had settled over {judged} pitch times" in said, said)
+    said = run("heavy", {**heavy, "Time/End time in ms": 20})
+    check(f"judged over {judged} pitch times, so that the window can be full at" in said, said)
+    check(numbers("heavy")["statistics"]["settled"] is False, "settled without a window")
+
     # too short: before it has settled, and before the window is full; then they go on
     for stop in (1e3 * begin - 3, 1e3 * begin + 7):
         short = {"Time/End time in ms": stop, "Output/Checkpoint interval in ms": 2}

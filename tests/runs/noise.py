@@ -119,17 +119,29 @@ other = json.loads((run / "acoustics.json").read_text())
 verdict("observers as given", [o["position"] for o in other["observers"]] == [[0, 0.5, 0], [0, 1, 0.1]])
 verdict("farther is less loud", other["observers"][0]["level"] > other["observers"][1]["level"] + 3)
 
+# what cannot be, before anything is computed
+for what, entries, words in [
+    ("rollers that are discs", {"Drive/Chain/Roller length in mm": 2}, ["Roller length in mm", "a quarter"]),
+    ("a chain as fast as sound", {"Loads/Driver speed in rad/s": 3000, "Acoustics/Speed of sound in m/s": 100}, ["Speed of sound in m/s", "slower"]),
+    ("a driver that stands", {"Loads/Driver speed in rad/s": 0}, ["stands still"]),
+    ("an observer in the driven sprocket", {"Acoustics/Observers": "0.64 0.02 0"}, ["in a sprocket"]),
+]:
+    said = program.run("prm/paper/simple.prm", {**RUN, "Acoustics/Noise": "on", **entries}, "--output", "never", program=PROGRAM, status=2)
+    verdict(what, all(word in said for word in words) and not pathlib.Path("never").exists(), said)
+
 # what cannot be
 refused("no directory", "nowhere", "nowhere", "no directory")
 pathlib.Path("empty").mkdir(exist_ok=True)
 refused("a foreign directory", "empty", "parameters.prm")
 refused("another section", run, "Acoustics", options=("--set", "Loads/Drag in 1/s=1"))
 refused("an observer in the chain", run, "point 1", "pitch", options=("--set", "Acoustics/Observers=0 0.04 0"))
+refused("an observer in the driver", run, "point 1", "in a sprocket", "allowed", options=("--set", "Acoustics/Observers=0.005 0 0.001"))
 refused("a floor above the drive", run, "Floor height", options=("--set", "Acoustics/Floor height in m=0"))
 refused("too high a frequency", run, "Highest frequency", "/time", options=("--set", "Acoustics/Highest frequency in kHz=40"))
 refused("a point of two numbers", run, "Observers", options=("--set", "Acoustics/Observers=1 2",))
 for name, damage, words in [
     ("no summary", lambda d: (d / "summary.json").unlink(), ["summary.json", "end"]),
+    ("a window that ends before it begins", lambda d: (d / "summary.json").write_text('{"window": {"start": 0.01, "end": 0.005}}'), ["summary.json", "damaged"]),
     ("a damaged summary", lambda d: (d / "summary.json").write_text("{"), ["summary.json", "damaged"]),
     ("no histories", lambda d: (d / "histories.h5").unlink(), ["histories.h5"]),
     ("histories that are none", lambda d: (d / "histories.h5").write_text("time"), ["histories.h5", "HDF5"]),

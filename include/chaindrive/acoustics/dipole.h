@@ -15,9 +15,10 @@ struct Air
 };
 
 /// Added mass of a rigid cylinder of finite length that oscillates across its axis, over the mass
-/// of the air that it displaces: 1 of a long one. By its length over its diameter, 0.25 or more,
-/// interpolated in a table of potential flow.
-double added_mass(double length_over_diameter);
+/// of the air that it displaces: 1 of a long one. By its length over its diameter,
+/// shortest_cylinder or more, interpolated in a table of potential flow.
+constexpr double shortest_cylinder = 0.25;
+double           added_mass(double length_over_diameter);
 
 /// Strength of the dipole that a body makes per acceleration, rho V (1 + kappa), kg: the force on
 /// the air and the momentum of the air that it displaces. Of a cylinder with a @p radius and a @p
@@ -49,8 +50,8 @@ struct Source
 ///
 /// a compact dipole (Pierce, Acoustics, 4-7) whose r and direction n towards the observer are those
 /// of the time of emission. Nothing is added at times that are not heard. Each emission is taken
-/// to when it is heard, and what comes is interpolated between: the source must be slower than
-/// sound, and both grids fine beside its periods.
+/// to when it is heard, and what comes is interpolated between: both grids must be fine beside its
+/// periods. InputError when the source comes faster than sound.
 void add_pressure(const Air                  &air,
                   const Source               &source,
                   const dealii::Tensor<1, 3> &observer,

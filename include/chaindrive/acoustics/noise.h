@@ -10,6 +10,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace chaindrive::acoustics
@@ -37,6 +38,9 @@ struct Site
   double               pitch;      ///< of the chain
   double               roller_radius, roller_length;
   double               pitch_time; ///< of the driver, s
+
+  /// Sprockets: their centres and tip radii, m.
+  std::vector<std::pair<dealii::Tensor<1, 3>, double>> sprockets;
 };
 
 struct Observer
@@ -50,6 +54,11 @@ struct Observer
 /// that is parallel to the shafts, at 22.5, 67.5, 112.5 and 157.5 degrees from Site::along and half
 /// a radius before, in and behind the plane of the drive.
 std::vector<Observer> make_observers(const parameters::Acoustics &settings, const Site &site);
+
+/// InputError, with the entry that is to blame, where no sound can be computed whatever the rollers
+/// do: rollers that are discs, a chain that runs about as fast as sound, observers in a sprocket, a
+/// floor that is not below everything.
+void check_site(const parameters::Acoustics &settings, const Site &site);
 
 /// By how much later than its emission any sound arrives at most, s.
 double longest_delay(const parameters::Acoustics &settings, const Site &site);

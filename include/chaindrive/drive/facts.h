@@ -78,6 +78,10 @@ struct Facts
 
 Facts make_facts(const Parameters &parameters, const Drive &drive);
 
+/// Whole pitch times that hold a period of the slowest resonance that everything in the drive takes
+/// part in, the driven inertia on the tight span; at least 1.
+unsigned int pitches_per_resonance(const Facts &facts);
+
 /// Member `drive` of summary.json: doc/output.md.
 files::Json to_json(const Facts &facts);
 

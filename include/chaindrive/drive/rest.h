@@ -37,9 +37,11 @@ void bring_to_rest(Layout                       &layout,
 /// How a drive runs.
 struct Operation
 {
-  double driver_speed;   ///< magnitude, rad/s
-  double torque;         ///< of the load, against the motion of the driven sprocket, N m
-  double mass_per_pitch; ///< kg
+  double driver_speed;    ///< magnitude, rad/s
+  double torque;          ///< of the load, against the motion of the driven sprocket, N m
+  double mass_per_pitch;  ///< kg
+  bool   follows_polygon; ///< the driven side turns with the polygon's speed of its phase, as it
+                          ///< does below its resonance on the tight span, or with its mean
 };
 
 /// Moves chain and driven sprocket of @p layout to where they balance the load torque while the

@@ -95,12 +95,16 @@ class Guard : public Observer
 {
 public:
   /// @p limit as in EnergyGuard; @p stable_step [s] is that of @p system. When not @p on, the
-  /// ledger must close, that is all. @p scene must outlive this.
+  /// ledger must close, that is all. @p overload: what is known before the run of loads that the
+  /// drive does not stand, in sentences; a message names it before it advises on steps and
+  /// contacts.
+  /// @p scene must outlive this.
   Guard(const scene::Scene &scene,
         const System       &system,
         double              limit,
         double              stable_step,
-        bool                on = true);
+        bool                on       = true,
+        std::string         overload = "");
 
   /// Checks the state after a step; throws Fault. Collective.
   bool observe(System &system, unsigned long step, double dt) override;
@@ -161,6 +165,7 @@ private:
   double              least_energy_; ///< that is judged, J
   double              stable_step_;  ///< of rigid models, s; infinite with elastic bodies
   bool                on_;
+  std::string         overload_;
   unsigned int        calls_ = 0; ///< since the last look
   double              sound_until_;
 

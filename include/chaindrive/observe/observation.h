@@ -16,9 +16,11 @@ namespace chaindrive::observe
 class Observation
 {
 public:
+  /// @p pitches_per_period: whole pitch times that hold a period of the drive's slowest resonance.
   Observation(const scene::Scene     &scene,
               const Parameters       &parameters,
-              const dynamics::System &system);
+              const dynamics::System &system,
+              unsigned int            pitches_per_period = 1);
   Observation(const Observation &)            = delete;
   Observation &operator=(const Observation &) = delete;
 

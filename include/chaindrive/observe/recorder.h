@@ -18,8 +18,11 @@ namespace chaindrive::observe
 class Recorder : public dynamics::Observer
 {
 public:
-  /// All three must outlive this.
-  Recorder(const scene::Scene &scene, const Parameters &parameters, dynamics::System &system);
+  /// All three must outlive this. @p pitches_per_period: see Observation.
+  Recorder(const scene::Scene &scene,
+           const Parameters   &parameters,
+           dynamics::System   &system,
+           unsigned int        pitches_per_period);
 
   /// From now on samples go to @p directory, which must exist when the first is taken. The run will
   /// have @p n_steps steps; @p parameter_text is stored with the histories. Without this call there

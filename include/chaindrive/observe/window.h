@@ -14,13 +14,16 @@ namespace chaindrive::observe
 class Observation;
 
 /// The window over which the summary averages: from a time that is given, or for
-/// Output/Window start in ms = settled, from the end of the pitch time after which the drive has
-/// settled (Drift), over a number of whole pitch times. The drive is then looked at from the
-/// instant on at which the driver has its full speed and the load torque has jumped, if it does.
+/// Output/Window start in ms = settled, from the end of the period after which the drive has
+/// settled (Drift), over a number of whole pitch times: as many as are asked for, and where a
+/// period is longer than a pitch time, no fewer than the decision took. The drive is then looked at
+/// from the instant on at which the driver has its full speed and the load torque has jumped, if it
+/// does.
 class Window
 {
 public:
-  Window(const scene::Scene &scene, const Parameters &parameters);
+  /// @p pitches_per_period: see Drift.
+  Window(const scene::Scene &scene, const Parameters &parameters, unsigned int pitches_per_period);
 
   /// Looks at a step. The first rank decides, all ranks know it from the same step on. Collective.
   void look(const Observation &now);
@@ -32,6 +35,15 @@ public:
   bool waits() const { return waits_; }
   bool settled() const { return waits_ && open_; }
 
+  /// Pitch times that hold a period of the drive's slowest resonance.
+  unsigned int pitches_per_period() const { return pitches_per_period_; }
+
+  /// Pitch times over which it is judged whether the drive has settled.
+  unsigned int judged_pitches() const { return Settling::n_periods * pitches_per_period_; }
+
+  /// When a window that waits can be full at the earliest, s; 0 for one that does not.
+  double earliest_end() const { return earliest_end_; }
+
   /// Whether the run may end at @p time [s] since a window that waits is full.
   bool is_full(const double time) const { return settled() && time >= end_; }
 
@@ -42,13 +54,15 @@ public:
   void serialize(const Archive &archive);
 
 private:
-  /// Closes the present pitch time and begins the next.
+  /// Closes the present period and begins the next.
   void next_period(const Observation &now);
 
   bool                 waits_, open_;
   double               start_, end_; ///< s
   double               run_end_;     ///< s
-  double               length_ = 0.; ///< of a window that waits, s
-  std::optional<Drift> drift_;       ///< of a drive that is waited for
+  unsigned int         pitches_per_period_;
+  double               length_       = 0.; ///< of a window that waits, s
+  double               earliest_end_ = 0.; ///< s
+  std::optional<Drift> drift_;             ///< of a drive that is waited for
 };
 } // namespace chaindrive::observe

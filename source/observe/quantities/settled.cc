@@ -13,7 +13,10 @@ namespace
 class Settled : public Quantity
 {
 public:
-  explicit Settled(const Observation &now) : Quantity(now), drift_(now.scene, now.parameters) {}
+  explicit Settled(const Observation &now)
+      : Quantity(now), drift_(now.scene, now.parameters, now.window().pitches_per_period())
+  {
+  }
 
   static bool exists(const Observation &start)
   {
@@ -24,6 +27,8 @@ public:
   void update() override
   {
     const Window &window = now_.window();
+    if (window.waits()) // it has decided
+      return;
     if (!begun_ && now_.time() > window.start())
       {
         drift_.begin(std::max(window.start(), now_.parameters.time.start));
@@ -41,7 +46,9 @@ public:
   void summarize(files::Json &summary) const override
   {
     summary["statistics"]["settled"] = nullptr;
-    if (drift_.n_periods() >= Settling::n_periods)
+    if (now_.window().waits())
+      summary["statistics"]["settled"] = now_.window().settled();
+    else if (drift_.n_periods() >= Settling::n_periods)
       summary["statistics"]["settled"] = drift_.settled();
   }
 
