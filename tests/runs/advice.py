@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """advice.py CASE PROGRAM: what the program advises is an answer to what was asked, and works.
 
-accuracy: the first line of `plan --accuracy` is the cheapest model, its error and its time, or that there is no answer."""
+accuracy: the first line of `plan --accuracy` is the cheapest model, its error and its time, or that there is no answer.
+entries: what doc/not-modelled.md lists is said of such entries; numbers in other units are converted, or said to be others; no
+entry is advised that means something else."""
 import pathlib
 import re
 import sys
@@ -35,4 +37,37 @@ def accuracy():
         program.check("no answer for this drive" in line and name in line, f"{change}: {line}")
 
 
-{"accuracy": accuracy}[CASE]()
+def said_of(pairs):
+    """{entry: what is said of it}, of entries that do not exist; all mistakes are said at once."""
+    sets = {f"{entry}={value}": entry for entry, value in pairs}
+    done = program.start([str(PROGRAM), "plan", str(program.REPOSITORY / SIMPLE), *(w for text in sets for w in ("--set", text))])
+    program.check(done.returncode == 2, f"status {done.returncode}\n{done.stdout}")
+    said = {entry: line for line in done.stderr.splitlines() for text, entry in sets.items() if f'--set "{text}"' in line}
+    program.check(len(said) == len(sets), f"not all are refused:\n{done.stderr}")
+    return said
+
+
+def entries():
+    rows = re.findall(r"^\| (`.*`) \|", (program.REPOSITORY / "doc/not-modelled.md").read_text(), re.MULTILINE)
+    program.check(len(rows) > 5, "no rows in doc/not-modelled.md")
+    names = re.findall("`([^`]+)`", " ".join(rows))
+    for entry, said in said_of((f"Drive/Layout/{name}", 5) for name in names).items():
+        program.check("not modelled" in said and "Did you mean" not in said, f"{entry}: {said}")
+    cases = (
+            ("Drive/Layout/Sag in mm", "3", "Sag in percent', which is in percent, not in mm"),
+            ("Drive/Layout/Pretension in kN", "0.2", "Pretension in N'? 0.2 kN are 200 N."),
+            ("Time/End time in s", "0.03", "End time in ms'? 0.03 s are 30 ms."),
+            ("Time/End time in us", "auto", "End time in ms'? It is in ms, not in us."),
+            ("Drive/Chain/Pitch in inch", "0.625", "Pitch in mm'? 0.625 inch are 15.875 mm."),
+            ("Drive/Layout/Driver bore in cm", "3", "'Drive/Sprockets/Driver bore in mm'? 3 cm are 30 mm."),
+            ("Loads/Power in W", "1500", "Power in kW'? 1500 W are 1.5 kW."),
+            ("Loads/Ramp tiem in s", "1", "Ramp time in ms'? It is in ms, not in s."))
+    said = said_of((entry, value) for entry, value, _ in cases)
+    for entry, _, wanted in cases:
+        program.check(wanted in said[entry], f"{entry}: {said[entry]}")
+    no_advice = ("Model/Driver inertia in kg m2", "Drive/Layout/Stop", "Loads/Flux", "Time/Length", "Drive/Chain/Inner width in mm")
+    for entry, said in said_of((entry, 5) for entry in no_advice).items():
+        program.check("Did you mean" not in said, f"{entry}: {said}")
+
+
+{"accuracy": accuracy, "entries": entries}[CASE]()
