@@ -82,8 +82,8 @@ std::string first_sentence(const std::string &text)
 std::string
 converted(const Entry &entry, const std::string &shown, const Name &from, const std::string &value)
 {
-  const Name        to(entry.name);
-  const std::string question = " Did you mean '" + shown + "'?";
+  const Name  to(entry.name);
+  std::string question = " Did you mean '" + shown + "'?";
   if (from.unit.empty() || from.unit == to.unit)
     return question;
   const Unit *const a = find_unit(from.unit), *const b = find_unit(to.unit);

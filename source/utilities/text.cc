@@ -55,6 +55,8 @@ std::string nearest_name(const std::string &name, const std::vector<std::string>
         best    = distance;
         nearest = candidate;
       }
+    else if (distance == best && candidate != nearest)
+      nearest.clear(); // either may be meant
   return nearest;
 }
 } // namespace chaindrive

@@ -3,7 +3,8 @@
 
 accuracy: the first line of `plan --accuracy` is the cheapest model, its error and its time, or that there is no answer.
 entries: what doc/not-modelled.md lists is said of such entries; numbers in other units are converted, or said to be others; no
-entry is advised that means something else."""
+entry is advised that means something else.
+options: a command refuses options that it has no use for; of a template every value that cannot be is refused by its name."""
 import pathlib
 import re
 import sys
@@ -70,4 +71,24 @@ def entries():
         program.check("Did you mean" not in said, f"{entry}: {said}")
 
 
-{"accuracy": accuracy, "entries": entries}[CASE]()
+def options():
+    def said(*words):
+        return program.start([str(PROGRAM), *words])
+
+    for words in (("template", "--set", "Time/End time in ms=5"), ("template", "--output", "there"), ("document", "--quiet"),
+                  ("parts", SIMPLE, "--output", "there"), ("parts", SIMPLE, "--resume", "auto"), ("template", "--plan"),
+                  ("study", "any.prm", "--plan"), ("noise", "any", "--plan"), ("document", "--resume", "auto")):
+        done, option = said(*words), next(word for word in words if word.startswith("--"))
+        program.check(done.returncode == 2 and f"The option {option} belongs to" in done.stderr, f"{words}: {done}")
+
+    good = {"--chain": "10B", "--teeth": "21/63", "--centre": "500", "--rpm": "1450", "--kW": "3"}
+    for option, value in (("--rpm", "0"), ("--rpm", "1e-9"), ("--rpm", "nan"), ("--rpm", "1e6"), ("--kW", "0"), ("--centre", "0"),
+                          ("--teeth", ""), ("--chain", "")):
+        done = said("template", *(word for pair in {**good, option: value}.items() for word in pair))
+        program.check(done.returncode == 2 and f"The option {option}" in done.stderr and "takes all of" not in done.stderr,
+                      f"{option} {value}: {done}")
+    done = said("template", "--chain", "10B", "--teeth", "21/63")
+    program.check(done.returncode == 2 and "takes all of" in done.stderr, str(done))
+
+
+{"options": options, "accuracy": accuracy, "entries": entries}[CASE]()
