@@ -9,8 +9,11 @@
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -33,7 +36,7 @@ double number(const std::string &text)
   return parameters::from_entry_text(text, parameters::unit::si).value_or(std::nan(""));
 }
 
-bool is_cheaper(const StudyResult &a, const StudyResult &b) { return a.cpu < b.cpu; }
+bool is_cheaper(const StudyResult &a, const StudyResult &b) { return a.share() < b.share(); }
 bool is_better(const StudyResult &a, const StudyResult &b) { return a.bound() < b.bound(); }
 
 std::string in_percent(const double value)
@@ -45,6 +48,14 @@ std::string error_text(const StudyResult &result)
 {
   return in_percent(result.error) + " (" + in_percent(result.low) + " ... " +
          in_percent(result.high) + ")";
+}
+
+std::string in_words(const StudyResult &result)
+{
+  return result.variant + " of study " + result.study +
+         (result.variant == result.reference ? ", the reference, itself known within " :
+                                               ", against " + result.reference + " ") +
+         error_text(result);
 }
 
 std::string entries_text(const StudyResult &result)
@@ -82,17 +93,25 @@ std::string cost_here(const StudyResult &result,
 } // namespace
 
 double StudyResult::bound() const { return std::max(std::abs(low), std::abs(high)); }
+double StudyResult::share() const { return cpu / reference_cpu; }
 
-std::vector<StudyResult> read_results(const std::string &text)
+Studies read_studies(const std::string &text)
 {
-  std::vector<StudyResult> results;
-  std::istringstream       in(text);
-  std::string              line;
+  Studies                                      studies;
+  std::vector<StudyResult>                     results;
+  std::map<std::string, std::set<std::string>> fidelities;
+  std::istringstream                           in(text);
+  std::string                                  line;
   while (std::getline(in, line))
     {
       if (line.empty() || line.front() == '#')
         continue;
       const std::vector<std::string> cells = split(line, '\t');
+      if (cells.front() == "drive" && cells.size() > 2)
+        {
+          studies.drives[cells[1]].assign(cells.begin() + 2, cells.end());
+          continue;
+        }
       AssertThrow(cells.size() >= 9, dealii::ExcMessage("accuracy.tsv: " + line));
       StudyResult result;
       result.study         = cells[0];
@@ -105,12 +124,56 @@ std::vector<StudyResult> read_results(const std::string &text)
       result.cpu           = number(cells[7]);
       result.reference_cpu = number(cells[8]);
       result.overrides.assign(cells.begin() + 9, cells.end());
+      for (const std::string &entry : result.overrides)
+        if (entry.rfind("Model/Fidelity=", 0) == 0)
+          fidelities[result.study].insert(entry);
       results.push_back(result);
     }
-  return results;
+  for (const StudyResult &result : results)
+    if (fidelities[result.study].size() > 1)
+      studies.results.push_back(result);
+  return studies;
 }
 
-std::vector<StudyResult> shipped_results() { return read_results(accuracy_table); }
+Studies shipped_studies() { return read_studies(accuracy_table); }
+
+std::vector<std::string> drive_in_words(const drive::Facts &facts)
+{
+  const auto &[driver, driven] = facts.sprockets;
+  return {"chain=" + facts.chain,
+          "links=" + std::to_string(facts.links),
+          "driver teeth=" + std::to_string(driver.teeth),
+          "driven teeth=" + std::to_string(driven.teeth),
+          "driver speed in rpm=" + to_text(30. / dealii::numbers::PI * std::abs(driver.speed), 5),
+          "driven torque in N m=" + to_text(std::abs(driven.torque), 5),
+          "centre distance in mm=" + to_text(1e3 * facts.centre_distance, 6),
+          "driven inertia in kg m2=" + to_text(facts.driven_inertia, 4)};
+}
+
+std::string difference(const std::vector<std::string> &studied,
+                       const std::vector<std::string> &here)
+{
+  std::string text;
+  for (std::size_t i = 0; i < std::max(studied.size(), here.size()); ++i)
+    {
+      const std::string a      = i < studied.size() ? studied[i] : "",
+                        b      = i < here.size() ? here[i] : "";
+      const std::size_t equals = a.find('=');
+      const std::string name   = a.substr(0, equals);
+      if (a == b)
+        continue;
+      AssertThrow(b.compare(0, name.size() + 1, name + "=") == 0,
+                  dealii::ExcMessage("accuracy.tsv: " + a + " is not " + b));
+      const std::string was = a.substr(equals + 1), is = b.substr(equals + 1);
+      // of whole numbers and names every difference counts
+      const bool   continuous = name.find(" in ") != std::string::npos;
+      const double tolerance  = name.find("inertia") != std::string::npos ? 0.05 : 0.01;
+      if (continuous && std::abs(number(is) - number(was)) <= tolerance * std::abs(number(was)))
+        continue;
+      text += (text.empty() ? "" : ", ") + name + " " + was + " there and " + is + " here";
+    }
+  return text;
+}
 
 std::pair<std::string, double> read_wanted(const std::string              &text,
                                            const std::vector<StudyResult> &results)
@@ -137,50 +200,56 @@ std::pair<std::string, double> read_wanted(const std::string              &text,
   return {name, 0.01 * percent};
 }
 
-std::vector<Answer>
-answers(const std::vector<StudyResult> &results, const std::string &output, const double wanted)
+Answer answer(const std::vector<StudyResult> &results, const std::string &output, double wanted)
 {
-  std::vector<Answer> all;
+  Answer answer;
   for (const StudyResult &result : results)
     {
       if (result.output != output)
         continue;
-      auto answer = std::find_if(
-          all.begin(), all.end(), [&](const Answer &a) { return a.study == result.study; });
-      if (answer == all.end())
-        answer = all.insert(all.end(), {result.study, std::nullopt, result});
-      if (is_better(result, answer->best))
-        answer->best = result;
-      if (!(result.bound() <= wanted))
-        continue;
-      if (!answer->found || is_cheaper(result, *answer->found))
-        answer->found = result;
+      if (!answer.best || is_better(result, *answer.best))
+        answer.best = result;
+      if (result.bound() <= wanted)
+        answer.found.push_back(result);
     }
-  return all;
+  std::stable_sort(answer.found.begin(), answer.found.end(), is_cheaper);
+  return answer;
 }
 
-void print_answers(std::ostream      &out,
-                   const CommandLine &command_line,
-                   const double       before,
-                   const MPI_Comm     comm)
+void print_answers(std::ostream       &out,
+                   const CommandLine  &command_line,
+                   const drive::Facts &facts,
+                   const double        before,
+                   const MPI_Comm      comm)
 {
-  const std::vector<StudyResult> results = shipped_results();
+  const Studies                  studies = shipped_studies();
+  const std::vector<std::string> here    = drive_in_words(facts);
   for (const std::string &text : command_line.accuracy)
     {
-      const auto [output, wanted] = read_wanted(text, results);
-      out << "Accuracy: " << output << " within " << to_text(100. * wanted)
-          << " %, as studies of the drive in prm/paper found\n";
-      for (const Answer &answer : answers(results, output, wanted))
+      const auto [output, wanted] = read_wanted(text, studies.results);
+      out << "Accuracy: " << output << " within " << to_text(100. * wanted) << " %: ";
+      std::vector<StudyResult> results;
+      std::string              why;
+      for (const StudyResult &result : studies.results)
+        if (const std::string sentence = difference(studies.drives.at(result.study), here);
+            sentence.empty())
+          results.push_back(result);
+        else
+          why = "study " + result.study + ": " + sentence;
+      const auto [found, best] = answer(results, output, wanted);
+      if (results.empty())
+        out << "no answer for this drive. The studies ran another one (" << why << ").\n";
+      else if (found.empty())
+        out << "no model; the best is " << in_words(*best) << "; " << entries_text(*best) << '\n';
+      for (std::size_t i = 0; i < found.size(); ++i)
         {
-          const StudyResult &result = answer.found.value_or(answer.best);
-          out << "  " << answer.study << ": " << (answer.found ? "" : "no variant; the best is ")
-              << result.variant
-              << (result.variant == result.reference ? ", the reference, itself known within " :
-                                                       " against " + result.reference + " ")
-              << error_text(result) << "; " << entries_text(result);
-          if (answer.found)
-            out << "; " << cost_here(result, command_line, before, comm);
-          out << '\n';
+          const StudyResult &result = found[i];
+          const std::string  cost   = i == 0 ? cost_here(result, command_line, before, comm) : "";
+          out << (i == 0 ? "" : "  or ") << in_words(result) << "; "
+              << (cost.empty() ? to_text(100. * result.share(), 3) + " % of the CPU time of " +
+                                     result.reference :
+                                 cost)
+              << "; " << entries_text(result) << '\n';
         }
     }
 }

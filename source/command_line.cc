@@ -71,6 +71,13 @@ struct Switches
        help = false;
 };
 
+/// The value of an option that is known to be given.
+template <typename Value>
+options::typed_value<Value> *value_of(std::optional<Value> &member)
+{
+  return options::value<Value>()->notifier([&member](const Value &value) { member = value; });
+}
+
 options::options_description visible_options(CommandLine &c, Switches &switches)
 {
   options::options_description visible(/*line_length=*/100);
@@ -79,13 +86,16 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   };
   visible.add_options()("set",
                         options::value(&c.overrides)->value_name("\"SECTION/ENTRY=VALUE\""),
-                        "override an entry of the file; may be repeated");
+                        "run, plan, parts, noise, study: override an entry of the file; may be "
+                        "repeated");
   visible.add_options()("output",
                         options::value(&c.output_directory)->value_name("DIRECTORY"),
-                        "write the results there; report: the file of the page");
+                        "run, plan, study, report: write the results there, or the page to this "
+                        "file");
   visible.add_options()("resume",
                         options::value(&c.resume)->value_name("auto|CHECKPOINT"),
-                        "go on from the newest checkpoint in the directory, or from this one");
+                        "run, plan: go on from the newest checkpoint in the directory, or from "
+                        "this one");
   visible.add_options()("accuracy",
                         options::value(&c.accuracy)->value_name("\"OUTPUT=PERCENT\""),
                         "plan: say which models reach it, from the studies");
@@ -96,24 +106,24 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   add("dry-run", c.dry_run, "study: check all variants and say what would be run");
   add("retry-failed", c.retry, "study: run those again that failed");
   visible.add_options()("chain",
-                        options::value(&c.design.chain)->value_name("NAME"),
+                        value_of(c.design.chain)->value_name("NAME"),
                         "template: chain of the drive, such as 10B");
   visible.add_options()("teeth",
-                        options::value(&c.design.teeth)->value_name("Z1/Z2"),
+                        value_of(c.design.teeth)->value_name("Z1/Z2"),
                         "template: teeth of driver and driven sprocket");
   visible.add_options()("centre",
-                        options::value(&c.design.centre)->value_name("MM"),
+                        value_of(c.design.centre)->value_name("MM"),
                         "template: centre distance, met by an even number of links");
   visible.add_options()(
-      "rpm", options::value(&c.design.rpm)->value_name("RPM"), "template: speed of the driver");
+      "rpm", value_of(c.design.rpm)->value_name("RPM"), "template: speed of the driver");
   visible.add_options()(
-      "kW", options::value(&c.design.kilowatt)->value_name("KW"), "template: power of the load");
+      "kW", value_of(c.design.kilowatt)->value_name("KW"), "template: power of the load");
   add("man", c.man, "document: print the manual page (troff)");
   visible.add_options()("completion",
                         options::value(&c.completion)->value_name("SHELL"),
                         "document: print what completes words in a shell, which is bash");
-  add("plan", switches.plan, "the same as the command plan");
-  add("quiet", c.quiet, "print warnings and errors only");
+  add("plan", switches.plan, "run, plan: the same as the command plan");
+  add("quiet", c.quiet, "run, plan, noise, study, report: print warnings and errors only");
   add("report", c.report, "run: write a page on it at its end, report.html beside its results");
   add("strict", c.strict, "run, plan: refuse a drive that a design check warns of");
   add("version", switches.version, "print versions, SIMD and MPI facts");
@@ -241,6 +251,29 @@ std::string file_of(const Command command, const std::vector<std::string> &words
   return words.empty() ? "" : words.front();
 }
 
+/// Refuses options that @p c.command has no use for: who gives one expects that it does something.
+void refuse_useless(const options::variables_map &values, const CommandLine &c)
+{
+  if (c.command == Command::help || c.command == Command::version)
+    return;
+  const auto *named = std::find_if(std::begin(commands), std::end(commands), [&](const auto &row) {
+    return row.command == c.command;
+  });
+  for (const OptionText &option : option_texts())
+    {
+      const auto                     value = values.find(option.name.substr(2));
+      const std::vector<std::string> of    = option.commands();
+      if (value == values.end() || value->second.defaulted() || of.empty() ||
+          std::find(of.begin(), of.end(), named->name) != of.end())
+        continue;
+      std::string list;
+      for (const std::string &name : of)
+        list += (list.empty() ? "" : name == of.back() ? " and " : ", ") + name;
+      throw InputError("The option " + option.name + " belongs to " + list + "; the command " +
+                       named->name + " has no use for it.");
+    }
+}
+
 constexpr unsigned int most_cores = 100000; // below what a negative number is read as
 
 /// Refuses options of a study or a plan without one, and the other way round.
@@ -307,12 +340,12 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   add_hidden("write-documentation", switches.write_documentation);
   all.add_options()("word", options::value(&words));
   options::positional_options_description positional;
+  options::variables_map                  values;
   positional.add("word", -1);
 
   namespace style = options::command_line_style;
   try
     {
-      options::variables_map values;
       options::store(options::command_line_parser(static_cast<int>(rest - argv), argv)
                          .options(all)
                          .positional(positional)
@@ -358,6 +391,7 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
     c.folders = words;
   c.rest.assign(rest == end ? end : rest + 1, end);
   check_belonging(c);
+  refuse_useless(values, c);
   return c;
 }
 

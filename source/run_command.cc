@@ -294,7 +294,7 @@ bool plan_command(const CommandLine &command_line, const MPI_Comm comm)
   print(prepared.log,
         measure_cost(simulation, prepared.folders, before),
         n_ranks_in(simulation.communicator()));
-  print_answers(prepared.log, command_line, before, comm);
+  print_answers(prepared.log, command_line, simulation.facts, before, comm);
   print_meshes(prepared);
   return true;
 }

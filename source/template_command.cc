@@ -34,11 +34,28 @@ std::pair<unsigned int, unsigned int> read_teeth(const std::string &text)
                    "21/63.");
 }
 
-void refuse_out_of_range(const char *option, const double value, const double most)
+void refuse_out_of_range(const char  *option,
+                         const double value,
+                         const double least,
+                         const double most)
 {
-  if (!(value > 0. && value <= most))
+  if (!(value >= least && value <= most))
     throw InputError(std::string("The option ") + option + " = " + to_text(value) +
-                     " must be above 0 and at most " + to_text(most) + ".");
+                     " must be a number from " + to_text(least) + " to " + to_text(most) + ".");
+}
+
+/// The entries of the drive, which must be one that runs.
+Parameters read(const Values &values)
+{
+  try
+    {
+      return parameters::read_entries(values).parameters;
+    }
+  catch (const InputError &error)
+    {
+      throw InputError(std::string("There is no template for this drive, which cannot run: ") +
+                       error.what());
+    }
 }
 } // namespace
 
@@ -50,43 +67,47 @@ void template_command(const CommandLine::Design &design, std::ostream &out)
     throw InputError("A template for a drive takes all of --chain, --teeth, --centre, --rpm and "
                      "--kW, such as: chaindrive template --chain 10B --teeth 21/63 --centre 500 "
                      "--rpm 1450 --kW 3.");
-  refuse_out_of_range("--centre", design.centre, 1e5);
-  refuse_out_of_range("--rpm", design.rpm, 1e6);
-  refuse_out_of_range("--kW", design.kilowatt, 1e6);
-  const auto [driver, driven] = read_teeth(design.teeth);
+  const std::string chain  = *design.chain;
+  const double      centre = *design.centre, rpm = *design.rpm, kilowatt = *design.kilowatt;
+  if (chain.empty())
+    throw InputError("The option --chain needs the name of a chain after it, such as 10B; it is "
+                     "empty.");
+  refuse_out_of_range("--centre", centre, 1., 1e5);
+  refuse_out_of_range("--rpm", rpm, 0.01, 9e5); // all times and speeds that entries take
+  refuse_out_of_range("--kW", kilowatt, 1e-3, 1e6);
+  const auto [driver, driven] = read_teeth(*design.teeth);
   parameters::Drive drive;
-  drive.chain.designation           = design.chain;
+  drive.chain.designation           = chain;
   drive.sprockets.driver.teeth      = driver;
   drive.sprockets.driven.teeth      = driven;
-  drive.layout.centre_distance      = 1e-3 * design.centre;
+  drive.layout.centre_distance      = 1e-3 * centre;
   drive.layout.centre_distance_from = parameters::CentreDistanceFrom::sag;
 
   const std::string links    = std::to_string(drive::number_of_links(drive));
-  const double      pitch_ms = 6e4 / (design.rpm * driver);
+  const double      pitch_ms = 6e4 / (rpm * driver);
   const auto        pitches  = [pitch_ms](const double n) { return to_text(n * pitch_ms, 4); };
   const Values      values   = {{"Drive/Number of links", links},
                                 {"Drive/Driver teeth", std::to_string(driver)},
                                 {"Drive/Driven teeth", std::to_string(driven)},
-                                {"Drive/Chain/Designation", design.chain},
+                                {"Drive/Chain/Designation", chain},
                                 {"Drive/Layout/Centre distance from", "sag"},
                                 {"Drive/Layout/Start", "settled"},
-                                {"Loads/Driver speed in rpm", to_text(design.rpm, 10)},
-                                {"Loads/Power in kW", to_text(design.kilowatt, 10)},
+                                {"Loads/Driver speed in rpm", to_text(rpm, 10)},
+                                {"Loads/Power in kW", to_text(kilowatt, 10)},
                                 {"Time/End time in ms", pitches(40.)},
                                 {"Output/Window start in ms", pitches(20.)}};
-  const auto        input    = parameters::read_entries(values);
-  const double      centre   = 1e3 * drive::make_drive(input.parameters).layout.centre_distance();
+  const double      found    = 1e3 * drive::make_drive(read(values)).layout.centre_distance();
 
   const auto set = [&values](const std::string &path) {
     return "set " + path.substr(path.rfind('/') + 1) + " = " + values.at(path) + "\n";
   };
-  out << "# SPDX-License-Identifier: LGPL-2.1-or-later\n#\n# A " << design.chain
-      << " chain on sprockets of " << driver << " and " << driven << " teeth, "
-      << to_text(design.kilowatt) << " kW at " << to_text(design.rpm)
+  out << "# SPDX-License-Identifier: LGPL-2.1-or-later\n#\n# A " << chain
+      << " chain on sprockets of " << driver << " and " << driven << " teeth, " << to_text(kilowatt)
+      << " kW at " << to_text(rpm)
       << " rpm.\n# Lines with CHECK are assumptions; chaindrive document lists all entries.\n\n"
       << "subsection Drive\n"
-      << "  # the even number for a centre distance of " << to_text(design.centre)
-      << " mm: with the sag below it is " << to_text(centre, 6) << " mm\n"
+      << "  # the even number for a centre distance of " << to_text(centre)
+      << " mm: with the sag below it is " << to_text(found, 6) << " mm\n"
       << "  " << set("Drive/Number of links") << "  " << set("Drive/Driver teeth") << "  "
       << set("Drive/Driven teeth") << "\n  subsection Chain\n    " << set("Drive/Chain/Designation")
       << "  end\n\n  subsection Layout\n    # CHECK: 1 % of the slack span, as makers recommend\n"

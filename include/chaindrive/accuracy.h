@@ -2,10 +2,12 @@
 #pragma once
 
 #include <chaindrive/command_line.h>
+#include <chaindrive/drive/facts.h>
 
 #include <mpi.h>
 
 #include <iosfwd>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,39 +25,57 @@ struct StudyResult
 
   /// How wrong the variant may be: the farther end of the interval. 1
   double bound() const;
+  /// Of the CPU time of the reference: comparable between studies of runs of other lengths. 1
+  double share() const;
 };
 
-/// The table of results that the program was built with: source/accuracy.tsv, which
-/// scripts/study/accuracy.py writes from studies.
-std::vector<StudyResult> shipped_results();
+/// What the program was built with.
+struct Studies
+{
+  /// Of studies that compare fidelities with the full one. Those of a mesh, a step or a penalty say
+  /// what that choice changes in one model, not how wrong the model is: they are not in here.
+  std::vector<StudyResult> results;
+  /// By study: the drive that it ran, as drive_in_words().
+  std::map<std::string, std::vector<std::string>> drives;
+};
+
+/// source/accuracy.tsv, which scripts/study/accuracy.py writes from studies.
+Studies shipped_studies();
 
 /// The same from the text of such a table.
-std::vector<StudyResult> read_results(const std::string &text);
+Studies read_studies(const std::string &text);
+
+/// A drive as far as errors found for it depend on it: "name=value", with the unit in the name.
+std::vector<std::string> drive_in_words(const drive::Facts &facts);
+
+/// In what a drive differs from the one that was studied, in words. Less than 1 % is no difference,
+/// nor are 5 % of the inertia, which differ between one that is given and one of the parts.
+std::string difference(const std::vector<std::string> &studied,
+                       const std::vector<std::string> &here);
 
 /// What is wanted: an output and how wrong it may be [1]. From "NAME=PERCENT"; InputError when it
 /// is not that, or when no study of @p results judges the output, with those that are judged.
 std::pair<std::string, double> read_wanted(const std::string              &text,
                                            const std::vector<StudyResult> &results);
 
-/// What one study answers.
+/// What studies answer.
 struct Answer
 {
-  std::string study;
-  /// The cheapest variant that is accurate enough; the reference counts, with the interval of its
-  /// own mean. Empty if none is.
-  std::optional<StudyResult> found;
-  StudyResult                best; ///< the most accurate one
+  /// The variants that are accurate enough, the cheapest first; the reference counts, with the
+  /// interval of its own mean.
+  std::vector<StudyResult>   found;
+  std::optional<StudyResult> best; ///< the most accurate one
 };
 
-/// The answer of each study that judges @p output, within @p wanted [1].
-std::vector<Answer>
-answers(const std::vector<StudyResult> &results, const std::string &output, double wanted);
+/// Which variants give @p output within @p wanted [1].
+Answer answer(const std::vector<StudyResult> &results, const std::string &output, double wanted);
 
-/// Says for each `--accuracy` of @p command_line what the studies answer, and what the variants
-/// that they name cost for its drive, by measure_cost() with @p before. InputError as
-/// read_wanted(). Collective.
-void print_answers(std::ostream      &out,
-                   const CommandLine &command_line,
-                   double             before,
-                   MPI_Comm           comm);
+/// Says for each `--accuracy` of @p command_line what the studies answer if they ran the drive of
+/// @p facts, and what the cheapest variant costs here, by measure_cost() with @p before; otherwise
+/// that there is no answer. InputError as read_wanted(). Collective.
+void print_answers(std::ostream       &out,
+                   const CommandLine  &command_line,
+                   const drive::Facts &facts,
+                   double              before,
+                   MPI_Comm            comm);
 } // namespace chaindrive

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,17 +42,11 @@ struct CommandLine
   /// template: the drive that it is for.
   struct Design
   {
-    std::string chain, teeth;                         ///< such as 10B and 21/63
-    double      centre = 0., rpm = 0., kilowatt = 0.; ///< mm; of the driver; of the load
+    std::optional<std::string> chain, teeth;          ///< such as 10B and 21/63
+    std::optional<double>      centre, rpm, kilowatt; ///< mm; of the driver; of the load
 
-    bool is_given() const
-    {
-      return !chain.empty() || !teeth.empty() || centre != 0. || rpm != 0. || kilowatt != 0.;
-    }
-    bool is_complete() const
-    {
-      return !chain.empty() && !teeth.empty() && centre != 0. && rpm != 0. && kilowatt != 0.;
-    }
+    bool is_given() const { return chain || teeth || centre || rpm || kilowatt; }
+    bool is_complete() const { return chain && teeth && centre && rpm && kilowatt; }
   };
   Design                   design;
   bool                     man = false; ///< document: as the manual page
@@ -63,7 +58,7 @@ struct CommandLine
 /// Reads the arguments of main(): `chaindrive [COMMAND] [FILE.prm] [OPTION]...`, where the command
 /// may be left out for run. Throws InputError for an unknown command or option, naming the nearest
 /// one, and when there is no .prm file although the command needs one, or one that it does not
-/// take, and for options of a study without one.
+/// take, and for options that the command has no use for.
 CommandLine parse_command_line(int argc, const char *const *argv);
 
 /// A command as `--help` lists it.

@@ -15,14 +15,23 @@ import sys
 
 HEAD = """# SPDX-License-Identifier: LGPL-2.1-or-later
 # What studies found, by scripts/study/accuracy.py: separated by tabs,
-# study, variant, reference, output, error, low, high (percent), CPU time, that of the reference (s), entries of the variant"""
-
-NO_CHOICE = ("Study/", "Model/Stiffness per pitch in N/m")  # the latter belongs to the chain, which may be another
+# study, variant, reference, output, error, low, high (percent), CPU time, that of the reference (s), entries of the variant;
+# "drive", study, what its errors hold for"""
 
 
 def fidelity(folder):
     """That of the run in `folder`."""
     return re.search(r"^\s*set Fidelity = (\w+)", (folder / "variant.prm").read_text(), re.MULTILINE)[1]
+
+
+def drive_of(folder):
+    """The drive of the run in `folder`, in the words of drive_in_words() in source/accuracy.cc."""
+    facts = json.loads((folder / "summary.json").read_text())["drive"]
+    driver, driven = facts["sprockets"]
+    return [f"chain={facts['chain']}", f"links={facts['links']}", f"driver teeth={driver['teeth']}",
+            f"driven teeth={driven['teeth']}", f"driver speed in rpm={abs(driver['speed']) * 30 / math.pi:.5g}",
+            f"driven torque in N m={abs(driven['torque']):.5g}", f"centre distance in mm={1e3 * facts['centre_distance']:.6g}",
+            f"driven inertia in kg m2={facts['driven_inertia']:.4g}"]
 
 
 def rows_of(directory):
@@ -32,6 +41,7 @@ def rows_of(directory):
     if about["quick"] or any(row["message"] == "not finished" for row in table.values()):
         sys.exit(f"{directory}: a study that is quick or has not ended is no ground for an answer")
     study, reference = pathlib.Path(about["file"]).stem, table[about["reference"]]
+    yield ["drive", study, *drive_of(directory / about["variants"][-1]["runs"][0]["folder"])]
     for variant in about["variants"]:
         row = table[variant["name"]]
         entries = {"Model/Fidelity": fidelity(directory / variant["runs"][0]["folder"]), "Time/Step in us": "auto",
@@ -44,7 +54,7 @@ def rows_of(directory):
                 continue
             yield [study, variant["name"], about["reference"], column, f"{error:.4g}", f"{low:.4g}", f"{high:.4g}",
                    f"{float(row['cpu']):.4g}", f"{float(reference['cpu']):.4g}",
-                   *(f"{path}={value}" for path, value in entries.items() if not path.startswith(NO_CHOICE))]
+                   *(f"{path}={value}" for path, value in entries.items() if not path.startswith("Study/"))]
 
 
 def main():

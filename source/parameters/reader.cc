@@ -5,6 +5,7 @@
 #include <chaindrive/parameters/needs.h>
 #include <chaindrive/parameters/parameter_file.h>
 #include <chaindrive/parameters/reader.h>
+#include <chaindrive/parameters/suggestions.h>
 #include <chaindrive/parameters/without_effect.h>
 #include <chaindrive/parameters/writer.h>
 #include <chaindrive/utilities/errors.h>
@@ -38,24 +39,6 @@ std::string enclosing(const std::string &path)
 {
   const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? "" : path.substr(0, slash);
-}
-
-/// The member of @p names that was probably meant by @p name: users forget sections and units.
-std::string closest(const std::string &name, const std::vector<std::string> &names)
-{
-  std::vector<std::string> candidates = names; // then the same without units
-  for (const std::string &candidate : names)
-    {
-      const bool ends = candidate.size() > name.size() &&
-                        candidate.substr(candidate.size() - name.size() - 1) == "/" + name;
-      const bool begins = candidate.compare(0, name.size() + 1, name + " ") == 0;
-      if (!name.empty() && (ends || begins))
-        return candidate;
-      candidates.push_back(candidate.substr(0, candidate.rfind(" in ")));
-    }
-  const auto nearest =
-      std::find(candidates.begin(), candidates.end(), nearest_name(name, candidates));
-  return nearest == candidates.end() ? "" : names[(nearest - candidates.begin()) % names.size()];
 }
 
 std::string folder_of(const std::string &file)
@@ -144,21 +127,15 @@ public:
         return;
       }
     // the unit in an entry's name may itself contain a slash: compare whole paths
-    const std::string        path = trim(text.substr(0, equals));
-    std::vector<std::string> paths;
+    const std::string path = trim(text.substr(0, equals));
     for (const Entry &entry : declarations_.entries())
-      {
-        if (entry.path() == path)
-          {
-            set_value(entry, trim(text.substr(equals + 1)), where);
-            return;
-          }
-        paths.push_back(entry.path());
-      }
-    const std::string nearest = closest(path, paths);
+      if (entry.path() == path)
+        {
+          set_value(entry, trim(text.substr(equals + 1)), where);
+          return;
+        }
     errors_.push_back(where + "there is no entry '" + path + "'." +
-                      (nearest.empty() ? " chaindrive template lists all entries." :
-                                         " Did you mean '" + nearest + "'?"));
+                      override_advice(path, trim(text.substr(equals + 1))));
   }
 
   /// Throws the mistakes found so far.
@@ -314,8 +291,11 @@ private:
         return begin + (enclosing(path).empty() ?
                             " It is a section of its own: is an 'end' missing above?" :
                             " It belongs in section " + enclosing(path) + ".");
-    return begin + suggestion(closest(name, declarations_.section_names(outer)),
-                              declarations_.section_names(outer));
+    const std::vector<std::string> names   = declarations_.section_names(outer);
+    const std::string              nearest = nearest_name(name, names);
+    return begin + (!nearest.empty() ? " Did you mean '" + nearest + "'?" :
+                    names.empty()    ? "" :
+                                       " There are: " + join(names) + ".");
   }
 
   void close_section(const std::string &rest, const std::string &where)
@@ -351,10 +331,34 @@ private:
         set_value(*entry, trim(rest.substr(equals + 1)), where);
       }
     else
-      errors_.push_back(where + unknown_entry(name, section));
+      errors_.push_back(where + unknown_entry(name, section, trim(rest.substr(equals + 1))));
   }
 
-  std::string unknown_entry(const std::string &name, const std::string &section) const
+  /// The same for a path, whose section may be missing or wrong.
+  std::string override_advice(const std::string &path, const std::string &value) const
+  {
+    // the unit may contain a slash
+    const std::size_t slash   = path.substr(0, path.rfind(" in ")).rfind('/');
+    const bool        bare    = slash == std::string::npos;
+    const std::string section = bare ? "" : path.substr(0, slash),
+                      name    = path.substr(bare ? 0 : slash + 1);
+    for (const Entry &entry : declarations_.entries())
+      if (entry.name == name)
+        return " Did you mean '" + entry.path() + "'?";
+    if (!bare && !declarations_.has_section(section))
+      {
+        const std::string nearest = nearest_name(section, declarations_.sections());
+        return " There is no section '" + section + "'" +
+               (nearest.empty() ? "; chaindrive template lists all entries." :
+                                  "; did you mean '" + nearest + "'?");
+      }
+    const std::string found =
+        advice(declarations_.entries(), section, name, value, /*with_paths=*/true);
+    return found.empty() ? " chaindrive template lists all entries." : found;
+  }
+
+  std::string
+  unknown_entry(const std::string &name, const std::string &section, const std::string &value) const
   {
     const std::string begin = section.empty() ?
                                   "the entry '" + name + "' stands outside all sections." :
@@ -362,15 +366,7 @@ private:
     for (const Entry &entry : declarations_.entries())
       if (entry.name == name)
         return begin + " It belongs in section " + entry.section + ".";
-    return begin + suggestion(closest(name, declarations_.entry_names(section)),
-                              declarations_.entry_names(section));
-  }
-
-  static std::string suggestion(const std::string &nearest, const std::vector<std::string> &all)
-  {
-    if (!nearest.empty())
-      return " Did you mean '" + nearest + "'?";
-    return all.empty() ? "" : " There are: " + join(all) + ".";
+    return begin + advice(declarations_.entries(), section, name, value);
   }
 
   /// What the section Study says is of the whole study, but for the ranks.

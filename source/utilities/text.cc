@@ -18,22 +18,27 @@ std::string to_text(const double value, const int digits)
 
 namespace
 {
-/// Levenshtein distance, one row of the table at a time.
+/// Levenshtein distance in which two neighbours exchanged are one edit, a row of the table at a
+/// time.
 std::size_t edit_distance(const std::string &a, const std::string &b)
 {
-  std::vector<std::size_t> row(b.size() + 1);
+  const auto equal = [](const char x, const char y) {
+    return std::tolower(static_cast<unsigned char>(x)) ==
+           std::tolower(static_cast<unsigned char>(y));
+  };
+  std::vector<std::size_t> row(b.size() + 1), above, two_above;
   std::iota(row.begin(), row.end(), 0);
   for (std::size_t i = 0; i < a.size(); ++i)
     {
-      std::size_t diagonal = row[0];
-      row[0]               = i + 1;
+      two_above = above;
+      above     = row;
+      row[0]    = i + 1;
       for (std::size_t j = 0; j < b.size(); ++j)
         {
-          const bool equal = std::tolower(static_cast<unsigned char>(a[i])) ==
-                             std::tolower(static_cast<unsigned char>(b[j]));
-          const std::size_t replaced = diagonal + (equal ? 0 : 1);
-          diagonal                   = row[j + 1];
-          row[j + 1]                 = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+          row[j + 1] =
+              std::min({above[j] + (equal(a[i], b[j]) ? 0 : 1), row[j] + 1, above[j + 1] + 1});
+          if (i > 0 && j > 0 && equal(a[i], b[j - 1]) && equal(a[i - 1], b[j]))
+            row[j + 1] = std::min(row[j + 1], two_above[j - 1] + 1);
         }
     }
   return row.back();
@@ -43,13 +48,15 @@ std::size_t edit_distance(const std::string &a, const std::string &b)
 std::string nearest_name(const std::string &name, const std::vector<std::string> &candidates)
 {
   std::string nearest;
-  std::size_t best = (name.size() + 1) / 2;
+  std::size_t best = (name.size() + 1) / 4 + 1;
   for (const std::string &candidate : candidates)
     if (const std::size_t distance = edit_distance(name, candidate); distance < best)
       {
         best    = distance;
         nearest = candidate;
       }
+    else if (distance == best && candidate != nearest)
+      nearest.clear(); // either may be meant
   return nearest;
 }
 } // namespace chaindrive

@@ -87,6 +87,8 @@ def helps(root, program):
 def prefix():
     empty("first")
     shutil.rmtree("moved", ignore_errors=True)
+    for text in ("chaindrive.1.gz", "chaindrive"):  # as after a build of the program alone
+        (BUILD / "packaging" / text).unlink(missing_ok=True)
     done("cmake", "--install", BUILD, "--prefix", pathlib.Path("first").resolve())
     root = pathlib.Path("first").rename("moved").resolve()
     program = plans_and_writes_templates(root)
@@ -120,8 +122,11 @@ def package():
     file, = pathlib.Path(".").glob("*.deb")
     depends = done("dpkg-deb", "--field", file, "Depends")
     check("libdeal.ii" in depends and "libboost-program-options" in depends, f"Depends: {depends}")
+    check("python3" in [word.split()[0] for word in depends.split(",")], f"Depends: {depends}")
     recommends = done("dpkg-deb", "--field", file, "Recommends")
     check("snakemake" in recommends and "openmpi-bin" in recommends, f"Recommends: {recommends}")
+    names = [word.strip() for word in recommends.split(",")]
+    check(len(set(names)) == len(names), f"Recommends: {recommends}")
     root = empty("root")
     done("dpkg-deb", "--extract", file, root)
     program = plans_and_writes_templates(root / "usr")

@@ -10,6 +10,8 @@ namespace chaindrive
 std::string to_text(double value, int digits = 6);
 
 /// The member of @p candidates with the smallest edit distance to @p name, upper and lower case
-/// counted as equal; empty when nothing is closer than half the length of @p name.
+/// counted as equal and two letters exchanged as one edit; empty when it takes more than one edit
+/// for four letters of @p name: a suggestion that means something else does harm. Nor is
+/// one of several returned that are equally near.
 std::string nearest_name(const std::string &name, const std::vector<std::string> &candidates);
 } // namespace chaindrive

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/entries.h>
+#include <chaindrive/parameters/suggestions.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+namespace chaindrive::parameters
+{
+namespace
+{
+std::string lower(std::string text)
+{
+  for (char &c : text)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// A name such as "Sag in mm" in two.
+struct Name
+{
+  explicit Name(const std::string &name)
+      : quantity(name.substr(0, name.rfind(" in ")))
+      , unit(quantity.size() < name.size() ? name.substr(quantity.size() + 4) : "")
+  {
+  }
+  std::string quantity, unit;
+};
+
+struct Unit
+{
+  const char *name;
+  const char *of; ///< units of one kind can be converted
+  double      si;
+};
+
+constexpr double pi      = dealii::numbers::PI;
+constexpr Unit   units[] = {{"m", "length", 1.},         {"cm", "length", 1e-2},
+                            {"mm", "length", 1e-3},      {"um", "length", 1e-6},
+                            {"inch", "length", 0.0254},  {"in", "length", 0.0254},
+                            {"s", "time", 1.},           {"ms", "time", 1e-3},
+                            {"us", "time", 1e-6},        {"min", "time", 60.},
+                            {"h", "time", 3600.},        {"N", "force", 1.},
+                            {"kN", "force", 1e3},        {"lbf", "force", 4.4482216},
+                            {"kg", "mass", 1.},          {"g", "mass", 1e-3},
+                            {"W", "power", 1.},          {"kW", "power", 1e3},
+                            {"hp", "power", 745.69987},  {"PS", "power", 735.49875},
+                            {"Hz", "frequency", 1.},     {"kHz", "frequency", 1e3},
+                            {"Pa", "stress", 1.},        {"MPa", "stress", 1e6},
+                            {"GPa", "stress", 1e9},      {"N/mm2", "stress", 1e6},
+                            {"N m", "torque", 1.},       {"Nm", "torque", 1.},
+                            {"kN m", "torque", 1e3},     {"N mm", "torque", 1e-3},
+                            {"N/m", "stiffness", 1.},    {"N/mm", "stiffness", 1e3},
+                            {"kN/mm", "stiffness", 1e6}, {"rad/s", "speed", 1.},
+                            {"rpm", "speed", pi / 30.},  {"1/min", "speed", pi / 30.},
+                            {"kg m2", "inertia", 1.},    {"kg mm2", "inertia", 1e-6},
+                            {"g mm2", "inertia", 1e-9},  {"kg/m3", "density", 1.},
+                            {"g/cm3", "density", 1e3},   {"rad", "angle", 1.},
+                            {"deg", "angle", pi / 180.}, {"degrees", "angle", pi / 180.},
+                            {"m/s", "velocity", 1.},     {"m/s2", "acceleration", 1.},
+                            {"percent", "share", 0.01},  {"%", "share", 0.01},
+                            {"pitches", "pitches", 1.}};
+
+const Unit *find_unit(const std::string &name)
+{
+  const auto *unit = std::find_if(
+      std::begin(units), std::end(units), [&](const Unit &u) { return name == u.name; });
+  return unit == std::end(units) ? nullptr : unit;
+}
+
+std::string first_sentence(const std::string &text)
+{
+  const std::size_t end = text.find(". ");
+  return end == std::string::npos ? text : text.substr(0, end + 1);
+}
+
+/// What to write of @p entry instead of @p value in the unit @p from, for the same quantity.
+std::string
+converted(const Entry &entry, const std::string &shown, const Name &from, const std::string &value)
+{
+  const Name  to(entry.name);
+  std::string question = " Did you mean '" + shown + "'?";
+  if (from.unit.empty() || from.unit == to.unit)
+    return question;
+  const Unit *const a = find_unit(from.unit), *const b = find_unit(to.unit);
+  if (to.unit.empty())
+    return " There is '" + shown + "', which has no unit. " + first_sentence(entry.meaning);
+  if (a == nullptr || b == nullptr || std::string(a->of) != b->of)
+    return " There is '" + shown + "', which is in " + to.unit + ", not in " + from.unit +
+           ": the number is another. " + first_sentence(entry.meaning);
+  const auto number = from_entry_text(value, unit::si);
+  return question + (number ? " " + value + " " + from.unit + " are " +
+                                  to_text(*number * a->si / b->si, 10) + " " + to.unit + "." :
+                              " It is in " + to.unit + ", not in " + from.unit + ".");
+}
+
+/// Whether @p words stand in @p name, at the beginning of a word: "offset" in "Offset in mm".
+bool has_word(const std::string &name, const std::string &word)
+{
+  for (std::size_t at = name.find(word); at != std::string::npos; at = name.find(word, at + 1))
+    if (at == 0 || std::isalpha(static_cast<unsigned char>(name[at - 1])) == 0)
+      return true;
+  return false;
+}
+
+/// Names that are near by letters and far by meaning.
+bool are_opposite(const std::string &a, const std::string &b)
+{
+  for (const auto &[one, other] : {std::pair<const char *, const char *>{"driver", "driven"},
+                                   {"driven", "driver"},
+                                   {"inner", "outer"},
+                                   {"outer", "inner"}})
+    if (has_word(a, one) && has_word(b, other))
+      return true;
+  return false;
+}
+
+std::string
+list(const std::vector<std::string> &names, const std::string &before, const std::string &after)
+{
+  std::string text;
+  for (const std::string &name : names)
+    text += (text.empty() ? "" : ", ") + before + name + after;
+  return text;
+}
+
+/// The entries of which the beginning was written, or that which was misspelt, by its unit or not.
+std::vector<std::string> similar(const std::string &name, const std::vector<std::string> &names)
+{
+  std::vector<std::string> begun, whole, quantities;
+  for (const std::string &candidate : names)
+    {
+      if (are_opposite(lower(name), lower(candidate)))
+        continue;
+      if (!name.empty() && lower(candidate).rfind(lower(name) + " ", 0) == 0)
+        begun.push_back(candidate);
+      whole.push_back(candidate);
+      quantities.push_back(Name(candidate).quantity);
+    }
+  if (!begun.empty())
+    return begun;
+  if (const std::string nearest = nearest_name(name, whole); !nearest.empty())
+    return {nearest};
+  const auto at = std::find(
+      quantities.begin(), quantities.end(), nearest_name(Name(name).quantity, quantities));
+  if (at == quantities.end())
+    return {};
+  return {whole[at - quantities.begin()]};
+}
+} // namespace
+
+const std::vector<NotModelled> &not_modelled()
+{
+  static const std::vector<NotModelled> all = {
+      {{"misalignment", "offset", "skew", "axial", "lateral"},
+       "both sprockets lie in one plane and their shafts are parallel"},
+      {{"strand", "multiplex", "duplex", "triplex"},
+       "the chain has one strand; divide torque and driven inertia by the number of strands, which "
+       "share a load evenly only if they are new"},
+      {{"runout", "run-out", "eccentric", "pitch error", "wobble"},
+       "sprockets turn about their own axis and all teeth are alike; a sprocket of any shape can "
+       "be "
+       "imported, Drive/Sprockets/Driver mesh"},
+      {{"stop time", "stopping", "brake", "braking", "coast", "reverse", "reversal"},
+       "the driver grows to its speed and keeps it; the load may change once, Loads/Torque step "
+       "time in ms"},
+      {{"driver inertia", "motor", "engine", "driver torque"},
+       "the driver turns as the speed program says, whatever the chain pulls"},
+      {{"shaft stiffness", "shaft damping", "bearing", "housing"},
+       "the axes of both sprockets stand still"},
+      {{"tensioner", "idler", "guide", "snubber"}, "the chain runs over two sprockets alone"},
+      {{"lubric", "oil", "grease", "viscos"},
+       "friction follows Coulomb's law; lubrication shows in Contact/Friction coefficient"},
+      {{"temperature", "thermal", "heat"}, "nothing warms up or expands"},
+      {{"wear rate", "life", "fatigue", "yield", "plastic", "strength"},
+       "material is linear elastic and does not wear or break while it runs; the elongation of a "
+       "worn chain is Drive/Chain/Elongation in percent"},
+      {{"link tolerance", "tolerance", "scatter"}, "all links are alike"}};
+  return all;
+}
+
+std::string advice(const std::vector<Entry> &entries,
+                   const std::string        &section,
+                   const std::string        &name,
+                   const std::string        &value,
+                   const bool                with_paths)
+{
+  const std::string        before = with_paths ? section + "/" : "";
+  const Name               from(name);
+  const Entry             *elsewhere = nullptr;
+  std::vector<std::string> here;
+  for (const Entry &entry : entries)
+    {
+      const bool is_here = entry.section == section;
+      if (is_here)
+        here.push_back(entry.name);
+      if (lower(Name(entry.name).quantity) != lower(from.quantity))
+        continue;
+      if (is_here)
+        return converted(entry, before + entry.name, from, value);
+      elsewhere = elsewhere == nullptr ? &entry : elsewhere;
+    }
+  if (elsewhere != nullptr)
+    return converted(*elsewhere, elsewhere->path(), from, value);
+  for (const NotModelled &one : not_modelled())
+    for (const std::string &word : one.words)
+      if (has_word(lower(name), word))
+        return " That is not modelled: " + one.sentence + " (doc/not-modelled.md).";
+  const std::vector<std::string> names = similar(name, here);
+  if (names.size() == 1)
+    return " Did you mean '" + before + names.front() + "'?" +
+           (Name(names.front()).unit == from.unit || from.unit.empty() ?
+                "" :
+                " It is in " + Name(names.front()).unit + ", not in " + from.unit + ".");
+  if (names.size() > 1)
+    return " Did you mean one of " + list(names, "'" + before, "'") + "?";
+  return here.empty() ? "" : " There are: " + list(here, "", "") + ".";
+}
+} // namespace chaindrive::parameters

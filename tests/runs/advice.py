@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""advice.py CASE PROGRAM: what the program advises is an answer to what was asked, and works.
+
+accuracy: the first line of `plan --accuracy` is the cheapest model, its error and its time, or that there is no answer.
+entries: what doc/not-modelled.md lists is said of such entries; numbers in other units are converted, or said to be others; no
+entry is advised that means something else.
+options: a command refuses options that it has no use for; of a template every value that cannot be is refused by its name."""
+import pathlib
+import re
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import program  # noqa: E402
+
+CASE, PROGRAM = sys.argv[1:3]
+SIMPLE = "prm/paper/simple.prm"
+SHORT = {"Time/End time in ms": 1, "Output/Window start in ms": 0.5}
+
+
+def accuracy():
+    def plan(*words):
+        return program.start([str(PROGRAM), "plan", str(program.REPOSITORY / SIMPLE), *words])
+
+    def first(wanted, *changes):
+        words = [word for change in (*(f"{k}={v}" for k, v in SHORT.items()), *changes) for word in ("--set", change)]
+        done = plan("--accuracy", wanted, *words)
+        program.check(done.returncode == 0, f"{wanted}: {done.stderr}")
+        return next(line for line in done.stdout.splitlines() if line.startswith("Accuracy"))
+
+    line = first("tight_tension_mean=5")
+    program.check(re.search(r"within 5 %: simple\S* of study fidelity, against full \+0\.\d+ %.* s here; Model/Fidelity=simple", line),
+                  f"no answer in: {line}")
+    line = first("tight_tension_mean=0.001")
+    program.check("within 0.001 %: no model; the best is" in line, line)
+    for change, name in (("Drive/Number of links=120", "links"), ("Loads/Driver speed in rad/s=60", "driver speed"),
+                         ("Loads/Resisting torque in N m=75", "driven torque")):
+        line = first("tight_tension_mean=5", change, "Drive/Layout/Centre distance from=slack")
+        program.check("no answer for this drive" in line and name in line, f"{change}: {line}")
+
+
+def said_of(pairs):
+    """{entry: what is said of it}, of entries that do not exist; all mistakes are said at once."""
+    sets = {f"{entry}={value}": entry for entry, value in pairs}
+    done = program.start([str(PROGRAM), "plan", str(program.REPOSITORY / SIMPLE), *(w for text in sets for w in ("--set", text))])
+    program.check(done.returncode == 2, f"status {done.returncode}\n{done.stdout}")
+    said = {entry: line for line in done.stderr.splitlines() for text, entry in sets.items() if f'--set "{text}"' in line}
+    program.check(len(said) == len(sets), f"not all are refused:\n{done.stderr}")
+    return said
+
+
+def entries():
+    rows = re.findall(r"^\| (`.*`) \|", (program.REPOSITORY / "doc/not-modelled.md").read_text(), re.MULTILINE)
+    program.check(len(rows) > 5, "no rows in doc/not-modelled.md")
+    names = re.findall("`([^`]+)`", " ".join(rows))
+    for entry, said in said_of((f"Drive/Layout/{name}", 5) for name in names).items():
+        program.check("not modelled" in said and "Did you mean" not in said, f"{entry}: {said}")
+    cases = (
+            ("Drive/Layout/Sag in mm", "3", "Sag in percent', which is in percent, not in mm"),
+            ("Drive/Layout/Pretension in kN", "0.2", "Pretension in N'? 0.2 kN are 200 N."),
+            ("Time/End time in s", "0.03", "End time in ms'? 0.03 s are 30 ms."),
+            ("Time/End time in us", "auto", "End time in ms'? It is in ms, not in us."),
+            ("Drive/Chain/Pitch in inch", "0.625", "Pitch in mm'? 0.625 inch are 15.875 mm."),
+            ("Drive/Layout/Driver bore in cm", "3", "'Drive/Sprockets/Driver bore in mm'? 3 cm are 30 mm."),
+            ("Loads/Power in W", "1500", "Power in kW'? 1500 W are 1.5 kW."),
+            ("Loads/Ramp tiem in s", "1", "Ramp time in ms'? It is in ms, not in s."))
+    said = said_of((entry, value) for entry, value, _ in cases)
+    for entry, _, wanted in cases:
+        program.check(wanted in said[entry], f"{entry}: {said[entry]}")
+    no_advice = ("Model/Driver inertia in kg m2", "Drive/Layout/Stop", "Loads/Flux", "Time/Length", "Drive/Chain/Inner width in mm")
+    for entry, said in said_of((entry, 5) for entry in no_advice).items():
+        program.check("Did you mean" not in said, f"{entry}: {said}")
+
+
+def options():
+    def said(*words):
+        return program.start([str(PROGRAM), *words])
+
+    for words in (("template", "--set", "Time/End time in ms=5"), ("template", "--output", "there"), ("document", "--quiet"),
+                  ("parts", SIMPLE, "--output", "there"), ("parts", SIMPLE, "--resume", "auto"), ("template", "--plan"),
+                  ("study", "any.prm", "--plan"), ("noise", "any", "--plan"), ("document", "--resume", "auto")):
+        done, option = said(*words), next(word for word in words if word.startswith("--"))
+        program.check(done.returncode == 2 and f"The option {option} belongs to" in done.stderr, f"{words}: {done}")
+
+    good = {"--chain": "10B", "--teeth": "21/63", "--centre": "500", "--rpm": "1450", "--kW": "3"}
+    for option, value in (("--rpm", "0"), ("--rpm", "1e-9"), ("--rpm", "nan"), ("--rpm", "1e6"), ("--kW", "0"), ("--centre", "0"),
+                          ("--teeth", ""), ("--chain", "")):
+        done = said("template", *(word for pair in {**good, option: value}.items() for word in pair))
+        program.check(done.returncode == 2 and f"The option {option}" in done.stderr and "takes all of" not in done.stderr,
+                      f"{option} {value}: {done}")
+    done = said("template", "--chain", "10B", "--teeth", "21/63")
+    program.check(done.returncode == 2 and "takes all of" in done.stderr, str(done))
+
+
+{"options": options, "accuracy": accuracy, "entries": entries}[CASE]()
