@@ -317,6 +317,10 @@ def refuse():
                             (["empty", "--set", "Time/End time in ms=3"], "--set belongs to runs")):
         check(expected in report(*words, status=2), f"{words} is not refused with '{expected}'")
     run("short", Time__End_time_in_ms=10)
+    shutil.copytree("short", "-dash", dirs_exist_ok=True)
+    report("--", "-dash")
+    report("--output=-page.html", "--", "-dash", "short")
+    check(read("-dash/report.html") and read("-page.html"), "a folder and a page whose names begin with a dash")
     check("up to 7 runs" in report(*["short"] * 8, status=2), "eight runs")
     check("cannot be written" in report("short", "--output", "nowhere/page.html", status=3), "a page that cannot be written")
     for script, words in (("--after-run", 0), ("--quiet", 2)):
