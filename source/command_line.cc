@@ -384,12 +384,17 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
       throw InputError("The options are not understood. chaindrive --help lists them.");
     }
 
-  switches.help    = switches.help || short_help;
-  c.command        = take_command(words, switches);
+  switches.help = switches.help || short_help;
+  c.command     = take_command(words, switches);
+  // What follows -- names files although it begins with a dash; of a study it is for Snakemake.
+  const bool more = c.command == Command::report || words.empty();
+  if (rest != end && c.command != Command::study && more)
+    words.insert(words.end(), rest + 1, end);
+  else
+    c.rest.assign(rest == end ? end : rest + 1, end);
   c.parameter_file = file_of(c.command, words);
   if (c.command == Command::report)
     c.folders = words;
-  c.rest.assign(rest == end ? end : rest + 1, end);
   check_belonging(c);
   refuse_useless(values, c);
   return c;

@@ -36,7 +36,7 @@ std::vector<std::string> report_command(const CommandLine &command_line, const M
   if (command_line.quiet)
     words.emplace_back("--quiet");
   if (!command_line.output_directory.empty())
-    words.insert(words.end(), {"--output", command_line.output_directory});
+    words.push_back("--output=" + command_line.output_directory); // it may begin with a dash
   words.emplace_back("--");
   words.insert(words.end(), command_line.folders.begin(), command_line.folders.end());
   return words;

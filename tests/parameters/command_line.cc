@@ -96,6 +96,10 @@ int main()
   parse({"a.prm", "--set", "--quiet"});
   parse({"a.prm", "--quick"});
   parse({"a.prm", "--", "--slurm"});
+  parse({"report", "--output", "b.html", "a", "--", "-dash", "--long"});
+  parse({"report", "--", "-dash"});
+  parse({"noise", "--", "-dash"});
+  parse({"--", "-a.prm"});
   parse({"study", "a.prm", "--cores", "many"});
   parse({"study", "a.prm", "--resume", "auto"});
   parse({"run", "a.prm", "--man"});

@@ -3,6 +3,8 @@
 
   one      a run ends with its page, which is complete in itself: every figure with data, those of the summary
   several  runs on the same axes, differences, runs of different drives
+  meaning  sentences hold for a load that changes sides, figures that are not as they should be are marked, and the paper is only spoken of to
+           those who know it
   missing  what a run does not have is said in its place, and the rest is shown
   noise    what `chaindrive noise` leaves behind is drawn, of one run and of several
   refuse   folders that are none, of no run; more runs than colours
@@ -161,7 +163,7 @@ def one():
     begin = time.time()
     report("results")
     text = read("results/report.html").texts["all"]
-    check("not valid" in text.split("Key figures")[0] and event["sentence"] in text and "not valid" not in found.texts["all"],
+    check("not valid" in text.split("Key figures")[0] and "The chain jumped ‹i›a‹/i› tooth." in text and "not valid" not in found.texts["all"],
           "an event is not said above the key figures, or one of a sound run")
     check(time.time() - begin < 10, f"{time.time() - begin:.1f} s for a report")
     run("results", "--quiet", "--report", Time__End_time_in_ms=10)
@@ -191,6 +193,38 @@ def several():
     found = read("drives.html")
     check("different drives" in found.texts["all"], "different drives are compared without a word")
     check_figures(found, ("tensions", "shafts", "velocities"))
+
+
+def cards(found_in):
+    """Name of each key figure: whether it is marked, and its sentence."""
+    found = re.findall(r'<div class="card( warning)?"><div class="name">([^<]*)</div><div class="value">.*?</div><p>(.*?)</p>', pathlib.Path(found_in).read_text())
+    return {name: (bool(marked), html.unescape(sentence)) for marked, name, sentence in found}
+
+
+def meaning():
+    tight, slack, error = "Tension of the tight span", "Tension of the slack span", "Error of the energy balance"
+    run("settled", "--report", Drive__Layout__Start="settled")
+    found, said = cards("settled/report.html"), read("settled/report.html").texts["all"]
+    check(not any(marked for marked, _ in found.values()), f"a sound run has marked figures: {found}")
+    check("power and speed ask for" in found[tight][1] and "not from the load" in found[slack][1], f"{found[tight]} {found[slack]}")
+    check(said.count("Zheng, Wang and Quek (2004) show it in their Figure") >= 4 and "The paper" not in said, "figures of the paper")
+
+    run("turned", Loads__Torque_step_time_in_ms=5, Loads__Torque_after_step_in_N_m=-140, Time__End_time_in_ms=22, Output__Window_start_in_ms=14)
+    summary = program.summary("turned")
+    tensions = [summary["statistics"][f"{name}_tension"] for name in ("tight", "slack")]
+    check(tensions[1]["mean"] > 2 * tensions[0]["mean"], f"the load does not drive: {tensions}")
+    summary["drive"]["tensile_strength"] = 1.07 * tensions[1]["largest"]
+    summary["energy_imbalance_max"] = 0.006
+    pathlib.Path("turned/summary.json").write_text(json.dumps(summary))
+    file = pathlib.Path("turned/input.prm")
+    file.write_text(file.read_text().replace("Zheng", "Somebody"))
+    report("turned")
+    found, said = cards("turned/report.html"), read("turned/report.html").texts["all"]
+    check("as when the load drives" in found[tight][1] and "against" not in found[tight][1], found[tight])
+    check("as when the load drives" in found[slack][1] and "not from the load" not in said, found[slack])
+    check("1.07 times the largest tension" in found[tight][1], found[tight])
+    check({name for name, (marked, _) in found.items() if marked} == {tight, error}, f"marked: {found}")
+    check("Zheng" not in said and "the paper" not in said.lower(), "a paper is spoken of that the reader does not know")
 
 
 def missing():
@@ -230,7 +264,8 @@ def missing():
     report("cut")
     check("no history 'spans/tight_tension'" in read("cut/report.html").texts["tensions"], "a foreign file")
     pathlib.Path("cut/summary.json").write_text("[1, 2")
-    check("damaged" in report("cut", status=2), "a damaged summary")
+    report("cut")
+    check("damaged" in read("cut/report.html").texts["all"].split("Key figures")[0], "a damaged summary")
 
 
 def add_noise(folder, amplitude):
@@ -282,6 +317,10 @@ def refuse():
                             (["empty", "--set", "Time/End time in ms=3"], "--set belongs to runs")):
         check(expected in report(*words, status=2), f"{words} is not refused with '{expected}'")
     run("short", Time__End_time_in_ms=10)
+    shutil.copytree("short", "-dash", dirs_exist_ok=True)
+    report("--", "-dash")
+    report("--output=-page.html", "--", "-dash", "short")
+    check(read("-dash/report.html") and read("-page.html"), "a folder and a page whose names begin with a dash")
     check("up to 7 runs" in report(*["short"] * 8, status=2), "eight runs")
     check("cannot be written" in report("short", "--output", "nowhere/page.html", status=3), "a page that cannot be written")
     for script, words in (("--after-run", 0), ("--quiet", 2)):
@@ -290,8 +329,10 @@ def refuse():
 
 
 def browse(file, *options):
-    """The page as Chromium has drawn it, and what its console says."""
-    done = subprocess.run([CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", f"--user-data-dir={os.getcwd()}/profile",
+    """The page as Chromium has drawn it, and what its console says. The profile is new: one of another version, or in use, stops it."""
+    shutil.rmtree("profile", ignore_errors=True)
+    done = subprocess.run([CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+                           "--disable-component-update", "--disable-sync", "--enable-logging=stderr", f"--user-data-dir={os.getcwd()}/profile",
                            "--virtual-time-budget=60000", "--dump-dom", *options, pathlib.Path(file).resolve().as_uri()],
                           capture_output=True, text=True, timeout=150)
     return done.stdout, [line for line in done.stderr.splitlines() if "CONSOLE" in line]
@@ -323,6 +364,17 @@ const wait = setInterval(() => {
 </script></body>"""
 
 
+# What does not fit into the width of the page, the menu left out.
+WIDTHS = """<script>
+addEventListener("load", () => {
+  document.querySelectorAll("details").forEach(one => { one.open = true; });
+  const wide = [...document.querySelectorAll(".scroll")].filter(one => one.scrollWidth > one.clientWidth).map(one => one.textContent.slice(0, 60));
+  if (document.documentElement.scrollWidth > document.documentElement.clientWidth) wide.push("the page");
+  document.documentElement.dataset.wide = JSON.stringify(wide);
+});
+</script></body>"""
+
+
 def browser():
     if CHROMIUM is None or pages.plotly() is None:
         sys.exit(77)
@@ -344,6 +396,10 @@ def browser():
                 shapes = re.findall(r'<path class="(?:js-line|js-fill|point)[^>]*? d="(M[^"]{12,})', part) + re.findall(r'<g class="point"><path[^>]* d="(M[^"]+)', part)
                 check(shapes, f"{file}: panel {number} has no curve")
             check(dom.count('class="film drawn"') == len(found.data()["films"]) > 0, f"{file}: no film")
+    pathlib.Path("width.html").write_text(pathlib.Path("results/report.html").read_text().replace("</body>", WIDTHS))
+    dom, _ = browse("width.html", "--window-size=1100,900")
+    wide = re.search(r'data-wide="([^"]*)"', dom)
+    check(wide and json.loads(html.unescape(wide[1])) == [], f"cut off at 1100 pixels: {wide and html.unescape(wide[1])}")
     pathlib.Path("read.html").write_text(pathlib.Path("both.html").read_text().replace("</body>", READER))
     dom, console = browse("read.html", "--window-size=1280,900")
     done = re.search(r'data-reader="([^"]*)"', dom)
@@ -353,4 +409,4 @@ def browser():
     check(said["moved"] and said["heights"][0] != said["heights"][1] and said["colours"] > 20, f"the film: {said}")
 
 
-{"one": one, "several": several, "missing": missing, "noise": noise, "refuse": refuse, "browser": browser}[CASE]()
+{"one": one, "several": several, "missing": missing, "meaning": meaning, "noise": noise, "refuse": refuse, "browser": browser}[CASE]()

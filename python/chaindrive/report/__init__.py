@@ -79,7 +79,7 @@ def _each(subjects, make, heading=True):
 
 def _cards(run):
     found = answers(run)
-    cards = "".join(f'<div class="card"><div class="name">{escape(a.name)}</div><div class="value">'
+    cards = "".join(f'<div class="card{" warning" if a.warns else ""}"><div class="name">{escape(a.name)}</div><div class="value">'
                     f'{quantity(a.value, a.unit) if a.unit not in ("%", "dB(A)") else number(a.value, 3) + chr(160) + a.unit}</div><p>{a.sentence}</p></div>'
                     for a in found)
     return f'<div class="cards">{cards}</div>' if cards else sentences(["There are no key figures: the run has no summary, or was asked for none."])

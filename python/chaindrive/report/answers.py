@@ -6,11 +6,17 @@ from chaindrive.errors import RunError
 from chaindrive.report.text import number, percent, quantity
 
 
-class Answer:
-    """A figure: its name, value in SI units and what it means (HTML)."""
+#: Usual in makers' catalogues: breaking load over the largest tension, where drive/checks.cc has 7 over the mean.
+LEAST_SAFETY = 5.
+#: Of the energy balance, what sound runs stay below.
+MOST_IMBALANCE = 0.005
 
-    def __init__(self, name, value, unit, sentence):
-        self.name, self.value, self.unit, self.sentence = name, value, unit, sentence
+
+class Answer:
+    """A figure: its name, value in SI units and what it means (HTML). `warns`: it is not as it should be."""
+
+    def __init__(self, name, value, unit, sentence, warns=False):
+        self.name, self.value, self.unit, self.sentence, self.warns = name, value, unit, sentence, warns
 
 
 def statistic(run, name, which):
@@ -41,7 +47,7 @@ def answers(run):
     for make in (tension, slack, shaft, impact, variation, driven_impact, ripple, losses, wear, resonance, noise, quality):
         try:
             one = make(run)
-        except (RunError, KeyError, IndexError, TypeError, ValueError, ZeroDivisionError):
+        except (RunError, KeyError, IndexError, StopIteration, TypeError, ValueError, ZeroDivisionError):
             continue  # the figures of the section say what is missing
         if one is not None and one.value is not None and np.isfinite(one.value):
             found.append(one)
@@ -52,20 +58,48 @@ def _against(value, expected, unit, what):
     return f"{percent(100. * (value / expected - 1.))} against the {quantity(expected, unit)} {what}" if expected else ""
 
 
+def foreseen(run, name):
+    """Tension of a span from closed forms."""
+    return next(span["tension"] for span in run.drive["spans"] if span["name"] == name)
+
+
+def turned(run):
+    """The spans have changed their parts: the load drives."""
+    return run.summary["slack_tension_mean"] > run.summary["tight_tension_mean"]
+
+
+def largest_of_spans(run):
+    found = [largest(run, f"{name}_tension", f"spans/{name}_tension") for name in ("tight", "slack")]
+    return max((value for value in found if value is not None), default=None)
+
+
 def tension(run):
-    mean, most = run.summary["tight_tension_mean"], largest(run, "tight_tension", "spans/tight_tension")
-    expected = next(span["tension"] for span in run.drive["spans"] if span["name"] == "tight")
-    strength = run.drive.get("tensile_strength")
-    safety = f" The chain breaks at {quantity(strength, 'N')} or more, {number(strength / (most or mean), 3)} times that." if strength else ""
-    return Answer("Tension of the tight span", mean, "N", _against(mean, expected, "N", "that power and speed ask for") +
-                  (f"; at most {quantity(most, 'N')} in the window." if most else ".") + safety)
+    mean, most, expected = run.summary["tight_tension_mean"], largest(run, "tight_tension", "spans/tight_tension"), foreseen(run, "tight")
+    strength, highest = run.drive.get("tensile_strength"), largest_of_spans(run) or mean
+    safety = f" The chain breaks at {quantity(strength, 'N')} or more, {number(strength / highest, 3)} times the largest tension" if strength else ""
+    warns = bool(strength) and highest * LEAST_SAFETY > strength
+    if strength:
+        safety += ": it would not hold." if highest >= strength else f", where at least {LEAST_SAFETY:.0f} is usual." if warns else "."
+    if turned(run):
+        text = f"The slack span pulls more, as when the load drives; while the driver drives, power and speed ask for {quantity(expected, 'N')} here."
+        text += f" At most {quantity(most, 'N')} in the window." if most else ""
+    else:
+        text = _against(mean, expected, "N", "that power and speed ask for") + (f"; at most {quantity(most, 'N')} in the window." if most else ".")
+    return Answer("Tension of the tight span", mean, "N", text + safety, warns)
 
 
 def slack(run):
     mean = run.summary["slack_tension_mean"]
-    part = mean / run.summary["tight_tension_mean"]
-    return Answer("Tension of the slack span", mean, "N", f"{number(100 * part, 2)}\u00a0% of that of the tight span. It comes from slack, weight "
-                  "and speed, not from the load, and adds to what shafts and joints carry.")
+    tight, alone = run.summary["tight_tension_mean"], foreseen(run, "slack")
+    if turned(run):
+        return Answer("Tension of the slack span", mean, "N", f"More than the {quantity(tight, 'N')} of the tight span: the spans have changed their "
+                      "parts, as when the load drives. Slack, weight and speed alone would give " + quantity(alone, "N") + ".")
+    text = f"{number(100 * mean / tight, 2)}\u00a0% of that of the tight span. "
+    if abs(mean - alone) <= max(0.1 * run.drive["effective_tension"], 0.1 * alone):
+        text += "It comes from slack, weight and speed, not from the load, and adds to what shafts and joints carry."
+    else:
+        text += f"Slack, weight and speed alone would give {quantity(alone, 'N')}: the rest comes from a start, a load that changes or swinging."
+    return Answer("Tension of the slack span", mean, "N", text)
 
 
 def shaft(run):
@@ -130,7 +164,7 @@ def losses(run):
         name, watt = max(parts.items(), key=lambda item: item[1])
         where = f"; most by {name.removeprefix('energy/').removesuffix('_loss').replace('_', ' ')} ({quantity(watt, 'W', 3)})"
     share = power / run.drive["power"]
-    text = f"{number(100 * share, 2)}\u00a0% of the {quantity(run.drive['power'], 'W')} that are transmitted{where}."
+    text = f"{number(100 * share, 2)}\u00a0% of the drive's {quantity(run.drive['power'], 'W')}{where}."
     if efficiency is not None:
         text += f" Efficiency in the window: {number(100 * efficiency, 4)}\u00a0%."
     return Answer("Loss", power, "W", text)
@@ -138,9 +172,9 @@ def losses(run):
 
 def wear(run):
     pressure, area = run.drive["joint_pressure"], run.drive["bearing_area"]
-    most = largest(run, "tight_tension", "spans/tight_tension")
+    most = largest_of_spans(run)
     peak = f", {quantity(most / area, 'Pa', 3)} at the largest tension" if most else ""
-    return Answer("Pressure in the joints", pressure, "Pa", f"Of the mean tension on {quantity(area, 'm2', 3)} of pin and bush{peak}. "
+    return Answer("Pressure in the joints", pressure, "Pa", f"Of the tension that power and speed ask for, on {quantity(area, 'm2', 3)} of pin and bush{peak}. "
                   "Wear grows with it and with the angle by which joints turn: fewer teeth, more wear.")
 
 
@@ -165,5 +199,7 @@ def noise(run):
 
 def quality(run):
     error = run.summary["energy_imbalance_max"]
-    return Answer("Error of the energy balance", 100. * error, "%", "The largest in the whole run, of the energy turned over. Sound runs stay below "
-                  "0.5\u00a0%: the arithmetic can be trusted so far, the model is another question.")
+    warns, limit = error > MOST_IMBALANCE, f"{100 * MOST_IMBALANCE:g}\u00a0%"
+    return Answer("Error of the energy balance", 100. * error, "%", "The largest in the whole run, of the energy turned over. " +
+                  (f"Sound runs stay below {limit}: this one cannot be trusted." if warns else
+                   f"Sound runs stay below {limit}: the arithmetic can be trusted so far, the model is another question."), warns)

@@ -5,6 +5,7 @@ import pandas as pd
 
 from chaindrive import spectra
 from chaindrive.errors import RunError
+from chaindrive.report.facts import of_paper
 from chaindrive.report.figure import Curve, Figure, Panel, limits
 from chaindrive.report.parts import beside, finite, of_each, together
 
@@ -71,7 +72,7 @@ def velocities(subjects):
     what = " and ".join(where[kind] for kind in sorted(kinds)) or "of their centre of mass"
     figure = beside(subjects, "velocities", "Velocity of five rollers that engage one after the other",
                     f"Velocity {what}. Where a roller seats, its velocity normal to the span jumps; curves that are alike, shifted by "
-                    "a pitch time, mean that engagements are alike. The paper's Figures 5 (simple model) and 7 (full model).", panels)
+                    "a pitch time, mean that engagements are alike." + of_paper(subjects, "their Figures 5 (simple model) and 7 (full model)"), panels)
     figure.missing += early(subjects)
     return figure
 
@@ -96,8 +97,8 @@ def link_forces(subjects):
         return [Panel(MS, "tension (kN)", behind_rollers(run, "links/tension", 1e-3))]
 
     figure = beside(subjects, "link-forces", "Tension of the links behind these rollers",
-                    "A link carries the tension of its span until its front roller seats on the driver; then the teeth take the load over. "
-                    "The paper's Figure 8.", panels)
+                    "A link carries the tension of its span until its front roller seats on the driver; then the teeth take the load over." +
+                    of_paper(subjects, "their Figure 8"), panels)
     figure.missing += early(subjects)
     return figure
 
@@ -110,7 +111,8 @@ def plate_stress(subjects):
                                     ("principal_1", "first principal stress (MPa)"), ("principal_2", "second principal stress (MPa)"))]
 
     figure = beside(subjects, "plate-stress", "Stress in the side plates of these links",
-                    "Mean over the waist of the plate, its bending and the principal stresses in its middle. The paper's Figure 9.", panels)
+                    "Mean over the waist of the plate, its bending and the principal stresses in its middle." +
+                    of_paper(subjects, "their Figure 9"), panels)
     lumped = [s for s in subjects if s.run.parameters.get("Model/Fidelity") in ("simple", "layered")]
     if len(lumped) == len(subjects):
         figure.missing = ["There are no stresses of plates: links are rigid or bars. Reduced and full fidelity have them."]
@@ -129,8 +131,8 @@ def contact_forces(subjects):
         return [Panel(MS, "tooth force (kN)", curves)]
 
     figure = beside(subjects, "contact-forces", "Force between these rollers and the driver",
-                    "The first peak is the impact; what follows is the share of the tension that the tooth carries. The paper's Figures 12 (full "
-                    "model) and 13 (simple model).", panels)
+                    "The first peak is the impact; what follows is the share of the tension that the tooth carries." +
+                    of_paper(subjects, "their Figures 12 (full model) and 13 (simple model)"), panels)
     figure.missing += early(subjects)
     return figure
 
@@ -174,7 +176,7 @@ def peaks(subjects):
         curves = [Curve(s.name if len(subjects) > 1 else "", x, y, s.color, s.color, "points") for s, (x, y) in done]
         panels.append(Panel("time of the touch (ms)", "peak force (kN)", curves, title, x_range=limits([c.x for c in curves], False, 0.03)))
     return Figure("peaks", "Peak force of every engagement",
-                  "From the start of the run on: the start-up makes larger impacts than steady running.", panels, list(dict.fromkeys(missing)))
+                  "From the start of the run on, in the window and before.", panels, list(dict.fromkeys(missing)))
 
 
 # ---- the wrap
@@ -236,8 +238,8 @@ def wrap(subjects):
         panels.append(Panel("pitches since the chain met the sprocket", "load of a tooth (kN)", curves, title,
                             x_range=limits([c.x for c in curves], False, 0.02)))
     return Figure("wrap", "Load of the teeth along the wrap",
-                  "Normal force between roller and tooth by the place of the roller on the sprocket, in the window. On the driver the first teeth "
-                  "carry most, on the driven sprocket the last ones: there the tight span pulls.", panels, list(dict.fromkeys(missing)))
+                  "Normal force between roller and tooth by the place of the roller on the sprocket, in the window. The teeth next to the "
+                  "span that pulls carry most: while the driver drives, its first ones and the last ones of the driven sprocket.", panels, list(dict.fromkeys(missing)))
 
 
 # ---- spans, shafts
@@ -251,7 +253,8 @@ def tensions(subjects):
 
     tight, missing = panel("spans/tight_tension", "tight span")
     slack, _ = panel("spans/slack_tension", "slack span")
-    return Figure("tensions", "Tension of the spans", "Mean of the links in the middle of each span, over the whole run.", [tight, slack], missing)
+    return Figure("tensions", "Tension of the spans", "Mean of the links in the middle of each span, over the whole run. "
+                  "Spans are called tight and slack as they are while the driver drives.", [tight, slack], missing)
 
 
 def offsets(subjects):
@@ -392,8 +395,8 @@ def pressures(subjects):
         return 1e3 * heard.index.to_numpy(), heard.iloc[:, microphone(run)].to_numpy()
 
     with_noise = [s for s in subjects if s.run.acoustics]
-    return together(with_noise, "pressure", "Sound pressure at the microphone", "What it hears of the rollers; the paper's Figure 6 is the "
-                    "measurement of this.", MS, "pressure (Pa)", pressure)
+    return together(with_noise, "pressure", "Sound pressure at the microphone", "What it hears of the rollers." +
+                    of_paper(subjects, "their Figure 6, as measured"), MS, "pressure (Pa)", pressure)
 
 
 def microphone(run):
@@ -423,8 +426,8 @@ def noise_spectra(subjects):
     for panel in narrow.panels + wide.panels:
         top = max(float(np.nanmax(c.y)) for c in panel.curves)
         panel.y_range = (top - 70., top + 5.)
-    return Figure("noise-spectra", "Spectrum of the noise at the microphone", "Lines and third octaves of the computed sound pressure, re 20 µPa; the "
-                  "paper's Figures 10 (computed) and 11 (measured).", narrow.panels + wide.panels, narrow.missing or wide.missing)
+    return Figure("noise-spectra", "Spectrum of the noise at the microphone", "Lines and third octaves of the computed sound pressure, re 20 µPa." +
+                  of_paper(subjects, "their Figures 10 (computed) and 11 (measured)"), narrow.panels + wide.panels, narrow.missing or wide.missing)
 
 
 def directivity(subjects):

@@ -25,6 +25,11 @@ def question(run):
     return " ".join(" ".join(lines).split())
 
 
+def of_paper(subjects, sentence):
+    """A sentence on figures of the paper for runs whose files speak of it; of others, nothing: their readers do not know it."""
+    return f" Zheng, Wang and Quek (2004) show it in {sentence}." if all("Zheng, Wang and Quek" in question(s.run) for s in subjects) else ""
+
+
 def drive_in_words(run):
     drive = run.drive
     if not drive:
@@ -156,7 +161,7 @@ def statistics_tables(run):
                          "fine" if settled else "note")
     rows = []
     for sprocket, one in summary.get("impacts", {}).items():
-        rows.append((escape(sprocket), number(one["number"]), *(f"{quantity(one[name]['mean'], unit)} ± {quantity(one[name]['deviation'], unit, 2)}, at most "
+        rows.append((escape(sprocket), number(one["number"]), *(f"{quantity(one[name]['mean'], unit)} ± {quantity(one[name]['deviation'], unit, 2)},<br>at most "
                      f"{quantity(one[name]['largest'], unit)}" for name, unit in (("peak_force", "N"), ("impulse", "N s"), ("normal_speed", "m/s")))))
     if rows:
         out += table(["impacts on", "number", "peak force", "impulse", "normal speed"], rows)
