@@ -100,25 +100,33 @@ private:
   std::string path_;
 };
 
+/// CPU time that histories of @p n samples take from their first sample until they are closed, s.
+double time_histories(Simulation &simulation, const std::string &folder, const unsigned int n)
+{
+  observe::Recorder &recorder = simulation.recorder();
+  recorder.write_histories(folder, "", n);
+  return cpu_time(simulation.communicator(), [&] {
+    for (unsigned int i = 0; i < n; ++i)
+      recorder.take_sample();
+    recorder.close(true);
+  });
+}
+
 void time_outputs(Simulation &simulation, Cost &cost)
 {
-  constexpr unsigned int    n      = 32;
   const MPI_Comm            comm   = simulation.communicator();
   const parameters::Output &output = simulation.parameters.output;
-  const double       duration = simulation.parameters.time.end - simulation.parameters.time.start;
-  dynamics::System  &system   = simulation.system();
-  observe::Recorder &recorder = simulation.recorder();
-  const Scratch      scratch(comm);
+  const double      duration = simulation.parameters.time.end - simulation.parameters.time.start;
+  dynamics::System &system   = simulation.system();
+  const Scratch     scratch(comm);
 
-  recorder.write_histories(scratch.path(), "", n + 1);
-  recorder.take_sample();
-  cost.sample = cpu_time(comm,
-                         [&] {
-                           for (unsigned int i = 0; i < n; ++i)
-                             recorder.take_sample();
-                           recorder.close(true);
-                         }) /
-                n;
+  // a line through two numbers of samples: the file has its price whatever it holds
+  constexpr unsigned int few = 8, many = 128;
+  time_histories(simulation, scratch.path(), few); // all is touched for the first time
+  const double first = time_histories(simulation, scratch.path(), few);
+  cost.sample =
+      std::max(0., time_histories(simulation, scratch.path(), many) - first) / (many - few);
+  cost.files   = std::max(0., first - few * cost.sample);
   cost.samples = 1. + std::min(std::ceil(duration / output.history_interval), double(cost.steps));
   const double interval = parameters::field_interval(simulation.parameters);
   if (interval <= 0. || !scene::is_on(simulation.scene.effects, "fields"))

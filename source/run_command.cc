@@ -242,6 +242,21 @@ void warn_of_events(files::Log &log, const files::Json &summary)
                   " It was not so in the window of the means."));
 }
 
+/// What is to be said of elements whose stiffness against hourglassing has a part in the results.
+std::string hourglass_sentence(const files::Json &summary)
+{
+  constexpr double most = 0.05; // as is usual for elements of one point
+  if (!summary.contains("artificial_energy") || !summary["artificial_energy"].is_number() ||
+      summary["artificial_energy"].get<double>() <= most)
+    return "";
+  return to_text(100. * summary["artificial_energy"].get<double>(), 2) +
+         " % of the energy of elastic bodies, in the mean over the run, is that of hourglass modes "
+         "and "
+         "stands for nothing in them; up to " +
+         to_text(100. * most) +
+         " % is usual. Choose a greater Mesh/Refinement, or Elements/Formulation = enhanced.";
+}
+
 /// Computes the noise of the run that has just ended; says why if that cannot be.
 void try_noise(Prepared &prepared)
 {
@@ -265,6 +280,7 @@ void end_files(Prepared &prepared)
   files::write_json(prepared.directory.path() + "/summary.json", summary.values);
   warn(log, window_sentence(prepared.simulation));
   warn_of_events(log, summary.values);
+  warn(log, hourglass_sentence(summary.values));
   observe::print_summary(log, summary.values);
   PhaseTimer::print(log, summary.phases);
   if (prepared.simulation.parameters.acoustics.noise)

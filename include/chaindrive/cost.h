@@ -20,12 +20,13 @@ struct Cost
   unsigned long timed    = 0;  ///< steps that were timed
   double        sample   = 0.; ///< of a sample of the histories
   double        samples  = 0.; ///< number of them
+  double        files    = 0.; ///< to make, close and compress the file of the histories
   double        picture  = 0.; ///< of a picture
   double        pictures = 0.; ///< number of them
   double        memory   = 0.; ///< peak of all processes
 
   double loop() const { return step * change * static_cast<double>(steps); }
-  double outputs() const { return sample * samples + picture * pictures; }
+  double outputs() const { return sample * samples + files + picture * pictures; }
   double total() const { return start_up + loop() + outputs(); }
 };
 

@@ -5,6 +5,7 @@
 #include <chaindrive/utilities/text.h>
 #include <chaindrive/version.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace chaindrive::reduction
@@ -81,6 +82,34 @@ nlohmann::json to_json(const Basis &basis)
           {"errors", errors}};
 }
 
+/// Whether @p json is a basis of a part with @p n_unknowns, as to_json() writes it.
+bool is_basis(const nlohmann::json &json, const std::size_t n_unknowns)
+{
+  const auto       &omega       = json.at("rad/s").get_ref<const nlohmann::json::array_t &>();
+  const auto       &reflections = json.at("reflections").get_ref<const nlohmann::json::array_t &>();
+  const auto       &symmetry    = json.at("symmetry").get_ref<const nlohmann::json::array_t &>();
+  const std::size_t n           = omega.size();
+  const std::size_t bytes       = dealii::Utilities::decode_base64(json.at("shapes")).size();
+  const auto        below       = [](const unsigned int end) {
+    return [end](const nlohmann::json &number) {
+      return number.is_number_unsigned() && number.get<unsigned int>() < end;
+    };
+  };
+  if (!(n > 0 && json.at("natural").is_number_unsigned() && json["natural"] <= n &&
+        bytes == n * n_unknowns * sizeof(double) && symmetry.size() == n &&
+        reflections.size() <= 3))
+    return false;
+  for (const nlohmann::json &error : json.at("errors"))
+    if (!error.at(0).is_string() || !error.at(1).is_number())
+      return false;
+  return std::all_of(
+             omega.begin(),
+             omega.end(),
+             [](const nlohmann::json &w) { return w.is_number() && w.get<double>() > 0.; }) &&
+         std::all_of(reflections.begin(), reflections.end(), below(3)) &&
+         std::all_of(symmetry.begin(), symmetry.end(), below(1U << reflections.size()));
+}
+
 Basis from_json(const nlohmann::json &json)
 {
   Basis basis;
@@ -118,7 +147,10 @@ Basis kept_basis(const mesh::Part           &part,
     const FreePart             free(part, nodes, elastic);
     const std::vector<Vector>  loads = tractions(part, nodes, options.orders);
     const std::string          key   = key_of(free, loads, options);
-    if (const auto found = cache.find(key))
+    const auto                 fits  = [&free](const nlohmann::json &json) {
+      return is_basis(json, free.n_unknowns());
+    };
+    if (const auto found = cache.find(key, fits))
       {
         kept = found->dump();
         return;
@@ -132,6 +164,8 @@ Basis kept_basis(const mesh::Part           &part,
   });
   if (n_ranks_in(comm) > 1)
     kept = dealii::Utilities::MPI::broadcast(comm, kept);
-  return from_json(nlohmann::json::parse(kept));
+  Basis basis = from_json(nlohmann::json::parse(kept));
+  basis.notes = cache.notes();
+  return basis;
 }
 } // namespace chaindrive::reduction

@@ -43,6 +43,7 @@ void add_bases(const BasisOf &basis_of, Scene &scene)
         {
           basis = basis_of(part);
           scene.notes.push_back(note_of(part.name, *basis));
+          scene.notes.insert(scene.notes.end(), basis->notes.begin(), basis->notes.end());
         }
     }
 }

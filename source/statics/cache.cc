@@ -3,6 +3,7 @@
 #include <chaindrive/utilities/checksum.h>
 
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -38,7 +39,7 @@ std::string Cache::file_of(const std::string &key) const
   return folder_ + "/" + checksum(key) + ".json";
 }
 
-std::optional<nlohmann::json> Cache::find(const std::string &key)
+std::optional<nlohmann::json> Cache::find(const std::string &key, const Fits &fits)
 {
   if (folder_.empty())
     return {};
@@ -48,13 +49,19 @@ std::optional<nlohmann::json> Cache::find(const std::string &key)
     return {};
   std::stringstream text;
   text << in.rdbuf();
-  const nlohmann::json all = nlohmann::json::parse(text.str(), nullptr, false);
-  if (all.is_object() && all.contains("key") && all.contains("value") &&
-      all.value("checksum", "") == checksum(all["value"].dump()))
+  try
     {
-      if (all["key"] == key)
-        return all["value"];
-      return {}; // another key with the same checksum
+      const nlohmann::json all = nlohmann::json::parse(text.str());
+      if (all.at("checksum") == checksum(all.at("value").dump()))
+        {
+          if (all.at("key") != key)
+            return {}; // another key with the same checksum
+          if (fits(all["value"]))
+            return all["value"];
+        }
+    }
+  catch (const std::exception &) // of another form, whatever a reader makes of it
+    {
     }
   notes_.push_back(file + " is damaged; it is computed anew.");
   return {};

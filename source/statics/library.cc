@@ -83,6 +83,23 @@ Flexibility values_of(const nlohmann::json &json, const unsigned int n)
   return result;
 }
 
+/// Whether a result says what it was solved with.
+bool is_of_solution(const nlohmann::json &json)
+{
+  return json.at("cells").is_number_unsigned() && json.at("unknowns").is_number_unsigned() &&
+         number_of(json.at("error")) >= 0.;
+}
+
+/// Whether a result is that of @p n patches, as to_json() writes it.
+bool is_of_patches(const nlohmann::json &json, const unsigned int n)
+{
+  const nlohmann::json &values = json.at("um/MPa");
+  return is_of_solution(json) && values.is_array() && values.size() == std::size_t(n) * n &&
+         std::all_of(values.begin(), values.end(), [](const nlohmann::json &value) {
+           return std::isfinite(number_of(value));
+         });
+}
+
 Interface cylinders(const PatchGrid &grid, const double clearance)
 {
   return {grid, [clearance](const double angle) { return clearance * (1. - std::cos(angle)); }};
@@ -113,19 +130,22 @@ Flexibility Library::flexibility_of(const std::string            &name,
 
   if (const auto known = known_.find(key); known != known_.end())
     return known->second;
-  const nlohmann::json json = result_of(name, key, [&] {
-    return to_json(statics::flexibility(make(), sides, material_, tolerance, comm_));
-  });
+  const nlohmann::json json = result_of(
+      name,
+      key,
+      [n](const nlohmann::json &kept) { return is_of_patches(kept, n); },
+      [&] { return to_json(statics::flexibility(make(), sides, material_, tolerance, comm_)); });
   return known_.emplace(key, values_of(json, n)).first->second;
 }
 
 nlohmann::json Library::result_of(const std::string                     &name,
                                   const std::string                     &key,
+                                  const Cache::Fits                     &fits,
                                   const std::function<nlohmann::json()> &compute)
 {
   // the first rank has the cache, all have the same answer
   std::string kept;
-  if (const auto found = cache_.find(key))
+  if (const auto found = cache_.find(key, fits))
     kept = found->dump();
   if (n_ranks_in(comm_) > 1)
     kept = dealii::Utilities::MPI::broadcast(comm_, kept);
@@ -258,8 +278,11 @@ PeakStress Library::pulled_plate(const drive::ChainDimensions &chain, const bool
         // like the cosine, of which the mean along x is 1/2
         return 2. * r[0] / r.norm_square() * r;
       }};
+  const auto fits = [](const nlohmann::json &kept) {
+    return is_of_solution(kept) && number_of(kept.at("1/mm2")) > 0.;
+  };
   const nlohmann::json json =
-      result_of(name, name + text_of_chain(chain) + end_of_key(material_, accuracy), [&] {
+      result_of(name, name + text_of_chain(chain) + end_of_key(material_, accuracy), fits, [&] {
         const PeakStress peak =
             peak_stress(plate_eighth(chain, inner), load, hole_side, material_, accuracy, comm_);
         return nlohmann::json{{"cells", peak.n_cells},

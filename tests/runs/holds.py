@@ -5,7 +5,10 @@
   sampling  peaks, engagements and means do not depend on how often histories are sampled
   shorter   a shorter run in the folder of a longer one leaves nothing of that
   readers   histories are read, again and again, while the run writes them
+  artificial  energy of hourglass modes is that of the histories, and said where it is large
+  reversal  after the load drives, the other span pulls with the torque over the pitch radius
 """
+import math
 import pathlib
 import shutil
 import subprocess
@@ -18,7 +21,7 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 import program  # noqa: E402
 from program import check  # noqa: E402
-from small_drives import RIGID  # noqa: E402
+from small_drives import ELASTIC, RIGID  # noqa: E402
 
 CASE, PROGRAM = sys.argv[1:3]
 BASE = "prm/verification/hard.prm"
@@ -114,6 +117,39 @@ def readers():
     print("more and more rows were read while the run wrote them")
 
 
-if CASE not in ("rest", "sampling", "shorter", "readers"):
+def artificial():
+    entries = {**ELASTIC, "Output/History precision": "double", "Output/History interval in us": 0.1}
+    for coefficient in (0.01, 1):
+        said = run("one", {**entries, "Elements/Formulation": "one point", "Elements/Hourglass coefficient": coefficient})
+        share = program.summary("one")["artificial_energy"]
+        found = histories("one")
+        strain, hourglass = found["energy/strain"].sum(), found["energy/hourglass"].sum()
+        expected = hourglass / (strain + hourglass)
+        print(f"coefficient {coefficient}: {share:.3g}, from samples {expected:.3g}")
+        check(abs(share / expected - 1) < 0.02, f"{share} is not {expected}")
+        check(("stands for nothing" in said) == (share > 0.05), f"share {share}:\n{said}")
+    run("one", entries)
+    check("artificial_energy" not in program.summary("one"), "bending of enhanced elements is not artificial")
+
+
+def reversal():
+    torque, teeth = -54.7, 42
+    entries = {
+        "Drive/Layout/Start": "settled",
+        "Time/End time in ms": 160,
+        "Loads/Torque step time in ms": 5,
+        "Loads/Torque after step in N m": torque,
+        "Output/Window start in ms": 60,
+        "Output/Field interval in ms": 0,
+    }
+    program.run("prm/paper/simple.prm", entries, "--output", "reversed", program=PROGRAM)
+    summary = program.summary("reversed")
+    difference = summary["tight_tension_mean"] - summary["slack_tension_mean"]
+    pitch_radius = 0.5 * summary["drive"]["pitch"] / math.sin(math.pi / teeth)
+    print(f"tight less slack {difference:.1f} N, torque over pitch radius {torque / pitch_radius:.1f} N")
+    check(abs(difference * pitch_radius / torque - 1) < 0.03, f"{difference} N")
+
+
+if CASE not in ("rest", "sampling", "shorter", "readers", "artificial", "reversal"):
     sys.exit(__doc__)
 globals()[CASE]()

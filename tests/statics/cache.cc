@@ -4,6 +4,7 @@
 
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/statics/part_stiffness.h>
+#include <chaindrive/utilities/checksum.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -11,7 +12,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace chaindrive;
 using namespace statics;
@@ -58,6 +63,34 @@ int main(int argc, char **argv)
   const double cut = pull(steel, folder, "cut off");
   std::cout << "the same: " << (first == damaged && first == cut ? "yes" : "NO") << '\n';
   pull(steel, folder, "repaired");
+
+  // values of other forms, whose checksum is right
+  const auto change = [](const std::function<void(nlohmann::json &)> &how) {
+    for (const auto &file : std::filesystem::directory_iterator(folder))
+      {
+        nlohmann::json all = nlohmann::json::parse(std::ifstream(file.path()));
+        how(all["value"]);
+        all["checksum"] = checksum(all["value"].dump());
+        std::ofstream(file.path()) << all << '\n';
+      }
+  };
+  const std::vector<std::pair<std::string, std::function<void(nlohmann::json &)>>> forms = {
+      {"a number", [](nlohmann::json &value) { value = 7; }},
+      {"nothing", [](nlohmann::json &value) { value = nullptr; }},
+      {"a list", [](nlohmann::json &value) { value = nlohmann::json::array(); }},
+      {"no values", [](nlohmann::json &value) { value["um/MPa"] = nlohmann::json::array(); }},
+      {"a value less", [](nlohmann::json &value) { value["um/MPa"].erase(3); }},
+      {"a value that is a number", [](nlohmann::json &value) { value["um/MPa"][3] = 1.; }},
+      {"a value that is none", [](nlohmann::json &value) { value["um/MPa"][3] = "nan"; }},
+      {"no cells", [](nlohmann::json &value) { value.erase("cells"); }},
+      {"an error that is a number", [](nlohmann::json &value) { value["error"] = 0.01; }}};
+  bool same = true;
+  for (const auto &[what, how] : forms)
+    {
+      change(how);
+      same = pull(steel, folder, what) == first && same;
+    }
+  std::cout << "the same: " << (same ? "yes" : "NO") << '\n';
 
   // compliances are inverse to the modulus; the contact is wider in a softer material
   steel.youngs_modulus *= 0.5;

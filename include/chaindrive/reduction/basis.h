@@ -40,6 +40,8 @@ struct Basis
   };
   std::vector<Error> errors; ///< for contact_loads()
 
+  std::vector<std::string> notes; ///< what was wrong with one that was kept
+
   unsigned int size() const { return static_cast<unsigned int>(omega.size()); }
 };
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +23,11 @@ public:
   /// An empty @p folder keeps nothing.
   explicit Cache(const std::string &folder);
 
-  /// What was kept for @p key, if it is there and undamaged.
-  std::optional<nlohmann::json> find(const std::string &key);
+  /// Whether a value is of the form that its reader takes; one that is not may end in an exception.
+  using Fits = std::function<bool(const nlohmann::json &)>;
+
+  /// What was kept for @p key, if it is there, undamaged and of a form that @p fits.
+  std::optional<nlohmann::json> find(const std::string &key, const Fits &fits);
 
   /// Keeps @p value for @p key; a file appears complete or not at all.
   void keep(const std::string &key, const nlohmann::json &value);

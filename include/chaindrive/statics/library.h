@@ -60,9 +60,11 @@ public:
   const std::vector<std::string> &notes() const { return cache_.notes(); }
 
 private:
-  /// What was kept for @p key, else what @p compute gives. Collective; the same on all ranks.
+  /// What was kept for @p key and @p fits, else what @p compute gives. Collective; the same on all
+  /// ranks.
   nlohmann::json result_of(const std::string                     &name,
                            const std::string                     &key,
+                           const Cache::Fits                     &fits,
                            const std::function<nlohmann::json()> &compute);
 
   /// Of a piece with this @p name, which follows from @p geometry, material and sides alone.
