@@ -5,10 +5,11 @@
   refuse      what is wrong is said of every variant before the first begins, and nothing is written
   run         a small study from end to end: a variant that fails is a row, the table has the numbers of the runs
   sweep       a study against an entry: curves, orders at each speed, a variant that fails is a gap
+  cluster     a study on Slurm, of which a stand-in gives the programs their environment
   kill        kill -9 and once more: what was finished is not repeated, what was not goes on; a changed file runs
               only what has changed
 
-Without Snakemake, h5py, matplotlib or pandas `run`, `sweep` and `kill` end with 77: left out."""
+Without Snakemake, h5py, matplotlib or pandas `run`, `sweep`, `cluster` and `kill` end with 77: left out."""
 import csv
 import fcntl
 import json
@@ -335,6 +336,61 @@ def sweep():
     check(float(rows["layered-fast"]["tight_tension_mean"]) > 0, "what is whole is lost")
 
 
+CLUSTER = """
+subsection Study
+  set Phases = 2
+  set Ranks = {{ 1 | 2 }}
+end
+subsection Loads
+  set Drag in 1/s = {0 | 1}
+end
+"""
+
+# Jobs and steps as Slurm 22.05 starts them, but at once and here; its variables are those that `srun -n1 --mpi=pmi2 env` shows.
+STAND_INS = {
+    "sbatch": """for word; do case $word in --wrap=*) wrap=${word#--wrap=} ;; esac; done
+number=$(($(wc -l <"$JOBS") + 1)) && echo "$*" >>"$JOBS"
+SLURM_JOB_ID=$number SLURM_JOBID=$number SLURM_JOB_NODELIST=$(hostname) SLURM_NODELIST=$(hostname) SLURM_NNODES=1 \\
+  SLURM_CPUS_ON_NODE=2 bash -c "$wrap" >"$JOBS.$number" 2>&1 && state=COMPLETED || state=FAILED
+echo $state >"$JOBS.state.$number"
+echo "Submitted batch job $number"
+""",
+    "srun": """while [[ $1 == -* ]]; do shift; done
+export SLURM_STEP_ID=0 SLURM_STEPID=0 SLURM_NTASKS=1 SLURM_NPROCS=1 SLURM_STEP_NUM_TASKS=1 SLURM_PROCID=0 SLURM_LOCALID=0 \\
+  SLURM_STEP_NODELIST=$SLURM_NODELIST SLURM_STEP_NUM_NODES=1 SLURM_TASKS_PER_NODE=1 PMI_FD=99 PMI_RANK=0 PMI_SIZE=1
+echo step >>"$JOBS.steps" && exec "$@"
+""",
+    "sacct": """case $* in *State*) echo "${@: -1}|$(cat "$JOBS.state.${@: -1}")" ;; esac
+""",
+    "sacctmgr": "echo account\n", "sinfo": "echo 'main*'\n", "scancel": "true\n"}
+
+
+def cluster():
+    need_snakemake()
+    for folder in ("there", "slurm"):
+        shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs("slurm")
+    for name, text in STAND_INS.items():
+        file = pathlib.Path("slurm", name)
+        file.write_text("#!/usr/bin/env bash\n" + text)
+        file.chmod(0o755)
+    jobs = pathlib.Path("slurm/jobs").resolve()
+    jobs.write_text("")
+    os.environ.update(PATH=f"{jobs.parent}:{os.environ['PATH']}", JOBS=str(jobs), USER="user")
+    write(CLUSTER)
+    study("--quiet", "--", "--slurm", "--jobs", "4", "--max-status-checks-per-second", "1", "--groups", "run=g", "--group-components", "g=2", "--default-resources",
+          "mem_mb=700", "runtime=9", "slurm_account=account")
+    rows = table()
+    said = "".join(file.read_text() for file in jobs.parent.glob("jobs.[0-9]*"))
+    check({row["runs"] for row in rows.values()} == {"2"} and len(rows) == 2, f"not all have run: {rows}\n{said}")
+    submitted = jobs.read_text().splitlines()
+    check(len(submitted) == 3 and all("--mem 700" in s or "--mem 1400" in s for s in submitted)
+          and all(" -A account" in s for s in submitted), "jobs:\n" + "\n".join(submitted))
+    check(len(pathlib.Path(f"{jobs}.steps").read_text().split()) >= 5, "no step below srun")
+    for file in pathlib.Path("there").glob("*/*/errors.txt"):
+        check("no run has written" not in file.read_text(), f"files of the study are strange to it: {file.read_text()}")
+
+
 LONG = """
 subsection Study
   set Phases = 2
@@ -413,4 +469,4 @@ def kill():
     check(all(after[run] > before[run] for run in after if "drag=1" not in run), "runs that have changed are not repeated")
 
 
-{"statistics": statistics, "refuse": refuse, "run": run, "sweep": sweep, "kill": kill}[CASE]()
+{"statistics": statistics, "refuse": refuse, "run": run, "sweep": sweep, "cluster": cluster, "kill": kill}[CASE]()
