@@ -196,10 +196,13 @@ int main(int argc, char **argv)
       setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
       setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
       // Below Slurm's srun, without one of its services for MPI, OpenMPI 4 takes the program for a
-      // rank that was launched by that service, does not find it and aborts.
-      const auto is_there = [](const char *name) { return std::getenv(name) != nullptr; };
-      if (!is_there("PMI_RANK") && !is_there("PMI_FD") && !is_there("PMIX_RANK") &&
-          !is_there("PMIX_NAMESPACE"))
+      // rank that was launched by that service, does not find it and aborts. PMI-2 is a service
+      // that not every OpenMPI knows: one that is alone needs none.
+      const auto  is_there = [](const char *name) { return std::getenv(name) != nullptr; };
+      const char *tasks    = std::getenv("SLURM_STEP_NUM_TASKS");
+      const bool  pmi      = (is_there("PMI_RANK") || is_there("PMI_FD")) &&
+                       (tasks == nullptr || std::string(tasks) != "1");
+      if (!pmi && !is_there("PMIX_RANK") && !is_there("PMIX_NAMESPACE"))
         unsetenv("SLURM_STEP_ID");
     }
   std::signal(SIGXFSZ, SIG_IGN); // a file at its size limit is a failed write, told in a sentence

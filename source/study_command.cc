@@ -102,12 +102,16 @@ std::string settle_meshes(Run &run, const std::vector<std::string> &folders)
 }
 
 /// Everything about @p run: a run that is finished is repeated when this text changes.
-std::string text_of(const Run &run, const parameters::Variant &variant, const std::string &meshes)
+std::string text_of(const Run                 &run,
+                    const parameters::Variant &variant,
+                    const parameters::Study   &study,
+                    const std::string         &meshes)
 {
+  const parameters::Input input = parameters::read_entries(run.values, drive::number_of_links);
+  study.check_quantities(input.parameters.output);
   return "# " + variant.name + ", start phase " + to_text(run.phase) + ", for chaindrive " +
          version + (variant.ranks > 1 ? " on " + std::to_string(variant.ranks) + " ranks" : "") +
-         "\n" + meshes + "\n" +
-         parameters::read_entries(run.values, drive::number_of_links).resolved;
+         "\n" + meshes + "\n" + input.resolved;
 }
 
 /// Whether @p run stands in @p directory as it is: then it was checked when it was written.
@@ -136,15 +140,14 @@ void prepare(const Run &run, const bool all)
 /// Completes and checks all runs of @p model. Returns the sentences of those that cannot run: one
 /// if the first cannot. Start phases differ in where bodies begin, and no more of the others is
 /// prepared.
-std::string
-check(Model &model, const std::vector<std::string> &folders, const std::string &directory)
+std::string check(Model &model, const parameters::StudyInput &input, const std::string &directory)
 {
   std::map<std::string, std::string> phases_of; // by sentence
   for (Run &run : model.runs)
     try
       {
-        const std::string meshes = settle_meshes(run, folders);
-        run.text                 = text_of(run, *model.variant, meshes);
+        const std::string meshes = settle_meshes(run, input.folders);
+        run.text                 = text_of(run, *model.variant, input.study, meshes);
         if (stop_signal() == 0 && !is_known(run, directory))
           prepare(run, &run == &model.runs.front());
       }
@@ -208,22 +211,43 @@ files::Json as_json(const parameters::StudyInput &input,
   return json;
 }
 
-/// Writes the .prm file of each run that is new or another, and forgets failures to be tried again.
+/// Forgets how a run in @p folder ended if that cannot be read, its results are gone, or it failed
+/// and is to be tried again. Returns whether it has to be computed.
+bool forget(const std::string &folder, const bool retry)
+{
+  const std::string end = folder + "/result.json";
+  if (!fs::exists(end))
+    return true;
+  const files::Json result = files::Json::parse(files::read_text(end), nullptr, false);
+  const bool        known  = result.is_object() && result.contains("status") &&
+                     result["status"].is_number_integer() && result.contains("error") &&
+                     result["error"].is_string();
+  if (known && (result["status"] == 0 ? fs::exists(folder + "/summary.json") : !retry))
+    return false;
+  fs::remove(end);
+  return true;
+}
+
+/// Writes the .prm file of each run that is new or another, and forgets what has to be computed
+/// again: with it the pages, since Snakemake leaves out what only an up-to-date page was made of.
 void write(const std::string        &directory,
            const std::vector<Model> &models,
            const files::Json        &json,
            const bool                retry)
 {
+  bool is_complete = true;
   for (const Model &model : models)
     for (const Run &run : model.runs)
       {
-        const std::string folder = directory + "/" + run.folder, end = folder + "/result.json";
+        const std::string folder = directory + "/" + run.folder;
         fs::create_directories(folder);
         if (!is_known(run, directory))
           files::write_text(folder + "/variant.prm", run.text);
-        if (retry && fs::exists(end) && files::Json::parse(files::read_text(end))["status"] != 0)
-          fs::remove(end);
+        if (forget(folder, retry))
+          is_complete = false;
       }
+  if (!is_complete)
+    fs::remove(directory + "/study.html");
   files::write_json(directory + "/study.json", json);
 }
 
@@ -284,7 +308,7 @@ std::vector<std::string> study_command(const CommandLine &command_line, const MP
   std::size_t n_refused = 0;
   for (Model &model : models)
     {
-      const std::string sentences = check(model, input.folders, directory);
+      const std::string sentences = check(model, input, directory);
       refused += sentences;
       n_refused += sentences.empty() ? 0 : 1;
       say("  " + model.variant->name + (sentences.empty() ? "" : "  cannot run"));

@@ -24,8 +24,7 @@ def samples(directory, variant):
     runs."""
     peaks, impulses, bands = [], [], {}
     for run in variant["runs"]:
-        end = directory / run["folder"] / "result.json"
-        if not end.exists() or json.loads(end.read_text())["status"] != 0:
+        if outputs.end_of_run(directory / run["folder"])["status"] != 0:
             continue
         one = outputs.Run(directory / run["folder"])
         peaks += [e["peak_force"] for e in one.engaged("driver")]

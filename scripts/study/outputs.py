@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a study judges of a run: `chaindrive document` defines each output, test_study.py compares the names."""
 import functools
+import json
 
 import numpy as np
 
@@ -32,6 +33,8 @@ class Run(chaindrive.Run):
         from a pitch time before the touch to one after: array (roller, direction, instant) and the interval of the
         instants [s]; none when fewer than two are within the histories."""
         interval = np.median(np.diff(self.time))
+        if not self.pitch_time or not np.isfinite(self.pitch_time):  # a driver that stands
+            return None, interval
         n = 2 * int(self.pitch_time / interval)
         if surface and "rollers/surface_velocity_normal" not in self:
             return None, interval
@@ -160,6 +163,18 @@ OUTPUTS = {
     "plate_stress_max": lambda run: _plates(run, False),
     "plate_bending_max": lambda run: _plates(run, True),
 }
+
+
+def end_of_run(folder):
+    """How the run in `folder` ended, as run_variant.py says: {"status", "error"}; status is none while it has not, or when
+    that cannot be read."""
+    try:
+        end = json.loads((folder / "result.json").read_text(encoding="utf-8"))
+        return {"status": int(end["status"]), "error": str(end["error"])}
+    except FileNotFoundError:
+        return {"status": None, "error": "not finished"}
+    except (ValueError, TypeError, KeyError, OSError):
+        return {"status": None, "error": "result.json is damaged: start the study again"}
 
 
 def of_run(folder, names):

@@ -26,16 +26,17 @@ FIGURES = {"steps": "steps", "memory": "memory_peak", "wall": "wall_seconds"}  #
 
 def read_run(folder, names):
     """{"status", "error", "figures": {column: value}, "cpu": {phase: s}, "values": {output: value}} of a run; status is
-    none while it has not ended."""
-    end = folder / "result.json"
-    if not end.exists():
-        return {"status": None, "error": "not finished"}
-    run = json.loads(end.read_text())
+    none while it has not
+    ended, or when its files cannot be read."""
+    run = outputs.end_of_run(folder)
     if run["status"] == 0:
-        summary = outputs.chaindrive.open(folder).summary
-        run["figures"] = {column: summary.get(name, np.nan) for column, name in FIGURES.items()}
-        run["cpu"] = summary["cpu_seconds"]
-        run["values"] = outputs.of_run(folder, names)
+        try:
+            summary = outputs.chaindrive.open(folder).summary
+            run["figures"] = {column: summary.get(name, np.nan) for column, name in FIGURES.items()}
+            run["cpu"] = summary["cpu_seconds"]
+            run["values"] = outputs.of_run(folder, names)
+        except (outputs.chaindrive.RunError, ValueError, TypeError, LookupError, ArithmeticError, OSError) as error:
+            return {"status": None, "error": f"its results cannot be read: {error}"}
     return run
 
 

@@ -56,13 +56,20 @@ class Sweep:
 
     def resonances(self):
         """[(what, Hz, rpm at which the tooth frequency meets it)] of the drive, from the figures of its slowest run."""
-        first = min((v for v in self.study.variants if self.results(v)), key=self.abscissa, default=None)
-        if first is None or not self.is_speed:
+        if not self.is_speed:
+            return []
+        first = min((v for v in self.study.variants if self.results(v) and self.abscissa(v) > 0), key=self.abscissa, default=None)
+        if first is None:
             return []
         drive = outputs.chaindrive.open(self.results(first)[0]).drive
         found = [("driven inertia on the tight span", drive["driven_frequency"], drive["driven_resonance"] * RPM)]
         found += [(f"{span['name']} span", span["frequency"], span["resonance"] * RPM) for span in drive["spans"]]
         return [(what, frequency, speed) for what, frequency, speed in found if frequency and speed]
+
+
+def plain(text):
+    """`text` as Matplotlib draws it: neither a formula between dollars, nor hidden by a first underscore."""
+    return (" " if text.startswith("_") else "") + text.replace("$", r"\$")
 
 
 def order_amplitudes(time, values, period, begin, end):
@@ -79,6 +86,8 @@ def order_amplitudes(time, values, period, begin, end):
 
 def tension_orders(folder):
     run = outputs.Run(folder)
+    if "spans/tight_tension" not in run:
+        return np.array([]), np.array([])
     return order_amplitudes(run.time, run["spans/tight_tension"], run.pitch_time, run.start, run.end)
 
 
@@ -105,14 +114,14 @@ def draw(sweep, file, dpi=100):
         for (label, variants), colour, mark in zip(sweep.curves.items(), COLOURS * 9, MARKS * 9):
             at = np.array([sweep.abscissa(v) for v in variants])
             value, low, high = (np.array([v["row"][f"{name}{end}"] for v in variants]) for end in ("", " low", " high"))
-            axis.plot(at, value, mark + "-", color=colour, ms=3.5, lw=1.2, label=label)
+            axis.plot(at, value, mark + "-", color=colour, ms=3.5, lw=1.2, label=plain(label))
             known = np.isfinite(low)
             axis.vlines(at[known], low[known], high[known], color=colour, lw=1)
         for speed, order in marked:
             axis.axvline(speed, color="0.5", lw=0.8, ls=":" if order > 1 else "--", zorder=0)
             axis.annotate(str(order), (speed, 0.99), xycoords=("data", "axes fraction"), fontsize=7, color="0.4", va="top")
         unit = study.about["units"].get(name, "1")
-        axis.set(title=name.replace("_", " ") + (f" ({unit})" if unit != "1" else ""), xlabel=sweep.label)
+        axis.set(title=name.replace("_", " ") + (f" ({unit})" if unit != "1" else ""), xlabel=plain(sweep.label))
         if max(every) > 5 * min(every) > 0:
             axis.set_xscale("log")
             ticks = [t for t in (200, 300, 500, 700, 1000, 1500, 2000, 3000, 4000) if 0.99 * min(every) <= t <= 1.01 * max(every)]
@@ -135,9 +144,10 @@ def draw_orders(sweep, file, dpi=100):
     panels = []
     for what, unit, decades, read in (("tight tension", "N", 3, tension_orders), ("sound pressure", "Pa", 4, sound_orders)):
         for label, variants in sweep.curves.items():
-            rows = [(sweep.abscissa(v), *read(sweep.results(v)[0])) for v in variants if sweep.results(v)]
+            rows = [(sweep.abscissa(v), *read(sweep.results(v)[0])) for v in variants
+                    if sweep.results(v) and sweep.abscissa(v) > 0]  # a drive that stands has no tooth frequency
             rows = [row for row in rows if len(row[1]) > 1]
-            if len(rows) > 1:
+            if len({row[0] for row in rows}) > 1 and any(row[2][row[1] >= 0.5].max() > 0 for row in rows):
                 panels.append((", ".join(filter(None, (what, label))) + f", amplitude ({unit})", decades, rows))
     if not panels or not sweep.is_speed:
         return False
@@ -169,7 +179,7 @@ def _waterfall(sweep, figure, axis, title, decades, rows):
         inside = (order > 0.2) & (order < HIGHEST + 0.4)
         if inside.sum() > 1:
             axis.plot(order[inside], at[inside], style, color="white", lw=1.2, label=what)
-    axis.set(xlim=(0.2, HIGHEST + 0.4), yscale="log", title=title, xlabel="order of tooth frequency", ylabel=sweep.label,
+    axis.set(xlim=(0.2, HIGHEST + 0.4), yscale="log", title=plain(title), xlabel="order of tooth frequency", ylabel=sweep.label,
              ylim=(edges[0], edges[-1]))
     shown = speeds if len(speeds) < 9 else [s for s in speeds if any(abs(s / t - 1) < 0.02 for t in (200, 300, 600, 870, 1500, 2000, 4000))]
     axis.set_yticks(shown, [f"{s:.0f}" for s in shown], minor=False)

@@ -233,11 +233,12 @@ void Directory::check_contents() const
 
 std::string Directory::strangers() const
 {
-  const std::regex ours(either({both(either({series, lists, others, summary, csv_files()})),
-                                "fields|chaindrive\\.lock|variant\\.prm|result\\.json"}));
-  std::error_code  error;
-  std::string      first;
-  std::size_t      n = 0;
+  const std::regex ours(
+      either({both(either({series, lists, others, summary, csv_files()})),
+              "fields|chaindrive\\.lock|variant\\.(prm|lock)|errors\\.txt|result\\.json"}));
+  std::error_code error;
+  std::string     first;
+  std::size_t     n = 0;
   for (auto entry = fs::directory_iterator(path_, error); !error && entry != fs::end(entry);
        entry.increment(error))
     if (const std::string name = entry->path().filename().string(); !std::regex_match(name, ours))

@@ -375,6 +375,25 @@ private:
     return entry.section != "Study" || entry.name == "Ranks";
   }
 
+  /// A value that a .prm file cannot hold would be another one when parameters.prm or a study's
+  /// variant.prm is read. Those of files never are: there it has been cut already.
+  static void
+  refuse_unwritable(const Entry &entry, const std::string &value, const std::string &where)
+  {
+    for (const auto &[text, what] : {std::pair<const char *, const char *>{"#", "begins a comment"},
+                                     {"\n", "ends the line"},
+                                     {"\r", "ends the line"}})
+      if (value.find(text) != std::string::npos)
+        throw InputError(where + entry.path() + " = " + value + " is not allowed: in a .prm file " +
+                         (*text == '#' ? "'#' " : "a line break ") + what +
+                         ", so that the run could not be repeated. Give a value or path without.");
+    if (!value.empty() && value.back() == '\\')
+      throw InputError(
+          where + entry.path() + " = " + value +
+          " is not allowed: in a .prm file '\\' at the end goes on with the next line, "
+          "so that the run could not be repeated. Give a value or path without.");
+  }
+
   /// @p where begins a message.
   void set_value(const Entry &entry, const std::string &value, const std::string &where)
   {
@@ -385,6 +404,7 @@ private:
       }
     try
       {
+        refuse_unwritable(entry, value, where);
         declarations_.set(entry, value, where);
         values_[entry.path()] = value;
       }

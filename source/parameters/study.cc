@@ -46,14 +46,27 @@ void add_list(Declarations                                                &decla
       [&member, separator](const std::string &text) { member = split(text, separator); });
 }
 
-/// Letters that any file system and shell takes.
+/// Letters that any file system and shell takes. A hyphen in front would begin an option, a dot a
+/// folder of Snakemake's.
 bool is_name(const std::string &text)
 {
-  return !text.empty() && text != "." && text != ".." &&
+  return !text.empty() && text.front() != '-' && text.front() != '.' &&
          std::all_of(text.begin(), text.end(), [](const unsigned char c) {
            return std::isalnum(c) ||
                   std::string("-_.=+,").find(static_cast<char>(c)) != std::string::npos;
          });
+}
+
+constexpr std::size_t longest_name = 200; ///< file systems take 255
+
+/// Whether a folder of this name would stand where the study has a file of its own
+/// (study_command.cc and scripts/study write them), or may do so in later versions.
+bool is_own_file(const std::string &name)
+{
+  for (const std::string stem : {"study.", "table.", "chart.", "chart-orders."})
+    if (name.compare(0, stem.size(), stem) == 0)
+      return true;
+  return false;
 }
 
 std::string did_you_mean(const std::string &name, const std::vector<std::string> &candidates)
@@ -72,70 +85,107 @@ bool contains(const std::vector<std::string> &words, const std::string &word)
 const std::vector<StudyOutput> &study_outputs()
 {
   static const std::vector<StudyOutput> all = {
-      {"driven_speed_mean", "rad/s", "of summary.json, as all up to `energy_imbalance_max`"},
-      {"span_speed_mean", "m/s", ""},
-      {"pitch_time_mean", "s", ""},
-      {"tight_tension_mean", "N", ""},
-      {"slack_tension_mean", "N", ""},
-      {"tight_tension_max_start", "N", ""},
-      {"driver_torque_mean", "N m", ""},
-      {"drive_work", "J", ""},
-      {"resisting_work", "J", ""},
-      {"energy_imbalance_max", "1", ""},
-      {"tension_difference_mean", "N", "tight less slack tension"},
-      {"losses", "J", "of friction and damping together, whole run"},
+      {"driven_speed_mean",
+       "rad/s",
+       "of summary.json, as all up to `energy_imbalance_max`",
+       {QuantityGroup::speeds}},
+      {"span_speed_mean", "m/s", "", {QuantityGroup::tensions}},
+      {"pitch_time_mean", "s", "", {QuantityGroup::engagements}},
+      {"tight_tension_mean", "N", "", {QuantityGroup::tensions}},
+      {"slack_tension_mean", "N", "", {QuantityGroup::tensions}},
+      {"tight_tension_max_start", "N", "", {QuantityGroup::tensions}},
+      {"driver_torque_mean", "N m", "", {QuantityGroup::speeds}},
+      {"drive_work", "J", "", {QuantityGroup::energy}},
+      {"resisting_work", "J", "", {QuantityGroup::energy}},
+      {"energy_imbalance_max", "1", "", {QuantityGroup::energy}},
+      {"tension_difference_mean", "N", "tight less slack tension", {QuantityGroup::tensions}},
+      {"losses", "J", "of friction and damping together, whole run", {QuantityGroup::energy}},
       {"driver_peak_mean",
        "N",
-       "mean peak force of the rollers that engage with the driver in the window"},
-      {"driver_peak_max", "N", "the largest of these peaks"},
+       "mean peak force of the rollers that engage with the driver in the window",
+       {QuantityGroup::engagements}},
+      {"driver_peak_max", "N", "the largest of these peaks", {QuantityGroup::engagements}},
       {"driver_peak_cv",
        "1",
-       "their standard deviation over their mean: variation between rollers"},
-      {"driver_peak_max_over_min", "1", "the largest of them over the smallest"},
-      {"driver_impulse_mean", "N s", "mean impulse of these engagements"},
-      {"driver_impulse_cv", "1", "its standard deviation over its mean"},
+       "their standard deviation over their mean: variation between rollers",
+       {QuantityGroup::engagements}},
+      {"driver_peak_max_over_min",
+       "1",
+       "the largest of them over the smallest",
+       {QuantityGroup::engagements}},
+      {"driver_impulse_mean",
+       "N s",
+       "mean impulse of these engagements",
+       {QuantityGroup::engagements}},
+      {"driver_impulse_cv",
+       "1",
+       "its standard deviation over its mean",
+       {QuantityGroup::engagements}},
       {"driver_normal_speed_mean",
        "m/s",
-       "mean speed at which they touch, along the normal of the contact"},
-      {"driven_peak_mean", "N", "the same for the driven sprocket"},
-      {"driven_peak_max", "N", ""},
-      {"driven_peak_cv", "1", ""},
-      {"driven_peak_max_over_min", "1", ""},
-      {"driven_impulse_mean", "N s", ""},
-      {"driven_impulse_cv", "1", ""},
+       "mean speed at which they touch, along the normal of the contact",
+       {QuantityGroup::engagements}},
+      {"driven_peak_mean", "N", "the same for the driven sprocket", {QuantityGroup::engagements}},
+      {"driven_peak_max", "N", "", {QuantityGroup::engagements}},
+      {"driven_peak_cv", "1", "", {QuantityGroup::engagements}},
+      {"driven_peak_max_over_min", "1", "", {QuantityGroup::engagements}},
+      {"driven_impulse_mean", "N s", "", {QuantityGroup::engagements}},
+      {"driven_impulse_cv", "1", "", {QuantityGroup::engagements}},
       {"tight_tension_ripple",
        "N",
-       "standard deviation over time of the tight span's tension in the window"},
-      {"driven_speed_ripple", "rad/s", "the same of the driven hub's speed"},
+       "standard deviation over time of the tight span's tension in the window",
+       {QuantityGroup::tensions}},
+      {"driven_speed_ripple",
+       "rad/s",
+       "the same of the driven hub's speed",
+       {QuantityGroup::speeds}},
       {"roller_velocity_rms",
        "m/s",
        "r.m.s. of the velocity of a roller's centre above 710 Hz, both directions together, from "
        "one pitch time before it touches the driver to one after; mean over the rollers that "
-       "engage in the window"},
+       "engage in the window",
+       {QuantityGroup::engagements, QuantityGroup::roller_motion}},
       {"roller_velocity_spectrum",
        "m/s",
        "the same in third octaves from 800 Hz to 20 kHz, a column for each below half of the "
-       "sampling frequency"},
+       "sampling frequency",
+       {QuantityGroup::engagements, QuantityGroup::roller_motion}},
       {"roller_velocity_variation",
        "1",
        "variation between these rollers: r.m.s. difference of their velocities, each counted from "
-       "its own touch, from the mean curve, over the r.m.s. of that"},
+       "its own touch, from the mean curve, over the r.m.s. of that",
+       {QuantityGroup::engagements, QuantityGroup::roller_motion}},
       {"surface_velocity_rms",
        "m/s",
-       "as roller_velocity_rms, of a node on the roller's surface; elastic rollers"},
-      {"surface_velocity_variation", "1", "as roller_velocity_variation, of this node"},
+       "as roller_velocity_rms, of a node on the roller's surface; elastic rollers",
+       {QuantityGroup::engagements, QuantityGroup::surface_velocity}},
+      {"surface_velocity_variation",
+       "1",
+       "as roller_velocity_variation, of this node",
+       {QuantityGroup::engagements, QuantityGroup::surface_velocity}},
       {"plate_stress_max",
        "Pa",
        "largest stress along a link in its plates' waist, pull and both bendings together, over "
-       "all links and samples of the window; elastic links"},
-      {"plate_bending_max", "Pa", "the largest of both bendings together; elastic links"},
-      {"loss_power_mean", "W", "energy lost in the whole run over its time"},
-      {"sound_level", "dB", "at the first observer of acoustics.json, with Acoustics/Noise = on"},
-      {"sound_level_a", "dB", "the same with the weighting A"},
-      {"sound_spectrum", "dB", "the same, unweighted, in third octaves, a column for each"},
+       "all links and samples of the window; elastic links",
+       {QuantityGroup::plate_stress}},
+      {"plate_bending_max",
+       "Pa",
+       "the largest of both bendings together; elastic links",
+       {QuantityGroup::plate_stress}},
+      {"loss_power_mean",
+       "W",
+       "energy lost in the whole run over its time",
+       {QuantityGroup::energy}},
+      {"sound_level",
+       "dB",
+       "at the first observer of acoustics.json, with Acoustics/Noise = on",
+       {}},
+      {"sound_level_a", "dB", "the same with the weighting A", {}},
+      {"sound_spectrum", "dB", "the same, unweighted, in third octaves, a column for each", {}},
       {"sound_peak_cv",
        "1",
-       "standard deviation over mean of the largest pressures there in each pitch time"}};
+       "standard deviation over mean of the largest pressures there in each pitch time",
+       {}}};
   return all;
 }
 
@@ -155,9 +205,23 @@ void Study::check_outputs() const
   for (const StudyOutput &output : study_outputs())
     all.emplace_back(output.name);
   for (const std::string &name : outputs)
-    if (!contains(all, name))
-      throw InputError("Study/Outputs: there is no output '" + name + "'." +
-                       did_you_mean(name, all));
+    {
+      if (!contains(all, name))
+        throw InputError("Study/Outputs: there is no output '" + name + "'." +
+                         did_you_mean(name, all));
+      if (std::count(outputs.begin(), outputs.end(), name) > 1)
+        throw InputError("Study/Outputs names '" + name + "' twice: name each output once.");
+    }
+}
+
+void Study::check_quantities(const Output &output) const
+{
+  for (const StudyOutput &one : study_outputs())
+    for (const QuantityGroup group : one.needs)
+      if (contains(outputs, one.name) && !output.asks_for(group))
+        throw InputError("Study/Outputs: '" + std::string(one.name) + "' is made of " +
+                         text_of(group) + ", which Output/Quantities does not keep: add '" +
+                         text_of(group) + "' there, or leave the output out.");
 }
 
 void Study::check_against(const std::vector<Variant> &variants) const
@@ -189,6 +253,15 @@ void Study::name(std::vector<Variant> &variants)
   names.clear();
   for (const Variant &variant : variants)
     {
+      if (is_own_file(variant.name))
+        throw InputError("No variant can be called '" + variant.name +
+                         "': study.*, table.*, chart.* and chart-orders.* are files of the study. "
+                         "Give it another name in Study/Names.");
+      if (variant.name.size() > longest_name)
+        throw InputError("The name '" + variant.name + "' has more than " +
+                         std::to_string(longest_name) +
+                         " letters, too many for a folder: give the variants names in "
+                         "Study/Names.");
       if (contains(names, variant.name))
         throw InputError("There are two variants called '" + variant.name +
                          "': give each a name of its own in Study/Names, or leave one out.");
@@ -220,7 +293,8 @@ void Study::declare(Declarations &declarations)
       names,
       ',',
       [](const auto &words) { return std::all_of(words.begin(), words.end(), is_name); },
-      "names of letters, digits and -_.=+, separated by commas, or nothing",
+      "names of letters, digits and -_.=+ that begin with none of -., separated by commas, or "
+      "nothing",
       "Names of the variants, in their order: that of deal.II's MultipleParameterLoop, in which "
       "the loop that this list of entries has first changes fastest. Default: the values that "
       "loops give to each.");

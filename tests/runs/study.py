@@ -5,10 +5,11 @@
   refuse      what is wrong is said of every variant before the first begins, and nothing is written
   run         a small study from end to end: a variant that fails is a row, the table has the numbers of the runs
   sweep       a study against an entry: curves, orders at each speed, a variant that fails is a gap
+  cluster     a study on Slurm, of which a stand-in gives the programs their environment
   kill        kill -9 and once more: what was finished is not repeated, what was not goes on; a changed file runs
               only what has changed
 
-Without Snakemake, h5py, matplotlib or pandas `run`, `sweep` and `kill` end with 77: left out."""
+Without Snakemake, h5py, matplotlib or pandas `run`, `sweep`, `cluster` and `kill` end with 77: left out."""
 import csv
 import fcntl
 import json
@@ -20,6 +21,7 @@ import subprocess
 import sys
 import time
 
+MESH = "sprocket-15.msh"
 CASE, PROGRAM, REPOSITORY = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
 sys.path[:0] = [str(REPOSITORY / "scripts"), str(REPOSITORY / "scripts/study")]
 from program import check  # noqa: E402
@@ -154,10 +156,10 @@ LOOP = "subsection Model\n set Fidelity = {simple|layered}\nend\n"
 
 
 def refuse():
-    def said(text, *options, status=2):
+    def said(text, *options, status=2, name="small.prm"):
         shutil.rmtree("there", ignore_errors=True)
-        write(text)
-        out = study(*options, status=status)
+        write(text, name)
+        out = study(*options, status=status, name=name)
         check(not pathlib.Path("there").exists(), "something was written")
         return out
 
@@ -174,6 +176,14 @@ def refuse():
             ("is no loop: write {a | b}", "end\nsubsection Model\n set Fidelity = {simple|layered"),
             ("Study/Against = Time/Step in us is no entry with a loop. There are: Model/Fidelity.", LOOP + "set Against = Time/Step in us"),
             ("Study/Against = Model/Fidelity must have numbers, not 'simple'.", LOOP + "set Against = Model/Fidelity"),
+            ("Study/Outputs names 'losses' twice", LOOP + "set Outputs = losses, losses"),
+            ("Study/Names = -a, b is not allowed", LOOP + "set Names = -a, b"),
+            ("Study/Names = a, .snakemake is not allowed", LOOP + "set Names = a, .snakemake"),
+            *((f"No variant can be called '{name}'", LOOP + f"set Names = a, {name}")
+              for name in ("study.lock", "study.json", "table.csv", "chart.svg", "chart-orders.svg")),
+            ("more than 200 letters", LOOP + "set Names = a, " + 201 * "b"),
+            ("'driver_peak_mean' is made of engagements, which Output/Quantities does not keep: add 'engagements' there",
+             LOOP + "set Outputs = driver_peak_mean\nend\nsubsection Output\n set Quantities = {speeds | tensions}"),
             ("section Study has no entry 'Phase'. Did you mean 'Phases'?", "set Phase = 3"),
     ):
         loop = LOOP if text.startswith(LOOP) else ""
@@ -185,6 +195,13 @@ def refuse():
     check("2 of 4 variants cannot run; nothing was started" in out, out)
     check("step=50: Time/Step in us = 50" in out and "step=nothing: Time/Step in us = nothing is not allowed" in out, out)
     check("step=0.25:" not in out, out)
+    for value in ("/some#where", "/a\nb", "/there\\"):
+        out = " ".join(said(LOOP, "--set", f"Drive/Sprockets/Driver mesh={value}").split())
+        check(f"Driver mesh = {' '.join(value.split())} is not allowed: in a .prm file" in out, f"{value!r}: {out}")
+    os.makedirs("at#home", exist_ok=True)
+    shutil.copy(REPOSITORY / "meshes" / MESH, "at#home")
+    out = " ".join(said(LOOP + f"subsection Drive\n subsection Sprockets\n set Driver mesh = {MESH}\nend\nend\n", name="at#home/small.prm").split())
+    check(f"at#home/{MESH} is not allowed: in a .prm file '#' begins a comment" in out, out)
     check("no quick form" in said(LOOP, "--quick"), "--quick without a quick form")
     write("subsection Study\nend\nsubsection Time\n set Step in us = {1|2}\nend\n")
     out = subprocess.run([PROGRAM, "small.prm"], stderr=subprocess.PIPE, text=True).stderr
@@ -301,6 +318,78 @@ def sweep():
     for file in ("study.html", "chart.png", "chart.svg", "chart-orders.svg"):
         check(pathlib.Path("there", file).stat().st_size > 500, file)
 
+    # values that are no formulas, a driver that stands, files that are damaged: rows, and a page of all others
+    about = json.loads(pathlib.Path("there/study.json").read_text())
+    for variant in about["variants"]:
+        variant["changes"]["Model/Fidelity"] += "$^$"
+        if variant["name"].endswith("slow"):
+            variant["changes"]["Loads/Driver speed in rad/s"] = "0"
+    pathlib.Path("there/study.json").write_text(json.dumps(about))
+    pathlib.Path("there/simple-fast/phase-0/result.json").write_text("[]")
+    pathlib.Path("there/simple-worse/phase-0/histories.h5").write_bytes(b"no history")
+    pathlib.Path("there/chart.svg").unlink()
+    done = subprocess.run(["/usr/bin/python3", "-B", str(REPOSITORY / "scripts/study/report.py"), "there"], stderr=subprocess.PIPE, text=True)
+    check(done.returncode == 0 and pathlib.Path("there/chart.svg").exists(), f"the page is lost: {done.stderr}")
+    rows = table()
+    check("result.json is damaged" in rows["simple-fast"]["message"] and "cannot be read" in rows["simple-worse"]["message"],
+          f"what is damaged is not said: {rows}")
+    check(float(rows["layered-fast"]["tight_tension_mean"]) > 0, "what is whole is lost")
+
+
+CLUSTER = """
+subsection Study
+  set Phases = 2
+  set Ranks = {{ 1 | 2 }}
+end
+subsection Loads
+  set Drag in 1/s = {0 | 1}
+end
+"""
+
+# Jobs and steps as Slurm 22.05 starts them, but at once and here; its variables are those that `srun -n1 --mpi=pmi2 env` shows.
+STAND_INS = {
+    "sbatch": """for word; do case $word in --wrap=*) wrap=${word#--wrap=} ;; esac; done
+number=$(($(wc -l <"$JOBS") + 1)) && echo "$*" >>"$JOBS"
+SLURM_JOB_ID=$number SLURM_JOBID=$number SLURM_JOB_NODELIST=$(hostname) SLURM_NODELIST=$(hostname) SLURM_NNODES=1 \\
+  SLURM_CPUS_ON_NODE=2 bash -c "$wrap" >"$JOBS.$number" 2>&1 && state=COMPLETED || state=FAILED
+echo $state >"$JOBS.state.$number"
+echo "Submitted batch job $number"
+""",
+    "srun": """while [[ $1 == -* ]]; do shift; done
+export SLURM_STEP_ID=0 SLURM_STEPID=0 SLURM_NTASKS=1 SLURM_NPROCS=1 SLURM_STEP_NUM_TASKS=1 SLURM_PROCID=0 SLURM_LOCALID=0 \\
+  SLURM_STEP_NODELIST=$SLURM_NODELIST SLURM_STEP_NUM_NODES=1 SLURM_TASKS_PER_NODE=1 PMI_FD=99 PMI_RANK=0 PMI_SIZE=1
+echo step >>"$JOBS.steps" && exec "$@"
+""",
+    "sacct": """case $* in *State*) echo "${@: -1}|$(cat "$JOBS.state.${@: -1}")" ;; esac
+""",
+    "sacctmgr": "echo account\n", "sinfo": "echo 'main*'\n", "scancel": "true\n"}
+
+
+def cluster():
+    need_snakemake()
+    for folder in ("there", "slurm"):
+        shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs("slurm")
+    for name, text in STAND_INS.items():
+        file = pathlib.Path("slurm", name)
+        file.write_text("#!/usr/bin/env bash\n" + text)
+        file.chmod(0o755)
+    jobs = pathlib.Path("slurm/jobs").resolve()
+    jobs.write_text("")
+    os.environ.update(PATH=f"{jobs.parent}:{os.environ['PATH']}", JOBS=str(jobs), USER="user")
+    write(CLUSTER)
+    study("--quiet", "--", "--slurm", "--jobs", "4", "--max-status-checks-per-second", "1", "--groups", "run=g", "--group-components", "g=2", "--default-resources",
+          "mem_mb=700", "runtime=9", "slurm_account=account")
+    rows = table()
+    said = "".join(file.read_text() for file in jobs.parent.glob("jobs.[0-9]*"))
+    check({row["runs"] for row in rows.values()} == {"2"} and len(rows) == 2, f"not all have run: {rows}\n{said}")
+    submitted = jobs.read_text().splitlines()
+    check(len(submitted) == 3 and all("--mem 700" in s or "--mem 1400" in s for s in submitted)
+          and all(" -A account" in s for s in submitted), "jobs:\n" + "\n".join(submitted))
+    check(len(pathlib.Path(f"{jobs}.steps").read_text().split()) >= 5, "no step below srun")
+    for file in pathlib.Path("there").glob("*/*/errors.txt"):
+        check("no run has written" not in file.read_text(), f"files of the study are strange to it: {file.read_text()}")
+
 
 LONG = """
 subsection Study
@@ -351,6 +440,20 @@ def kill():
     before = ended()
     study("--quiet")
     check(ended() == before, "a study that is finished repeats something")
+    rows = table()
+    lost, damaged, emptied = sorted(before)[:3]  # what is lost of a finished study is computed again, and nothing else
+    shutil.rmtree(lost)
+    pathlib.Path(damaged, "result.json").write_text('{"status": 0,')
+    pathlib.Path(emptied, "summary.json").unlink()
+    study("--quiet")
+    after = ended()
+    check(set(after) == set(before) and after[lost] > before[lost], f"what was deleted is not computed again: {after}")
+    check(json.loads(pathlib.Path(damaged, "result.json").read_text())["status"] == 0, "a damaged end is kept")
+    check(pathlib.Path(emptied, "summary.json").exists(), "results that are gone are not computed again")
+    kept = sorted(before)[3]
+    check(after[kept] == before[kept], "what was there is repeated")
+    check(all(table()[v]["tight_tension_mean"] == row["tight_tension_mean"] for v, row in rows.items()), f"other results: {table()}")
+    before = after
     pathlib.Path("small.prm").touch()
     study("--quiet")
     check(ended() == before, "a file that says the same repeats something")
@@ -366,4 +469,4 @@ def kill():
     check(all(after[run] > before[run] for run in after if "drag=1" not in run), "runs that have changed are not repeated")
 
 
-{"statistics": statistics, "refuse": refuse, "run": run, "sweep": sweep, "kill": kill}[CASE]()
+{"statistics": statistics, "refuse": refuse, "run": run, "sweep": sweep, "cluster": cluster, "kill": kill}[CASE]()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/parameters/run.h>
+
 #include <array>
 #include <map>
 #include <string>
@@ -31,8 +33,11 @@ struct Study
   /// outlive @p declarations.
   void declare(Declarations &declarations);
 
-  /// InputError when one of the #outputs does not exist.
+  /// InputError when one of the #outputs does not exist or is named twice.
   void check_outputs() const;
+
+  /// InputError when a run with @p output does not keep what one of the #outputs is made of.
+  void check_quantities(const Output &output) const;
 
   /// InputError unless #against is empty or an entry that each of @p variants gives a number.
   void check_against(const std::vector<Variant> &variants) const;
@@ -42,10 +47,11 @@ struct Study
   void name(std::vector<Variant> &variants);
 };
 
-/// A name that `Study/Outputs` accepts, and what it means.
+/// A name that `Study/Outputs` accepts, what it means, and the quantities that it is made of.
 struct StudyOutput
 {
-  const char *name, *unit, *meaning;
+  const char                *name, *unit, *meaning;
+  std::vector<QuantityGroup> needs;
 };
 
 /// All of them; scripts/study/outputs.py computes them from the results of a run.
