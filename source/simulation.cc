@@ -6,6 +6,7 @@
 #include <chaindrive/scene/build.h>
 #include <chaindrive/simulation.h>
 #include <chaindrive/statics/part_stiffness.h>
+#include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
 
 #include <algorithm>
@@ -144,6 +145,28 @@ std::string overload(const Parameters &parameters, const drive::Facts &facts)
       sentences += (sentences.empty() ? "" : " ") + check.sentence;
   return sentences;
 }
+
+/// A refusal names the meshes whose flanks may be to blame.
+std::unique_ptr<dynamics::System>
+make_system(const Parameters &parameters, const scene::Scene &scene, const MPI_Comm comm)
+{
+  try
+    {
+      return std::make_unique<dynamics::System>(scene,
+                                                parameters.contact.search ==
+                                                    parameters::Search::every_step,
+                                                scene.has_elastic_bodies() ? comm : MPI_COMM_SELF);
+    }
+  catch (const InputError &error)
+    {
+      std::string meshes;
+      for (const auto &[role, name] : parameters::texts_of<parameters::Role>)
+        if (const std::string &mesh = parameters.drive.sprockets.with(role).mesh; !mesh.empty())
+          meshes += " The " + parameters::in_words(role) +
+                    " touches with the flanks of the mesh '" + mesh + "', which must fit as well.";
+      throw InputError(error.what() + meshes);
+    }
+}
 } // namespace
 
 Simulation::Simulation(const Parameters               &parameters,
@@ -164,10 +187,7 @@ Simulation::Simulation(const Parameters               &parameters,
 {
   if (!scene.has_elastic_bodies() && rank_in(comm) != 0)
     return;
-  system_   = std::make_unique<dynamics::System>(scene,
-                                               parameters.contact.search ==
-                                                   parameters::Search::every_step,
-                                               scene.has_elastic_bodies() ? comm : MPI_COMM_SELF);
+  system_   = make_system(parameters, scene, comm);
   step      = dynamics::choose_step(*system_, parameters);
   guard_    = std::make_unique<dynamics::Guard>(scene,
                                              *system_,

@@ -6,6 +6,7 @@ status 0 and finite results, or with status 2 or 3 and a sentence.
 
     fuzz.py                          20,000 inputs, one at a time
     fuzz.py --count 500 --jobs 4     the first 500, four at a time
+    fuzz.py --meshes                 all of them meshes, half of these binary
     fuzz.py --only 17                input 17, with what the program says
     fuzz.py --server PROGRAM         with build/tests/fuzz/fuzz_server, which loads the libraries once: much faster
 
@@ -28,6 +29,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from random import Random
 
+import binary_meshes
 import meshes
 import mutations
 
@@ -40,6 +42,7 @@ ENVIRONMENT = {
     "OMPI_MCA_btl": "self",
     **os.environ,
 }
+MOST_MEMORY = 1e9  # bytes that an input of less than a megabyte may make the program use
 NOT_FOR_USERS = r"exception|deal\.ii|assert|HDF5-DIAG|std::|bad_alloc|terminate"
 # few steps of a run that was meant to be long
 SHORT = {
@@ -53,13 +56,14 @@ SHORT = {
 
 
 class Inputs:
-    """Input number i is a function of the seed and i alone."""
+    """Input number i is a function of the seed and i alone; the first is one that asked for gigabytes once."""
 
-    def __init__(self, seed):
-        self.seed = seed
+    def __init__(self, seed, only_meshes=False):
+        self.seed, self.only_meshes = seed, only_meshes
         self.files = sorted(file for file in ROOT.glob("prm/**/*.prm") if file.parent.name != "studies")
         mesh = (ROOT / "meshes/sprocket-15.msh").read_text()
         self.meshes = [mesh, mesh, meshes.as_version_4(mesh)]
+        self.binary = binary_meshes.all_forms(mesh)
         self.known = mutations.entries((ROOT / "doc/parameters.md").read_text())
 
     def write(self, i, folder):
@@ -71,11 +75,16 @@ class Inputs:
         options = ([] if runs else ["plan"]) + [str(file), "--set", "Model/Stiffness from=dimensions"]
         if runs:
             options += [x for k, v in SHORT.items() for x in ("--set", f"{k}={v}")]
-        if random.random() < 0.25:
+        if i == 0 or self.only_meshes or random.random() < 0.25:
             source = ROOT / "prm/paper/imported-sprocket.prm"
             file.write_text(source.read_text())
-            text = mutations.spoiled(random.choice(self.meshes), mutations.MSH, random)
-            (folder / "input.msh").write_text(text, errors="surrogateescape")
+            if i == 0:
+                (folder / "input.msh").write_bytes(binary_meshes.many_groups())
+            elif random.random() < 0.5:
+                (folder / "input.msh").write_bytes(binary_meshes.spoiled(random.choice(self.binary), random))
+            else:
+                text = mutations.spoiled(random.choice(self.meshes), mutations.MSH, random)
+                (folder / "input.msh").write_text(text, errors="surrogateescape")
             options += ["--set", f"Drive/Sprockets/Driver mesh={folder / 'input.msh'}"]
         else:
             source = random.choice([f for f in self.files if not runs or "full" not in f.name])
@@ -85,16 +94,20 @@ class Inputs:
 
 
 class Program:
-    """Runs the program; called with its options, it returns the exit status, or minus the signal that ended it."""
+    """Runs the program; called with its options, it returns the exit status, or minus the signal that ended it, and the
+    largest memory in bytes."""
 
     def __init__(self, program, seconds, memory):
         self.program, self.seconds, self.memory = str(program.resolve()), seconds, memory
 
     def __call__(self, options, folder):
         with open(folder / "stdout", "wb") as out, open(folder / "stderr", "wb") as said:
-            return subprocess.run(
+            process = subprocess.Popen(
                 [self.program, *options], stdout=out, stderr=said, stdin=subprocess.DEVNULL, cwd=folder, env=ENVIRONMENT, preexec_fn=self.limit
-            ).returncode
+            )
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            return process.returncode, usage.ru_maxrss * 1024
 
     def limit(self):
         if self.memory:
@@ -116,7 +129,11 @@ class Server(Program):
         process = self.local.process
         process.stdin.write("\t".join([str(folder), str(self.seconds), str(self.memory), *options]) + "\n")
         process.stdin.flush()
-        return int(process.stdout.readline())
+        answer = process.stdout.readline()
+        if not answer:
+            sys.exit(f"the server ended with status {process.wait()} instead of doing {options}")
+        status, kilobytes = map(int, answer.split())
+        return status, kilobytes * 1024
 
 
 def numbers_that_are_none(summary):
@@ -128,7 +145,7 @@ def numbers_that_are_none(summary):
 
 def judge(program, options, runs, folder):
     """(exit status, what is wrong or nothing, what the program said)."""
-    status = program(options, folder)
+    status, memory = program(options, folder)
     out, said = ((folder / name).read_text(errors="replace") for name in ("stdout", "stderr"))
     if status == -signal.SIGALRM:
         return status, f"still running after {program.seconds} s", said
@@ -136,12 +153,16 @@ def judge(program, options, runs, folder):
         return status, f"ended by signal {-status if status < 0 else status - 128}", said
     if status not in (0, 2, 3):
         return status, f"exit status {status}", said
+    if memory > MOST_MEMORY:
+        return status, f"{memory / 1e9:.1f} GB of memory", said
     if status:
         message = said[said.find("chaindrive: ") + 12 :] if "chaindrive: " in said else ""
         if len(message.split()) < 3:
             return status, "no sentence", said
         if bad := re.search(NOT_FOR_USERS, said, re.IGNORECASE):
             return status, f"a message that is not for users: {bad[0]}", said
+        if (folder / "input.msh").exists() and "input.msh" not in said:
+            return status, "a message that does not name the mesh", said
         return status, "", said
     if bad := re.search(r"(?<![\w.])-?(nan|inf)(?!\w)", re.sub(r"pitch time.*", "", out)):
         return status, f"{bad[0]} in the output", out
@@ -157,6 +178,7 @@ def main():
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--only", type=int)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--meshes", action="store_true")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--timeout", type=int, default=120, help="seconds for one input")
     parser.add_argument("--memory", type=float, default=6.0, help="GB: what asks for more is told that it cannot have it; 0: any")
@@ -165,7 +187,7 @@ def main():
     parser.add_argument("--results", type=Path, default=Path("results/fuzz"))
     options = parser.parse_args()
 
-    inputs, limits = Inputs(options.seed), (options.timeout, int(options.memory * 2**30))
+    inputs, limits = Inputs(options.seed, options.meshes), (options.timeout, int(options.memory * 2**30))
     program = Server(options.server, *limits) if options.server else Program(options.program, *limits)
     began = time.time()
 

@@ -6,7 +6,8 @@
 //
 // it makes a copy of itself, which goes to FOLDER, sends what it says to the files stdout and
 // stderr there, and does what chaindrive does with these arguments, in at most so many seconds and
-// bytes of memory (0: any). The answer is a line: the exit status, or -N if signal N ended it.
+// bytes of memory (0: any). The answer is a line: the exit status, or -N if signal N ended it,
+// and the largest memory of the copy in kilobytes.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -64,9 +65,11 @@ int main()
       const pid_t child = words.size() < 3 ? -1 : fork();
       if (child == 0)
         run(words);
-      int status = 0;
-      if (child < 0 || waitpid(child, &status, 0) != child)
+      int    status = 0;
+      rusage usage{};
+      if (child < 0 || wait4(child, &status, 0, &usage) != child)
         return 1;
-      std::cout << (WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status)) << std::endl;
+      std::cout << (WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status)) << ' '
+                << usage.ru_maxrss << std::endl;
     }
 }

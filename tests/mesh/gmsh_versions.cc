@@ -55,7 +55,7 @@ int main()
   bool same = two.elements.size() == 4 && four.elements.size() == 4;
   for (unsigned int i = 0; same && i < 4; ++i)
     same = two.elements[i].type == four.elements[i].type &&
-           two.elements[i].groups == four.elements[i].groups &&
+           *two.elements[i].groups == *four.elements[i].groups &&
            two.elements[i].nodes == four.elements[i].nodes;
   say("elements", same);
 

@@ -14,6 +14,7 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <set>
 
 using namespace chaindrive;
@@ -38,7 +39,7 @@ void write(const GmshFile &gmsh)
   out << "$EndNodes\n$Elements\n" << gmsh.elements.size() << '\n';
   for (const GmshFile::Element &element : gmsh.elements)
     {
-      out << "1 " << element.type << " 2 " << element.groups.at(0) << " 1";
+      out << "1 " << element.type << " 2 " << element.groups->at(0) << " 1";
       for (const long node : element.nodes)
         out << ' ' << node;
       out << '\n';
@@ -141,9 +142,9 @@ int main()
     GmshFile     gmsh = good;
     unsigned int left = n;
     for (GmshFile::Element &element : gmsh.elements)
-      if (left > 0 && element.type == 3 && element.groups.at(0) == group)
+      if (left > 0 && element.type == 3 && element.groups->at(0) == group)
         {
-          element.groups = {0};
+          element.groups = std::make_shared<const std::vector<long>>(1, 0L);
           --left;
         }
     return gmsh;

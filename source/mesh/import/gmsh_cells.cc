@@ -54,12 +54,27 @@ Face sorted(Face face)
   return face;
 }
 
-bool belongs(const GmshFile::Element &element, const std::set<long> &groups)
+/// Whether an element belongs to one of these groups; looked up once for all that share theirs.
+class Membership
 {
-  return std::any_of(element.groups.begin(), element.groups.end(), [&](const long group) {
-    return groups.count(group) > 0;
-  });
-}
+public:
+  explicit Membership(const std::set<long> &groups = {}) : groups_(groups) {}
+  void add(const long group) { groups_.insert(group); }
+
+  bool operator()(const GmshFile::Element &element)
+  {
+    const auto [place, is_new] = known_.emplace(element.groups.get(), false);
+    if (is_new)
+      place->second = std::any_of(element.groups->begin(),
+                                  element.groups->end(),
+                                  [this](const long group) { return groups_.count(group) > 0; });
+    return place->second;
+  }
+
+private:
+  std::set<long>                            groups_;
+  std::map<const std::vector<long> *, bool> known_;
+};
 
 /// The vertices that hexahedra have, in m and in the order of their numbers.
 void collect_vertices(Mesh &mesh, const GmshFile &gmsh)
@@ -101,6 +116,7 @@ double scaled_jacobian(const Mesh &mesh, const Cell &cell)
 /// nodes is the same cell, listed for another group.
 void collect_cells(Mesh &mesh, const GmshFile &gmsh, const std::set<long> &hub_volumes)
 {
+  Membership                   in_hub(hub_volumes);
   std::map<Cell, unsigned int> listed; // by its sorted vertices
   unsigned int                 n_inverted = 0;
   Point<3>                     where;
@@ -125,7 +141,7 @@ void collect_cells(Mesh &mesh, const GmshFile &gmsh, const std::set<long> &hub_v
             mesh.cells.push_back(cell);
             mesh.in_hub_zone.push_back(false);
           }
-        if (belongs(element, hub_volumes))
+        if (in_hub(element))
           mesh.in_hub_zone[place->second] = true;
       }
   if (n_inverted > 0)
@@ -168,10 +184,13 @@ void collect_faces(Mesh &mesh)
 std::map<Face, Surface>
 collect_surfaces(const Mesh &mesh, const GmshFile &gmsh, const std::map<long, Surface> &surface_of)
 {
+  std::map<Surface, Membership> belongs;
+  for (const auto &[group, surface] : surface_of)
+    belongs[surface].add(group);
   std::map<Face, Surface> surfaces;
   for (const GmshFile::Element &element : gmsh.elements)
-    for (const auto &[group, surface] : surface_of)
-      if (element.type == quadrangle && belongs(element, {group}))
+    for (auto &[surface, is_there] : belongs)
+      if (element.type == quadrangle && is_there(element))
         {
           Face face{};
           bool good = element.nodes.size() == 4;

@@ -8,13 +8,15 @@
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <memory>
 #include <utility>
 
 namespace chaindrive::mesh
 {
 namespace
 {
-using Groups = std::map<std::pair<long, long>, std::vector<long>>; // of dimension and entity
+// of dimension and entity
+using Groups = std::map<std::pair<long, long>, std::shared_ptr<std::vector<long>>>;
 
 void read_names(GmshNumbers &in, GmshFile &mesh)
 {
@@ -58,6 +60,8 @@ void read_entities(GmshNumbers &in, const bool partitioned, Groups &groups)
       {
         in.record("an entity with its physical groups");
         auto &found = groups[{dimension, in.integer()}];
+        if (found == nullptr)
+          found = std::make_shared<std::vector<long>>();
         if (partitioned)
           {
             in.integer(); // dimension and number of what it is a part of
@@ -68,7 +72,7 @@ void read_entities(GmshNumbers &in, const bool partitioned, Groups &groups)
         for (unsigned int i = 0; i < (dimension == 0 ? 3 : 6); ++i)
           in.real(); // the point, or the two ends of a box
         for (long m = in.size(); m > 0; --m)
-          found.push_back(std::abs(in.integer())); // negative: turned round
+          found->push_back(std::abs(in.integer())); // negative: turned round
         if (dimension > 0 && in.binary())
           for (long m = in.size(); m > 0; --m)
             in.integer(); // on its boundary
@@ -168,7 +172,9 @@ std::vector<long> read_nodes_of(GmshNumbers &in, const long type, const bool siz
 /// In binary, a head with the type stands before elements of the same type.
 void read_elements_2(GmshNumbers &in, GmshFile &mesh)
 {
-  const std::string what = "number, type, tags and nodes of an element";
+  const std::string                what = "number, type, tags and nodes of an element";
+  const GmshFile::Groups           none = std::make_shared<const std::vector<long>>();
+  std::map<long, GmshFile::Groups> known; // by their number
   for (long n = in.count(); n > 0;)
     {
       GmshFile::Element element;
@@ -192,10 +198,14 @@ void read_elements_2(GmshNumbers &in, GmshFile &mesh)
         {
           if (in.binary())
             in.integer();
-          element.groups.clear();
+          element.groups = none;
           for (long i = 0; i < n_tags; ++i) // group, entity, partitions
-            if (const long tag = in.integer(); i == 0)
-              element.groups = {std::abs(tag)};
+            if (const long tag = std::abs(in.integer()); i == 0)
+              {
+                element.groups = known[tag];
+                if (element.groups == nullptr)
+                  element.groups = known[tag] = std::make_shared<const std::vector<long>>(1, tag);
+              }
           element.nodes = read_nodes_of(in, element.type, false);
           mesh.elements.push_back(element);
         }
@@ -204,6 +214,7 @@ void read_elements_2(GmshNumbers &in, GmshFile &mesh)
 
 void read_elements_4(GmshNumbers &in, const Groups &groups, GmshFile &mesh)
 {
+  const GmshFile::Groups none = std::make_shared<const std::vector<long>>();
   in.record("number of blocks of elements");
   long blocks = in.size();
   for (unsigned int i = 0; i < 3; ++i)
@@ -214,7 +225,8 @@ void read_elements_4(GmshNumbers &in, const Groups &groups, GmshFile &mesh)
       const long        dimension = in.integer();
       const auto        found     = groups.find({dimension, in.integer()});
       GmshFile::Element element;
-      element.type = in.integer();
+      element.type   = in.integer();
+      element.groups = none;
       if (found != groups.end())
         element.groups = found->second;
       for (long n = in.size(); n > 0; --n)

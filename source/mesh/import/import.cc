@@ -77,7 +77,7 @@ void check_surfaces(const std::string              &file,
 {
   const bool grouped =
       std::any_of(gmsh.elements.begin(), gmsh.elements.end(), [](const GmshFile::Element &element) {
-        return !element.groups.empty() && element.groups != std::vector<long>{0};
+        return !element.groups->empty() && *element.groups != std::vector<long>{0};
       });
   const auto there = mesh.get_boundary_ids();
   for (const Surface surface : {tooth_flanks, hub})

@@ -4,6 +4,7 @@
 #include <deal.II/base/point.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,13 @@ namespace chaindrive::mesh
 /// there for sure.
 struct GmshFile
 {
+  /// Numbers of physical groups. Elements of one entity share them: there may be many of both.
+  using Groups = std::shared_ptr<const std::vector<long>>;
+
   struct Element
   {
     long              type = 0; ///< Gmsh's number: 3 quadrangle, 5 hexahedron of first order
-    std::vector<long> groups;   ///< numbers of the physical groups that it belongs to
+    Groups            groups;   ///< that it belongs to
     std::vector<long> nodes;    ///< their numbers, in Gmsh's order
   };
 
