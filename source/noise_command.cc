@@ -258,7 +258,9 @@ void check_noise(const drive::Drive &drive, const drive::Facts &facts, const Par
     throw InputError(
         "Acoustics/Noise: the driver stands still, with Loads/Driver speed in rad/s = 0: "
         "there are no pitch times.");
-  acoustics::check_site(parameters.acoustics, make_site(drive, facts));
+  const acoustics::Site site = make_site(drive, facts);
+  acoustics::check_site(parameters.acoustics, site);
+  acoustics::check_interval(parameters.acoustics, site, parameters.output.history_interval);
 }
 
 void write_noise(const std::string &directory, const Parameters &parameters, std::ostream &out)

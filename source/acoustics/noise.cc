@@ -57,7 +57,7 @@ highest_frequency(const parameters::Acoustics &settings, const double step, cons
     throw InputError(
         "Acoustics/Highest frequency in kHz = " + to_text(1e-3 * *settings.highest_frequency) +
         " is too high: the samples of '" + name + "', dataset /time, are " + to_text(1e6 * step) +
-        " us apart, which tells of " + to_text(1e-3 * possible, 4) +
+        " us apart, which tells of " + to_text_at_most(1e-3 * possible, 4) +
         " kHz at most. Choose a lower one, or run with a shorter Output/History "
         "interval in us.");
   return *settings.highest_frequency;
@@ -198,7 +198,7 @@ void check_floor(const parameters::Acoustics &settings,
   if (settings.floor && *settings.floor >= lowest)
     throw InputError("Acoustics/Floor height in m = " + to_text(*settings.floor) +
                      " must lie below the drive and all observers, whose lowest is at y = " +
-                     to_text(lowest, 4) + " m.");
+                     to_text_at_most(lowest, 4) + " m.");
 }
 
 void check_rollers(const parameters::Acoustics &settings, const Site &site)
@@ -228,9 +228,9 @@ void check_observers(const Site &site, const std::vector<Observer> &observers)
                            to_text(observer.position[0]) + " " + to_text(observer.position[1]) +
                            " " + to_text(observer.position[2]) +
                            " m lies in a sprocket: at least a pitch of " +
-                           to_text(1e3 * site.pitch, 4) +
+                           to_text_at_least(1e3 * site.pitch, 4) +
                            " mm before or behind its plane, or outside of its radius of " +
-                           to_text(1e3 * radius, 4) + " mm, is allowed.");
+                           to_text_at_least(1e3 * radius, 4) + " mm, is allowed.");
       }
 }
 
@@ -325,6 +325,22 @@ void check_site(const parameters::Acoustics &settings, const Site &site)
   check_rollers(settings, site);
   check_observers(site, observers);
   check_floor(settings, site, observers);
+}
+
+void check_interval(const parameters::Acoustics &settings, const Site &site, const double interval)
+{
+  const std::string samples = "samples by Output/History interval in us, " +
+                              to_text(1e6 * interval, 4) + " us apart, tell ";
+  const double possible = 0.5 / (interval * roll_off);
+  const double highest  = settings.highest_frequency.value_or(0.);
+  if (highest > possible * (1. + 1e-9))
+    throw InputError("Acoustics/Highest frequency in kHz = " + to_text(1e-3 * highest) +
+                     " is too high: " + samples + "of " + to_text_at_most(1e-3 * possible, 4) +
+                     " kHz at most. Choose a lower one, or run with a shorter interval.");
+  if (possible * site.pitch_time < 1.)
+    throw InputError("Acoustics/Noise: " + samples + "nothing of the tooth frequency of " +
+                     to_text(1. / site.pitch_time, 4) + " Hz. Run with an interval of at most " +
+                     to_text_at_most(0.5e6 * site.pitch_time / roll_off, 3) + ".");
 }
 
 double longest_delay(const parameters::Acoustics &settings, const Site &site)

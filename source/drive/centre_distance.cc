@@ -16,6 +16,8 @@ using Target = Fitter::Target;
 using dealii::numbers::PI;
 
 std::string in_mm(const double length) { return to_text(length * 1e3, 7) + " mm"; }
+std::string at_most(const double length) { return to_text_at_most(length * 1e3, 7) + " mm"; }
+std::string at_least(const double length) { return to_text_at_least(length * 1e3, 7) + " mm"; }
 
 Target wanted(const parameters::Layout &layout)
 {
@@ -38,7 +40,7 @@ unsigned int number_of_links(const parameters::Drive &drive)
   if (c <= radius(z1) + radius(z2))
     throw InputError("Drive/Layout/Centre distance in mm = " + to_text(c * 1e3, 7) +
                      ": the sprockets overlap; for Drive/Number of links = auto it must exceed " +
-                     in_mm(radius(z1) + radius(z2)) + ".");
+                     at_least(radius(z1) + radius(z2)) + ".");
   const double a     = std::asin((radius(z2) - radius(z1)) / c);
   const double pairs = c * std::cos(a) / pitch + 0.25 * (z1 + z2) + 0.5 * (z2 - z1) * a / PI;
   const bool   given = drive.layout.centre_distance_from == parameters::CentreDistanceFrom::given;
@@ -63,7 +65,7 @@ Proposal propose(const Fitter             &fitter,
   const bool        is_given = layout.centre_distance_from == parameters::CentreDistanceFrom::given;
   if (is_given && given <= least_distance)
     throw InputError("Drive/Layout/Centre distance in mm = " + to_text(given * 1e3, 7) +
-                     ": the sprockets overlap; it must exceed " + in_mm(least_distance) + ".");
+                     ": the sprockets overlap; it must exceed " + at_least(least_distance) + ".");
 
   const auto   closest = fitter.fits(least_distance, true, 1);
   const double most_slack =
@@ -81,12 +83,13 @@ Proposal propose(const Fitter             &fitter,
       const double missing =
           fits.empty() ? 2. * (given - least_distance) - most_slack : -fits.front().slack.slack;
       if (missing > 1e-12)
-        throw InputError("Drive/Layout/Centre distance in mm = " + to_text(given * 1e3, 7) + ": " +
-                         the_chain + " is " + (fits.empty() ? "much" : in_mm(missing)) +
-                         " too short; the distance must be at most " +
-                         in_mm(fitter.solve({Target::Kind::slack, 0.}, least_distance, farthest)) +
-                         ", or the chain must have at least " +
-                         advised_links(fitter, missing, even) + " links.");
+        throw InputError(
+            "Drive/Layout/Centre distance in mm = " + to_text(given * 1e3, 7) + ": " + the_chain +
+            " is " + (fits.empty() ? "much" : in_mm(missing)) +
+            " too short; the distance must be at most " +
+            at_most(fitter.solve({Target::Kind::slack, 0.}, least_distance, farthest)) +
+            ", or the chain must have at least " + advised_links(fitter, missing, even) +
+            " links.");
       return {{}, fitter.fits(given, false)};
     }
 
@@ -97,7 +100,7 @@ Proposal propose(const Fitter             &fitter,
                      " must not be negative.");
   if (is_slack && most_slack < target.value)
     throw InputError("Drive/Layout/Slack in mm = " + to_text(target.value * 1e3) + ": " +
-                     the_chain + " has at most " + in_mm(most_slack) +
+                     the_chain + " has at most " + at_most(most_slack) +
                      " of slack before the sprockets touch; it takes at least " +
                      advised_links(fitter, target.value - most_slack, even) + " links.");
   return {target, fitter.fits(fitter.solve(target, least_distance, farthest), false)};

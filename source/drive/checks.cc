@@ -48,6 +48,36 @@ struct Checks
       found.push_back({name, sentence});
   }
 
+  bool is_given() const
+  {
+    return p.drive.layout.centre_distance_from == parameters::CentreDistanceFrom::given;
+  }
+
+  /// As a piece of advice, the load with which the chain has the usual safety; empty if it has not
+  /// without any. @p after is the torque after its step.
+  std::string less_load(const double after) const
+  {
+    const double factor  = 2. * PI / (facts.sprockets[1].teeth * facts.loaded_pitch);
+    const double now     = facts.effective_tension;
+    const double kept    = facts.span(false).tension - facts.centrifugal_tension;
+    const double all     = facts.tensile_strength / least_safety - facts.centrifugal_tension;
+    const auto   at_most = [](const double value) { return to_text_at_most(value, 3); };
+    if (after * factor > now)
+      {
+        const std::string most = at_most((all - kept) / factor);
+        return all <= kept ? "" :
+                             ", or a Loads/Torque after step in N m from -" + most + " to " + most;
+      }
+    // less load leaves more tension in the slack span: on a line that is above that curve
+    const double more = std::max(0., facts.slack_tension_unloaded - kept);
+    const double most = (all - kept - more) / (1. - more / now) / factor;
+    if (all <= kept + more)
+      return "";
+    const double speed = facts.sprockets[1].speed; // the load may have been given as power
+    return ", or a Loads/Resisting torque in N m of at most " + at_most(most) +
+           (speed > 0. ? ", which is a Loads/Power in kW of " + at_most(1e-3 * most * speed) : "");
+  }
+
   void strength()
   {
     // the load may become larger at its step
@@ -61,8 +91,7 @@ struct Checks
     const std::string figures = "The tight span pulls with " + newton(tension) +
                                 ", and the chain " + facts.chain + " breaks at " + newton(strength);
     const std::string advice =
-        " Choose a larger chain, larger sprockets, or a Loads/Resisting torque in N m of at most " +
-        to_text(strength / least_safety / factor, 3) + ".";
+        " Choose a larger chain or larger sprockets" + less_load(after) + ".";
     add(tension >= strength, "strength", figures + ": it would not hold." + advice);
     add(tension < strength && tension * least_safety > strength,
         "strength",
@@ -87,7 +116,8 @@ struct Checks
         "speed",
         "The driver turns at " + rpm(facts.sprockets[0].speed) +
             ", and joints of this pitch gall above " + rpm(facts.highest_speed) +
-            ": choose a smaller pitch or a lower Loads/Driver speed in rad/s.");
+            " under this load: choose a smaller pitch or a lower Loads/Driver speed, in rad/s or "
+            "rpm.");
   }
 
   void sprockets()
@@ -98,8 +128,10 @@ struct Checks
             "wrap",
             "The chain wraps the " + sprocket.name + " by " +
                 to_text(sprocket.wrap * 180. / PI, 4) +
-                " degrees only, 120 or more are usual: take more links for a larger centre "
-                "distance, or a smaller ratio.");
+                " degrees only, 120 or more are usual: take " +
+                (is_given() ? "a larger Drive/Layout/Centre distance in mm with more links" :
+                              "more links for a larger centre distance") +
+                ", or a smaller ratio.");
         add(sprocket.teeth < least_teeth && facts.chain_speed > slow,
             "teeth",
             "The " + sprocket.name + " has " + std::to_string(sprocket.teeth) +
@@ -123,13 +155,19 @@ struct Checks
             " % at which a chain is replaced on sprockets of up to " + std::to_string(teeth) +
             " teeth" + (kept ? " whose shafts are not moved" : "") +
             ": its rollers ride near or above the tips of the teeth.");
-    const Facts::Span &slack = facts.span(false);
+    using parameters::CentreDistanceFrom;
+    const CentreDistanceFrom from  = p.drive.layout.centre_distance_from;
+    const Facts::Span       &slack = facts.span(false);
     add(slack.sag >= most_sag * slack.length,
         "sag",
         "The slack span sags by " + to_text(slack.sag * 1e3, 3) + " mm, " +
-            to_text(100. * slack.sag / slack.length, 3) + " % of its length, where 1 to 3 % are " +
-            "usual: closed forms are for flat spans, and the chain may jump teeth. Take less " +
-            "slack or fewer links, or a larger centre distance.");
+            to_text(100. * slack.sag / slack.length, 3) +
+            " % of its length, where 1 to 3 % are usual: closed forms are for flat spans, and the "
+            "chain may jump teeth. Take " +
+            (is_given() ? "fewer links or a larger Drive/Layout/Centre distance in mm." :
+             from == CentreDistanceFrom::slack ? "a smaller Drive/Layout/Slack in mm." :
+             from == CentreDistanceFrom::sag   ? "a smaller Drive/Layout/Sag in percent." :
+                                                 "a larger Drive/Layout/Pretension in N."));
   }
 
   void resonances()
@@ -163,9 +201,10 @@ struct Checks
         "While the speed grows the tight span pulls with " + newton(facts.start_tension) + ", " +
             to_text(facts.start_tension / std::max(tension, 1e-300), 3) +
             " times as much as in operation: choose Loads/Ramp time in ms of at least " +
-            to_text(p.loads.ramp_time * 1e3 * (facts.start_tension - facts.effective_tension) /
-                        std::max(least - facts.effective_tension, 1e-300),
-                    2) +
+            to_text_at_least(p.loads.ramp_time * 1e3 *
+                                 (facts.start_tension - facts.effective_tension) /
+                                 std::max(least - facts.effective_tension, 1e-300),
+                             2) +
             ", or Drive/Layout/Start = settled.");
   }
 
@@ -184,12 +223,20 @@ struct Checks
     const double from    = std::max(*p.output.window_start, p.time.start);
     const double to      = p.output.window_end.value_or(p.time.end);
     const double pitches = (to - from) / facts.pitch_time;
+    // what ends the window later
+    const auto later = [&](const double time) {
+      const double      at  = std::ceil(time * 1e3);
+      const std::string run = "Time/End time in ms", window = "Output/Window end in ms";
+      return (!p.output.window_end  ? run :
+              at > p.time.end * 1e3 ? run + " and " + window :
+                                      window) +
+             " of at least " + to_text_at_least(at, 4);
+    };
     add(pitches < 0.99 * least_window_pitches, // entries are rounded
         "window",
         "The window has " + to_text(pitches, 3) +
-            " pitches; means and peaks settle over ten or more: choose Time/End time in ms of at "
-            "least " +
-            to_text(std::ceil((from + least_window_pitches * facts.pitch_time) * 1e3), 4) +
+            " pitches; means and peaks settle over ten or more: choose " +
+            later(from + least_window_pitches * facts.pitch_time) +
             ", or judge several start phases by a study.");
     const double swings = (to - from) * facts.driven_frequency;
     add(swings < 0.99 * least_window_swings && facts.tooth_frequency > facts.driven_frequency,
@@ -197,16 +244,15 @@ struct Checks
         "The window has " + to_text(swings, 3) +
             " periods of the driven inertia on the tight span, " +
             to_text(facts.driven_frequency, 4) +
-            " Hz, whose swings do not cancel in means over so few: choose Time/End time in ms of "
-            "at "
-            "least " +
-            to_text(std::ceil((from + least_window_swings / facts.driven_frequency) * 1e3), 4) +
+            " Hz, whose swings do not cancel in means over so few: choose " +
+            later(from + least_window_swings / facts.driven_frequency) +
             ", or Output/Window start in ms = settled.");
     const bool   settled = p.drive.layout.start == parameters::Start::settled;
     const double over    = p.time.start + (settled ? 0. : p.loads.ramp_time) + facts.pitch_time;
     add(!settled && from < over,
         "start_up",
-        "The window begins at " + ms(from) + ", but the start-up is not over before " + ms(over) +
+        "The window begins at " + ms(from) + ", but the start-up is not over before " +
+            to_text_at_least(over * 1e3, 4) + " ms" +
             ", a pitch after the ramp: choose a later Output/Window start in ms, or settled.");
   }
 };

@@ -59,13 +59,12 @@ void refuse_soft(const std::string &entry,
                  const std::string &cylinder)
 {
   if (pull.tension > 0.25 * radius * stiffness)
-    throw InputError(entry + " = " + to_text(stiffness, 4) + " lets the tension " + pull.of + ", " +
-                     to_text(pull.tension, 4) + " N, press the " + cylinder + " " +
-                     in_mm(pull.tension / stiffness) +
-                     " into its partner; at most a quarter of its radius, " + in_mm(0.25 * radius) +
-                     ", is accepted. Choose at least " +
-                     to_text(std::ceil(4. * pull.tension / radius), 4) + " N/m, or a smaller " +
-                     pull.entry + ".");
+    throw InputError(
+        entry + " = " + to_text(stiffness, 4) + " lets the tension " + pull.of + ", " +
+        to_text(pull.tension, 4) + " N, press the " + cylinder + " " +
+        in_mm(pull.tension / stiffness) + " into its partner; at most a quarter of its radius, " +
+        in_mm(0.25 * radius) + ", is accepted. Choose at least " +
+        to_text_at_least(4. * pull.tension / radius, 4) + " N/m, or a smaller " + pull.entry + ".");
 }
 
 /// The sprocket of this @p role but for its solid. A bore of a third and a hub of six tenths of the

@@ -248,8 +248,11 @@ Facts make_facts(const Parameters &p, const Drive &d)
   facts.effective_tension   = 2. * PI * torque / (z2 * facts.loaded_pitch);
   facts.centrifugal_tension = facts.mass_per_metre * facts.chain_speed * facts.chain_speed;
 
-  const double kept  = kept_tension(facts, p, d);
-  const double tight = facts.effective_tension + kept;
+  const double kept            = kept_tension(facts, p, d);
+  Facts        unloaded        = facts;
+  unloaded.effective_tension   = 0.;
+  facts.slack_tension_unloaded = kept_tension(unloaded, p, d);
+  const double tight           = facts.effective_tension + kept;
   for (Facts::Span &span : facts.spans)
     {
       const double pull      = span.tight ? tight : kept;

@@ -83,7 +83,7 @@ void check_entries(const parameters::Drive &drive, const bool clearances)
   if (layout.start == parameters::Start::concentric &&
       layout.centre_distance_from == CentreDistanceFrom::pretension)
     throw InputError("Drive/Layout/Start = concentric has no contact in its joints, so Centre "
-                     "distance from = pretension cannot be; take start = taut.");
+                     "distance from = pretension cannot be; choose Start = taut.");
 }
 
 int modulo(const int a, const unsigned int n)

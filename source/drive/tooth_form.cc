@@ -233,10 +233,11 @@ ToothForm make_tooth_form(const unsigned int           teeth,
                           reason + ".");
     }
   if (!(t.outside_diameter > least && t.outside_diameter < t.pointed_diameter))
-    throw InputError(
-        "Drive/Sprockets/" + name + " outside diameter in mm = " + in_mm(t.outside_diameter) +
-        " must lie between " + in_mm(least) + ", where the seat ends, and " +
-        in_mm(t.pointed_diameter) + ", where the tooth is pointed and its tip land zero.");
+    throw InputError("Drive/Sprockets/" + name +
+                     " outside diameter in mm = " + in_mm(t.outside_diameter) +
+                     " must lie between " + to_text_at_least(1e3 * least, 7) +
+                     ", where the seat ends, and " + to_text_at_most(1e3 * t.pointed_diameter, 7) +
+                     ", where the tooth is pointed and its tip land zero.");
 
   const double radius = 0.5 * t.outside_diameter;
   t.half_profile      = trimmed(flank, radius);

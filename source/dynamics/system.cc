@@ -222,7 +222,7 @@ StepChoice choose_step(const System &system, const Parameters &parameters)
     {
       if (*time.step > largest)
         throw InputError("Time/Step in us = " + to_text(*time.step * 1e6) +
-                         " is above the stable step: at most " + to_text(largest * 1e6, 4) +
+                         " is above the stable step: at most " + to_text_at_most(largest * 1e6, 4) +
                          " us (safety factor " + to_text(time.safety_factor) + " times the limit " +
                          to_text(choice.limit * 1e6, 4) +
                          " us) is allowed; choose a smaller step or auto.");

@@ -117,10 +117,13 @@ void check_facets(const Parameters &p, Findings &findings)
   for (const auto &[role, name] : texts_of<Role>)
     {
       const Decision elastic = elastic_sprocket(p, role);
+      const Switch own = role == Role::driver ? p.effects.elastic_driver : p.effects.elastic_driven;
       findings.contradiction(elastic.on,
                              entry + " is for rigid teeth, but those of the " + in_words(role) +
-                                 " are elastic (" + elastic.reason +
-                                 "); choose Model/Elastic sprockets = off, or 0.");
+                                 " are elastic (" + elastic.reason + "); choose " +
+                                 (own == Switch::on ? std::string("Effects/Elastic ") + name :
+                                                      "Model/Elastic sprockets") +
+                                 " = off, or 0.");
       findings.contradiction(!p.drive.sprockets.with(role).mesh.empty(),
                              entry + " is for teeth of arcs, but the " + in_words(role) +
                                  " has the flanks of its mesh; choose 0.");
@@ -413,12 +416,22 @@ void check_effects(const Parameters &p, Findings &findings)
                                " = 0; give a value above zero, or choose auto or off.");
   };
   const Effects &effects = p.effects;
-  // the largest coefficient that any interface of this fidelity has
-  double friction = contact.roller_tooth_friction.value_or(contact.friction_coefficient);
+  // the largest coefficient that any interface of this fidelity has; where all have their own, the
+  // one for all does not act
+  double friction  = contact.roller_tooth_friction.value_or(contact.friction_coefficient);
+  bool   is_common = !contact.roller_tooth_friction;
   if (clearances)
     for (const auto &own : {contact.roller_bush_friction, contact.bush_pin_friction})
-      friction = std::max(friction, own.value_or(contact.friction_coefficient));
-  insist("Friction", effects.friction, friction, "Contact/Friction coefficient");
+      {
+        friction  = std::max(friction, own.value_or(contact.friction_coefficient));
+        is_common = is_common || !own;
+      }
+  insist("Friction",
+         effects.friction,
+         friction,
+         is_common  ? "Contact/Friction coefficient" :
+         clearances ? "Contact/Roller-tooth friction, Roller-bush friction and Bush-pin friction" :
+                      "Contact/Roller-tooth friction");
   insist(
       "Contact damping", effects.contact_damping, contact.damping_ratio, "Contact/Damping ratio");
   insist("Gravity", effects.gravity, p.loads.gravity, "Loads/Gravity in m/s2");

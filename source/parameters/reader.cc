@@ -184,7 +184,7 @@ public:
       if (p.loads.driver_speed == 0.)
         errors_.emplace_back(
             "Loads/Power in kW needs a speed, but that of the driver is zero; give "
-            "Loads/Resisting torque in N m.");
+            "Loads/Resisting torque in N m in its place.");
       return p.loads.driver_speed == 0. ? 0. :
                                           1e3 * kilowatt / p.loads.driver_speed *
                                               sprockets.driven.teeth / sprockets.driver.teeth;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <numeric>
 #include <sstream>
 
@@ -14,6 +16,30 @@ std::string to_text(const double value, const int digits)
   out.precision(digits);
   out << value;
   return out.str();
+}
+
+namespace
+{
+/// @p value, or the number of so many digits next to it in the direction of @p sign.
+std::string rounded(const double value, const int digits, const double sign)
+{
+  const std::string text = to_text(value, digits);
+  const double      read = std::strtod(text.c_str(), nullptr);
+  if (!std::isfinite(value) || sign * (read - value) >= 0.)
+    return text;
+  const double unit = std::pow(10., std::floor(std::log10(std::abs(value))) + 1. - digits);
+  return to_text(read + sign * unit, digits);
+}
+} // namespace
+
+std::string to_text_at_least(const double value, const int digits)
+{
+  return rounded(value, digits, 1.);
+}
+
+std::string to_text_at_most(const double value, const int digits)
+{
+  return rounded(value, digits, -1.);
 }
 
 namespace

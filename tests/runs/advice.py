@@ -4,12 +4,20 @@
 accuracy: the first line of `plan --accuracy` is the cheapest model, its error and its time, or that there is no answer.
 entries: what doc/not-modelled.md lists is said of such entries; numbers in other units are converted, or said to be others; no
 entry is advised that means something else.
-options: a command refuses options that it has no use for; of a template every value that cannot be is refused by its name."""
+options: a command refuses options that it has no use for; of a template every value that cannot be is refused by its name.
+followed SERVER: what advice_cases.py lists is said, and who does what it says is not told so again. SERVER is build/tests/fuzz/
+fuzz_server, which loads the libraries once; `followed SERVER KIND` does one kind."""
+import concurrent.futures
+import os
 import pathlib
 import re
 import sys
+import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+for folder in ("scripts", "tests/fuzz"):
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / folder))
+import advice_cases  # noqa: E402
+import fuzz  # noqa: E402
 import program  # noqa: E402
 
 CASE, PROGRAM = sys.argv[1:3]
@@ -91,4 +99,56 @@ def options():
     program.check(done.returncode == 2 and "takes all of" in done.stderr, str(done))
 
 
-{"options": options, "accuracy": accuracy, "entries": entries}[CASE]()
+# quickly planned: no parts are solved, none is meshed for pictures
+BASE = "subsection Model\n  set Stiffness from = dimensions\nend\nsubsection Output\n  set Field interval in ms = 0\nend\n"
+
+
+def planned(server, entries):
+    """Status of a plan of a drive with `entries`, and what is said in one line."""
+    sets = [word for name, value in entries.items() if value is not None for word in ("--set", f"{name}={value}")]
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        (folder / "base.prm").write_text(BASE)
+        status, _ = server(["plan", "base.prm", *sets], folder)
+        return status, " ".join(((folder / "stdout").read_text() + (folder / "stderr").read_text()).split())
+
+
+def filled(template, found):
+    """A name or value of the table with the groups of the message."""
+    if callable(template):
+        return template(*found.groups())
+    return found.expand(template) if isinstance(template, str) else template
+
+
+def faults_of(server, row):
+    """What is wrong with the advice of a row of the table."""
+    message, entries, followed = row
+    status, said = planned(server, entries)
+    found = re.search(message, said)
+    if not found:
+        return [f"nothing like '{message}' of {entries}: status {status}: {said[-700:]}"]
+    faults = []
+    for change in followed:
+        change, then = dict(change), change.get("then")
+        change.pop("then", None)
+        change = {filled(name, found): filled(value, found) for name, value in change.items()}
+        status, after = planned(server, {**entries, **change})
+        again = re.search(message, after)
+        if again or status != (2 if then else 0) or not re.search(then or "", after):
+            faults.append(f"of {entries}:\n  {found[0][-300:]}\n  but with {change}:\n  status {status}: "
+                          f"{again[0][-300:] if again else after[-500:]}")
+    return faults
+
+
+def followed():
+    server = fuzz.Server(pathlib.Path(sys.argv[3]), 300, 0)
+    kinds = [kind for kind in advice_cases.TABLES if len(sys.argv) < 5 or kind.__name__ in sys.argv[4:]]
+    rows = [row for kind in kinds for row in kind()]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        faults = [fault for found in pool.map(lambda row: faults_of(server, row), rows) for fault in found]
+    tried = sum(len(row[2]) for row in rows)
+    print(f"{len(rows)} messages, {tried} pieces of advice, {len(faults)} do not hold")
+    program.check(not faults, "\n".join(faults))
+
+
+{"followed": followed, "options": options, "accuracy": accuracy, "entries": entries}[CASE]()

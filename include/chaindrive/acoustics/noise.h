@@ -60,6 +60,10 @@ std::vector<Observer> make_observers(const parameters::Acoustics &settings, cons
 /// floor that is not below everything.
 void check_site(const parameters::Acoustics &settings, const Site &site);
 
+/// InputError where histories with a sample every @p interval [s] do not tell of the highest
+/// frequency that @p settings ask for, or of the tooth frequency.
+void check_interval(const parameters::Acoustics &settings, const Site &site, double interval);
+
 /// By how much later than its emission any sound arrives at most, s.
 double longest_delay(const parameters::Acoustics &settings, const Site &site);
 

@@ -59,12 +59,13 @@ struct Facts
   double tooth_frequency; ///< Hz
   double pitch_time;
 
-  double effective_tension;   ///< that does the work: power over chain speed
-  double centrifugal_tension; ///< loads the chain, but neither teeth nor shafts
-  double start_tension;       ///< of the tight span while the speed grows; 0: starts settled
-  double joint_pressure;      ///< of the tight span's tension on the bearing area, Pa
-  double safety;              ///< tensile strength over the tight span's tension; 0: unknown
-  double shaft_load;          ///< resultant of both spans on either shaft
+  double effective_tension;      ///< that does the work: power over chain speed
+  double slack_tension_unloaded; ///< of the slack span without a load, without the centrifugal one
+  double centrifugal_tension;    ///< loads the chain, but neither teeth nor shafts
+  double start_tension;          ///< of the tight span while the speed grows; 0: starts settled
+  double joint_pressure;         ///< of the tight span's tension on the bearing area, Pa
+  double safety;                 ///< tensile strength over the tight span's tension; 0: unknown
+  double shaft_load;             ///< resultant of both spans on either shaft
 
   double driven_inertia;   ///< of all that turns with the driven sprocket, kg m2
   double driven_frequency; ///< of that on the tight span, the driver held, Hz

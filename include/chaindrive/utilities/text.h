@@ -9,6 +9,11 @@ namespace chaindrive
 /// @p value with at most @p digits significant digits and no trailing zeros, for messages and logs.
 std::string to_text(double value, int digits = 6);
 
+/// The same for a limit that someone may copy: what is written is on the side of @p value that is
+/// allowed, so at least, or at most, @p value.
+std::string to_text_at_least(double value, int digits = 6);
+std::string to_text_at_most(double value, int digits = 6);
+
 /// The member of @p candidates with the smallest edit distance to @p name, upper and lower case
 /// counted as equal and two letters exchanged as one edit; empty when it takes more than one edit
 /// for four letters of @p name: a suggestion that means something else does harm. Nor is
