@@ -70,7 +70,7 @@ for what, tolerance in (("tight span (N)", 0.25), ("polygon effect of the driver
                         ("shaft load (N)", 0.01), ("joint pressure (MPa)", 0.01), ("tooth frequency (Hz)", 0.01)):
     for value, expected in zip(found[what], told[what]):
         check(abs(value / expected - 1) <= tolerance, f"{what}: {value}, not {expected}")
-for what in ("impact: normal speed (m/s)", "impact: peak force (N)", "tight span (N)", "shaft load (N)", "losses (W)"):
+for what in ("impact: normal speed (m/s)", "impact: peak force (N)", "tight span (N)", "shaft load (N)"):
     check(found[what][0] > found[what][1], f"{what}: 17 teeth {found[what][0]}, 25 teeth {found[what][1]}")
     check(0.5 < found[what][0] / told[what][0] < 1.6, f"{what}: {found[what][0]} instead of {told[what][0]}")
 
