@@ -165,7 +165,7 @@ def refuse():
 
     for expected, text in (
             ("There is nothing to compare", "set Phases = 2"),
-            ("Study/Outputs: there is no output 'tight_tension'. Did you mean 'tight_tension_mean'?", LOOP + "set Outputs = tight_tension"),
+            ("Study/Outputs: there is no output 'tight_tension_men'. Did you mean 'tight_tension_mean'?", LOOP + "set Outputs = tight_tension_men"),
             ("Study/Reference = full is no variant. There are: fidelity=simple, fidelity=layered.", LOOP + "set Reference = full"),
             ("Study/Names has 3 names for 2 variants", LOOP + "set Names = a, b, c"),
             ("two variants called 'a'", LOOP + "set Names = a, a"),
