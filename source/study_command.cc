@@ -5,7 +5,9 @@
 #include <chaindrive/files/data_folder.h>
 #include <chaindrive/files/file.h>
 #include <chaindrive/files/json.h>
+#include <chaindrive/files/log.h>
 #include <chaindrive/mesh/import/import.h>
+#include <chaindrive/observe/progress.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/scene/build.h>
@@ -13,6 +15,7 @@
 #include <chaindrive/statics/part_stiffness.h>
 #include <chaindrive/utilities/checksum.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/processes.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/signals.h>
 #include <chaindrive/utilities/text.h>
@@ -20,11 +23,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <fcntl.h>
 #include <filesystem>
 #include <iomanip>
 #include <map>
+#include <new>
 #include <string>
 #include <sys/file.h>
 #include <thread>
@@ -57,6 +63,12 @@ struct Model
   const parameters::Variant *variant;
   std::vector<Run>           runs;
 };
+
+/// How many are at work at a time.
+unsigned int n_cores(const CommandLine &c)
+{
+  return c.cores > 0 ? c.cores : std::max(1U, std::thread::hardware_concurrency());
+}
 
 std::string study_directory(const CommandLine &c)
 {
@@ -164,6 +176,113 @@ std::string check(Model &model, const parameters::StudyInput &input, const std::
   return sentences;
 }
 
+/// check() in another process, and what it has found out there.
+std::string
+check_elsewhere(Model model, const parameters::StudyInput &input, const std::string &directory)
+{
+  files::Json found = {{"sentences", check(model, input, directory)},
+                       {"texts", files::Json::array()}};
+  for (const Run &run : model.runs)
+    found["texts"].push_back(run.text);
+  const std::vector<std::uint8_t> bytes = files::Json::to_cbor(found); // texts may be no UTF-8
+  return {bytes.begin(), bytes.end()};
+}
+
+/// Takes what check_elsewhere() has found out about @p model; returns the sentences.
+std::string take(Model &model, const WorkResult &result)
+{
+  using End = WorkResult::End;
+  if (result.end == End::input)
+    throw InputError(result.text);
+  if (result.end == End::memory)
+    throw std::bad_alloc();
+  if (result.end == End::exception)
+    throw RunError(model.variant->name + ": " + result.text);
+  if (result.end != End::good)
+    throw RunError("The variant " + model.variant->name +
+                   " could not be checked, nor once more alone: " + result.text +
+                   ". There may be too little memory for it.");
+  const files::Json found = files::Json::from_cbor(result.text);
+  for (std::size_t i = 0; i < model.runs.size(); ++i)
+    model.runs[i].text = found["texts"][i];
+  return found["sentences"];
+}
+
+/// How far the checks are: a line that is rewritten on a terminal, elsewhere one now and then.
+class CheckProgress
+{
+public:
+  CheckProgress(files::Log &log, const std::size_t n)
+      : log_(log), n_(n), terminal_(observe::Progress::console_is_terminal())
+  {
+  }
+  ~CheckProgress() { log_.show_status(""); }
+  CheckProgress(const CheckProgress &)            = delete;
+  CheckProgress &operator=(const CheckProgress &) = delete;
+
+  void operator()(const std::size_t done)
+  {
+    using namespace std::chrono_literals;
+    const auto now = Clock::now();
+    if (done == n_ || now - said_ < (terminal_ ? 200ms : 10s))
+      return;
+    said_                = now;
+    const double elapsed = std::chrono::duration<double>(now - began_).count();
+    std::string  text    = std::to_string(done) + " of " + std::to_string(n_) + " variants checked";
+    if (done > 0)
+      text += ", left " + observe::duration_text(elapsed * static_cast<double>(n_ - done) /
+                                                 static_cast<double>(done));
+    if (terminal_)
+      log_.show_status(text);
+    else
+      log_ << "  " << text << std::endl;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  files::Log             &log_;
+  const std::size_t       n_;
+  const bool              terminal_;
+  const Clock::time_point began_ = Clock::now();
+  Clock::time_point       said_  = began_;
+};
+
+/// Completes and checks all @p models, several at a time. InputError with the sentences of all that
+/// cannot run, in their order. Returns early after a stop signal.
+void check_all(std::vector<Model>           &models,
+               const parameters::StudyInput &input,
+               const std::string            &directory,
+               const CommandLine            &command_line,
+               files::Log                   &log)
+{
+  std::vector<WorkResult> results;
+  {
+    CheckProgress progress(log, models.size());
+    results = do_in_processes(
+        models.size(),
+        n_cores(command_line),
+        [&](const std::size_t i) { return check_elsewhere(models[i], input, directory); },
+        [&](const std::size_t done) { progress(done); });
+  }
+  if (stop_signal() != 0)
+    return;
+  std::string refused;
+  std::size_t n_refused = 0;
+  for (std::size_t i = 0; i < models.size(); ++i)
+    {
+      const std::string sentences = take(models[i], results[i]);
+      refused += sentences;
+      n_refused += sentences.empty() ? 0 : 1;
+      if (command_line.dry_run)
+        log << "  " << models[i].variant->name << (sentences.empty() ? "" : "  cannot run") << '\n';
+    }
+  log << std::flush;
+  if (n_refused > 0)
+    throw InputError(std::to_string(n_refused) + " of " + std::to_string(models.size()) +
+                     " variants cannot run; nothing was started:" + refused);
+}
+
 /// One study works in a directory at a time. The lock is not given back: Snakemake inherits it with
 /// this process, and it ends with that, however it ends.
 void claim(const std::string &directory)
@@ -253,22 +372,21 @@ void write(const std::string        &directory,
 
 std::vector<std::string> snakemake(const CommandLine &c, const std::string &directory)
 {
-  const std::string scripts = files::data_folder("scripts");
-  const unsigned cores = c.cores > 0 ? c.cores : std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::string> words = {"snakemake",
-                                    "--snakefile",
-                                    scripts + "/study/Snakefile",
-                                    "--directory",
-                                    directory,
-                                    "--cores",
-                                    std::to_string(cores),
-                                    "--keep-going",
-                                    "--ignore-incomplete", // result.json is written at once
-                                    "--rerun-triggers",    // variant.prm is new when it is another
-                                    "mtime",
-                                    "--nolock", // claim() has locked the directory
-                                    "--scheduler",
-                                    "greedy"};
+  const std::string        scripts = files::data_folder("scripts");
+  std::vector<std::string> words   = {"snakemake",
+                                      "--snakefile",
+                                      scripts + "/study/Snakefile",
+                                      "--directory",
+                                      directory,
+                                      "--cores",
+                                      std::to_string(n_cores(c)),
+                                      "--keep-going",
+                                      "--ignore-incomplete", // result.json is written at once
+                                      "--rerun-triggers", // variant.prm is new when it is another
+                                      "mtime",
+                                      "--nolock", // claim() has locked the directory
+                                      "--scheduler",
+                                      "greedy"};
   if (c.quiet)
     words.insert(words.end(), {"--quiet", "all"});
   words.insert(words.end(), c.rest.begin(), c.rest.end());
@@ -285,10 +403,7 @@ std::vector<std::string> study_command(const CommandLine &command_line, const MP
       command_line.parameter_file, command_line.overrides, command_line.quick);
   const std::string directory = study_directory(command_line);
   files::Console    out(STDOUT_FILENO);
-  const auto        say = [&](const std::string &text) {
-    if (!command_line.quiet)
-      out << text << std::endl;
-  };
+  files::Log        log(command_line.quiet ? nullptr : &out);
 
   std::vector<Model> models;
   for (const parameters::Variant &variant : input.variants)
@@ -302,27 +417,16 @@ std::vector<std::string> study_command(const CommandLine &command_line, const MP
                          " vary the start phase: set Study/Phases = 1.");
       models.push_back({&variant, make_runs(variant, input.study.phases)});
     }
-  say(std::to_string(models.size()) + " variants from " + std::to_string(input.study.phases) +
-      " start phases each: checking all before the first begins");
-  std::string refused;
-  std::size_t n_refused = 0;
-  for (Model &model : models)
-    {
-      const std::string sentences = check(model, input, directory);
-      refused += sentences;
-      n_refused += sentences.empty() ? 0 : 1;
-      say("  " + model.variant->name + (sentences.empty() ? "" : "  cannot run"));
-      if (stop_signal() != 0)
-        return {};
-    }
-  if (n_refused > 0)
-    throw InputError(std::to_string(n_refused) + " of " + std::to_string(models.size()) +
-                     " variants cannot run; nothing was started:" + refused);
+  log << models.size() << " variants from " << input.study.phases
+      << " start phases each: checking all before the first begins" << std::endl;
+  check_all(models, input, directory, command_line, log);
+  if (stop_signal() != 0)
+    return {};
   if (command_line.dry_run)
     return {};
   claim(directory);
   write(directory, models, as_json(input, models, command_line), command_line.retry);
-  say("Results: " + directory);
+  log << "Results: " << directory << std::endl;
   return snakemake(command_line, directory);
 }
 } // namespace chaindrive

@@ -3,6 +3,7 @@
 
   statistics  intervals, the efficient front, spectra and variation against closed forms
   refuse      what is wrong is said of every variant before the first begins, and nothing is written
+  checks      variants are checked several at a time, with the sentences of one at a time; progress; signals leave nothing behind
   run         a small study from end to end: a variant that fails is a row, the table has the numbers of the runs
   sweep       a study against an entry: curves, orders at each speed, a variant that fails is a gap
   cluster     a study on Slurm, of which a stand-in gives the programs their environment
@@ -69,12 +70,12 @@ def write(text, name="small.prm"):
     pathlib.Path(name).write_text(DRIVE.format(repository=REPOSITORY) + text)
 
 
-def words(*options, name="small.prm"):
-    return [PROGRAM, "study", name, "--cores", "2", "--output", "there", *options]
+def words(*options, name="small.prm", cores=2):
+    return [PROGRAM, "study", name, "--cores", str(cores), "--output", "there", *options]
 
 
-def study(*options, status=0, name="small.prm"):
-    done = subprocess.run(words(*options, name=name), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+def study(*options, status=0, name="small.prm", cores=2):
+    done = subprocess.run(words(*options, name=name, cores=cores), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     check(done.returncode == status, f"status {done.returncode} instead of {status}:\n{done.stdout}")
     return done.stdout
 
@@ -167,6 +168,7 @@ def refuse():
             ("There is nothing to compare", "set Phases = 2"),
             ("Study/Outputs: there is no output 'tight_tension'. Did you mean one of 'tight_tension_mean', "
              "'tight_tension_max_start', 'tight_tension_ripple'?", LOOP + "set Outputs = tight_tension"),
+            ("Study/Outputs: there is no output 'tight_tension_men'. Did you mean 'tight_tension_mean'?", LOOP + "set Outputs = tight_tension_men"),
             ("Study/Reference = full is no variant. There are: fidelity=simple, fidelity=layered.", LOOP + "set Reference = full"),
             ("Study/Names has 3 names for 2 variants", LOOP + "set Names = a, b, c"),
             ("two variants called 'a'", LOOP + "set Names = a, a"),
@@ -209,6 +211,72 @@ def refuse():
     for sentence in ("Only studies have them", "It belongs to a study", "Loops belong to studies"):
         check(sentence in out, f"a run does not tell a study: {out}")
     check("cannot run" not in said(LOOP, "--dry-run", status=0), "--dry-run")
+
+
+def checks():
+    steps = " | ".join(f"{0.1 + 0.01 * i:.2f}" if i % 2 else str(50 + i) for i in range(24))
+    write(f"subsection Time\n set Step in us = {{{steps}}}\nend\n")
+    said = [study("--quiet", status=2, cores=cores) for cores in (1, 5)]
+    check(said[0] == said[1] and "12 of 24 variants cannot run" in said[0], f"others with five at a time:\n{said[0]}\n{said[1]}")
+    order = [int(line.split(":")[0].removeprefix("step=")) for line in said[1].splitlines() if line.startswith("step=")]
+    check(order == list(range(50, 74, 2)), f"the order of the sentences: {order}")
+    listed = [line.split()[0] for line in study("--dry-run", status=2).splitlines() if line.startswith("  step=")]
+    check(len(listed) == 24 and listed[:2] == ["step=50", "step=0.11"], f"--dry-run lists {listed}")
+
+    text = "subsection Loads\n set Drag in 1/s = {" + " | ".join(map(str, range(400))) + "}\nend\n"
+    write(text)
+
+    def begin(stdout, *options):
+        process = subprocess.Popen(words("--dry-run", *options), stdout=stdout, stderr=subprocess.STDOUT, start_new_session=True)
+        since = time.time()
+        while len(of_group(process.pid)) < 2:
+            check(process.poll() is None and time.time() - since < 60, "no process checks a variant")
+            time.sleep(0.01)
+        return process
+
+    terminal, other = os.openpty()  # a line that is rewritten
+    process = begin(other)
+    os.close(other)
+    shown = b""
+    while shown.count(b"of 400 variants checked, left ") < 3:
+        shown += os.read(terminal, 1000)
+    check(b"\r" in shown and b"\x1b[K" in shown, f"on a terminal: {shown}")
+    os.kill(process.pid, signal.SIGKILL)
+    process.wait()
+    os.close(terminal)
+    gone(process.pid, "a study that is killed")
+    for number in (signal.SIGTERM, signal.SIGINT):
+        with open("said.txt", "w+", encoding="utf-8") as file:
+            process, since = begin(file), time.time()
+            while "of 400 variants checked" not in pathlib.Path("said.txt").read_text():  # a plain line now and then
+                check(process.poll() is None and time.time() - since < 120, "no progress in a file")
+                time.sleep(0.1)
+            process.send_signal(number)
+            check(process.wait(30) == 4, f"status {process.returncode} after {number}")
+        gone(process.pid, f"a study after {number}")
+        said = pathlib.Path("said.txt").read_text()
+        check("\r" not in said and "\x1b" not in said and "cannot" not in said, f"in a file: {said}")
+    check(not pathlib.Path("there").exists(), "something was written")
+
+
+def of_group(leader):
+    """Processes of a group, without those that have ended."""
+    found = []
+    for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            number, rest = int(stat.parent.name), stat.read_text().rpartition(")")[2].split()
+        except OSError:
+            continue
+        if int(rest[2]) == leader and rest[0] != "Z":
+            found.append(number)
+    return found
+
+
+def gone(leader, what):
+    since = time.time()
+    while of_group(leader):
+        check(time.time() - since < 20, f"{what} leaves processes behind")
+        time.sleep(0.05)
 
 
 STUDY = """
@@ -470,4 +538,4 @@ def kill():
     check(all(after[run] > before[run] for run in after if "drag=1" not in run), "runs that have changed are not repeated")
 
 
-{"statistics": statistics, "refuse": refuse, "run": run, "sweep": sweep, "cluster": cluster, "kill": kill}[CASE]()
+{"statistics": statistics, "refuse": refuse, "checks": checks, "run": run, "sweep": sweep, "cluster": cluster, "kill": kill}[CASE]()
