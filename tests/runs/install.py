@@ -3,11 +3,13 @@
 
   prefix   cmake --install into a folder that is moved afterwards: plan, template, a short run, a study with the installed
            scripts, a report, manual page and completion
-  package  cpack -G DEB: the package names its libraries, and unpacked it plans and writes templates
+  package  cpack -G DEB: the package names its libraries and who made it, has a changelog, and unpacked it plans and
+           writes templates; where lintian is installed it finds no error
 
 `package` without dpkg-shlibdeps, and the study without Snakemake, are left out (77)."""
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -127,8 +129,21 @@ def package():
     check("snakemake" in recommends and "openmpi-bin" in recommends, f"Recommends: {recommends}")
     names = [word.strip() for word in recommends.split(",")]
     check(len(set(names)) == len(names), f"Recommends: {recommends}")
+    maintainer = done("dpkg-deb", "--field", file, "Maintainer").strip()
+    check(re.fullmatch(r"[^<>]+ <[^<>@ ]+@[^<>@ ]+>", maintainer), f"Maintainer: {maintainer}")
     root = empty("root")
     done("dpkg-deb", "--extract", file, root)
+    documents = root / "usr/share/doc/chaindrive"
+    changes = done("gzip", "-dc", documents / "changelog.Debian.gz").splitlines()
+    full_version = done("dpkg-deb", "--field", file, "Version").strip()
+    check(changes[0] == f"chaindrive ({full_version}) unstable; urgency=medium", f"changelog: {changes[0]}")
+    check(changes[-1].startswith(f" -- {maintainer}  ") and changes[-1].endswith("00:00:00 +0000"), f"changelog: {changes[-1]}")
+    check(re.search(r"^Copyright: \d{4} ", (documents / "copyright").read_text(), re.MULTILINE), "no year in copyright")
+    if shutil.which("lintian"):
+        said = done("lintian", "--fail-on", "none", file).splitlines()
+        # whoever publishes the package gives an address that exists: DEBFULLNAME, DEBEMAIL
+        wrong = [line for line in said if line.startswith("E:") and "bogus-mail-host" not in line]
+        check(not wrong, "\n".join(wrong))
     program = plans_and_writes_templates(root / "usr")
     version = done(program, "--version").split()[1]
     check(file.name.startswith(f"chaindrive_{version}"), f"{file.name} has the program {version}")
