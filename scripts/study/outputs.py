@@ -191,11 +191,16 @@ def end_of_run(folder):
 def of_run(folder, names):
     """{column: value} of the outputs `names` of the run in `folder`; nan where the model has no such thing. A spectrum has
     a column for each band."""
-    run, values = Run(folder), {}
-    for name in names:
-        value = OUTPUTS[name](run)
-        if isinstance(value, dict):
-            values.update({f"{name} {band} Hz": x for band, x in value.items()})
-        else:
-            values[name] = np.nan if value is None else float(value)
+    values = {}
+    try:
+        with Run(folder) as run:
+            for name in names:
+                value = OUTPUTS[name](run)
+                if isinstance(value, dict):
+                    values.update({f"{name} {band} Hz": x for band, x in value.items()})
+                else:
+                    values[name] = np.nan if value is None else float(value)
+    finally:  # thousands of runs are more files and histories than a process may hold
+        Run.approaches.cache_clear()
+        Run.power.cache_clear()
     return values

@@ -85,10 +85,10 @@ def order_amplitudes(time, values, period, begin, end):
 
 
 def tension_orders(folder):
-    run = outputs.Run(folder)
-    if "spans/tight_tension" not in run:
-        return np.array([]), np.array([])
-    return order_amplitudes(run.time, run["spans/tight_tension"], run.pitch_time, run.start, run.end)
+    with outputs.Run(folder) as run:
+        if "spans/tight_tension" not in run:
+            return np.array([]), np.array([])
+        return order_amplitudes(run.time, run["spans/tight_tension"], run.pitch_time, run.start, run.end)
 
 
 def sound_orders(folder):

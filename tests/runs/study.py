@@ -20,6 +20,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 
 MESH = "sprocket-15.msh"
@@ -146,6 +147,14 @@ def statistics():
     for order, amplitude in ((2., 3.), (0.5, 0.5), (1., 0.), (3., 0.)):
         close(amplitudes[np.argmin(abs(orders - order))], amplitude, 2e-3, f"order {order}")
     check(len(sweep.order_amplitudes(beat, beat, 1., 0., 0.1)[0]) == 0, "less than a period has no orders")
+
+    import needs
+    check([needs.memory_mb({"cpu": 1., "memory": memory}, ranks, attempt) for memory, ranks, attempt in (
+        (1.9e8, 1, 1), (4e8, 1, 1), (4e8, 3, 1), (4e8, 3, 2))] == [500, 600, 1350, 2700], "memory of a job")
+    check([needs.minutes({"cpu": cpu, "memory": 1.}, attempt) for cpu, attempt in ((5., 1), (300., 1), (1800., 1), (1801., 2))] == [10, 10, 60, 122],
+          "minutes of a job")
+    for nothing in (None, {}, [], {"cpu": None, "memory": "x"}, {"cpu": -1., "memory": float("nan")}, {"cpu": float("inf"), "memory": True}):
+        check((needs.memory_mb(nothing, 1), needs.minutes(nothing)) == (500, 10), f"of {nothing}")
 
     documented = subprocess.run([PROGRAM, "document"], stdout=subprocess.PIPE, text=True).stdout
     of_outputs = documented[documented.index("Outputs that a study"):].split("\n## ")[0]
@@ -338,7 +347,7 @@ def run():
 SWEEP = """
 subsection Study
   set Title   = A sweep
-  set Outputs = tight_tension_mean, driver_normal_speed_mean, loss_power_mean, sound_level
+  set Outputs = tight_tension_mean, driver_normal_speed_mean, loss_power_mean, sound_level, roller_velocity_rms
   set Names   = simple-slow, layered-slow, simple-fast, layered-fast, simple-worse, layered-worse
   set Against = Loads/Driver speed in rad/s
   set Phases  = 1
@@ -378,12 +387,14 @@ def sweep():
     check(rows["simple-fast"]["sound_level"] in ("", "nan"), "a level without sound")
 
     found = of.Sweep(report.Study("there"))
+    held = [file for file in pathlib.Path("/proc/self/fd").iterdir() if file.resolve().name == "histories.h5"]
+    check(not held, f"{len(held)} histories are held: a study may have thousands")
     check({label: [round(found.abscissa(v)) for v in variants] for label, variants in found.curves.items()}
           == {name: [2865, 4297, 5730] for name in ("simple", "layered")}, f"curves {found.curves.keys()}")
     drive = json.loads(pathlib.Path("there/simple-slow/phase-0/summary.json").read_text())["drive"]
     close(found.resonances()[0][2], drive["driven_resonance"] * 9.549297, 1e-3, "resonance in rpm")
     page = pathlib.Path("there/study.md").read_text()
-    check("driver speed (rpm), layered" in page and "| 4297 | - | - | - | - | - |" in page, f"the page:\n{page}")
+    check("driver speed (rpm), layered" in page and "| 4297 | - | - | - | - | - | - |" in page, f"the page:\n{page}")
     for file in ("study.html", "chart.png", "chart.svg", "chart-orders.svg"):
         check(pathlib.Path("there", file).stat().st_size > 500, file)
 
@@ -436,6 +447,7 @@ echo step >>"$JOBS.steps" && exec "$@"
 
 def cluster():
     need_snakemake()
+    import needs
     for folder in ("there", "slurm"):
         shutil.rmtree(folder, ignore_errors=True)
     os.makedirs("slurm")
@@ -453,9 +465,37 @@ def cluster():
     said = "".join(file.read_text() for file in jobs.parent.glob("jobs.[0-9]*"))
     check({row["runs"] for row in rows.values()} == {"2"} and len(rows) == 2, f"not all have run: {rows}\n{said}")
     submitted = jobs.read_text().splitlines()
-    check(len(submitted) == 3 and all("--mem 700" in s or "--mem 1400" in s for s in submitted)
-          and all(" -A account" in s for s in submitted), "jobs:\n" + "\n".join(submitted))
+    asked = sorted((int(s.split(" --mem ")[1].split()[0]), int(s.split(" -t ")[1].split()[0])) for s in submitted)
+    estimates = [variant["estimate"] for variant in json.loads(pathlib.Path("there/study.json").read_text())["variants"]]
+    one, two = (needs.memory_mb(estimate, ranks) for estimate, ranks in zip(estimates, (1, 2)))
+    # two runs of one rank are beside each other in their group, others one after the other
+    groups = [(2 * one, 10) if s.count("run:folder=drag=0/") == 2 else (two, 20) for s in submitted if "run:folder=" in s]
+    check(len(groups) == 2 and asked == sorted([*groups, (2000, 30)]) and two > one >= 500 and all(" -A account" in s for s in submitted),
+          f"{asked} for {estimates}:\n" + "\n".join(submitted))
+    for variant, estimate in zip(rows.values(), estimates):
+        check(0.9 < estimate["memory"] / float(variant["memory"]) < 1.6, f"memory: {estimate} {variant}")  # a layered model is that of one rank
+        check(0.3 < estimate["cpu"] / float(variant["cpu"]) < 4, f"time: {estimate} {variant}")
+    check(not list(pathlib.Path(tempfile.gettempdir()).glob("chaindrive-study-*")), "the folder of the estimates is left")
     check(len(pathlib.Path(f"{jobs}.steps").read_text().split()) >= 5, "no step below srun")
+    os.environ["TMPDIR"] = "/nowhere"
+    check("none can be made in '/nowhere'" in study("--", "--slurm", "--jobs", "4", status=2), "no temporary directory")
+    del os.environ["TMPDIR"]
+    before = pathlib.Path("there/study.json").read_text()
+    study("--quiet", "--", "--slurm", "--jobs", "4", "--max-status-checks-per-second", "1", "--default-resources", "slurm_account=account")
+    check(pathlib.Path("there/study.json").read_text() == before, "estimates of runs that are the same are lost")
+    # more for one run, and what is damaged is as if nobody had asked
+    about = json.loads(before)
+    about["variants"][0]["estimate"] = {"cpu": 3600, "memory": 2e9}
+    about["variants"][1]["estimate"] = {"cpu": [], "memory": "much"}
+    pathlib.Path("there/study.json").write_text(json.dumps(about))
+    for file in pathlib.Path("there").glob("*/*/result.json"):
+        file.unlink()
+    jobs.write_text("")
+    study("--quiet", "--", "--slurm", "--jobs", "4", "--max-status-checks-per-second", "1", "--default-resources", "slurm_account=account",
+          "--set-resources", "report:mem_mb=3000")
+    asked = sorted((int(s.split(" --mem ")[1].split()[0]), int(s.split(" -t ")[1].split()[0])) for s in jobs.read_text().splitlines())
+    two = needs.memory_mb(json.loads(pathlib.Path("there/study.json").read_text())["variants"][1]["estimate"], 2)
+    check(asked[:2] == [(two, 10)] * 2 and asked[2:] == [(3000, 30), (3000, 120), (3000, 120)], f"jobs with other estimates: {asked}")
     for file in pathlib.Path("there").glob("*/*/errors.txt"):
         check("no run has written" not in file.read_text(), f"files of the study are strange to it: {file.read_text()}")
 
