@@ -140,13 +140,14 @@ void time_outputs(Simulation &simulation, Cost &cost)
 
 Cost measure_cost(Simulation                     &simulation,
                   const std::vector<std::string> &folders,
-                  const double                    before)
+                  const double                    before,
+                  const double                    timed)
 {
   const MPI_Comm comm = simulation.communicator();
   Cost           cost;
   cost.steps = simulation.n_steps();
 
-  Stopwatch stopwatch(1.);
+  Stopwatch stopwatch(timed);
   simulation.run({&stopwatch});
   cost.timed = stopwatch.steps();
   cost.step  = sum(stopwatch.seconds(), comm) / std::max(1UL, cost.timed);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/commands.h>
+#include <chaindrive/cost.h>
 #include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/files/console.h>
 #include <chaindrive/files/data_folder.h>
 #include <chaindrive/files/file.h>
 #include <chaindrive/files/json.h>
+#include <chaindrive/files/log.h>
 #include <chaindrive/mesh/import/import.h>
+#include <chaindrive/observe/progress.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/scene/build.h>
@@ -13,21 +16,30 @@
 #include <chaindrive/statics/part_stiffness.h>
 #include <chaindrive/utilities/checksum.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/processes.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/signals.h>
 #include <chaindrive/utilities/text.h>
+#include <chaindrive/utilities/timing.h>
 #include <chaindrive/version.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <iomanip>
 #include <map>
+#include <new>
+#include <optional>
 #include <string>
 #include <sys/file.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 // A study up to the point where its runs can begin: which runs there are, whether each can run, a
@@ -56,7 +68,51 @@ struct Model
 {
   const parameters::Variant *variant;
   std::vector<Run>           runs;
+  files::Json                estimate; ///< what a run costs; null: nobody has asked
 };
+
+/// What estimates of the cost of runs need, which copies of this process make.
+struct Estimating
+{
+  std::string folder;      ///< a temporary one; empty: nothing is to be estimated
+  double      cpu    = 0.; ///< that this process has taken until then, as each run will, s
+  double      memory = 0.; ///< its peak, bytes: what copies find there is not counted as theirs
+};
+
+/// A temporary directory, in which copies of this process may die; gone with this object.
+class Scratch
+{
+public:
+  Scratch()
+  {
+    const char       *given = std::getenv("TMPDIR");
+    const std::string where = given != nullptr && *given != '\0' ? given : "/tmp";
+    path_                   = where + "/chaindrive-study-XXXXXX";
+    if (::mkdtemp(path_.data()) == nullptr)
+      throw InputError(
+          "A study on a cluster needs a temporary directory, and none can be made in '" + where +
+          "': " + std::strerror(errno) +
+          ". Set the variable TMPDIR to a directory that can be written.");
+  }
+  ~Scratch()
+  {
+    std::error_code error;
+    fs::remove_all(path_, error);
+  }
+  Scratch(const Scratch &)            = delete;
+  Scratch &operator=(const Scratch &) = delete;
+
+  const std::string &path() const { return path_; }
+
+private:
+  std::string path_;
+};
+
+/// How many are at work at a time.
+unsigned int n_cores(const CommandLine &c)
+{
+  return c.cores > 0 ? c.cores : std::max(1U, std::thread::hardware_concurrency());
+}
 
 std::string study_directory(const CommandLine &c)
 {
@@ -122,8 +178,9 @@ bool is_known(const Run &run, const std::string &directory)
 }
 
 /// Prepares @p run, all of it or only its drive and scene. How elastic bodies settle takes long,
-/// and is found when the run begins. InputError when it cannot run.
-void prepare(const Run &run, const bool all)
+/// and is found when the run begins. Returns what the run costs if @p estimating asks for it.
+/// InputError when it cannot run.
+files::Json prepare(const Run &run, const bool all, const Estimating &estimating)
 {
   parameters::Input input = parameters::read_entries(run.values, drive::number_of_links);
   scene::build_scene(
@@ -131,16 +188,25 @@ void prepare(const Run &run, const bool all)
       drive::make_drive(input.parameters, statics::part_stiffness(input.parameters, MPI_COMM_SELF)),
       {"."});
   if (!all)
-    return;
+    return {};
   if (input.parameters.model.capabilities().is_elastic)
     input.parameters.drive.layout.start = parameters::Start::taut;
-  Simulation(input.parameters, {"."}, MPI_COMM_SELF).n_steps();
+  Simulation simulation(input.parameters, {"."}, MPI_COMM_SELF);
+  simulation.n_steps();
+  if (estimating.folder.empty())
+    return {};
+  ::setenv("TMPDIR", estimating.folder.c_str(), 1); // of a process that ends with this check
+  const Cost cost = measure_cost(simulation, {"."}, estimating.cpu, 0.25);
+  return {{"cpu", cost.total()}, {"memory", cost.memory + estimating.memory}};
 }
 
 /// Completes and checks all runs of @p model. Returns the sentences of those that cannot run: one
 /// if the first cannot. Start phases differ in where bodies begin, and no more of the others is
-/// prepared.
-std::string check(Model &model, const parameters::StudyInput &input, const std::string &directory)
+/// prepared. Estimates what a run costs if @p estimating asks for it and it is not known.
+std::string check(Model                        &model,
+                  const parameters::StudyInput &input,
+                  const std::string            &directory,
+                  const Estimating             &estimating)
 {
   std::map<std::string, std::string> phases_of; // by sentence
   for (Run &run : model.runs)
@@ -148,8 +214,15 @@ std::string check(Model &model, const parameters::StudyInput &input, const std::
       {
         const std::string meshes = settle_meshes(run, input.folders);
         run.text                 = text_of(run, *model.variant, input.study, meshes);
-        if (stop_signal() == 0 && !is_known(run, directory))
-          prepare(run, &run == &model.runs.front());
+        const bool first         = &run == &model.runs.front();
+        const bool unknown       = !is_known(run, directory);
+        if (first && unknown)
+          model.estimate = nullptr; // what is there is of another run
+        const bool asked = first && !estimating.folder.empty() && model.estimate.is_null();
+        if (stop_signal() == 0 && (unknown || asked))
+          if (const files::Json cost = prepare(run, first, asked ? estimating : Estimating());
+              !cost.is_null())
+            model.estimate = cost;
       }
     catch (const InputError &error)
       {
@@ -162,6 +235,149 @@ std::string check(Model &model, const parameters::StudyInput &input, const std::
   for (const auto &[sentence, phases] : phases_of)
     sentences += "\n" + model.variant->name + " from start phase " + phases + ": " + sentence;
   return sentences;
+}
+
+/// check() in another process, and what it has found out there.
+std::string check_elsewhere(Model                         model,
+                            const parameters::StudyInput &input,
+                            const std::string            &directory,
+                            const Estimating             &estimating)
+{
+  files::Json found = {{"sentences", check(model, input, directory, estimating)},
+                       {"texts", files::Json::array()},
+                       {"estimate", model.estimate}};
+  for (const Run &run : model.runs)
+    found["texts"].push_back(run.text);
+  const std::vector<std::uint8_t> bytes = files::Json::to_cbor(found); // texts may be no UTF-8
+  return {bytes.begin(), bytes.end()};
+}
+
+/// Takes what check_elsewhere() has found out about @p model; returns the sentences.
+std::string take(Model &model, const WorkResult &result)
+{
+  using End = WorkResult::End;
+  if (result.end == End::input)
+    throw InputError(result.text);
+  if (result.end == End::memory)
+    throw std::bad_alloc();
+  if (result.end == End::exception)
+    throw RunError(model.variant->name + ": " + result.text);
+  if (result.end != End::good)
+    throw RunError("The variant " + model.variant->name +
+                   " could not be checked, nor once more alone: " + result.text +
+                   ". There may be too little memory for it.");
+  const files::Json found = files::Json::from_cbor(result.text);
+  for (std::size_t i = 0; i < model.runs.size(); ++i)
+    model.runs[i].text = found["texts"][i];
+  model.estimate = found["estimate"];
+  return found["sentences"];
+}
+
+/// How far the checks are: a line that is rewritten on a terminal, elsewhere one now and then.
+class CheckProgress
+{
+public:
+  CheckProgress(files::Log &log, const std::size_t n)
+      : log_(log), n_(n), terminal_(observe::Progress::console_is_terminal())
+  {
+  }
+  ~CheckProgress() { log_.show_status(""); }
+  CheckProgress(const CheckProgress &)            = delete;
+  CheckProgress &operator=(const CheckProgress &) = delete;
+
+  void operator()(const std::size_t done)
+  {
+    using namespace std::chrono_literals;
+    const auto now = Clock::now();
+    if (done == n_ || now - said_ < (terminal_ ? 200ms : 10s))
+      return;
+    said_                = now;
+    const double elapsed = std::chrono::duration<double>(now - began_).count();
+    std::string  text    = std::to_string(done) + " of " + std::to_string(n_) + " variants checked";
+    if (done > 0)
+      text += ", left " + observe::duration_text(elapsed * static_cast<double>(n_ - done) /
+                                                 static_cast<double>(done));
+    if (terminal_)
+      log_.show_status(text);
+    else
+      log_ << "  " << text << std::endl;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  files::Log             &log_;
+  const std::size_t       n_;
+  const bool              terminal_;
+  const Clock::time_point began_ = Clock::now();
+  Clock::time_point       said_  = began_;
+};
+
+/// Tells @p models what was found earlier, by the study in @p directory, of the cost of runs.
+void recall_estimates(std::vector<Model> &models, const std::string &directory)
+{
+  const std::string file = directory + "/study.json";
+  if (!fs::exists(file))
+    return;
+  const files::Json about = files::Json::parse(files::read_text(file), nullptr, false);
+  if (!about.is_object() || !about.contains("variants") || !about["variants"].is_array())
+    return;
+  std::map<std::string, files::Json> known;
+  for (const files::Json &variant : about["variants"])
+    if (variant.is_object() && variant.contains("name") && variant["name"].is_string() &&
+        variant.contains("estimate") && variant["estimate"].is_object() &&
+        variant["estimate"].value("cpu", files::Json()).is_number() &&
+        variant["estimate"].value("memory", files::Json()).is_number())
+      known[variant["name"]] = variant["estimate"];
+  for (Model &model : models)
+    if (const auto found = known.find(model.variant->name); found != known.end())
+      model.estimate = found->second;
+}
+
+/// Completes and checks all @p models, several at a time; for options of Snakemake's it also
+/// estimates what runs cost, since a cluster has to know. InputError with the sentences of all that
+/// cannot run, in their order. Returns early after a stop signal.
+void check_all(std::vector<Model>           &models,
+               const parameters::StudyInput &input,
+               const std::string            &directory,
+               const CommandLine            &command_line,
+               files::Log                   &log)
+{
+  std::vector<WorkResult> results;
+  {
+    std::optional<Scratch> scratch;
+    if (!command_line.rest.empty() && !command_line.dry_run)
+      scratch.emplace();
+    const Estimating estimating =
+        scratch ?
+            Estimating{scratch->path(), PhaseTimer::total(), observe::memory_peak(MPI_COMM_SELF)} :
+            Estimating();
+    recall_estimates(models, directory);
+    CheckProgress progress(log, models.size());
+    results = do_in_processes(
+        models.size(),
+        n_cores(command_line),
+        [&](const std::size_t i) {
+          return check_elsewhere(models[i], input, directory, estimating);
+        },
+        [&](const std::size_t done) { progress(done); });
+  }
+  if (stop_signal() != 0)
+    return;
+  std::string refused;
+  std::size_t n_refused = 0;
+  for (std::size_t i = 0; i < models.size(); ++i)
+    {
+      const std::string sentences = take(models[i], results[i]);
+      refused += sentences;
+      n_refused += sentences.empty() ? 0 : 1;
+      if (command_line.dry_run)
+        log << "  " << models[i].variant->name << (sentences.empty() ? "" : "  cannot run") << '\n';
+    }
+  log << std::flush;
+  if (n_refused > 0)
+    throw InputError(std::to_string(n_refused) + " of " + std::to_string(models.size()) +
+                     " variants cannot run; nothing was started:" + refused);
 }
 
 /// One study works in a directory at a time. The lock is not given back: Snakemake inherits it with
@@ -204,6 +420,8 @@ files::Json as_json(const parameters::StudyInput &input,
       files::Json variant = {{"name", model.variant->name}, {"ranks", model.variant->ranks}};
       for (const auto &[path, value] : model.variant->choices)
         variant["changes"][path] = value;
+      if (!model.estimate.is_null())
+        variant["estimate"] = model.estimate;
       for (const Run &run : model.runs)
         variant["runs"].push_back({{"phase", run.phase}, {"folder", run.folder}});
       json["variants"].push_back(variant);
@@ -253,22 +471,21 @@ void write(const std::string        &directory,
 
 std::vector<std::string> snakemake(const CommandLine &c, const std::string &directory)
 {
-  const std::string scripts = files::data_folder("scripts");
-  const unsigned cores = c.cores > 0 ? c.cores : std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::string> words = {"snakemake",
-                                    "--snakefile",
-                                    scripts + "/study/Snakefile",
-                                    "--directory",
-                                    directory,
-                                    "--cores",
-                                    std::to_string(cores),
-                                    "--keep-going",
-                                    "--ignore-incomplete", // result.json is written at once
-                                    "--rerun-triggers",    // variant.prm is new when it is another
-                                    "mtime",
-                                    "--nolock", // claim() has locked the directory
-                                    "--scheduler",
-                                    "greedy"};
+  const std::string        scripts = files::data_folder("scripts");
+  std::vector<std::string> words   = {"snakemake",
+                                      "--snakefile",
+                                      scripts + "/study/Snakefile",
+                                      "--directory",
+                                      directory,
+                                      "--cores",
+                                      std::to_string(n_cores(c)),
+                                      "--keep-going",
+                                      "--ignore-incomplete", // result.json is written at once
+                                      "--rerun-triggers", // variant.prm is new when it is another
+                                      "mtime",
+                                      "--nolock", // claim() has locked the directory
+                                      "--scheduler",
+                                      "greedy"};
   if (c.quiet)
     words.insert(words.end(), {"--quiet", "all"});
   words.insert(words.end(), c.rest.begin(), c.rest.end());
@@ -285,10 +502,7 @@ std::vector<std::string> study_command(const CommandLine &command_line, const MP
       command_line.parameter_file, command_line.overrides, command_line.quick);
   const std::string directory = study_directory(command_line);
   files::Console    out(STDOUT_FILENO);
-  const auto        say = [&](const std::string &text) {
-    if (!command_line.quiet)
-      out << text << std::endl;
-  };
+  files::Log        log(command_line.quiet ? nullptr : &out);
 
   std::vector<Model> models;
   for (const parameters::Variant &variant : input.variants)
@@ -300,29 +514,18 @@ std::vector<std::string> study_command(const CommandLine &command_line, const MP
         throw InputError("Both " + std::string(phase_entry) +
                          " and Study/Phases = " + std::to_string(input.study.phases) +
                          " vary the start phase: set Study/Phases = 1.");
-      models.push_back({&variant, make_runs(variant, input.study.phases)});
+      models.push_back({&variant, make_runs(variant, input.study.phases), {}});
     }
-  say(std::to_string(models.size()) + " variants from " + std::to_string(input.study.phases) +
-      " start phases each: checking all before the first begins");
-  std::string refused;
-  std::size_t n_refused = 0;
-  for (Model &model : models)
-    {
-      const std::string sentences = check(model, input, directory);
-      refused += sentences;
-      n_refused += sentences.empty() ? 0 : 1;
-      say("  " + model.variant->name + (sentences.empty() ? "" : "  cannot run"));
-      if (stop_signal() != 0)
-        return {};
-    }
-  if (n_refused > 0)
-    throw InputError(std::to_string(n_refused) + " of " + std::to_string(models.size()) +
-                     " variants cannot run; nothing was started:" + refused);
+  log << models.size() << " variants from " << input.study.phases
+      << " start phases each: checking all before the first begins" << std::endl;
+  check_all(models, input, directory, command_line, log);
+  if (stop_signal() != 0)
+    return {};
   if (command_line.dry_run)
     return {};
   claim(directory);
   write(directory, models, as_json(input, models, command_line), command_line.retry);
-  say("Results: " + directory);
+  log << "Results: " << directory << std::endl;
   return snakemake(command_line, directory);
 }
 } // namespace chaindrive

@@ -22,6 +22,9 @@ FIGURES = {
     "steps": ("1", "time steps"),
     "wall_seconds": ("s", "elapsed time"),
 }
+#: Those that are not found in the window of the means.
+WHOLE_RUN = {"tight_tension_max_start", "driven_angle_end", "drive_work", "resisting_work", "energy_imbalance_max", "steps", "wall_seconds",
+             "cpu_seconds"}
 #: Those of the window statistics: signal, member, unit, what it is.
 STATISTICS = (("tight_tension", "largest", "N", "tension of the tight span, largest"),
               ("tight_tension", "deviation", "N", "tension of the tight span, standard deviation"),

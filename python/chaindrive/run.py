@@ -79,6 +79,26 @@ class Run:
         nobody looked, in runs that have not finished and summaries of older versions."""
         return self.summary.get("events")
 
+    @property
+    def window_is_valid(self):
+        """Whether means over the window tell what they are said to: False when one of the events lies in it; None where nobody looked, or there
+        is no window."""
+        window = self.summary.get("window")
+        valid = window.get("valid") if isinstance(window, dict) else None
+        return False if self._events_in_window() else valid if isinstance(valid, bool) else None
+
+    @property
+    def window_faults(self):
+        """Why the window is not valid, a sentence for each event in it; empty where it is valid, or nobody knows."""
+        if self.window_is_valid is not False:
+            return []
+        found = [event["sentence"] for event in self._events_in_window() if isinstance(event.get("sentence"), str) and event["sentence"].strip()]
+        return found or ["The summary says that the window is not valid, and not why."]
+
+    def _events_in_window(self):
+        events = self.events if isinstance(self.events, list) else []
+        return [event for event in events if isinstance(event, dict) and event.get("in_window") is True]
+
     @functools.cached_property
     def acoustics(self):
         """acoustics.json, what `chaindrive noise` has found; empty without it."""

@@ -38,7 +38,7 @@ def rows_of(directory):
     about = json.loads((directory / "study.json").read_text())
     with open(directory / "table.csv", encoding="utf-8") as file:
         table = {row["variant"]: row for row in csv.DictReader(file)}
-    if about["quick"] or any(row["message"] == "not finished" for row in table.values()):
+    if about["quick"] or any("not finished" in row["message"].split("; ") for row in table.values()):
         sys.exit(f"{directory}: a study that is quick or has not ended is no ground for an answer")
     study, reference = pathlib.Path(about["file"]).stem, table[about["reference"]]
     yield ["drive", study, *drive_of(directory / about["variants"][-1]["runs"][0]["folder"])]

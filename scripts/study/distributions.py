@@ -21,12 +21,14 @@ import stats  # noqa: E402
 
 def samples(directory, variant):
     """Peaks [N], impulses [N s] and, of each phase, third octaves {band: mean square [m2/s2]} of one variant; none without
-    runs."""
+    runs, or where the window of one is not valid."""
     peaks, impulses, bands = [], [], {}
     for run in variant["runs"]:
         if outputs.end_of_run(directory / run["folder"])["status"] != 0:
             continue
         one = outputs.Run(directory / run["folder"])
+        if one.window_is_valid is False:
+            return [], [], {}
         peaks += [e["peak_force"] for e in one.engaged("driver")]
         impulses += [e["impulse"] for e in one.engaged("driver")]
         power, frequency = one.power(False)

@@ -2,11 +2,13 @@
 """What a study judges of a run: `chaindrive document` defines each output, test_study.py compares the names."""
 import functools
 import json
+import re
 
 import numpy as np
 
 import program  # noqa: F401  finds the package chaindrive
 import chaindrive
+from chaindrive.report.foreign import plain
 
 BANDS = 1000. * 2. ** (np.arange(-1, 14) / 3)  # centres of third octaves, Hz: 800 (nominally) to 20 kHz
 NOMINAL = (800, 1000, 1250, 1600, 2000, 2500, 3150, 4000, 5000, 6300, 8000, 10000, 12500, 16000, 20000)
@@ -165,26 +167,40 @@ OUTPUTS = {
 }
 
 
+LONGEST = 500  # letters of a sentence
+
+
+def sentence(text):
+    """A text of a file as a table and a page may show it: files may come from anybody, or be damaged."""
+    text = " ".join(re.sub(r"[\x00-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff]", " ", plain(text)).split())
+    return text if len(text) <= LONGEST else text[:LONGEST] + " ..."
+
+
 def end_of_run(folder):
     """How the run in `folder` ended, as run_variant.py says: {"status", "error"}; status is none while it has not, or when
     that cannot be read."""
     try:
         end = json.loads((folder / "result.json").read_text(encoding="utf-8"))
-        return {"status": int(end["status"]), "error": str(end["error"])}
+        return {"status": int(end["status"]), "error": sentence(str(end["error"]))}
     except FileNotFoundError:
         return {"status": None, "error": "not finished"}
-    except (ValueError, TypeError, KeyError, OSError):
+    except (ValueError, TypeError, KeyError, OSError, OverflowError, RecursionError):
         return {"status": None, "error": "result.json is damaged: start the study again"}
 
 
 def of_run(folder, names):
     """{column: value} of the outputs `names` of the run in `folder`; nan where the model has no such thing. A spectrum has
     a column for each band."""
-    run, values = Run(folder), {}
-    for name in names:
-        value = OUTPUTS[name](run)
-        if isinstance(value, dict):
-            values.update({f"{name} {band} Hz": x for band, x in value.items()})
-        else:
-            values[name] = np.nan if value is None else float(value)
+    values = {}
+    try:
+        with Run(folder) as run:
+            for name in names:
+                value = OUTPUTS[name](run)
+                if isinstance(value, dict):
+                    values.update({f"{name} {band} Hz": x for band, x in value.items()})
+                else:
+                    values[name] = np.nan if value is None else float(value)
+    finally:  # thousands of runs are more files and histories than a process may hold
+        Run.approaches.cache_clear()
+        Run.power.cache_clear()
     return values

@@ -94,12 +94,16 @@ def heading(study, column):
 
 
 def result_rows(study):
-    """Table of outputs: heading and rows."""
+    """Table of outputs: heading and rows. A row that ends early has its last cell across the rest."""
     head = ["variant", "CPU (s)", *(heading(study, c) for c in study.columns)]
     body = []
     for variant in study.variants:
         row = variant["row"]
-        cells = [variant["name"] + (" (reference)" if variant is study.reference else ""), number(row["cpu"], 3)]
+        name = variant["name"] + (" (reference)" if variant is study.reference else "")
+        if row["not valid"]:
+            body.append([name, row["message"]])
+            continue
+        cells = [name, number(row["cpu"], 3)]
         for column in study.columns:
             cells.append(number(row[column]) + ("" if variant is study.reference else ", " + error_text(row, column)))
         body.append([cell.replace("-, -", "-") for cell in cells])
@@ -116,8 +120,9 @@ def cost_rows(study):
 
 
 def markdown(head, body):
-    lines = [head, ["---"] * len(head), *body]
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+    """A table; of a row that ends early the rest is empty."""
+    lines = [head, ["---"] * len(head), *([*row, *[""] * (len(head) - len(row))] for row in body)]
+    return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines)
 
 
 def table(study):
@@ -174,11 +179,12 @@ def write(study, directory):
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(folder), keep_trailing_newline=True,
                                      autoescape=lambda name: name.startswith("page.html"), trim_blocks=True, lstrip_blocks=True)
     pictures = draw_all(study, directory)
-    failed = [(v["name"], v["row"]["message"]) for v in study.variants if v["row"]["failed"]]
-    cpu = sum(run["cpu"]["total"] for v in study.variants for run in v["results"].values() if run["status"] == 0)
+    failed = [(v["name"], v["row"]["message"]) for v in study.variants if v["row"]["failed"] or v["row"]["not valid"]]
+    cpu = sum(run["cpu"].get("total", 0.) for v in study.variants for run in v["results"].values() if "cpu" in run)
     against = study.about.get("against")
     found = sweep.tables(sweep.Sweep(study), heading, number) if against else [result_rows(study)]
-    about = dict(about=study.about, against=against, tables=[*found, cost_rows(study)], failed=failed,
+    no_errors = not against and bool(study.reference["row"]["not valid"])
+    about = dict(about=study.about, shortfall=study.shortfall(), no_errors=no_errors, against=against, tables=[*found, cost_rows(study)], failed=failed,
                  pictures=[(what, file.name, _svg(file), text) for what, file, text in pictures],
                  cpu=cpu, markdown=markdown, changes=[(v["name"], v.get("changes", {})) for v in study.variants],
                  phases=_phases(study), intervals=_intervals(study))

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """report.py DIRECTORY [--pictures FOLDER]: the results of a study: table.csv and table.h5, chart.png and .svg,
-study.md and study.html. Runs that have not ended yet are rows without figures. Needs python3-h5py,
-python3-matplotlib, python3-pandas and python3-jinja2.
+study.md and study.html. Runs that have not ended yet are rows without figures, and so are variants whose chain jumped,
+or for which the means of the window tell nothing for another reason: the first line of output says how many. Needs
+python3-h5py, python3-matplotlib, python3-pandas and python3-jinja2.
 
 --pictures FOLDER also writes DIRECTORY's chart there, small, and prints the table in Markdown for a document."""
 import argparse
@@ -24,19 +25,30 @@ import sweep  # noqa: E402
 FIGURES = {"steps": "steps", "memory": "memory_peak", "wall": "wall_seconds"}  # of summary.json
 
 
+UNREADABLE = (outputs.chaindrive.RunError, ValueError, TypeError, LookupError, ArithmeticError, AttributeError, RuntimeError, OSError)
+
+
+def number(value):
+    """A figure of a summary; nan for none."""
+    return np.nan if value is None else float(value)
+
+
 def read_run(folder, names):
-    """{"status", "error", "figures": {column: value}, "cpu": {phase: s}, "values": {output: value}} of a run; status is
-    none while it has not
-    ended, or when its files cannot be read."""
-    run = outputs.end_of_run(folder)
+    """{"status", "error", "invalid", "figures": {column: value}, "cpu": {phase: s}, "values": {output: value}} of a run.
+    Status is none while it has not ended, or when its files cannot be read; invalid: it has ended, and means over its
+    window tell nothing, for which `error` has the reasons: then there are no figures and values."""
+    run = {**outputs.end_of_run(folder), "invalid": False}
     if run["status"] == 0:
         try:
-            summary = outputs.chaindrive.open(folder).summary
-            run["figures"] = {column: summary.get(name, np.nan) for column, name in FIGURES.items()}
-            run["cpu"] = summary["cpu_seconds"]
+            opened = outputs.chaindrive.open(folder)
+            run["cpu"] = {outputs.sentence(phase): number(seconds) for phase, seconds in opened.summary["cpu_seconds"].items()}
+            if opened.window_is_valid is False:
+                faults = outputs.sentence(" ".join(opened.window_faults))
+                return {**run, "invalid": True, "error": faults or "Its window is not valid."}
+            run["figures"] = {column: number(opened.summary.get(name)) for column, name in FIGURES.items()}
             run["values"] = outputs.of_run(folder, names)
-        except (outputs.chaindrive.RunError, ValueError, TypeError, LookupError, ArithmeticError, OSError) as error:
-            return {"status": None, "error": f"its results cannot be read: {error}"}
+        except UNREADABLE as error:
+            return {"status": None, "error": outputs.sentence(f"its results cannot be read: {error}"), "invalid": False}
     return run
 
 
@@ -56,7 +68,7 @@ class Study:
         for variant in self.variants:
             variant["results"] = {run["phase"]: read_run(self.directory / run["folder"], self.about["outputs"])
                                   for run in variant["runs"]}
-        found = (run["values"] for v in self.variants for run in v["results"].values() if run["status"] == 0)
+        found = (run["values"] for v in self.variants for run in v["results"].values() if "values" in run)
         self.columns = self._in_order(dict.fromkeys(name for values in found for name in values))
         for variant in self.variants:
             variant["row"] = self._row(variant)
@@ -74,14 +86,32 @@ class Study:
     def reference(self):
         return next(v for v in self.variants if v["name"] == self.about["reference"])
 
-    def _done(self, variant):
-        return {phase: run for phase, run in variant["results"].items() if run["status"] == 0}
+    @staticmethod
+    def done(variant):
+        """{phase: run} of the runs that the figures of a variant are made of. None of a variant with a run whose window is
+        not valid: a chain that jumps from some start phases jumps, and means over the others would hide it."""
+        if any(run["invalid"] for run in variant["results"].values()):
+            return {}
+        return {phase: run for phase, run in variant["results"].items() if "values" in run}
+
+    @property
+    def invalid(self):
+        """The variants with a run whose window is not valid."""
+        return [v for v in self.variants if v["row"]["not valid"]]
+
+    def shortfall(self):
+        """How many variants have no figures, or not all, in a sentence; empty if there are none."""
+        failed = [v for v in self.variants if v["row"]["failed"] and not v["row"]["not valid"]]
+        parts = [f"{len(self.invalid)} of {len(self.variants)} variants {'has' if len(self.invalid) == 1 else 'have'} no figures: means over their "
+                 "window are not valid"] if self.invalid else []
+        parts += [f"{len(failed)} of {len(self.variants)} variants {'has' if len(failed) == 1 else 'have'} runs that failed or are not finished"] if failed else []
+        return "; ".join(parts) + "." if parts else ""
 
     def _row(self, variant):
-        done, all_done = self._done(variant), self._done(self.reference)
-        errors = [run["error"] for run in variant["results"].values() if run["status"] != 0]
-        row = {"variant": variant["name"], "ranks": variant["ranks"], "runs": len(done), "failed": len(errors),
-               "message": "; ".join(dict.fromkeys(errors)),
+        done, all_done = self.done(variant), self.done(self.reference)
+        runs = list(variant["results"].values())
+        row = {"variant": variant["name"], "ranks": variant["ranks"], "runs": len(done), "failed": sum(run["status"] != 0 for run in runs),
+               "not valid": sum(run["invalid"] for run in runs), "message": self._message(runs),
                "cpu": np.nan, **dict.fromkeys(FIGURES, np.nan)}
         cpu = mean([run["cpu"] for run in done.values()])
         row["cpu"] = cpu.pop("total", np.nan)
@@ -96,15 +126,24 @@ class Study:
                 [values[phase] for phase in both], [all_done[phase]["values"].get(column, np.nan) for phase in both], *how)
         return row
 
+    @staticmethod
+    def _message(runs):
+        """What is wrong with runs; a window that is not valid first."""
+        faults = [run["error"] for run in runs if run["invalid"]]
+        where = f" (not valid in {len(faults)} of {len(runs)} runs)" if len(runs) > 1 else ""
+        texts = [f"{faults[0]}{where}"] if faults else []
+        return "; ".join(dict.fromkeys([*texts, *(run["error"] for run in runs if run["status"] != 0)]))
+
     def fields(self):
         """Names of all columns of the table, those of any row."""
         names = dict.fromkeys(name for variant in self.variants for name in variant["row"])
         phases = [name for name in names if name.startswith("cpu ")]
-        first = list(dict.fromkeys(["variant", "ranks", "runs", "failed", "message", "cpu", *phases]))
+        first = list(dict.fromkeys(["variant", "ranks", "runs", "failed", "not valid", "message", "cpu", *phases]))
         return first + [name for name in names if name not in first]
 
     def value(self, name, variant):
-        return variant["row"].get(name, 0. if name.startswith("cpu ") else np.nan)
+        """In a column of the table; what a variant has not computed has cost it nothing."""
+        return variant["row"].get(name, 0. if name.startswith("cpu ") and variant["row"]["runs"] else np.nan)
 
     def write_csv(self, file):
         with open(file, "w", newline="", encoding="utf-8") as out:
@@ -134,6 +173,8 @@ def main():
     parser.add_argument("--pictures", type=pathlib.Path, metavar="FOLDER")
     words = parser.parse_args()
     study = Study(words.directory)
+    if study.shortfall():
+        print(study.shortfall(), file=sys.stderr if words.pictures else sys.stdout, flush=True)
     if words.pictures:
         name = words.directory.resolve().name
         page.draw_all(study, words.pictures, f"study-{name}", "png", dpi=72)

@@ -51,8 +51,8 @@ class Sweep:
 
     def results(self, variant):
         """Folders of the runs of a variant that have come to their end."""
-        return [self.study.directory / run["folder"] for run in variant["runs"]
-                if variant["results"][run["phase"]]["status"] == 0]
+        done = self.study.done(variant)
+        return [self.study.directory / run["folder"] for run in variant["runs"] if run["phase"] in done]
 
     def resonances(self):
         """[(what, Hz, rpm at which the tooth frequency meets it)] of the drive, from the figures of its slowest run."""
@@ -85,10 +85,10 @@ def order_amplitudes(time, values, period, begin, end):
 
 
 def tension_orders(folder):
-    run = outputs.Run(folder)
-    if "spans/tight_tension" not in run:
-        return np.array([]), np.array([])
-    return order_amplitudes(run.time, run["spans/tight_tension"], run.pitch_time, run.start, run.end)
+    with outputs.Run(folder) as run:
+        if "spans/tight_tension" not in run:
+            return np.array([]), np.array([])
+        return order_amplitudes(run.time, run["spans/tight_tension"], run.pitch_time, run.start, run.end)
 
 
 def sound_orders(folder):
@@ -201,13 +201,14 @@ def _save(figure, file, dpi):
 
 
 def tables(sweep, heading, number):
-    """(head, body) of the resonances and of each curve."""
+    """(head, body) of the resonances and of each curve. A row that ends early has its last cell across the rest."""
     study, found = sweep.study, []
     if sweep.resonances():
         found.append((["what may resonate", "first frequency (Hz)", "tooth frequency meets it at (rpm)", "its second order (rpm)"],
                       [[what, number(hertz), number(speed), number(speed / 2)] for what, hertz, speed in sweep.resonances()]))
     for label, variants in sweep.curves.items():
         head = [sweep.label + (f", {label}" if label else ""), *(heading(study, c) for c in study.columns), "CPU (s)"]
-        found.append((head, [[number(sweep.abscissa(v)), *(number(v["row"][c]) for c in study.columns),
-                              number(v["row"]["cpu"], 3)] for v in variants]))
+        found.append((head, [[number(sweep.abscissa(v)), v["row"]["message"]] if v["row"]["not valid"] else
+                             [number(sweep.abscissa(v)), *(number(v["row"][c]) for c in study.columns), number(v["row"]["cpu"], 3)]
+                             for v in variants]))
     return found

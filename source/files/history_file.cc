@@ -407,12 +407,15 @@ void HistoryFile::write(const std::size_t                       first,
       d.resize(d.rows + more);
       d.release();
     }
-  for (std::size_t t = 0; t < d.tables.size(); ++t)
-    {
-      const auto [memory, space] = d.select(t, first, n);
-      d.check(
-          H5Dwrite(d.tables[t], H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values[t].data()));
-    }
+  const auto write_table = [&](const std::size_t t) {
+    const auto [memory, space] = d.select(t, first, n);
+    d.check(H5Dwrite(d.tables[t], H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values[t].data()));
+  };
+  for (std::size_t t = 1; t < d.tables.size(); ++t)
+    write_table(t);
+  d.check(H5Fflush(d.file, H5F_SCOPE_GLOBAL));
+  // The times come last: a row that has one is whole, whoever reads it meanwhile.
+  write_table(0);
   d.check(H5Fflush(d.file, H5F_SCOPE_GLOBAL));
 }
 

@@ -71,9 +71,15 @@ bool is_own_file(const std::string &name)
 
 std::string did_you_mean(const std::string &name, const std::vector<std::string> &candidates)
 {
-  const std::string nearest = nearest_name(name, candidates);
-  return nearest.empty() ? " There are: " + join(candidates, ", ") + "." :
-                           " Did you mean '" + nearest + "'?";
+  if (const std::string nearest = nearest_name(name, candidates); !nearest.empty())
+    return " Did you mean '" + nearest + "'?";
+  std::vector<std::string> begun; // "tight_tension" of "tight_tension_mean"
+  for (const std::string &candidate : candidates)
+    if (!name.empty() && candidate.rfind(name + "_", 0) == 0)
+      begun.push_back("'" + candidate + "'");
+  if (begun.empty())
+    return " There are: " + join(candidates, ", ") + ".";
+  return (begun.size() == 1 ? " Did you mean " : " Did you mean one of ") + join(begun, ", ") + "?";
 }
 
 bool contains(const std::vector<std::string> &words, const std::string &word)

@@ -5,6 +5,7 @@
   several  runs on the same axes, differences, runs of different drives
   meaning  sentences hold for a load that changes sides, figures that are not as they should be are marked, and the paper is only spoken of to
            those who know it
+  invalid  what is found in a window whose means tell nothing is marked as such in words, and differs by nothing; all else is as it was
   missing  what a run does not have is said in its place, and the rest is shown
   noise    what `chaindrive noise` leaves behind is drawn, of one run and of several
   refuse   folders that are none, of no run; more runs than colours
@@ -227,6 +228,27 @@ def meaning():
     check("Zheng" not in said and "the paper" not in said.lower(), "a paper is spoken of that the reader does not know")
 
 
+def invalid():
+    mark = '<b class="invalid">not valid</b>'
+    run("sound", "--report")
+    run("jumped", "--report", Drive__Layout__Centre_distance_from="slack", Drive__Layout__Slack_in_mm=70, Loads__Resisting_torque_in_N_m=600)
+    page = pathlib.Path("jumped/report.html").read_text()
+    names = {re.sub("<.*", "", name).strip(): mark in name for name in re.findall(r'<div class="name">(.*?)</div>', page)}
+    whole = {"Pressure in the joints", "Tooth frequency", "Error of the energy balance"}
+    check(names and {name for name, marked in names.items() if not marked} == whole and len(names) > 9, f"marked: {names}")
+    found = read("jumped/report.html").texts
+    check("pitch times not valid" in found["run"] and "These figures are not valid" in found["statistics"], f"{found['run']} {found['statistics'][:200]}")
+    check("not valid" not in read("sound/report.html").texts["all"], "a sound run is marked")
+
+    for pair in (("sound", "jumped"), ("jumped", "sound")):
+        report(*pair, "--output", "both.html")
+        page = pathlib.Path("both.html").read_text()
+        rows = {what: re.search(what + r"</th>.*?</tr>", page)[0] for what in ("driver torque, mean", "work of the driver", "impact on the driver, mean")}
+        for what in ("driver torque, mean", "impact on the driver, mean"):
+            check(rows[what].count(mark) == 1 and "%" not in rows[what], f"{pair}: {rows[what]}")
+        check(mark not in rows["work of the driver"] and "%" in rows["work of the driver"], f"{pair}: {rows}")
+
+
 def missing():
     run("few", Output__Quantities="speeds, tensions", Output__Rollers="0, 5")
     report("few")
@@ -409,4 +431,4 @@ def browser():
     check(said["moved"] and said["heights"][0] != said["heights"][1] and said["colours"] > 20, f"the film: {said}")
 
 
-{"one": one, "several": several, "missing": missing, "meaning": meaning, "noise": noise, "refuse": refuse, "browser": browser}[CASE]()
+{"one": one, "several": several, "missing": missing, "meaning": meaning, "invalid": invalid, "noise": noise, "refuse": refuse, "browser": browser}[CASE]()

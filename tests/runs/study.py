@@ -3,6 +3,7 @@
 
   statistics  intervals, the efficient front, spectra and variation against closed forms
   refuse      what is wrong is said of every variant before the first begins, and nothing is written
+  checks      variants are checked several at a time, with the sentences of one at a time; progress; signals leave nothing behind
   run         a small study from end to end: a variant that fails is a row, the table has the numbers of the runs
   sweep       a study against an entry: curves, orders at each speed, a variant that fails is a gap
   cluster     a study on Slurm, of which a stand-in gives the programs their environment
@@ -19,6 +20,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 
 MESH = "sprocket-15.msh"
@@ -69,12 +71,12 @@ def write(text, name="small.prm"):
     pathlib.Path(name).write_text(DRIVE.format(repository=REPOSITORY) + text)
 
 
-def words(*options, name="small.prm"):
-    return [PROGRAM, "study", name, "--cores", "2", "--output", "there", *options]
+def words(*options, name="small.prm", cores=2):
+    return [PROGRAM, "study", name, "--cores", str(cores), "--output", "there", *options]
 
 
-def study(*options, status=0, name="small.prm"):
-    done = subprocess.run(words(*options, name=name), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+def study(*options, status=0, name="small.prm", cores=2):
+    done = subprocess.run(words(*options, name=name, cores=cores), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     check(done.returncode == status, f"status {done.returncode} instead of {status}:\n{done.stdout}")
     return done.stdout
 
@@ -146,6 +148,14 @@ def statistics():
         close(amplitudes[np.argmin(abs(orders - order))], amplitude, 2e-3, f"order {order}")
     check(len(sweep.order_amplitudes(beat, beat, 1., 0., 0.1)[0]) == 0, "less than a period has no orders")
 
+    import needs
+    check([needs.memory_mb({"cpu": 1., "memory": memory}, ranks, attempt) for memory, ranks, attempt in (
+        (1.9e8, 1, 1), (4e8, 1, 1), (4e8, 3, 1), (4e8, 3, 2))] == [500, 600, 1350, 2700], "memory of a job")
+    check([needs.minutes({"cpu": cpu, "memory": 1.}, attempt) for cpu, attempt in ((5., 1), (300., 1), (1800., 1), (1801., 2))] == [10, 10, 60, 122],
+          "minutes of a job")
+    for nothing in (None, {}, [], {"cpu": None, "memory": "x"}, {"cpu": -1., "memory": float("nan")}, {"cpu": float("inf"), "memory": True}):
+        check((needs.memory_mb(nothing, 1), needs.minutes(nothing)) == (500, 10), f"of {nothing}")
+
     documented = subprocess.run([PROGRAM, "document"], stdout=subprocess.PIPE, text=True).stdout
     of_outputs = documented[documented.index("Outputs that a study"):].split("\n## ")[0]
     names = [line.split("`")[1] for line in of_outputs.splitlines() if line.startswith("| `")]
@@ -165,7 +175,9 @@ def refuse():
 
     for expected, text in (
             ("There is nothing to compare", "set Phases = 2"),
-            ("Study/Outputs: there is no output 'tight_tension'. Did you mean 'tight_tension_mean'?", LOOP + "set Outputs = tight_tension"),
+            ("Study/Outputs: there is no output 'tight_tension'. Did you mean one of 'tight_tension_mean', "
+             "'tight_tension_max_start', 'tight_tension_ripple'?", LOOP + "set Outputs = tight_tension"),
+            ("Study/Outputs: there is no output 'tight_tension_men'. Did you mean 'tight_tension_mean'?", LOOP + "set Outputs = tight_tension_men"),
             ("Study/Reference = full is no variant. There are: fidelity=simple, fidelity=layered.", LOOP + "set Reference = full"),
             ("Study/Names has 3 names for 2 variants", LOOP + "set Names = a, b, c"),
             ("two variants called 'a'", LOOP + "set Names = a, a"),
@@ -208,6 +220,72 @@ def refuse():
     for sentence in ("Only studies have them", "It belongs to a study", "Loops belong to studies"):
         check(sentence in out, f"a run does not tell a study: {out}")
     check("cannot run" not in said(LOOP, "--dry-run", status=0), "--dry-run")
+
+
+def checks():
+    steps = " | ".join(f"{0.1 + 0.01 * i:.2f}" if i % 2 else str(50 + i) for i in range(24))
+    write(f"subsection Time\n set Step in us = {{{steps}}}\nend\n")
+    said = [study("--quiet", status=2, cores=cores) for cores in (1, 5)]
+    check(said[0] == said[1] and "12 of 24 variants cannot run" in said[0], f"others with five at a time:\n{said[0]}\n{said[1]}")
+    order = [int(line.split(":")[0].removeprefix("step=")) for line in said[1].splitlines() if line.startswith("step=")]
+    check(order == list(range(50, 74, 2)), f"the order of the sentences: {order}")
+    listed = [line.split()[0] for line in study("--dry-run", status=2).splitlines() if line.startswith("  step=")]
+    check(len(listed) == 24 and listed[:2] == ["step=50", "step=0.11"], f"--dry-run lists {listed}")
+
+    text = "subsection Loads\n set Drag in 1/s = {" + " | ".join(map(str, range(400))) + "}\nend\n"
+    write(text)
+
+    def begin(stdout, *options):
+        process = subprocess.Popen(words("--dry-run", *options), stdout=stdout, stderr=subprocess.STDOUT, start_new_session=True)
+        since = time.time()
+        while len(of_group(process.pid)) < 2:
+            check(process.poll() is None and time.time() - since < 60, "no process checks a variant")
+            time.sleep(0.01)
+        return process
+
+    terminal, other = os.openpty()  # a line that is rewritten
+    process = begin(other)
+    os.close(other)
+    shown = b""
+    while shown.count(b"of 400 variants checked, left ") < 3:
+        shown += os.read(terminal, 1000)
+    check(b"\r" in shown and b"\x1b[K" in shown, f"on a terminal: {shown}")
+    os.kill(process.pid, signal.SIGKILL)
+    process.wait()
+    os.close(terminal)
+    gone(process.pid, "a study that is killed")
+    for number in (signal.SIGTERM, signal.SIGINT):
+        with open("said.txt", "w+", encoding="utf-8") as file:
+            process, since = begin(file), time.time()
+            while "of 400 variants checked" not in pathlib.Path("said.txt").read_text():  # a plain line now and then
+                check(process.poll() is None and time.time() - since < 120, "no progress in a file")
+                time.sleep(0.1)
+            process.send_signal(number)
+            check(process.wait(30) == 4, f"status {process.returncode} after {number}")
+        gone(process.pid, f"a study after {number}")
+        said = pathlib.Path("said.txt").read_text()
+        check("\r" not in said and "\x1b" not in said and "cannot" not in said, f"in a file: {said}")
+    check(not pathlib.Path("there").exists(), "something was written")
+
+
+def of_group(leader):
+    """Processes of a group, without those that have ended."""
+    found = []
+    for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            number, rest = int(stat.parent.name), stat.read_text().rpartition(")")[2].split()
+        except OSError:
+            continue
+        if int(rest[2]) == leader and rest[0] != "Z":
+            found.append(number)
+    return found
+
+
+def gone(leader, what):
+    since = time.time()
+    while of_group(leader):
+        check(time.time() - since < 20, f"{what} leaves processes behind")
+        time.sleep(0.05)
 
 
 STUDY = """
@@ -269,7 +347,7 @@ def run():
 SWEEP = """
 subsection Study
   set Title   = A sweep
-  set Outputs = tight_tension_mean, driver_normal_speed_mean, loss_power_mean, sound_level
+  set Outputs = tight_tension_mean, driver_normal_speed_mean, loss_power_mean, sound_level, roller_velocity_rms
   set Names   = simple-slow, layered-slow, simple-fast, layered-fast, simple-worse, layered-worse
   set Against = Loads/Driver speed in rad/s
   set Phases  = 1
@@ -309,12 +387,14 @@ def sweep():
     check(rows["simple-fast"]["sound_level"] in ("", "nan"), "a level without sound")
 
     found = of.Sweep(report.Study("there"))
+    held = [file for file in pathlib.Path("/proc/self/fd").iterdir() if file.resolve().name == "histories.h5"]
+    check(not held, f"{len(held)} histories are held: a study may have thousands")
     check({label: [round(found.abscissa(v)) for v in variants] for label, variants in found.curves.items()}
           == {name: [2865, 4297, 5730] for name in ("simple", "layered")}, f"curves {found.curves.keys()}")
     drive = json.loads(pathlib.Path("there/simple-slow/phase-0/summary.json").read_text())["drive"]
     close(found.resonances()[0][2], drive["driven_resonance"] * 9.549297, 1e-3, "resonance in rpm")
     page = pathlib.Path("there/study.md").read_text()
-    check("driver speed (rpm), layered" in page and "| 4297 | - | - | - | - | - |" in page, f"the page:\n{page}")
+    check("driver speed (rpm), layered" in page and "| 4297 | - | - | - | - | - | - |" in page, f"the page:\n{page}")
     for file in ("study.html", "chart.png", "chart.svg", "chart-orders.svg"):
         check(pathlib.Path("there", file).stat().st_size > 500, file)
 
@@ -367,6 +447,7 @@ echo step >>"$JOBS.steps" && exec "$@"
 
 def cluster():
     need_snakemake()
+    import needs
     for folder in ("there", "slurm"):
         shutil.rmtree(folder, ignore_errors=True)
     os.makedirs("slurm")
@@ -384,9 +465,37 @@ def cluster():
     said = "".join(file.read_text() for file in jobs.parent.glob("jobs.[0-9]*"))
     check({row["runs"] for row in rows.values()} == {"2"} and len(rows) == 2, f"not all have run: {rows}\n{said}")
     submitted = jobs.read_text().splitlines()
-    check(len(submitted) == 3 and all("--mem 700" in s or "--mem 1400" in s for s in submitted)
-          and all(" -A account" in s for s in submitted), "jobs:\n" + "\n".join(submitted))
+    asked = sorted((int(s.split(" --mem ")[1].split()[0]), int(s.split(" -t ")[1].split()[0])) for s in submitted)
+    estimates = [variant["estimate"] for variant in json.loads(pathlib.Path("there/study.json").read_text())["variants"]]
+    one, two = (needs.memory_mb(estimate, ranks) for estimate, ranks in zip(estimates, (1, 2)))
+    # two runs of one rank are beside each other in their group, others one after the other
+    groups = [(2 * one, 10) if s.count("run:folder=drag=0/") == 2 else (two, 20) for s in submitted if "run:folder=" in s]
+    check(len(groups) == 2 and asked == sorted([*groups, (2000, 30)]) and two > one >= 500 and all(" -A account" in s for s in submitted),
+          f"{asked} for {estimates}:\n" + "\n".join(submitted))
+    for variant, estimate in zip(rows.values(), estimates):
+        check(0.9 < estimate["memory"] / float(variant["memory"]) < 1.6, f"memory: {estimate} {variant}")  # a layered model is that of one rank
+        check(0.3 < estimate["cpu"] / float(variant["cpu"]) < 4, f"time: {estimate} {variant}")
+    check(not list(pathlib.Path(tempfile.gettempdir()).glob("chaindrive-study-*")), "the folder of the estimates is left")
     check(len(pathlib.Path(f"{jobs}.steps").read_text().split()) >= 5, "no step below srun")
+    os.environ["TMPDIR"] = "/nowhere"
+    check("none can be made in '/nowhere'" in study("--", "--slurm", "--jobs", "4", status=2), "no temporary directory")
+    del os.environ["TMPDIR"]
+    before = pathlib.Path("there/study.json").read_text()
+    study("--quiet", "--", "--slurm", "--jobs", "4", "--max-status-checks-per-second", "1", "--default-resources", "slurm_account=account")
+    check(pathlib.Path("there/study.json").read_text() == before, "estimates of runs that are the same are lost")
+    # more for one run, and what is damaged is as if nobody had asked
+    about = json.loads(before)
+    about["variants"][0]["estimate"] = {"cpu": 3600, "memory": 2e9}
+    about["variants"][1]["estimate"] = {"cpu": [], "memory": "much"}
+    pathlib.Path("there/study.json").write_text(json.dumps(about))
+    for file in pathlib.Path("there").glob("*/*/result.json"):
+        file.unlink()
+    jobs.write_text("")
+    study("--quiet", "--", "--slurm", "--jobs", "4", "--max-status-checks-per-second", "1", "--default-resources", "slurm_account=account",
+          "--set-resources", "report:mem_mb=3000")
+    asked = sorted((int(s.split(" --mem ")[1].split()[0]), int(s.split(" -t ")[1].split()[0])) for s in jobs.read_text().splitlines())
+    two = needs.memory_mb(json.loads(pathlib.Path("there/study.json").read_text())["variants"][1]["estimate"], 2)
+    check(asked[:2] == [(two, 10)] * 2 and asked[2:] == [(3000, 30), (3000, 120), (3000, 120)], f"jobs with other estimates: {asked}")
     for file in pathlib.Path("there").glob("*/*/errors.txt"):
         check("no run has written" not in file.read_text(), f"files of the study are strange to it: {file.read_text()}")
 
@@ -469,4 +578,4 @@ def kill():
     check(all(after[run] > before[run] for run in after if "drag=1" not in run), "runs that have changed are not repeated")
 
 
-{"statistics": statistics, "refuse": refuse, "run": run, "sweep": sweep, "cluster": cluster, "kill": kill}[CASE]()
+{"statistics": statistics, "refuse": refuse, "checks": checks, "run": run, "sweep": sweep, "cluster": cluster, "kill": kill}[CASE]()

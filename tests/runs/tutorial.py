@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """tutorial.py PROGRAM REPOSITORY: the commands of doc/tutorial.md, in its order and in an empty folder, in a quick form: runs take 10
-pitches after 3, studies --quick. What the tutorial says of 17 and 25 teeth must hold, its pictures must be made, and what it prints
+pitches after 20, studies --quick. What the tutorial says of 17 and 25 teeth must hold, its pictures must be made, and what it prints
 of the plan must be in the plan."""
 import pathlib
 import re
@@ -18,7 +18,7 @@ if shutil.which("snakemake") is None or subprocess.run(
     sys.exit(77)
 
 TEXT = (REPOSITORY / "doc/tutorial.md").read_text()
-QUICK = {"17": (31.64, 7.3), "25": (21.52, 4.97)}  # end and begin of the window, ms
+QUICK = {"17": (73.02, 48.68), "25": (49.65, 33.1)}  # end and begin of the window, ms
 
 
 def quick(words):
@@ -70,7 +70,7 @@ for what, tolerance in (("tight span (N)", 0.25), ("polygon effect of the driver
                         ("shaft load (N)", 0.01), ("joint pressure (MPa)", 0.01), ("tooth frequency (Hz)", 0.01)):
     for value, expected in zip(found[what], told[what]):
         check(abs(value / expected - 1) <= tolerance, f"{what}: {value}, not {expected}")
-for what in ("impact: normal speed (m/s)", "impact: peak force (N)", "tight span (N)", "shaft load (N)", "losses (W)"):
+for what in ("impact: normal speed (m/s)", "impact: peak force (N)", "tight span (N)", "shaft load (N)"):
     check(found[what][0] > found[what][1], f"{what}: 17 teeth {found[what][0]}, 25 teeth {found[what][1]}")
     check(0.5 < found[what][0] / told[what][0] < 1.6, f"{what}: {found[what][0]} instead of {told[what][0]}")
 

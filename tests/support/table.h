@@ -38,6 +38,8 @@ public:
     return found->second;
   }
 
+  bool has(const std::string &name) const { return columns_.count(name) == 1; }
+
 private:
   std::map<std::string, std::vector<double>> columns_;
 };

@@ -64,9 +64,11 @@ def _events(subjects):
     """What makes figures of the runs meaningless, above all else."""
     texts = []
     for subject in subjects:
-        for event in subject.run.events or []:
-            which = f"{subject.name}: " if len(subjects) > 1 else ""
-            texts.append(f"{which}{event['sentence']}" + (" Means over the window are not valid." if event["in_window"] else ""))
+        which, faults = f"{subject.name}: " if len(subjects) > 1 else "", subject.run.window_faults
+        texts += [f"{which}{fault} Means over the window are not valid." for fault in faults]
+        events = subject.run.events if isinstance(subject.run.events, list) else []
+        found = [event["sentence"] for event in events if isinstance(event, dict) and isinstance(event.get("sentence"), str)]
+        texts += [f"{which}{sentence}" for sentence in found if sentence not in faults]
     return sentences(texts)
 
 
@@ -78,8 +80,9 @@ def _each(subjects, make, heading=True):
 
 
 def _cards(run):
-    found = answers(run)
-    cards = "".join(f'<div class="card{" warning" if a.warns else ""}"><div class="name">{escape(a.name)}</div><div class="value">'
+    found, invalid = answers(run), run.window_is_valid is False
+    cards = "".join(f'<div class="card{" warning" if a.warns or invalid and a.of_window else ""}"><div class="name">{escape(a.name)}'
+                    f'{facts.INVALID if invalid and a.of_window else ""}</div><div class="value">'
                     f'{quantity(a.value, a.unit) if a.unit not in ("%", "dB(A)") else number(a.value, 3) + chr(160) + a.unit}</div><p>{a.sentence}</p></div>'
                     for a in found)
     return f'<div class="cards">{cards}</div>' if cards else sentences(["There are no key figures: the run has no summary, or was asked for none."])

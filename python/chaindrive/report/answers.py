@@ -13,10 +13,11 @@ MOST_IMBALANCE = 0.005
 
 
 class Answer:
-    """A figure: its name, value in SI units and what it means (HTML). `warns`: it is not as it should be."""
+    """A figure: its name, value in SI units and what it means (HTML). `warns`: it is not as it should be. `of_window`: it is found in the window
+    of the means, and no better than that."""
 
-    def __init__(self, name, value, unit, sentence, warns=False):
-        self.name, self.value, self.unit, self.sentence, self.warns = name, value, unit, sentence, warns
+    def __init__(self, name, value, unit, sentence, warns=False, of_window=True):
+        self.name, self.value, self.unit, self.sentence, self.warns, self.of_window = name, value, unit, sentence, warns, of_window
 
 
 def statistic(run, name, which):
@@ -107,7 +108,7 @@ def shaft(run):
     expected = run.drive["shaft_load"]
     if mean is None:
         return Answer("Load of each shaft", expected, "N", "Resultant of the mean tensions of both spans, from the closed form; "
-                      "the centrifugal tension does not load shafts.")
+                      "the centrifugal tension does not load shafts.", of_window=False)
     return Answer("Load of the driver's shaft", mean, "N", f"{_against(mean, expected, 'N', 'of the closed form')}; at most "
                   f"{quantity(most, 'N')}. Bearings are chosen by it.")
 
@@ -175,7 +176,7 @@ def wear(run):
     most = largest_of_spans(run)
     peak = f", {quantity(most / area, 'Pa', 3)} at the largest tension" if most else ""
     return Answer("Pressure in the joints", pressure, "Pa", f"Of the tension that power and speed ask for, on {quantity(area, 'm2', 3)} of pin and bush{peak}. "
-                  "Wear grows with it and with the angle by which joints turn: fewer teeth, more wear.")
+                  "Wear grows with it and with the angle by which joints turn: fewer teeth, more wear.", of_window=False)
 
 
 def resonance(run):
@@ -185,7 +186,7 @@ def resonance(run):
     speed = drive["sprockets"][0]["speed"]
     near = min((p for p in places if p[0]), key=lambda p: abs(np.log(p[0] / speed)))
     return Answer("Tooth frequency", drive["tooth_frequency"], "Hz", f"The nearest resonance is that of {near[2]} at {quantity(near[1], 'Hz', 3)}, "
-                  f"which the teeth meet at {quantity(near[0], 'rad/s')} of the driver; it runs at {quantity(speed, 'rad/s')}.")
+                  f"which the teeth meet at {quantity(near[0], 'rad/s')} of the driver; it runs at {quantity(speed, 'rad/s')}.", of_window=False)
 
 
 def noise(run):
@@ -202,4 +203,5 @@ def quality(run):
     warns, limit = error > MOST_IMBALANCE, f"{100 * MOST_IMBALANCE:g}\u00a0%"
     return Answer("Error of the energy balance", 100. * error, "%", "The largest in the whole run, of the energy turned over. " +
                   (f"Sound runs stay below {limit}: this one cannot be trusted." if warns else
-                   f"Sound runs stay below {limit}: the arithmetic can be trusted so far, the model is another question."), warns)
+                   f"Sound runs stay below {limit}: the arithmetic can be trusted so far, the model is another question."), warns,
+                  of_window=False)

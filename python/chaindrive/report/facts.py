@@ -12,6 +12,14 @@ from chaindrive.report.text import escape, number, percent, quantity, sentences,
 WORDS = {"simple": "lumped rollers and elastic bars", "layered": "rigid rollers and links with clearances",
          "reduced": "bodies that deform by some shapes each", "full": "elastic finite elements"}
 
+#: Beside what is found in a window whose means tell nothing.
+INVALID = ' <b class="invalid">not valid</b>'
+
+
+def invalid_window(run, what):
+    """A sentence above `what` that is found in the window of a run, where that is not valid; else nothing."""
+    return sentences([f"{what} not valid: an event lies in the window, see above."]) if run.window_is_valid is False else ""
+
 
 def question(run):
     """The comment at the head of the parameter file, without the licence."""
@@ -48,7 +56,8 @@ def what(run):
         start, end = run.window
         if np.isfinite(start):
             periods = (end - start) / run.pitch_time
-            rows.append(("window of the means", f"{quantity(start, 's')} to {quantity(end, 's')}, {number(periods, 3)} pitch times"))
+            rows.append(("window of the means", f"{quantity(start, 's')} to {quantity(end, 's')}, {number(periods, 3)} pitch times"
+                         + (INVALID if run.window_is_valid is False else "")))
         else:
             rows.append(("window of the means", "none: the drive had not settled when the run ended"))
         rows.append(("time step", f"{quantity(summary.get('step'), 's')}, {number(summary.get('steps'))} steps; stable below "
@@ -127,8 +136,9 @@ def plate_table(subjects):
             frame = plate_stresses(subject.run)
         except RunError:
             continue
+        invalid = INVALID if subject.run.window_is_valid is False else ""
         for link, row in frame.iterrows():
-            rows.append((*((escape(subject.name),) if several else ()), f"{link}, {row['kind']}",
+            rows.append((*((escape(subject.name),) if several else ()), f"{link}, {row['kind']}{invalid}",
                          *(quantity(row[name], "Pa", 3) for name in ("nominal", "axial", "in_plane", "out_of_plane", "principal_1", "principal_2"))))
     head = [*(("",) if several else ()), "link", "tension over waists", "pull", "bending in the plane", "out of the plane", "first principal",
             "second principal"]
@@ -175,7 +185,7 @@ def statistics_tables(run):
                           f"{quantity(energy.get('stored'), 'J', 3)} more are stored than before."], "plain")
     if not out:
         raise RunError(f"The summary of the run in '{run.folder}' has no window statistics.")
-    return out
+    return invalid_window(run, "These figures are") + out
 
 
 def noise_tables(run):
@@ -185,7 +195,7 @@ def noise_tables(run):
     level = lambda value: f"{value:.1f}" if value is not None else "–"  # noqa: E731
     rows = [(escape(o["name"]), ", ".join(number(x, 3) for x in o["position"]), level(o["level"]), level(o["level_a"]), quantity(o["peak_pressure"], "Pa", 3))
             for o in run.acoustics["observers"]]
-    out = table(["observer", "position (m)", "level (dB)", "level (dB(A))", "peak"], rows, f"Over {run.acoustics['periods']} pitch times, re 20 µPa")
+    out = invalid_window(run, "These levels are") + table(["observer", "position (m)", "level (dB)", "level (dB(A))", "peak"], rows, f"Over {run.acoustics['periods']} pitch times, re 20 µPa")
     parts = run.acoustics.get("contributions", {})
     if parts:
         out += sentences([f"At {run.acoustics['observers'][0]['name']} the rollers at the driver make {level(parts.get('driver'))} dB, those at the driven "
@@ -218,17 +228,20 @@ def costs(run):
 
 
 def differences(subjects):
-    """Figures of several runs with what they differ by from the first one."""
+    """Figures of several runs with what they differ by from the first one; a figure of a window that is not valid differs by nothing."""
     frame = comparison.compare([subject.run for subject in subjects])
     columns = comparison.names([subject.run for subject in subjects])
     head = ["", *(escape(subject.name) + ('<span class="difference">difference</span>' if k else "") for k, subject in enumerate(subjects))]
     frame = frame[~frame.index.isin(["steps", "wall_seconds", "driven_angle_end"])]
     rows = []
-    for _, row in frame.iterrows():
-        cells = []
+    invalid = [subject.run.window_is_valid is False for subject in subjects]
+    for name, row in frame.iterrows():
+        cells, of_window = [], name not in comparison.WHOLE_RUN
         for number_, column in enumerate(columns):
             cell = quantity(row[column], row["unit"])
-            if number_ and np.isfinite(row[f"{column} difference in %"]):
+            if of_window and invalid[number_] and np.isfinite(row[column]):
+                cell += INVALID
+            elif number_ and not (of_window and invalid[0]) and np.isfinite(row[f"{column} difference in %"]):
                 cell += f'<span class="difference">{percent(row[f"{column} difference in %"])}</span>'
             cells.append(cell)
         rows.append((escape(row["meaning"]), *cells))
