@@ -23,8 +23,8 @@ namespace
 /// @p value, or the number of so many digits next to it in the direction of @p sign.
 std::string rounded(const double value, const int digits, const double sign)
 {
-  const std::string text = to_text(value, digits);
-  const double      read = std::strtod(text.c_str(), nullptr);
+  std::string  text = to_text(value, digits);
+  const double read = std::strtod(text.c_str(), nullptr);
   if (!std::isfinite(value) || sign * (read - value) >= 0.)
     return text;
   const double unit = std::pow(10., std::floor(std::log10(std::abs(value))) + 1. - digits);
