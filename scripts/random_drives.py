@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Drives drawn at random from what the entries allow, each run for 0.3 ms.
 
-    random_drives.py [-n 200] [--seed 0] [--fidelities simple,layered] [--program PROGRAM]
+    random_drives.py [-n 200] [--seed 0] [--fidelities simple,layered] [--refusals] [--program PROGRAM]
 
 A drive runs to its end with its energy and momentum balanced, or is refused by a sentence that names an entry; nothing
 else is right: no signal, no hang, no stop without advice. Prints a line for each that did not run, with what the program
@@ -55,13 +55,14 @@ def draw(rng, fidelity):
         "Time/End time in ms": 0.3,
         "Output/Window start in ms": 0,
     }
-    kind, value = rng.choice((("slack", f"{rng.uniform(0, 0.5):.2f}"), ("sag", f"{rng.uniform(0.2, 5):.2f}"), ("pretension", f"{rng.uniform(50, 2000):.0f}")))
+    kinds = [("slack", f"{rng.uniform(0, 0.5):.2f}"), ("sag", f"{rng.uniform(0.2, 5):.2f}"), ("pretension", f"{rng.uniform(50, 2000):.0f}")]
+    kind, value = rng.choice(kinds[:2] if elastic else kinds)  # elastic parts cannot be stretched before the start
     entries["Drive/Layout/Centre distance from"] = kind
     entries[{"slack": "Drive/Layout/Slack in mm", "sag": "Drive/Layout/Sag in percent", "pretension": "Drive/Layout/Pretension in N"}[kind]] = value
     if elastic:
         entries["Mesh/Refinement"] = 0
         entries["Model/Half model"] = rng.choice(("auto", "false"))
-        entries["Contact/Plate faces"] = rng.choice(("auto", "on")) if entries["Model/Half model"] == "false" else "auto"
+        entries["Contact/Plate faces"] = rng.choice(("auto", "on")) if fidelity == "full" and entries["Model/Half model"] == "false" else "auto"
         entries["Effects/Tooth compliance"] = rng.choice(("auto", "on", "off"))
         entries["Time/End time in ms"] = 0.05
         entries["Model/Stiffness from"] = "parts"
@@ -73,8 +74,8 @@ def draw(rng, fidelity):
     return entries
 
 
-def outcome(entries, directory, path, limit):
-    """What became of a drive, and what is wrong with that or an empty text."""
+def outcome(entries, directory, path, limit, refusals):
+    """What became of a drive, and what is wrong with that or an empty text; with refusals their sentences are printed."""
     words = program.command("prm/verification/hard.prm", entries, "--output", directory, program=path)
     try:
         done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", timeout=limit)
@@ -90,6 +91,8 @@ def outcome(entries, directory, path, limit):
     sentence = re.search(r"chaindrive: (.*)", done.stdout, re.S)
     named = sentence and re.search(r"[A-Z][a-z-]+/|Start|Step|Slack|Sag|teeth|links", sentence[1])
     if done.returncode == 2 and named:
+        if refusals:
+            print(f"refused: {sentence[1].splitlines()[0]}", flush=True)
         return "refused", ""
     return f"status {done.returncode}", said
 
@@ -101,6 +104,7 @@ def main():
     parser.add_argument("--fidelities", default="simple,layered")
     parser.add_argument("--limit", type=float, default=120, help="seconds for one drive")
     parser.add_argument("--only", type=int)
+    parser.add_argument("--refusals", action="store_true", help="print why drives are refused")
     parser.add_argument("--program", default=program.PROGRAM)
     options = parser.parse_args()
     fidelities, counts, wrong = options.fidelities.split(","), collections.Counter(), 0
@@ -109,7 +113,7 @@ def main():
             fidelity = fidelities[k % len(fidelities)]
             entries = draw(random.Random(f"{options.seed} {k}"), fidelity)
             directory = pathlib.Path(scratch) / str(k) if options.only is None else pathlib.Path(f"results/random-{k}")
-            became, fault = outcome(entries, directory, options.program, options.limit)
+            became, fault = outcome(entries, directory, options.program, options.limit, options.refusals)
             counts[fidelity, became] += 1
             if fault:
                 wrong += 1
