@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/cost.h>
+#include <chaindrive/files/temporary_directory.h>
 #include <chaindrive/observe/pictures.h>
 #include <chaindrive/observe/progress.h>
 #include <chaindrive/parameters/needs.h>
 #include <chaindrive/utilities/errors.h>
-#include <chaindrive/utilities/first_rank.h>
 #include <chaindrive/utilities/text.h>
 #include <chaindrive/utilities/timing.h>
 
@@ -12,9 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <ostream>
-#include <unistd.h>
 
 namespace chaindrive
 {
@@ -72,34 +70,6 @@ double cpu_time(const MPI_Comm comm, const Work &work)
   return sum(PhaseTimer::total() - before, comm);
 }
 
-/// A directory for files that nobody needs, gone with this object. Collective.
-class Scratch
-{
-public:
-  explicit Scratch(const MPI_Comm comm)
-      : comm_(comm)
-      , path_((std::filesystem::temp_directory_path() /
-               ("chaindrive-plan-" + std::to_string(dealii::Utilities::MPI::max(getpid(), comm))))
-                  .string())
-  {
-    on_first_rank(comm_, [&] { std::filesystem::create_directories(path_); });
-  }
-  ~Scratch()
-  {
-    MPI_Barrier(comm_);
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-  }
-  Scratch(const Scratch &)            = delete;
-  Scratch &operator=(const Scratch &) = delete;
-
-  const std::string &path() const { return path_; }
-
-private:
-  MPI_Comm    comm_;
-  std::string path_;
-};
-
 /// CPU time that histories of @p n samples take from their first sample until they are closed, s.
 double time_histories(Simulation &simulation, const std::string &folder, const unsigned int n)
 {
@@ -118,7 +88,7 @@ void time_outputs(Simulation &simulation, Cost &cost)
   const parameters::Output &output = simulation.parameters.output;
   const double      duration = simulation.parameters.time.end - simulation.parameters.time.start;
   dynamics::System &system   = simulation.system();
-  const Scratch     scratch(comm);
+  const files::TemporaryDirectory scratch(comm);
 
   // a line through two numbers of samples: the file has its price whatever it holds
   constexpr unsigned int few = 8, many = 128;

@@ -250,9 +250,10 @@ void print(std::ostream &out, const acoustics::Noise &noise, const double tooth_
   for (const std::string &note : noise.notes)
     out << "  " << note << '\n';
 }
-} // namespace
 
-void check_noise(const drive::Drive &drive, const drive::Facts &facts, const Parameters &parameters)
+/// InputError where nothing can be heard at the site.
+acoustics::Site
+checked_site(const drive::Drive &drive, const drive::Facts &facts, const Parameters &parameters)
 {
   if (parameters.loads.driver_speed == 0.)
     throw InputError(
@@ -260,16 +261,23 @@ void check_noise(const drive::Drive &drive, const drive::Facts &facts, const Par
         "there are no pitch times.");
   const acoustics::Site site = make_site(drive, facts);
   acoustics::check_site(parameters.acoustics, site);
-  acoustics::check_interval(parameters.acoustics, site, parameters.output.history_interval);
+  return site;
+}
+} // namespace
+
+void check_noise(const drive::Drive &drive, const drive::Facts &facts, const Parameters &parameters)
+{
+  acoustics::check_interval(parameters.acoustics,
+                            checked_site(drive, facts, parameters),
+                            parameters.output.history_interval);
 }
 
 void write_noise(const std::string &directory, const Parameters &parameters, std::ostream &out)
 {
-  const drive::Drive drive = drive::make_drive(parameters);
-  const drive::Facts facts = drive::make_facts(parameters, drive);
-  check_noise(drive, facts, parameters);
-  const acoustics::Site site = make_site(drive, facts);
-  const auto [start, end]    = read_window(directory);
+  const drive::Drive    drive = drive::make_drive(parameters);
+  const drive::Facts    facts = drive::make_facts(parameters, drive);
+  const acoustics::Site site  = checked_site(drive, facts, parameters);
+  const auto [start, end]     = read_window(directory);
   const files::TableFile file(directory + "/histories.h5");
   // before the window what is heard at its begin, and some samples more for the filter
   const double before = acoustics::longest_delay(parameters.acoustics, site) +

@@ -7,6 +7,7 @@
 #include <chaindrive/files/file.h>
 #include <chaindrive/files/json.h>
 #include <chaindrive/files/log.h>
+#include <chaindrive/files/temporary_directory.h>
 #include <chaindrive/mesh/import/import.h>
 #include <chaindrive/observe/progress.h>
 #include <chaindrive/parameters/entries.h>
@@ -77,35 +78,6 @@ struct Estimating
   std::string folder;      ///< a temporary one; empty: nothing is to be estimated
   double      cpu    = 0.; ///< that this process has taken until then, as each run will, s
   double      memory = 0.; ///< its peak, bytes: what copies find there is not counted as theirs
-};
-
-/// A temporary directory, in which copies of this process may die; gone with this object.
-class Scratch
-{
-public:
-  Scratch()
-  {
-    const char       *given = std::getenv("TMPDIR");
-    const std::string where = given != nullptr && *given != '\0' ? given : "/tmp";
-    path_                   = where + "/chaindrive-study-XXXXXX";
-    if (::mkdtemp(path_.data()) == nullptr)
-      throw InputError(
-          "A study on a cluster needs a temporary directory, and none can be made in '" + where +
-          "': " + std::strerror(errno) +
-          ". Set the variable TMPDIR to a directory that can be written.");
-  }
-  ~Scratch()
-  {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  Scratch(const Scratch &)            = delete;
-  Scratch &operator=(const Scratch &) = delete;
-
-  const std::string &path() const { return path_; }
-
-private:
-  std::string path_;
 };
 
 /// How many are at work at a time.
@@ -345,9 +317,9 @@ void check_all(std::vector<Model>           &models,
 {
   std::vector<WorkResult> results;
   {
-    std::optional<Scratch> scratch;
+    std::optional<files::TemporaryDirectory> scratch; // in which copies of this process may die
     if (!command_line.rest.empty() && !command_line.dry_run)
-      scratch.emplace();
+      scratch.emplace(MPI_COMM_SELF);
     const Estimating estimating =
         scratch ?
             Estimating{scratch->path(), PhaseTimer::total(), observe::memory_peak(MPI_COMM_SELF)} :

@@ -92,12 +92,23 @@ class Run:
         """Why the window is not valid, a sentence for each event in it; empty where it is valid, or nobody knows."""
         if self.window_is_valid is not False:
             return []
-        found = [event["sentence"] for event in self._events_in_window() if isinstance(event.get("sentence"), str) and event["sentence"].strip()]
-        return found or ["The summary says that the window is not valid, and not why."]
+        return self._sentences(self._events_in_window()) or ["The summary says that the window is not valid, and not why."]
+
+    @property
+    def event_sentences(self):
+        """A sentence for each of the events, wherever it lies."""
+        return self._sentences(self._sound_events())
+
+    def _sound_events(self):
+        """Events that are what they should be: a summary may come from anybody."""
+        return [event for event in self.events if isinstance(event, dict)] if isinstance(self.events, list) else []
 
     def _events_in_window(self):
-        events = self.events if isinstance(self.events, list) else []
-        return [event for event in events if isinstance(event, dict) and event.get("in_window") is True]
+        return [event for event in self._sound_events() if event.get("in_window") is True]
+
+    @staticmethod
+    def _sentences(events):
+        return [event["sentence"] for event in events if isinstance(event.get("sentence"), str) and event["sentence"].strip()]
 
     @functools.cached_property
     def acoustics(self):

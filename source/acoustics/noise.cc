@@ -46,21 +46,31 @@ double lowest_of(const std::vector<Observer> &observers)
   return lowest;
 }
 
+/// The highest frequency that samples @p step [s] apart tell of, Hz.
+double possible_frequency(const double step) { return 0.5 / (step * roll_off); }
+
+/// InputError where samples @p step [s] apart do not tell of the highest frequency that is asked
+/// for. @p samples: which they are, in words.
+void check_highest_frequency(const parameters::Acoustics &settings,
+                             const double                 step,
+                             const std::string           &samples)
+{
+  const double possible = possible_frequency(step);
+  const double highest  = settings.highest_frequency.value_or(0.);
+  if (highest > possible * (1. + 1e-9))
+    throw InputError("Acoustics/Highest frequency in kHz = " + to_text(1e-3 * highest) +
+                     " is too high: " + samples + " are " + to_text(1e6 * step, 4) +
+                     " us apart, which tells of " + to_text_at_most(1e-3 * possible, 4) +
+                     " kHz at most. Choose a lower one, or run with a shorter Output/History "
+                     "interval in us.");
+}
+
 /// The highest frequency that samples @p step [s] apart tell of, or the one asked for.
 double
 highest_frequency(const parameters::Acoustics &settings, const double step, const std::string &name)
 {
-  const double possible = 0.5 / (step * roll_off);
-  if (!settings.highest_frequency)
-    return std::min(possible, edge_of_hearing());
-  if (*settings.highest_frequency > possible * (1. + 1e-9))
-    throw InputError(
-        "Acoustics/Highest frequency in kHz = " + to_text(1e-3 * *settings.highest_frequency) +
-        " is too high: the samples of '" + name + "', dataset /time, are " + to_text(1e6 * step) +
-        " us apart, which tells of " + to_text_at_most(1e-3 * possible, 4) +
-        " kHz at most. Choose a lower one, or run with a shorter Output/History "
-        "interval in us.");
-  return *settings.highest_frequency;
+  check_highest_frequency(settings, step, "the samples of '" + name + "', dataset /time,");
+  return settings.highest_frequency.value_or(std::min(possible_frequency(step), edge_of_hearing()));
 }
 
 /// Says which bands are missing.
@@ -329,16 +339,11 @@ void check_site(const parameters::Acoustics &settings, const Site &site)
 
 void check_interval(const parameters::Acoustics &settings, const Site &site, const double interval)
 {
-  const std::string samples = "samples by Output/History interval in us, " +
-                              to_text(1e6 * interval, 4) + " us apart, tell ";
-  const double possible = 0.5 / (interval * roll_off);
-  const double highest  = settings.highest_frequency.value_or(0.);
-  if (highest > possible * (1. + 1e-9))
-    throw InputError("Acoustics/Highest frequency in kHz = " + to_text(1e-3 * highest) +
-                     " is too high: " + samples + "of " + to_text_at_most(1e-3 * possible, 4) +
-                     " kHz at most. Choose a lower one, or run with a shorter interval.");
-  if (possible * site.pitch_time < 1.)
-    throw InputError("Acoustics/Noise: " + samples + "nothing of the tooth frequency of " +
+  check_highest_frequency(settings, interval, "samples of the run");
+  if (possible_frequency(interval) * site.pitch_time < 1.)
+    throw InputError("Acoustics/Noise: samples by Output/History interval in us, " +
+                     to_text(1e6 * interval, 4) +
+                     " us apart, tell nothing of the tooth frequency of " +
                      to_text(1. / site.pitch_time, 4) + " Hz. Run with an interval of at most " +
                      to_text_at_most(0.5e6 * site.pitch_time / roll_off, 3) + ".");
 }

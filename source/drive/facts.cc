@@ -116,8 +116,8 @@ hanging(const Facts &facts, const Facts::Span &span, const Parameters &p, const 
 
 /// The tension that the slack span keeps, and the tight one has besides the effective tension: of
 /// its weight, with the slack that all stretch adds or the sag that a settled start has found; of
-/// pre-tension what stretch leaves of it. N.
-double kept_tension(const Facts &facts, const Parameters &p, const Drive &d)
+/// pre-tension what stretch leaves of it. @p effective: what the tight one has besides. N.
+double kept_tension(const Facts &facts, const Parameters &p, const Drive &d, const double effective)
 {
   const parameters::Layout &layout = p.drive.layout;
   HangingSpan               slack  = hanging(facts, facts.span(false), p, d);
@@ -125,7 +125,7 @@ double kept_tension(const Facts &facts, const Parameters &p, const Drive &d)
   const bool settled = layout.start == parameters::Start::settled;
   if (settled && slack.weight > 0. && facts.span(false).sag > 0.)
     return slack.tension_of_sag(facts.span(false).sag);
-  const double by_load = facts.effective_tension * facts.span(true).links / d.stiffness_per_pitch;
+  const double by_load = effective * facts.span(true).links / d.stiffness_per_pitch;
   if (layout.centre_distance_from == parameters::CentreDistanceFrom::pretension &&
       layout.pretension > 0.)
     {
@@ -248,10 +248,8 @@ Facts make_facts(const Parameters &p, const Drive &d)
   facts.effective_tension   = 2. * PI * torque / (z2 * facts.loaded_pitch);
   facts.centrifugal_tension = facts.mass_per_metre * facts.chain_speed * facts.chain_speed;
 
-  const double kept            = kept_tension(facts, p, d);
-  Facts        unloaded        = facts;
-  unloaded.effective_tension   = 0.;
-  facts.slack_tension_unloaded = kept_tension(unloaded, p, d);
+  const double kept            = kept_tension(facts, p, d, facts.effective_tension);
+  facts.slack_tension_unloaded = kept_tension(facts, p, d, 0.);
   const double tight           = facts.effective_tension + kept;
   for (Facts::Span &span : facts.spans)
     {

@@ -73,13 +73,11 @@ std::string did_you_mean(const std::string &name, const std::vector<std::string>
 {
   if (const std::string nearest = nearest_name(name, candidates); !nearest.empty())
     return " Did you mean '" + nearest + "'?";
-  std::vector<std::string> begun; // "tight_tension" of "tight_tension_mean"
-  for (const std::string &candidate : candidates)
-    if (!name.empty() && candidate.rfind(name + "_", 0) == 0)
-      begun.push_back("'" + candidate + "'");
+  const std::vector<std::string> begun = names_begun_with(name, candidates); // "tight_tension"
   if (begun.empty())
     return " There are: " + join(candidates, ", ") + ".";
-  return (begun.size() == 1 ? " Did you mean " : " Did you mean one of ") + join(begun, ", ") + "?";
+  return (begun.size() == 1 ? " Did you mean '" : " Did you mean one of '") + join(begun, "', '") +
+         "'?";
 }
 
 bool contains(const std::vector<std::string> &words, const std::string &word)

@@ -131,17 +131,15 @@ list(const std::vector<std::string> &names, const std::string &before, const std
 /// The entries of which the beginning was written, or that which was misspelt, by its unit or not.
 std::vector<std::string> similar(const std::string &name, const std::vector<std::string> &names)
 {
-  std::vector<std::string> begun, whole, quantities;
+  std::vector<std::string> whole, quantities;
   for (const std::string &candidate : names)
     {
       if (are_opposite(lower(name), lower(candidate)))
         continue;
-      if (!name.empty() && lower(candidate).rfind(lower(name) + " ", 0) == 0)
-        begun.push_back(candidate);
       whole.push_back(candidate);
       quantities.push_back(Name(candidate).quantity);
     }
-  if (!begun.empty())
+  if (const std::vector<std::string> begun = names_begun_with(name, whole); !begun.empty())
     return begun;
   if (const std::string nearest = nearest_name(name, whole); !nearest.empty())
     return {nearest};

@@ -44,14 +44,16 @@ std::string to_text_at_most(const double value, const int digits)
 
 namespace
 {
+/// Whether two letters are the same, upper and lower case counted as equal.
+bool same_letter(const unsigned char a, const unsigned char b)
+{
+  return std::tolower(a) == std::tolower(b);
+}
+
 /// Levenshtein distance in which two neighbours exchanged are one edit, a row of the table at a
 /// time.
 std::size_t edit_distance(const std::string &a, const std::string &b)
 {
-  const auto equal = [](const char x, const char y) {
-    return std::tolower(static_cast<unsigned char>(x)) ==
-           std::tolower(static_cast<unsigned char>(y));
-  };
   std::vector<std::size_t> row(b.size() + 1), above, two_above;
   std::iota(row.begin(), row.end(), 0);
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -61,9 +63,9 @@ std::size_t edit_distance(const std::string &a, const std::string &b)
       row[0]    = i + 1;
       for (std::size_t j = 0; j < b.size(); ++j)
         {
-          row[j + 1] =
-              std::min({above[j] + (equal(a[i], b[j]) ? 0 : 1), row[j] + 1, above[j + 1] + 1});
-          if (i > 0 && j > 0 && equal(a[i], b[j - 1]) && equal(a[i - 1], b[j]))
+          row[j + 1] = std::min(
+              {above[j] + (same_letter(a[i], b[j]) ? 0 : 1), row[j] + 1, above[j + 1] + 1});
+          if (i > 0 && j > 0 && same_letter(a[i], b[j - 1]) && same_letter(a[i - 1], b[j]))
             row[j + 1] = std::min(row[j + 1], two_above[j - 1] + 1);
         }
     }
@@ -84,5 +86,17 @@ std::string nearest_name(const std::string &name, const std::vector<std::string>
     else if (distance == best && candidate != nearest)
       nearest.clear(); // either may be meant
   return nearest;
+}
+
+std::vector<std::string> names_begun_with(const std::string              &name,
+                                          const std::vector<std::string> &candidates)
+{
+  std::vector<std::string> begun;
+  for (const std::string &candidate : candidates)
+    if (!name.empty() && candidate.size() > name.size() &&
+        std::equal(name.begin(), name.end(), candidate.begin(), same_letter) &&
+        (candidate[name.size()] == ' ' || candidate[name.size()] == '_'))
+      begun.push_back(candidate);
+  return begun;
 }
 } // namespace chaindrive

@@ -7,7 +7,6 @@
   target   a page takes the place of a page, and of nothing else; what cannot be written leaves nothing behind
 """
 import copy
-import html.parser
 import json
 import os
 import pathlib
@@ -18,8 +17,9 @@ import subprocess
 import sys
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(REPOSITORY / "scripts"))
+sys.path[:0] = [str(REPOSITORY / "scripts"), str(REPOSITORY / "tests/support")]
 import program  # noqa: E402
+from elements import Elements  # noqa: E402
 from program import check  # noqa: E402
 
 try:
@@ -42,16 +42,6 @@ def base():
         entries = {"Time/End time in ms": 18, "Output/Window start in ms": 8, "Output/Field interval in ms": 0, "Acoustics/Noise": "on"}
         program.run("prm/paper/simple.prm", entries, "--output", "base", program=PROGRAM)
     return pathlib.Path("base")
-
-
-class Elements(html.parser.HTMLParser):
-    def __init__(self, text):
-        super().__init__()
-        self.found = []
-        self.feed(text)
-
-    def handle_starttag(self, tag, attributes):
-        self.found.append((tag, attributes))
 
 
 def harmless(page, what):

@@ -137,7 +137,7 @@ refused("another section", run, "Acoustics", options=("--set", "Loads/Drag in 1/
 refused("an observer in the chain", run, "point 1", "pitch", options=("--set", "Acoustics/Observers=0 0.04 0"))
 refused("an observer in the driver", run, "point 1", "in a sprocket", "allowed", options=("--set", "Acoustics/Observers=0.005 0 0.001"))
 refused("a floor above the drive", run, "Floor height", options=("--set", "Acoustics/Floor height in m=0"))
-refused("too high a frequency", run, "Highest frequency", "History interval", options=("--set", "Acoustics/Highest frequency in kHz=40"))
+refused("too high a frequency", run, "Highest frequency", "/time", options=("--set", "Acoustics/Highest frequency in kHz=40"))
 refused("a point of two numbers", run, "Observers", options=("--set", "Acoustics/Observers=1 2",))
 for name, damage, words in [
     ("no summary", lambda d: (d / "summary.json").unlink(), ["summary.json", "end"]),

@@ -8,7 +8,6 @@
 
 Without Snakemake, h5py, matplotlib or pandas they end with 77: left out."""
 import csv
-import html.parser
 import json
 import pathlib
 import shutil
@@ -16,7 +15,8 @@ import subprocess
 import sys
 
 CASE, PROGRAM, REPOSITORY = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
-sys.path[:0] = [str(REPOSITORY / "scripts"), str(REPOSITORY / "scripts/study")]
+sys.path[:0] = [str(REPOSITORY / folder) for folder in ("scripts", "scripts/study", "tests/support")]
+from elements import Elements  # noqa: E402
 from program import check  # noqa: E402
 
 if shutil.which("snakemake") is None:
@@ -158,16 +158,6 @@ def against():
 
 MARK = "poisoned"
 POISON = f"<img src=x onerror={MARK}()>\"'|`**<script>{MARK}()</script>"
-
-
-class Elements(html.parser.HTMLParser):
-    def __init__(self, page):
-        super().__init__()
-        self.found = []
-        self.feed(page)
-
-    def handle_starttag(self, tag, attributes):
-        self.found.append((tag, attributes))
 
 
 def foreign():

@@ -19,4 +19,9 @@ std::string to_text_at_most(double value, int digits = 6);
 /// for four letters of @p name: a suggestion that means something else does harm. Nor is
 /// one of several returned that are equally near.
 std::string nearest_name(const std::string &name, const std::vector<std::string> &candidates);
+
+/// The members of @p candidates of which @p name is the beginning, up to a blank or an underscore,
+/// upper and lower case counted as equal; none of an empty name.
+std::vector<std::string> names_begun_with(const std::string              &name,
+                                          const std::vector<std::string> &candidates);
 } // namespace chaindrive

@@ -66,9 +66,7 @@ def _events(subjects):
     for subject in subjects:
         which, faults = f"{subject.name}: " if len(subjects) > 1 else "", subject.run.window_faults
         texts += [f"{which}{fault} Means over the window are not valid." for fault in faults]
-        events = subject.run.events if isinstance(subject.run.events, list) else []
-        found = [event["sentence"] for event in events if isinstance(event, dict) and isinstance(event.get("sentence"), str)]
-        texts += [f"{which}{sentence}" for sentence in found if sentence not in faults]
+        texts += [f"{which}{sentence}" for sentence in subject.run.event_sentences if sentence not in faults]
     return sentences(texts)
 
 
