@@ -20,7 +20,7 @@ namespace
 /// How far [m] a search looks: larger, and searches were fewer but windows wider. Steps of elements
 /// have many to a search either way; at those of reduced bodies, which are longer, a search is to
 /// hold for some, even if gaps close with the speed @p unforeseen [m/s].
-double reach(const double dt, const double unforeseen)
+double search_reach(const double dt, const double unforeseen)
 {
   constexpr double least = 8e-6, steps = 10.;
   return std::max(least, steps * unforeseen * dt);
@@ -321,7 +321,7 @@ void NodeBores::add_forces(World &world, const double dt)
         JointBatch &batch = *group.batches[b];
         if (every_step_ || batch.search_due(dt))
           {
-            n_missed_ += batch.search(every_step_ ? 0. : reach(dt, unforeseen), unforeseen);
+            n_missed_ += batch.search(every_step_ ? 0. : search_reach(dt, unforeseen), unforeseen);
             announce_joints(world, group, b, every_step_);
           }
         batch.add_forces(dt);

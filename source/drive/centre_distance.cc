@@ -15,7 +15,6 @@ namespace
 using Target = Fitter::Target;
 using dealii::numbers::PI;
 
-std::string in_mm(const double length) { return to_text(length * 1e3, 7) + " mm"; }
 std::string at_most(const double length) { return to_text_at_most(length * 1e3, 7) + " mm"; }
 std::string at_least(const double length) { return to_text_at_least(length * 1e3, 7) + " mm"; }
 

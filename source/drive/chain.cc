@@ -22,8 +22,6 @@ constexpr double      inner_width = 7.94e-3, plate_thickness = 2.0e-3, plate_gap
 constexpr double      clearance = 0.045e-3; // radial, of both joints, kept in every size
 } // namespace reference
 
-std::string in_mm(const double length) { return to_text(length * 1e3, 5) + " mm"; }
-
 const CatalogueChain &look_up(const std::string &designation)
 {
   if (const CatalogueChain *row = find_chain(designation))
@@ -57,8 +55,8 @@ public:
       return *entry;
     if (listed > 0.)
       return listed;
-    derived_.push_back("Chain " + designation_ + ": " + name + " " + in_mm(rule) + ", " + reason +
-                       ".");
+    derived_.push_back("Chain " + designation_ + ": " + name + " " + in_mm(rule, 5) + ", " +
+                       reason + ".");
     return rule;
   }
 
@@ -74,9 +72,9 @@ void require_inside(const std::string &inner_name,
                     const std::string &what)
 {
   if (!(inner < outer))
-    throw InputError("Drive/Chain: " + inner_name + " = " + in_mm(inner) + " and " + outer_name +
-                     " = " + in_mm(outer) + " leave " + what + " of " +
-                     in_mm(0.5 * (outer - inner)) + "; the first must be less than the second.");
+    throw InputError("Drive/Chain: " + inner_name + " = " + in_mm(inner, 5) + " and " + outer_name +
+                     " = " + in_mm(outer, 5) + " leave " + what + " of " +
+                     in_mm(0.5 * (outer - inner), 5) + "; the first must be less than the second.");
 }
 
 /// Walls of tubes thinner than a thousandth of their diameter are no parts of a chain, and the
@@ -91,8 +89,8 @@ void require_wall(const std::string &inner_name,
   if (outer - inner < 2e-3 * outer)
     throw InputError(
         "Drive/Chain: " + inner_name + " = " + to_text(inner * 1e3, 12) + " mm and " + outer_name +
-        " = " + in_mm(outer) + " leave " + what + " of " + in_mm(0.5 * (outer - inner)) +
-        "; at least a thousandth of the diameter is accepted, " + in_mm(1e-3 * outer) + ".");
+        " = " + in_mm(outer, 5) + " leave " + what + " of " + in_mm(0.5 * (outer - inner), 5) +
+        "; at least a thousandth of the diameter is accepted, " + in_mm(1e-3 * outer, 5) + ".");
 }
 
 void check(const ChainDimensions &c)
@@ -103,7 +101,7 @@ void check(const ChainDimensions &c)
                                     {"Inner plate thickness", c.inner_plate_thickness},
                                     {"Outer plate thickness", c.outer_plate_thickness}})
     if (!(value > 0.))
-      throw InputError(std::string("Drive/Chain: ") + name + " = " + in_mm(value) +
+      throw InputError(std::string("Drive/Chain: ") + name + " = " + in_mm(value, 5) +
                        " must be positive.");
 
   require_wall("Roller bore", c.roller_bore, "Roller diameter", c.roller_diameter, "a roller wall");
@@ -204,7 +202,8 @@ ChainDimensions make_chain(const parameters::Chain &chain, const parameters::Eff
   const std::string play   = "for the radial clearance 0.045 mm";
   if (!row.has_rollers)
     c.derived.push_back("Chain " + row.designation + " has no rollers: its bushes, diameter " +
-                        in_mm(row.roller_diameter) + ", are taken as rollers on thinner bushes.");
+                        in_mm(row.roller_diameter, 5) +
+                        ", are taken as rollers on thinner bushes.");
 
   // the joint, from the outside inwards; Table 2 holds in every digit for the reference chain
   const auto listed = [&](const double value) { return documented ? value : 0.; };
@@ -266,7 +265,7 @@ ChainDimensions make_chain(const parameters::Chain &chain, const parameters::Eff
                       chain.pin_length,
                       listed(stack), // 14.94 mm in Table 2
                       stack,
-                      "with a gap of " + in_mm(gap) + " between inner and outer plates");
+                      "with a gap of " + in_mm(gap, 5) + " between inner and outer plates");
   c.outer_plate_z    = 0.5 * c.pin_length;
 
   set_clearances(c, effects);

@@ -19,7 +19,6 @@ using parameters::Role;
 
 namespace
 {
-std::string in_mm(const double length) { return to_text(length * 1e3, 5) + " mm"; }
 
 /// ISO 606: the tooth is narrower than the space between the inner plates.
 double tooth_width(const ChainDimensions &chain)
@@ -59,12 +58,13 @@ void refuse_soft(const std::string &entry,
                  const std::string &cylinder)
 {
   if (pull.tension > 0.25 * radius * stiffness)
-    throw InputError(
-        entry + " = " + to_text(stiffness, 4) + " lets the tension " + pull.of + ", " +
-        to_text(pull.tension, 4) + " N, press the " + cylinder + " " +
-        in_mm(pull.tension / stiffness) + " into its partner; at most a quarter of its radius, " +
-        in_mm(0.25 * radius) + ", is accepted. Choose at least " +
-        to_text_at_least(4. * pull.tension / radius, 4) + " N/m, or a smaller " + pull.entry + ".");
+    throw InputError(entry + " = " + to_text(stiffness, 4) + " lets the tension " + pull.of + ", " +
+                     to_text(pull.tension, 4) + " N, press the " + cylinder + " " +
+                     in_mm(pull.tension / stiffness, 5) +
+                     " into its partner; at most a quarter of its radius, " +
+                     in_mm(0.25 * radius, 5) + ", is accepted. Choose at least " +
+                     to_text_at_least(4. * pull.tension / radius, 4) + " N/m, or a smaller " +
+                     pull.entry + ".");
 }
 
 /// The sprocket of this @p role but for its solid. A bore of a third and a hub of six tenths of the
@@ -93,15 +93,15 @@ void check_hub(const Sprocket             &sprocket,
   const double      bore = sprocket.bore, hub = sprocket.hub_diameter,
                root = sprocket.form.root_diameter;
   if (!given.bore)
-    notes.push_back(name + " bore " + in_mm(bore) + ", a third of the root diameter.");
+    notes.push_back(name + " bore " + in_mm(bore, 5) + ", a third of the root diameter.");
   if (!given.hub_diameter)
-    notes.push_back(name + " rigid zone up to the diameter " + in_mm(hub) + ".");
+    notes.push_back(name + " rigid zone up to the diameter " + in_mm(hub, 5) + ".");
   if (!(bore > 0. && bore <= hub && hub < root))
-    throw InputError("Drive/Sprockets: " + name + " bore " + in_mm(bore) + " and hub diameter " +
-                     in_mm(hub) +
+    throw InputError("Drive/Sprockets: " + name + " bore " + in_mm(bore, 5) + " and hub diameter " +
+                     in_mm(hub, 5) +
                      " must be positive, the bore not larger than the hub, the hub "
                      "smaller than the root diameter " +
-                     in_mm(root) + ".");
+                     in_mm(root, 5) + ".");
 }
 
 /// The acceleration that acts, m/s2.
@@ -181,7 +181,7 @@ std::string reason_to_fail(const parameters::Chain &chain, const Layout &layout)
             " lets rollers ride up the teeth; a chain is replaced at 3 or less.";
   if (slack > 0.03 * layout.centre_distance())
     text +=
-        " The slack span has " + in_mm(slack) +
+        " The slack span has " + in_mm(slack, 5) +
         " of slack, by Drive/Layout/Slack in mm, Sag in percent, Centre distance in mm or wear: "
         "take less.";
   return text;
@@ -282,10 +282,10 @@ Drive make_drive(const Parameters  &parameters,
 
   d.sprocket_width = sprockets.width.value_or(tooth_width(d.chain));
   if (!sprockets.width)
-    d.notes.push_back("Sprocket width " + in_mm(d.sprocket_width) + " after ISO 606.");
+    d.notes.push_back("Sprocket width " + in_mm(d.sprocket_width, 5) + " after ISO 606.");
   if (!(d.sprocket_width > 0. && d.sprocket_width < d.chain.inner_width))
-    throw InputError("Drive/Sprockets/Width = " + in_mm(d.sprocket_width) +
-                     " must be positive and less than the " + in_mm(d.chain.inner_width) +
+    throw InputError("Drive/Sprockets/Width = " + in_mm(d.sprocket_width, 5) +
+                     " must be positive and less than the " + in_mm(d.chain.inner_width, 5) +
                      " between the inner plates.");
   for (const Sprocket &sprocket : d.sprockets)
     check_hub(sprocket, sprockets.with(sprocket.role), d.notes);

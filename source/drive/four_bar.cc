@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/four_bar.h>
+#include <chaindrive/drive/outline.h>
 #include <chaindrive/drive/span.h>
 #include <chaindrive/utilities/errors.h>
 
@@ -7,11 +8,6 @@ namespace chaindrive::drive
 {
 using dealii::Point;
 using dealii::Tensor;
-
-namespace
-{
-double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b) { return a[0] * b[1] - a[1] * b[0]; }
-} // namespace
 
 double four_bar_ratio(const double       centre_distance,
                       const double       pitch,

@@ -21,8 +21,6 @@ namespace
 {
 constexpr double overlap_tolerance = 1e-9; // m
 
-std::string in_mm(const double length) { return to_text(length * 1e3, 7) + " mm"; }
-
 /// @p lengths under a tension that stretches the chain by @p stretch [m] per pitch.
 LinkLengths stretched(const LinkLengths &lengths, const bool clearances, const double stretch)
 {
@@ -313,9 +311,6 @@ bool keeps_sag(const parameters::Layout &layout)
 // sprocket turn with it; in spans the velocity changes linearly from one end to the other.
 void set_in_motion(Layout &layout, const double driver_speed)
 {
-  const auto cross = [](const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
-    return a[0] * b[1] - a[1] * b[0];
-  };
   const unsigned int n      = layout.joints.size();
   Layout::Sprocket  &driver = layout.sprockets[0], &driven = layout.sprockets[1];
   const Point<2> &to = layout.joints[0].bush, &from = layout.joints[layout.span(true).first].bush;

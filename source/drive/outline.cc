@@ -10,8 +10,6 @@ using dealii::Tensor;
 
 namespace
 {
-double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b) { return a[0] * b[1] - a[1] * b[0]; }
-
 Point<2> on_circle(const Point<2> &centre, const double radius, const double angle)
 {
   return centre + radius * Point<2>(std::cos(angle), std::sin(angle));

@@ -17,9 +17,9 @@ using parameters::StandardForm;
 
 namespace
 {
-constexpr double degree = PI / 180.;
+std::string number_in_mm(const double length) { return to_text(length * 1e3, 7); }
 
-std::string in_mm(const double length) { return to_text(length * 1e3, 7); }
+constexpr double degree = PI / 180.;
 
 /// What the three ISO 606 forms choose between their limits.
 struct IsoGap
@@ -64,7 +64,7 @@ std::vector<Segment> ansi_flank(const double z, const double dr, const double a)
   const double F =
       dr * (0.8 * std::cos(B) + 1.4 * std::cos((17. - 64. / z) * degree) - 1.3025) - 0.0381e-3;
   if (!(F > 0.))
-    throw InputError("Drive/Sprockets/Tooth form = ansi: a roller of " + in_mm(dr) +
+    throw InputError("Drive/Sprockets/Tooth form = ansi: a roller of " + number_in_mm(dr) +
                      " mm leaves no topping arc.");
   const double   M = 0.8 * dr * std::cos(A), T = 0.8 * dr * std::sin(A);
   const double   W = 1.4 * dr * std::cos(PI / z), V = 1.4 * dr * std::sin(PI / z);
@@ -195,8 +195,8 @@ ToothForm make_tooth_form(const unsigned int           teeth,
     seat_centre = 0.5 * (t.pitch_diameter - d1) + t.seat_radius;
   t.root_diameter = 2. * (seat_centre - t.seat_radius);
   if (!(t.root_diameter > 0.))
-    throw InputError("Drive/Sprockets/" + name +
-                     " bottom diameter in mm = " + in_mm(t.root_diameter) + " must be positive.");
+    throw InputError("Drive/Sprockets/" + name + " bottom diameter in mm = " +
+                     number_in_mm(t.root_diameter) + " must be positive.");
 
   const std::vector<Segment> flank =
       ansi ? ansi_flank(z, d1, seat_centre) : iso_flank(gap, seat_centre);
@@ -225,16 +225,16 @@ ToothForm make_tooth_form(const unsigned int           teeth,
         reason = "the least of ISO 606, which leaves a tip land of less than 0.05 of the pitch";
       else
         reason = "for a tip land of 0.05 of the pitch, below the limits of ISO 606, " +
-                 in_mm(least_iso) + " and " + in_mm(most_iso) + " mm";
+                 number_in_mm(least_iso) + " and " + number_in_mm(most_iso) + " mm";
       t.outside_diameter = !ansi && limit < least_iso && least_iso <= hard_limit ?
                                least_iso :
                                std::min(wanted, limit);
-      t.derived.push_back(name + " outside diameter " + in_mm(t.outside_diameter) + " mm, " +
+      t.derived.push_back(name + " outside diameter " + number_in_mm(t.outside_diameter) + " mm, " +
                           reason + ".");
     }
   if (!(t.outside_diameter > least && t.outside_diameter < t.pointed_diameter))
     throw InputError("Drive/Sprockets/" + name +
-                     " outside diameter in mm = " + in_mm(t.outside_diameter) +
+                     " outside diameter in mm = " + number_in_mm(t.outside_diameter) +
                      " must lie between " + to_text_at_least(1e3 * least, 7) +
                      ", where the seat ends, and " + to_text_at_most(1e3 * t.pointed_diameter, 7) +
                      ", where the tooth is pointed and its tip land zero.");
@@ -243,10 +243,11 @@ ToothForm make_tooth_form(const unsigned int           teeth,
   t.half_profile      = trimmed(flank, radius);
   const double edge   = tip_angle(flank, radius);
   if (!(edge < PI / z))
-    throw InputError(
-        "Drive/Sprockets/" + name + " outside diameter in mm = " + in_mm(t.outside_diameter) +
-        " leaves a tip land of " + in_mm(t.outside_diameter * (PI / z - edge)) +
-        " mm, which must be positive; teeth are pointed at " + in_mm(t.pointed_diameter) + " mm.");
+    throw InputError("Drive/Sprockets/" + name +
+                     " outside diameter in mm = " + number_in_mm(t.outside_diameter) +
+                     " leaves a tip land of " + number_in_mm(t.outside_diameter * (PI / z - edge)) +
+                     " mm, which must be positive; teeth are pointed at " +
+                     number_in_mm(t.pointed_diameter) + " mm.");
   t.half_profile.push_back(arc_segment(Point<2>(), radius, edge, PI / z));
   t.corners.resize(t.half_profile.size() + 1, ToothForm::Corner::none);
   t.corners[t.half_profile.size() - 1] = ToothForm::Corner::convex; // the tip's edge

@@ -12,17 +12,17 @@ namespace chaindrive::dynamics
 {
 namespace
 {
-using Springs = std::vector<dealii::SymmetricTensor<2, 3>>;
+using NodeSprings = std::vector<dealii::SymmetricTensor<2, 3>>;
 
 /// The springs of the nodes whose normals are at most the side's angle from @p direction, or of all
 /// if it is zero; @p across: stiffness across the normals over that along them.
-Springs springs_of(const contact::ClosedSide  &side,
-                   const double                across,
-                   const dealii::Tensor<1, 3> &direction)
+NodeSprings springs_of(const contact::ClosedSide  &side,
+                       const double                across,
+                       const dealii::Tensor<1, 3> &direction)
 {
   const double least = direction.norm_square() > 0. ? std::cos(side.half_angle) : 0.;
   const auto   unit  = dealii::unit_symmetric_tensor<3>();
-  Springs      springs(side.stiffness.size());
+  NodeSprings  springs(side.stiffness.size());
   for (unsigned int n = 0; n < springs.size(); ++n)
     {
       const double k = side.stiffness[n];

@@ -22,7 +22,7 @@ namespace
 {
 using Vector3 = dealii::Tensor<1, 3>;
 
-constexpr double fastest_node = 2.; // m/s; see contact::unforeseen_speed()
+constexpr double allowed_speed = 2.; // m/s; see contact::unforeseen_speed()
 
 /// @p scene at rest, without loads and friction, whatever overlaps.
 scene::Scene at_rest(const scene::Scene &scene)
@@ -63,10 +63,10 @@ void for_each_node(World &world, const Visit &visit)
 }
 
 /// The elastic bodies of a batch, which may not move as a whole.
-class Held
+class HeldBatch
 {
 public:
-  Held(BodyBatches &copies, const unsigned int batch) : copies_(copies), batch_(batch)
+  HeldBatch(BodyBatches &copies, const unsigned int batch) : copies_(copies), batch_(batch)
   {
     const NodeView position(std::as_const(copies_.position));
     for_each([&](const unsigned int lane, const std::size_t at, const double mass) {
@@ -127,9 +127,9 @@ private:
 };
 
 /// All links of @p world that move by nodes and that this rank owns.
-std::vector<Held> links_of(const scene::Scene &scene, World &world)
+std::vector<HeldBatch> links_of(const scene::Scene &scene, World &world)
 {
-  std::vector<Held> links;
+  std::vector<HeldBatch> links;
   for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
     {
       BodyBatches      &copies = world.copies[g];
@@ -158,8 +158,8 @@ void slow_down(World &world)
     const NodeView velocity(copies.velocity);
     const Vector3  v     = velocity[at];
     const double   speed = v.norm();
-    if (speed > fastest_node)
-      velocity.set(at, fastest_node / speed * v);
+    if (speed > allowed_speed)
+      velocity.set(at, allowed_speed / speed * v);
   });
 }
 
@@ -255,8 +255,8 @@ private:
                                      v[lane] * v[lane] + v[n_lanes + lane] * v[n_lanes + lane] +
                                          v[2 * n_lanes + lane] * v[2 * n_lanes + lane]);
         copies.for_each_copy_of(batch, [&](const unsigned int copy, const unsigned int lane) {
-          if (fastest[lane] > fastest_node * fastest_node)
-            share[copy] = fastest_node / std::sqrt(fastest[lane]);
+          if (fastest[lane] > allowed_speed * allowed_speed)
+            share[copy] = allowed_speed / std::sqrt(fastest[lane]);
         });
       }
     dealii::Utilities::MPI::min(share, world_.communicator(), share); // all move what is shared
@@ -282,9 +282,9 @@ private:
 Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm, const double change)
     : scene_(scene), system_(at_rest(scene), false, comm)
 {
-  World                  &world = system_.world;
-  const std::vector<Held> links = links_of(scene, world);
-  Shapes                  shapes(scene, world);
+  World                       &world = system_.world;
+  const std::vector<HeldBatch> links = links_of(scene, world);
+  Shapes                       shapes(scene, world);
 
   constexpr unsigned int most   = 100; // intervals
   const Material        &steel  = scene.material;
@@ -301,7 +301,7 @@ Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm, const dou
           system_.evaluate_forces(dt);
           drift(world, -dt);
           slow_down(world);
-          for (const Held &batch : links) // also of what the slower nodes leave to the others
+          for (const HeldBatch &batch : links) // also of what the slower nodes leave to the others
             batch.hold();
           const double kinetic = kinetic_energy(world) + shapes.end(dt);
           if (kinetic < before)

@@ -49,7 +49,7 @@ std::vector<std::string> split_at_commas(const std::string &text)
   return dealii::Utilities::split_string_list(text, ',');
 }
 
-std::string join(const std::vector<std::string> &words)
+std::string alternatives(const std::vector<std::string> &words)
 {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i)
@@ -226,7 +226,7 @@ Entry &add_choice(Declarations                                   &declarations,
   return declarations.add(
       name,
       default_value,
-      join(texts),
+      alternatives(texts),
       meaning,
       [texts](const std::string &text) {
         return std::find(texts.begin(), texts.end(), text) != texts.end();

@@ -25,14 +25,6 @@ namespace
 {
 using dealii::Utilities::trim;
 
-std::string join(const std::vector<std::string> &words)
-{
-  std::string text;
-  for (const std::string &word : words)
-    text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string last_part(const std::string &path) { return path.substr(path.rfind('/') + 1); }
 
 std::string enclosing(const std::string &path)

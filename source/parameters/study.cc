@@ -21,14 +21,6 @@ std::vector<std::string> split(const std::string &text, const char separator)
   return words;
 }
 
-std::string join(const std::vector<std::string> &words, const std::string &separator)
-{
-  std::string text;
-  for (const std::string &word : words)
-    text += (text.empty() ? "" : separator) + word;
-  return text;
-}
-
 void add_list(Declarations                                                &declarations,
               const std::string                                           &name,
               std::vector<std::string>                                    &member,
@@ -75,7 +67,7 @@ std::string did_you_mean(const std::string &name, const std::vector<std::string>
     return " Did you mean '" + nearest + "'?";
   const std::vector<std::string> begun = names_begun_with(name, candidates); // "tight_tension"
   if (begun.empty())
-    return " There are: " + join(candidates, ", ") + ".";
+    return " There are: " + join(candidates) + ".";
   return (begun.size() == 1 ? " Did you mean '" : " Did you mean one of '") + join(begun, "', '") +
          "'?";
 }

@@ -93,7 +93,7 @@ std::string plain(const std::string &text)
   return word.empty() ? "none" : word;
 }
 
-std::string last_part(const std::string &path)
+std::string without_sections(const std::string &path)
 {
   // a unit may contain a slash
   const std::string without_unit = path.substr(0, path.find(" in "));
@@ -128,11 +128,12 @@ std::vector<std::string> names_of(const std::vector<Loop>    &loops,
       for (std::size_t i = 0; i < loops.size(); ++i)
         if (!goes_with_others(loops[i]))
           {
-            const bool alone = std::count_if(loops.begin(), loops.end(), [&](const Loop &other) {
-                                 return last_part(other.path) == last_part(loops[i].path);
-                               }) == 1;
+            const bool alone =
+                std::count_if(loops.begin(), loops.end(), [&](const Loop &other) {
+                  return without_sections(other.path) == without_sections(loops[i].path);
+                }) == 1;
             name += (name.empty() ? "" : ",") +
-                    plain(alone ? last_part(loops[i].path) : loops[i].path) + "=" +
+                    plain(alone ? without_sections(loops[i].path) : loops[i].path) + "=" +
                     plain(choices[i].second);
           }
       names.push_back(name);

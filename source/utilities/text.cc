@@ -42,6 +42,19 @@ std::string to_text_at_most(const double value, const int digits)
   return rounded(value, digits, -1.);
 }
 
+std::string in_mm(const double length, const int digits)
+{
+  return to_text(length * 1e3, digits) + " mm";
+}
+
+std::string join(const std::vector<std::string> &words, const std::string &separator)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : separator) + words[i];
+  return text;
+}
+
 namespace
 {
 /// Whether two letters are the same, upper and lower case counted as equal.

@@ -48,7 +48,10 @@ def lint(file, flags):
 
 
 def compile_commands(build):
-    return json.loads((build / "compile_commands.json").read_text())
+    """Those of the program's sources, or of the files that include several of them."""
+    commands = json.loads((build / "compile_commands.json").read_text())
+    folders = style.ROOT / "source", build.resolve() / "source"
+    return [entry for entry in commands if any(Path(entry["file"]).is_relative_to(folder) for folder in folders)]
 
 
 def language_flags(commands):
@@ -82,8 +85,7 @@ class Linter:
     def __init__(self, build):
         self.memory = build / "style"
         self.memory.mkdir(exist_ok=True)
-        commands = compile_commands(build)
-        self.flags = language_flags(c for c in commands if Path(c["file"]).is_relative_to(style.ROOT / "source"))
+        self.flags = language_flags(compile_commands(build))
         configuration = CONFIGURATION.read_text()
         self.digests = {
             path: digest(configuration, path, text)

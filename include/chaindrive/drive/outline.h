@@ -2,11 +2,18 @@
 #pragma once
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
 
 #include <vector>
 
 namespace chaindrive::drive
 {
+/// The third component of the cross product of two vectors in the plane.
+inline double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+
 /// An arc or a straight piece of a plane outline of solid material, run through from begin to end.
 ///
 /// For an arc, point(t) = centre + radius (cos a, sin a) with the angle a running linearly from

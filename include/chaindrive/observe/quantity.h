@@ -56,7 +56,7 @@ private:
 ///       void add_channels(Channels &channels) override;
 ///       ...
 ///     };
-///     const Registered<Speed> registration("speed", 45, parameters::QuantityGroup::speeds);
+///     const Registered<Speed> registered_speed("speed", 45, parameters::QuantityGroup::speeds);
 ///
 /// Every rank has all quantities of its scene. Functions do nothing unless overridden.
 class Quantity

@@ -14,6 +14,12 @@ std::string to_text(double value, int digits = 6);
 std::string to_text_at_least(double value, int digits = 6);
 std::string to_text_at_most(double value, int digits = 6);
 
+/// @p length [m] with its unit: "12.7 mm".
+std::string in_mm(double length, int digits = 7);
+
+/// The @p words one after the other, @p separator between them.
+std::string join(const std::vector<std::string> &words, const std::string &separator = ", ");
+
 /// The member of @p candidates with the smallest edit distance to @p name, upper and lower case
 /// counted as equal and two letters exchanged as one edit; empty when it takes more than one edit
 /// for four letters of @p name: a suggestion that means something else does harm. Nor is

@@ -33,12 +33,6 @@ struct Mesh
   std::map<Face, unsigned int> n_cells;     // vertices
 };
 
-std::string in_mm(const Point<3> &p)
-{
-  return "(" + to_text(1e3 * p[0]) + ", " + to_text(1e3 * p[1]) + ", " + to_text(1e3 * p[2]) +
-         ") mm";
-}
-
 template <typename Vertices>
 Point<3> centre(const Mesh &mesh, const Vertices &vertices)
 {

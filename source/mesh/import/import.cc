@@ -4,6 +4,7 @@
 #include <chaindrive/mesh/generate/cut_out.h>
 #include <chaindrive/mesh/import/gmsh_cells.h>
 #include <chaindrive/mesh/import/gmsh_file.h>
+#include <chaindrive/mesh/import/joined.h>
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -62,12 +63,6 @@ std::vector<long> numbers_of(const std::string &file, const GmshFile &gmsh, cons
     names += (names.empty() ? "'" : ", '") + surface.first + "'";
   throw InputError("The mesh '" + file + "' has no physical surface '" + name + "'; it has " +
                    (names.empty() ? "none with a name" : names) + gmsh.not_read() + ".");
-}
-
-std::string in_mm(const Point<3> &p)
-{
-  return "(" + to_text(1e3 * p[0]) + ", " + to_text(1e3 * p[1]) + ", " + to_text(1e3 * p[2]) +
-         ") mm";
 }
 
 /// The surfaces that are needed must have faces.

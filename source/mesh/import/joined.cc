@@ -16,12 +16,6 @@ using dealii::Point;
 
 namespace
 {
-std::string in_mm(const Point<3> &p)
-{
-  return "(" + to_text(1e3 * p[0]) + ", " + to_text(1e3 * p[1]) + ", " + to_text(1e3 * p[2]) +
-         ") mm";
-}
-
 void check_vertices(const std::string &file, const dealii::Triangulation<3> &mesh)
 {
   double shortest = 1e300;
@@ -84,6 +78,12 @@ void check_pieces(const std::string &file, const dealii::Triangulation<3> &mesh)
                      ". A sprocket is one body, in which neighbours share whole faces.");
 }
 } // namespace
+
+std::string in_mm(const Point<3> &p)
+{
+  return "(" + to_text(1e3 * p[0]) + ", " + to_text(1e3 * p[1]) + ", " + to_text(1e3 * p[2]) +
+         ") mm";
+}
 
 void check_joined(const std::string &file, const dealii::Triangulation<3> &mesh)
 {

@@ -46,6 +46,6 @@ private:
   double hourglass_ = 0., all_ = 0.; ///< integrals over time, J s
 };
 
-const Registered<Artificial> registration("artificial", 87);
+const Registered<Artificial> registered_artificial("artificial", 87);
 } // namespace
 } // namespace chaindrive::observe

@@ -83,6 +83,6 @@ public:
   }
 };
 
-const Registered<Energy> registration("energy", 80, parameters::QuantityGroup::energy);
+const Registered<Energy> registered_energy("energy", 80, parameters::QuantityGroup::energy);
 } // namespace
 } // namespace chaindrive::observe

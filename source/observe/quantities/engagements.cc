@@ -251,6 +251,6 @@ private:
 };
 
 const Registered<Engagements>
-    registration("engagements", 110, parameters::QuantityGroup::engagements);
+    registered_engagements("engagements", 110, parameters::QuantityGroup::engagements);
 } // namespace
 } // namespace chaindrive::observe

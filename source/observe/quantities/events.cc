@@ -308,6 +308,6 @@ private:
   OfPitch                 pitch_;
 };
 
-const Registered<Events> registration("events", 130);
+const Registered<Events> registered_events("events", 130);
 } // namespace
 } // namespace chaindrive::observe

@@ -78,6 +78,6 @@ private:
   WindowStatistics statistics_;
 };
 
-const Registered<Hubs> registration("hubs", 10, parameters::QuantityGroup::speeds);
+const Registered<Hubs> registered_hubs("hubs", 10, parameters::QuantityGroup::speeds);
 } // namespace
 } // namespace chaindrive::observe

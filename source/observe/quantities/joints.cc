@@ -103,6 +103,6 @@ private:
   std::vector<Kind> kinds_;
 };
 
-const Registered<Joints> registration("joints", 60, parameters::QuantityGroup::joint_forces);
+const Registered<Joints> registered_joints("joints", 60, parameters::QuantityGroup::joint_forces);
 } // namespace
 } // namespace chaindrive::observe

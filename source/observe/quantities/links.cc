@@ -54,6 +54,6 @@ private:
   std::vector<double> peak_; ///< since the last sample, N
 };
 
-const Registered<Links> registration("links", 30, parameters::QuantityGroup::tensions);
+const Registered<Links> registered_links("links", 30, parameters::QuantityGroup::tensions);
 } // namespace
 } // namespace chaindrive::observe

@@ -131,6 +131,6 @@ private:
   std::vector<double>      within_; ///< what has come to it within the window, J
 };
 
-const Registered<Losses> registration("losses", 85, parameters::QuantityGroup::energy);
+const Registered<Losses> registered_losses("losses", 85, parameters::QuantityGroup::energy);
 } // namespace
 } // namespace chaindrive::observe

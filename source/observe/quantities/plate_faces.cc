@@ -51,6 +51,6 @@ private:
 };
 
 const Registered<PlateFaces>
-    registration("plate faces", 70, parameters::QuantityGroup::joint_forces);
+    registered_plate_faces("plate faces", 70, parameters::QuantityGroup::joint_forces);
 } // namespace
 } // namespace chaindrive::observe

@@ -95,6 +95,6 @@ private:
 };
 
 const Registered<PlateStressQuantity>
-    registration("plate stress", 100, parameters::QuantityGroup::plate_stress);
+    registered_plate_stress("plate stress", 100, parameters::QuantityGroup::plate_stress);
 } // namespace
 } // namespace chaindrive::observe

@@ -91,6 +91,7 @@ private:
   std::vector<double> spin_of_nodes_; ///< of rollers that move by nodes, by body, rad/s
 };
 
-const Registered<Rollers> registration("rollers", 20, parameters::QuantityGroup::roller_motion);
+const Registered<Rollers>
+    registered_rollers("rollers", 20, parameters::QuantityGroup::roller_motion);
 } // namespace
 } // namespace chaindrive::observe

@@ -28,6 +28,6 @@ public:
   }
 };
 
-const Registered<Search> registration("search", 120);
+const Registered<Search> registered_search("search", 120);
 } // namespace
 } // namespace chaindrive::observe

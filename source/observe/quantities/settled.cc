@@ -63,6 +63,6 @@ private:
   bool  begun_ = false;
 };
 
-const Registered<Settled> registration("settled", 42, parameters::QuantityGroup::tensions);
+const Registered<Settled> registered_settled("settled", 42, parameters::QuantityGroup::tensions);
 } // namespace
 } // namespace chaindrive::observe

@@ -95,6 +95,6 @@ private:
   std::vector<Shaft> shafts_; ///< driver first
 };
 
-const Registered<Shafts> registration("shafts", 15, parameters::QuantityGroup::tooth_forces);
+const Registered<Shafts> registered_shafts("shafts", 15, parameters::QuantityGroup::tooth_forces);
 } // namespace
 } // namespace chaindrive::observe

@@ -89,6 +89,6 @@ private:
   double           tight_tension_start_ = 0.; ///< largest, N
 };
 
-const Registered<SpansQuantity> registration("spans", 40, parameters::QuantityGroup::tensions);
+const Registered<SpansQuantity> registered_spans("spans", 40, parameters::QuantityGroup::tensions);
 } // namespace
 } // namespace chaindrive::observe

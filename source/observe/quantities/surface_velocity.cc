@@ -74,7 +74,7 @@ private:
   std::vector<dealii::Tensor<1, 3>> velocity_; ///< of now_.rollers at the present sample, m/s
 };
 
-const Registered<SurfaceVelocity>
-    registration("surface velocity", 90, parameters::QuantityGroup::surface_velocity);
+const Registered<SurfaceVelocity> registered_surface_velocity(
+    "surface velocity", 90, parameters::QuantityGroup::surface_velocity);
 } // namespace
 } // namespace chaindrive::observe

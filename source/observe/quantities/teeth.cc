@@ -101,6 +101,6 @@ private:
   std::vector<ToothForces> sprockets_;
 };
 
-const Registered<Teeth> registration("teeth", 50, parameters::QuantityGroup::tooth_forces);
+const Registered<Teeth> registered_teeth("teeth", 50, parameters::QuantityGroup::tooth_forces);
 } // namespace
 } // namespace chaindrive::observe
