@@ -8,13 +8,12 @@ export LC_ALL=C.UTF-8
 # OpenMPI refuses root and more ranks than cores unless told otherwise.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 
-build_packages=(g++ cmake ninja-build nlohmann-json3-dev libboost-program-options-dev libfftw3-dev
-  libdeflate-dev)
-check_packages=(numdiff perl python3 clang-format clang-tidy dpkg-dev file chromium)
-report_packages=(python3-h5py python3-pandas python3-plotly)
-study_packages=(snakemake python3-h5py python3-jinja2 python3-matplotlib python3-pandas python3-scipy)
+# The packages of packaging/packages.txt, an array for each use: build_packages, check_packages, ...
 # A deal.II of one's own is found through DEAL_II_DIR.
-[[ -n ${DEAL_II_DIR:-} ]] || build_packages+=(libdeal.ii-dev)
+while read -r use name _; do
+  [[ -z $name || $use == "#"* || $name == libdeal.ii-dev && -n ${DEAL_II_DIR:-} ]] ||
+    declare -ga "${use}_packages+=($name)"
+done <"$root/packaging/packages.txt"
 
 say() { printf '== %s\n' "$*"; }
 

@@ -112,6 +112,13 @@ class Files(unittest.TestCase):
             {"prm/paper/c.prm": ""},
         )
 
+    def test_packages(self):
+        listed = "# a list\nbuild   libone-dev  # why\nstudy   python3-two\nreport  python3-two\n"
+        good = {"packaging/packages.txt": listed, "CMakeLists.txt": "Debian's libone-dev has it.", "source/a.cc": '"python3-two"', "scripts/b.py": "python3-vtk9"}
+        self.assert_rule(rules.packages, good, {"source/a.cc": "python3-three"})
+        self.assert_rule(rules.packages, good, {"packaging/packages.txt": listed + "study   python3-two   # twice\n"})
+        self.assert_rule(rules.packages, good, {"packaging/packages.txt": listed + "study: snakemake\n"})
+
     def test_formatting(self):
         with tempfile.TemporaryDirectory() as folder:
             good, bad = Path(folder, "good.cc"), Path(folder, "bad.cc")
