@@ -7,6 +7,7 @@ build=$root/build
 export LC_ALL=C.UTF-8
 # OpenMPI refuses root and more ranks than cores unless told otherwise.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe # what the last of them is to OpenMPI 5
 
 # The packages of packaging/packages.txt, an array for each use: build_packages, check_packages, ...
 # A deal.II of one's own is found through DEAL_II_DIR.
@@ -14,6 +15,7 @@ while read -r use name _; do
   [[ -z $name || $use == "#"* || $name == libdeal.ii-dev && -n ${DEAL_II_DIR:-} ]] ||
     declare -ga "${use}_packages+=($name)"
 done <"$root/packaging/packages.txt"
+[[ ${CXX:-} != *clang++* ]] || build_packages+=(clang)
 
 say() { printf '== %s\n' "$*"; }
 

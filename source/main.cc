@@ -8,6 +8,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -211,7 +212,10 @@ int main(int argc, char **argv)
   Successor successor;
   int       status = 0;
   {
-    const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    // its name alone: PETSc, which deal.II hands the words on to, would say that it knows none of
+    // ours
+    int                                            n_words = std::min(argc, 1);
+    const dealii::Utilities::MPI::MPI_InitFinalize mpi(n_words, argv, 1);
     catch_stop_signals(ignore_hang_up); // again: PETSc, which deal.II starts, catches some itself
 
     const bool is_first_rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
