@@ -50,7 +50,8 @@ def manual(work, pages, output, extra, with_gallery):
     done = subprocess.run(command, env={**os.environ, "CHAINDRIVE_CONTENTS": str(work / "contents.md")}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True)
     if done.returncode:
-        fail(f"Sphinx found something wrong:\n{done.stdout}")
+        said = done.stdout.replace(f"{pages}/index.md", "README.md").replace(f"{pages}/", "")
+        fail(f"Sphinx found something wrong:\n{said}")
     formulas(output / "_static")
 
 

@@ -13,7 +13,7 @@ version = release = re.search(r"project\(chaindrive VERSION ([\d.]+)", (REPOSITO
 language = "en"
 
 extensions = ["myst_parser", "sphinx.ext.mathjax"]
-myst_enable_extensions = ["dollarmath"]
+myst_enable_extensions = ["dollarmath", "tasklist"]
 myst_heading_anchors = 4
 myst_update_mathjax = False
 root_doc = "index"
