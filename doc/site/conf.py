@@ -15,6 +15,7 @@ language = "en"
 extensions = ["myst_parser", "sphinx.ext.mathjax"]
 myst_enable_extensions = ["dollarmath", "tasklist"]
 myst_heading_anchors = 4
+myst_disable_syntax = ["myst_line_comment", "myst_block_break", "myst_target"]  # documents are plain Markdown: % begins no comment
 myst_update_mathjax = False
 root_doc = "index"
 include_patterns = ["*.md", "doc/*.md", "doc/validation/*.md", "prm/**.md", "python/*.md", "scripts/*.md", "gallery/*.md"]

@@ -61,11 +61,12 @@ SEAMS = {
          Interface("StressRecovery", "include/chaindrive/element/stress.h")],
         [Implementations("ElementBlock"), Implementations("StressRecovery")]]),
     "body group": Seam("bodies", "The calls of one step, in their order; the table in source/dynamics/system.cc says at which instant everything stands.", [
-        [calls("first half of a step", "source/dynamics/newmark.cc", "first_half", "kick", "drift"),
-         calls("forces", "source/dynamics/system.cc", "start", "add_forces"),
-         calls("contacts", "source/bodies/world.cc", "place_surface", "gather_forces"),
-         calls("forces, when complete", "source/dynamics/system.cc", "advance", "advance_shared"),
-         calls("second half", "source/dynamics/newmark.cc", "second_half", "kick", "finish"),
+        [calls("System::advance(), once", "source/dynamics/system.cc", "start"),
+         calls("1. first_half()", "source/dynamics/newmark.cc", "kick", "drift"),
+         calls("2. evaluate_forces()", "source/dynamics/system.cc", "add_forces"),
+         calls("3. Contacts, through World", "source/bodies/world.cc", "place_surface", "gather_forces"),
+         calls("4. evaluate_forces()", "source/dynamics/system.cc", "advance", "advance_shared"),
+         calls("5. second_half()", "source/dynamics/newmark.cc", "kick", "finish"),
          calls("stable step", "source/dynamics/closed_contact.cc", "stable_step", "matrix_of_shapes", "largest_frequency"),
          calls("pictures, stresses", "source/observe/elastic_bodies.cc", "nodes_now", "stress_recoveries")],
         [Interface("BodyGroup", "include/chaindrive/bodies/body_group.h")],
@@ -207,7 +208,7 @@ def node(item):
         rows = [f"<B>{name}()</B> = 0" if pure else f"{name}()" for name, pure in virtuals(item)]
     else:
         text = text_of(item.file)
-        for name in item.names:
+        for name in (*item.names, *re.findall(r"(\w+)\(\)", item.title)):
             if not re.search(rf"\b{re.escape(name)}\b", text):
                 raise SystemExit(f"doc/site/seams.py: {item.file} has no {name}")
         head, where, rows = item.title, short(item.file), [html.escape(name) for name in item.names]

@@ -7,6 +7,7 @@
   links  links that lead nowhere and what would be loaded from the network are found
 
 Without Sphinx, MyST, furo, MathJax or Doxygen the first two end with 77, without Chromium nothing is drawn: left out."""
+import html
 import pathlib
 import re
 import shutil
@@ -61,6 +62,23 @@ def looked_at(page, size):
     return found[1].split("|")
 
 
+def plain(text):
+    """Text without elements, on one line, with straight quotes and simple dashes."""
+    text = html.unescape(re.sub(r"<[^>]*>", "", re.sub(r"<(script|style)\b.*?</\1>", "", text, flags=re.DOTALL)))
+    for other, usual in (("\u2018", "'"), ("\u2019", "'"), ("\u201c", '"'), ("\u201d", '"'), ("\u2013", "--"), ("\u2026", "...")):
+        text = text.replace(other, usual)
+    return " ".join(text.split())
+
+
+def prose(text):
+    """Lines of a document that are words alone: no table, no code, no formula, no mark of Markdown."""
+    fenced = False
+    for line in text.splitlines():
+        fenced ^= line.startswith("```")
+        if not fenced and len(line.split()) > 4 and not line.startswith(("    ", "|", "#")) and not re.search(r"[`*_\[\]$\\<>&]|^ *(-|\d+\.) ", line):
+            yield line
+
+
 def site():
     needs()
     pages = pathlib.Path("site").resolve()
@@ -75,6 +93,9 @@ def site():
         title = re.search(r"^# (.*)$", document.read_text(), re.MULTILINE)[1]
         check(page.is_file() and title in page.read_text(), f"{document} has no page with its title")
         check(page.relative_to(pages).as_posix() in (pages / "index.html").read_text(), f"{page} is not in the list of pages")
+        shown = plain(page.read_text())
+        lost = [line for line in prose(document.read_text()) if plain(line) not in shown]
+        check(not lost, f"{document} has lines that its page lacks: {lost[:3]}")
     search = (pages / "searchindex.js").read_text()
     check(all(word in search for word in ("hourglass", "checkpoint", "clearanc")), "words are missing in the search")
     check(list((pages / "api/search").glob("all_*.js")), "the reference has no search")
@@ -114,6 +135,9 @@ def site():
     if CHROMIUM is None:
         print("no Chromium: the pages were not looked at")
         return
+    words = subprocess.run([CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=20000", "--dump-dom",
+                            (pages / "search.html").as_uri() + "?q=hourglass"], capture_output=True, text=True, timeout=300)
+    check(re.search(r'<a href="doc/theory.html[^"]*"[^>]*>Theory</a>', words.stdout), "a search for hourglass does not find the theory")
     for name, formulas in (("index", 0), ("doc/theory", 300), ("doc/tutorial", 0), ("prm/README", 0), ("gallery/index", 0), ("gallery/simple", 0),
                            ("reference", 0), ("api/group__contact", 0), ("api/classchaindrive_1_1BodyGroup", 0)):
         for size in ("1400,1000", "420,900"):
