@@ -157,6 +157,11 @@ def habits():
     file = (REPOSITORY / ".devcontainer" / build["dockerfile"]).resolve()
     check(file.is_file(), f"the development container is built from {build['dockerfile']}, which is not there")
     check(re.search(rf"^FROM \S+ AS {build['target']}$", file.read_text(), re.MULTILINE), f"{file.name} has no stage {build['target']}")
+    lines = container["postCreateCommand"]
+    check(subprocess.run(["bash", "-n", "-c", lines]).returncode == 0, "postCreateCommand of the development container is no shell script")
+    used = set(re.findall(r"\$\{(\w+)_packages\[@\]\}", lines))
+    uses = {line.split()[0] for line in (REPOSITORY / "packaging/packages.txt").read_text().splitlines() if line and not line.startswith("#")}
+    check(used and used <= uses, f"the development container asks for packages of {sorted(used - uses)}")
     version = re.search(r"project\(chaindrive VERSION ([\d.]+)", (REPOSITORY / "CMakeLists.txt").read_text())[1]
     check(f"\nversion: {version}\n" in (REPOSITORY / "CITATION.cff").read_text(), f"CITATION.cff is not of version {version}")
     check("\n## [Unreleased]\n" in (REPOSITORY / "CHANGELOG.md").read_text(), "CHANGELOG.md has no [Unreleased]")

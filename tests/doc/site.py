@@ -184,6 +184,9 @@ def wrong():
     refused("doc/site/contents.md", "doc/cluster\n", "", ("cluster.md", "toctree"), pages)
     done = build("--drives", "nonsense")
     check(done.returncode and "nonsense" in done.stderr and "simple" in done.stderr, done.stderr)
+    for words, named in ((["--quicker"], "--quicker"), (["--output"], "--output")):
+        done = subprocess.run([REPOSITORY / "site", *words], capture_output=True, text=True)
+        check(done.returncode == 2 and named in done.stderr and not done.stdout, f"./site {words}: {done.returncode} {done.stderr}")
     check(not pathlib.Path("pages").exists(), "pages of a build that failed are left behind")
 
 
