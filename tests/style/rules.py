@@ -26,12 +26,12 @@ OUT_OF_BOUNDS = {
 HOSTS = {
     "dealii.org", "debian.org", "doi.org", "github.com", "gmsh.info", "gnu.org", "hdfgroup.org",
     "keepachangelog.com", "paraview.org", "semver.org", "snakemake.github.io", "www.dealii.org", "www.debian.org",
-    "www.gnu.org", "www.paraview.org",
+    "www.gnu.org", "www.paraview.org", "www.w3.org",
 }
 
 
 def is_code(path):
-    return path.endswith((".cc", ".h", ".py", ".cmake", ".sh", "CMakeLists.txt", "run", "check", "study", "Snakefile"))
+    return path.endswith((".cc", ".h", ".py", ".cmake", ".sh", "CMakeLists.txt", "run", "check", "study", "site", "Snakefile"))
 
 
 def is_cxx(path):
@@ -204,7 +204,7 @@ def packages(tree):
     known = {pair[-1] for pair in named}
     for file, text in tree.items():
         if file.startswith(("python/", "source/", "scripts/study/", "packaging/")) or file == "CMakeLists.txt":
-            for name in sorted(set(re.findall(r"\b(?:python3-[a-z0-9]+|lib[a-z0-9.+-]+-dev)\b", text)) - known):
+            for name in sorted(set(re.findall(r"\b(?:python3-[a-z0-9]+(?:-[a-z0-9]+)*|lib[a-z0-9.+-]+-dev)\b", text)) - known):
                 violations.append(f"{file}: {name} is not in {path}")
     return violations
 

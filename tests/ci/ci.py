@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""ci.py CASE CTEST: what forges are told to do, and what is done before a commit.
+
+  forges  both forges do the same: all tests on Debian 12 and 13 with both compilers, a Debug build, sanitizers at night, the pages; every script
+          and option that they call exists, and what they keep is what was written
+  wrong   changes of these files that would leave something out, or call what is not there, are found
+  habits  presets, hooks before a commit, templates and the development container name what exists
+
+Without PyYAML all end with 77."""
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+try:
+    import yaml
+except ModuleNotFoundError:
+    sys.exit(77)
+import forges
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+CASE, CTEST = sys.argv[1:3]
+
+
+def check(condition, message):
+    if not condition:
+        sys.exit(message)
+
+
+def read(*names):
+    return {name: (REPOSITORY / name).read_text() for name in names}
+
+
+def options_of(script, known={}):
+    """What SCRIPT --help tells of; ./check also takes those of ctest, of which one is of use here."""
+    if script not in known:
+        path = REPOSITORY / script
+        if not path.is_file() or not os.access(path, os.X_OK):
+            raise ValueError(f"there is no script {script}")
+        known[script] = set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", subprocess.run([path, "--help"], capture_output=True, text=True, check=True).stdout))
+        if script in (".ci/run", "check"):
+            known[script] |= {"--output-junit"} & set(subprocess.run([CTEST, "--help"], capture_output=True, text=True, check=True).stdout.split())
+    return known[script]
+
+
+def faults(jobs):
+    """What is wrong with the jobs of one forge, one line each."""
+    out, tests, debug, sanitized, pages = [], set(), False, set(), False
+    for job in jobs:
+        if job.image not in ("debian:12", "debian:13"):
+            out.append(f"{job.name}: the image {job.image}")
+        try:
+            calls = forges.started(job)
+        except ValueError as error:
+            out.append(str(error))
+            continue
+        for script, *words in calls:
+            if script == "apt-get":
+                out += [f"{job.name}: apt-get of {word}" for word in words if not word.startswith("-") and word not in
+                        ("update", "install", "git", "ca-certificates", "g++", "clang")]
+                continue
+            path = ".ci/run" if script == "run" else script
+            try:
+                out += [f"{job.name}: {path} has no option {word}" for word in words if word.startswith("--") and word not in options_of(path)]
+            except ValueError as error:
+                out.append(f"{job.name}: {error}")
+            if script == "site":
+                pages = True
+                if words[1:] != job.artifacts:
+                    out.append(f"{job.name}: pages go to {words[1:]}, and {job.artifacts} are kept")
+                continue
+            if words[-2:] != ["--output-junit", job.junit] or job.junit not in job.artifacts:
+                out.append(f"{job.name}: the results are in {words[-1:]}, and {job.artifacts} are kept")
+            if "--sanitize" in words:
+                if not job.nightly:
+                    out.append(f"{job.name}: the sanitizers are for the night")
+                sanitized.add(job.image)
+            elif job.nightly:
+                continue
+            elif "--debug" in words:
+                debug = True
+            elif "--quick" not in words:
+                tests.add((job.image, job.environment.get("CXX")))
+    for image in ("debian:12", "debian:13"):
+        out += [f"no tests on {image} with {compiler}" for compiler in ("g++", "clang++") if (image, compiler) not in tests]
+        out += [] if image in sanitized else [f"no sanitizers on {image}"]
+    return out + ([] if debug else ["no Debug build"]) + ([] if pages else ["no pages"])
+
+
+def all_faults(texts):
+    """Of both forges."""
+    github = list(forges.github_jobs({name: texts[name] for name in forges.GITHUB}))
+    gitlab = [job for job in forges.gitlab_jobs(texts[forges.GITLAB]) if job.name != "pages"]
+    return [f"GitHub: {fault}" for fault in faults(github)] + [f"GitLab: {fault}" for fault in faults(gitlab)]
+
+
+def of_forges():
+    found = all_faults(read(*forges.GITHUB, forges.GITLAB))
+    check(not found, "\n".join(found))
+    pages = next(job for job in forges.gitlab_jobs((REPOSITORY / forges.GITLAB).read_text()) if job.name == "pages")
+    check(pages.script == "mv results/site public" and pages.artifacts == ["public"], "GitLab publishes the folder `public` of a job `pages`")
+
+
+def wrong():
+    texts = read(*forges.GITHUB, forges.GITLAB)
+    night = forges.GITHUB[1]
+    for name, old, new, word in (
+            (forges.GITHUB[0], "debian: [12, 13]", "debian: [12]", "debian:13 with g++"), (forges.GITHUB[0], "[g++, clang++]", "[g++]", "with clang++"),
+            (forges.GITHUB[0], "--debug --quick", "--quick", "no Debug"), (forges.GITHUB[0], ".ci/run --output", ".ci/runs --output", "runs"),
+            (forges.GITHUB[0], "--debug", "--debugging", "--debugging"), (forges.GITHUB[0], "path: results/ctest.xml", "path: results/tests.xml", "are kept"),
+            (forges.GITHUB[0], "./site --output results/site", "./site --output results/pages", "are kept"),
+            (forges.GITHUB[0], "mkdir -p results\n", "if true\n", "syntax error"), (forges.GITHUB[0], "git ca-certificates", "git ca-certificate", "ca-certificate"),
+            (night, "debian: [12, 13]", "debian: [13]", "no sanitizers on debian:12"), (night, "schedule:\n    - cron: \"17 2 * * *\"\n", "push:\n", "night"),
+            (night, "--sanitize", "", "no sanitizers"),
+            (forges.GITLAB, 'DEBIAN: ["12", "13"]\n        CXX', 'DEBIAN: ["13"]\n        CXX', "debian:12 with"),
+            (forges.GITLAB, "--output-junit", "--junit", "--junit"), (forges.GITLAB, "junit: results/ctest.xml", "junit: results/a.xml", "are kept"),
+            (forges.GITLAB, "--debug", "", "no Debug"), (forges.GITLAB, "./site --output results/site", "echo none", "no pages")):
+        check(old in texts[name], f"{name} has no '{old}'")
+        found = all_faults({**texts, name: texts[name].replace(old, new)})
+        check(any(word in fault for fault in found), f"{name} with '{new}' instead of '{old}': {found}")
+
+
+def habits():
+    presets = json.loads((REPOSITORY / "CMakePresets.json").read_text())
+    options = set(re.findall(r"option\((\w+)", (REPOSITORY / "CMakeLists.txt").read_text()))
+    for preset in presets["configurePresets"]:
+        unknown = [name for name in preset.get("cacheVariables", {}) if name.startswith("CHAINDRIVE_") and name not in options]
+        check(not unknown, f"CMakePresets.json: {preset['name']} sets {unknown}")
+        check(preset.get("hidden") or re.fullmatch(r"\$\{sourceDir\}/build(-\w+)?", preset["binaryDir"]), f"CMakePresets.json: {preset['name']} builds elsewhere")
+    listed = subprocess.run([CTEST.replace("ctest", "cmake"), "--list-presets"], cwd=REPOSITORY, capture_output=True, text=True)
+    check(listed.returncode == 0, listed.stderr)
+    for name in ("release", "debug", "sanitize", "clang"):
+        check(f'"{name}"' in listed.stdout, f"CMake knows no preset {name}: {listed.stdout}")
+
+    hooks = yaml.safe_load((REPOSITORY / ".pre-commit-config.yaml").read_text())
+    for repo in hooks["repos"]:
+        check(repo["repo"] == "local", f".pre-commit-config.yaml fetches {repo['repo']}")
+        for hook in repo["hooks"]:
+            check(hook["language"] == "system", f"{hook['id']} would be installed from elsewhere")
+            for word in (word for word in hook["entry"].split() if "/" in word and not word.startswith(("-", "/"))):
+                check((REPOSITORY / word).is_file(), f"{hook['id']}: there is no {word}")
+    sys.path.insert(0, str(REPOSITORY / "tests/style"))
+    import style
+    rules = [hook["args"][0] for hook in hooks["repos"][0]["hooks"] if "tests/style/style.py" in hook["entry"]]
+    check(set(rules) == set(style.rules.RULES), f"before a commit {sorted(set(style.rules.RULES) ^ set(rules))} are checked here or there alone")
+
+    for folder in (".github/ISSUE_TEMPLATE", ".gitlab/issue_templates"):
+        for file in (REPOSITORY / folder).iterdir():
+            if file.suffix == ".yml":
+                yaml.safe_load(file.read_text())
+        wrong_result = next((REPOSITORY / folder).glob("[Bb]ug.*")).read_text()
+        check(all(word in wrong_result for word in (".prm", "log.txt", "--version")), f"{folder} does not ask for .prm, log.txt and --version")
+    container = json.loads((REPOSITORY / ".devcontainer/devcontainer.json").read_text())
+    build = container["build"]
+    file = (REPOSITORY / ".devcontainer" / build["dockerfile"]).resolve()
+    check(file.is_file(), f"the development container is built from {build['dockerfile']}, which is not there")
+    check(re.search(rf"^FROM \S+ AS {build['target']}$", file.read_text(), re.MULTILINE), f"{file.name} has no stage {build['target']}")
+    lines = container["postCreateCommand"]
+    check(subprocess.run(["bash", "-n", "-c", lines]).returncode == 0, "postCreateCommand of the development container is no shell script")
+    used = set(re.findall(r"\$\{(\w+)_packages\[@\]\}", lines))
+    uses = {line.split()[0] for line in (REPOSITORY / "packaging/packages.txt").read_text().splitlines() if line and not line.startswith("#")}
+    check(used and used <= uses, f"the development container asks for packages of {sorted(used - uses)}")
+    version = re.search(r"project\(chaindrive VERSION ([\d.]+)", (REPOSITORY / "CMakeLists.txt").read_text())[1]
+    check(f"\nversion: {version}\n" in (REPOSITORY / "CITATION.cff").read_text(), f"CITATION.cff is not of version {version}")
+    check("\n## [Unreleased]\n" in (REPOSITORY / "CHANGELOG.md").read_text(), "CHANGELOG.md has no [Unreleased]")
+
+
+{"forges": of_forges, "wrong": wrong, "habits": habits}[CASE]()
