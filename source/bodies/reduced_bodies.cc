@@ -11,7 +11,6 @@
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace chaindrive
 {
@@ -569,9 +568,9 @@ void ReducedBodies::serialize(const Archive &archive, const World &world)
     if (copies.owns_batch(batch) || (archive.reads() && copies.is_shared(batch)))
       {
         const Archive own = archive.of_this_rank() / ("batch " + std::to_string(batch));
-        const std::pair<const char *, Numbers *> all[] = {
-            {"amplitude", &amplitude_}, {"rate", &rate_}, {"acceleration", &acceleration_}};
-        for (const auto &[name, numbers] : all)
+        for (const auto &[name, numbers] : {std::make_pair("amplitude", &amplitude_),
+                                            std::make_pair("rate", &rate_),
+                                            std::make_pair("acceleration", &acceleration_)})
           own.numbers(name, numbers->data() + batch * per_batch(), per_batch());
       }
 }

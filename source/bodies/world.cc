@@ -349,11 +349,10 @@ void World::serialize(const Archive &archive)
   archive("time", time);
   archive("ledger", ledger);
   archive.numbers("losses", losses);
-  const std::pair<const char *, Vector *> vectors[] = {{"displacement", &displacement},
-                                                       {"velocity", &velocity},
-                                                       {"force", &force},
-                                                       {"moment", &moment}};
-  for (const auto &[name, vector] : vectors)
+  for (const auto &[name, vector] : {std::make_pair("displacement", &displacement),
+                                     std::make_pair("velocity", &velocity),
+                                     std::make_pair("force", &force),
+                                     std::make_pair("moment", &moment)})
     archive.numbers(name, vector->begin(), vector->locally_owned_size());
   archive.numbers("frames", frames);
   archive.numbers("rotations", rotations);

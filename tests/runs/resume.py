@@ -422,7 +422,7 @@ def kill(n=4, ranks=1, fidelity=None):
                 for pid in processes(process, ranks):
                     with contextlib.suppress(ProcessLookupError):  # mpirun kills the others too
                         os.kill(pid, signal.SIGKILL)
-                kills += 1
+                kills += process.wait() != 0  # else it had come to its end by then
         process.communicate()
         if process.returncode == 0:
             if kills >= n:
