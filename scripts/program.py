@@ -22,9 +22,9 @@ def command(file, entries=(), *options, program=PROGRAM, ranks=1):
     return [*launcher, str(program), str(REPOSITORY / file), *sets, *map(str, options)]
 
 
-def start(words):
-    """Runs `words` to their end; returns status, stdout and stderr."""
-    return subprocess.run(words, capture_output=True, text=True, errors="replace")
+def start(words, environment=()):
+    """Runs `words` to their end, with the variables {name: value} set besides; returns status, stdout and stderr."""
+    return subprocess.run(words, capture_output=True, text=True, errors="replace", env={**os.environ, **dict(environment)})
 
 
 def run(file, entries=(), *options, program=PROGRAM, ranks=1, status=0):
