@@ -11,7 +11,8 @@ PROGRAM = REPOSITORY / "build/source/chaindrive"
 sys.path.insert(0, str(REPOSITORY / "python"))  # the package chaindrive, which reads results
 
 # in a container all are root, and tests have more ranks than there are cores
-ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
+               "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe"}  # the last is of OpenMPI 5
 os.environ.update(ENVIRONMENT)
 
 
@@ -22,9 +23,9 @@ def command(file, entries=(), *options, program=PROGRAM, ranks=1):
     return [*launcher, str(program), str(REPOSITORY / file), *sets, *map(str, options)]
 
 
-def start(words):
-    """Runs `words` to their end; returns status, stdout and stderr."""
-    return subprocess.run(words, capture_output=True, text=True, errors="replace")
+def start(words, environment=()):
+    """Runs `words` to their end, with the variables {name: value} set besides; returns status, stdout and stderr."""
+    return subprocess.run(words, capture_output=True, text=True, errors="replace", env={**os.environ, **dict(environment)})
 
 
 def run(file, entries=(), *options, program=PROGRAM, ranks=1, status=0):

@@ -47,7 +47,7 @@ constexpr CommandName commands[] = {
     {Command::study,
      "study",
      "FILE.prm",
-     "run the variants of a study file and compare them; ./study --help says more"},
+     "run the variants of a study file and compare them; what follows -- goes to Snakemake"},
     {Command::report,
      "report",
      "DIR...",

@@ -82,7 +82,11 @@ std::string man_page()
       << item("4", "", "a run that was stopped and can be resumed") << ".SH ENVIRONMENT\n"
       << item("CHAINDRIVE_CACHE", "", "where solutions of parts are kept, else ~/.cache/chaindrive")
       << item("CHAINDRIVE_SIMD_WIDTH", "", "numbers that kernels work on at a time: 1, 2, 4 or 8")
-      << ".SH EXAMPLES\n.nf\n"
+      << ".SH SEVERAL PROCESSES\n"
+      << troff("mpirun starts them, for elastic models. OpenMPI's refuses root, as in containers, "
+               "without --allow-run-as-root, and more processes than cores without "
+               "--oversubscribe.")
+      << "\n.SH EXAMPLES\n.nf\n"
       << troff("chaindrive template --chain 10B --teeth 21/63 --centre 500 --rpm 1450 --kW 3 > "
                "my.prm")
       << "\n"

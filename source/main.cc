@@ -2,6 +2,7 @@
 #include <chaindrive/command_line.h>
 #include <chaindrive/commands.h>
 #include <chaindrive/files/console.h>
+#include <chaindrive/packages.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/signals.h>
@@ -46,8 +47,7 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
       {
         const auto directory = run_command(command_line, MPI_COMM_WORLD);
         if (directory && command_line.report && !command_line.quiet && is_first_rank)
-          successor = {
-              report_after_run(*directory), "the report of this run needs Debian's python3", 0};
+          successor = {report_after_run(*directory), packages_of_reports(), 0};
         return directory ? 0 : 4;
       }
     case Command::plan:
@@ -60,11 +60,10 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
         noise_command(command_line);
       break;
     case Command::study:
-      successor = {study_command(command_line, MPI_COMM_WORLD),
-                   "./study installs what studies need"};
+      successor = {study_command(command_line, MPI_COMM_WORLD), packages_of_studies()};
       return stop_signal() == 0 ? 0 : 4;
     case Command::report:
-      successor = {report_command(command_line, MPI_COMM_WORLD), "reports need Debian's python3"};
+      successor = {report_command(command_line, MPI_COMM_WORLD), packages_of_reports()};
       break;
     case Command::template_file:
       if (is_first_rank)
@@ -173,8 +172,7 @@ int become(Successor command, std::vector<std::string> environment)
   ::execvpe(
       command.words.front().c_str(), pointers(command.words).data(), pointers(environment).data());
   std::cerr << "chaindrive: " << command.words.front()
-            << " cannot be started: " << std::strerror(errno) << "; " << command.needs << "."
-            << std::endl;
+            << " cannot be started: " << std::strerror(errno) << ". " << command.needs << std::endl;
   return command.status;
 }
 } // namespace

@@ -10,6 +10,7 @@
 #include <chaindrive/files/temporary_directory.h>
 #include <chaindrive/mesh/import/import.h>
 #include <chaindrive/observe/progress.h>
+#include <chaindrive/packages.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/scene/build.h>
@@ -37,6 +38,7 @@
 #include <map>
 #include <new>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <sys/file.h>
 #include <thread>
@@ -441,6 +443,17 @@ void write(const std::string        &directory,
   files::write_json(directory + "/study.json", json);
 }
 
+/// Whether there is a program of this name to start.
+bool is_installed(const std::string &program)
+{
+  const char        *path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "/bin:/usr/bin" : path);
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (::access((fs::path(folder) / program).c_str(), X_OK) == 0)
+      return true;
+  return false;
+}
+
 std::vector<std::string> snakemake(const CommandLine &c, const std::string &directory)
 {
   const std::string        scripts = files::data_folder("scripts");
@@ -488,6 +501,9 @@ std::vector<std::string> study_command(const CommandLine &command_line, const MP
                          " vary the start phase: set Study/Phases = 1.");
       models.push_back({&variant, make_runs(variant, input.study.phases), {}});
     }
+  if (!command_line.dry_run && !is_installed("snakemake"))
+    throw RunError("Snakemake, which runs the variants, is not installed. " +
+                   packages_of_studies());
   log << models.size() << " variants from " << input.study.phases
       << " start phases each: checking all before the first begins" << std::endl;
   check_all(models, input, directory, command_line, log);

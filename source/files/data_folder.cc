@@ -18,7 +18,10 @@ std::string data_folder(const std::string &name)
   for (const fs::path &folder : {installed, source})
     if (fs::is_directory(folder, error))
       return folder.string();
-  throw InputError("The folder '" + name + "' of chaindrive is neither " + installed.string() +
-                   " nor " + source.string() + ": install chaindrive again.");
+  // who has installed a package does not know where it was built
+  const std::string built_in =
+      fs::is_directory(CHAINDRIVE_SOURCE, error) ? " or " + source.string() : "";
+  throw InputError("There is no folder " + installed.string() + built_in +
+                   ", which is a part of chaindrive: install it again.");
 }
 } // namespace chaindrive::files

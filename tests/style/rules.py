@@ -198,7 +198,7 @@ def packages(tree):
     """The list of packages has the form that shell and CMake read, and what scripts and messages name is in it."""
     path = "packaging/packages.txt"
     rows = [line for line in tree.get(path, "").splitlines() if line and not line.startswith("#")]
-    violations = [f"{path}: not USE NAME # WHY: {row}" for row in rows if not re.fullmatch(r"[a-z]+ +[a-z0-9][a-z0-9.+-]+( +# .+)?", row)]
+    violations = [f"{path}: not USE NAME # WHY: {row}" for row in rows if not re.fullmatch(r"[a-z]+ +[a-z0-9][a-z0-9.+-]+( +# [^][;]+)?", row)]
     named = [tuple(row.split()[:2]) for row in rows]
     violations += [f"{path}: twice: {' '.join(pair)}" for pair in sorted(set(named)) if named.count(pair) > 1]
     known = {pair[-1] for pair in named}

@@ -118,6 +118,7 @@ class Files(unittest.TestCase):
         self.assert_rule(rules.packages, good, {"source/a.cc": "python3-three"})
         self.assert_rule(rules.packages, good, {"packaging/packages.txt": listed + "study   python3-two   # twice\n"})
         self.assert_rule(rules.packages, good, {"packaging/packages.txt": listed + "study: snakemake\n"})
+        self.assert_rule(rules.packages, good, {"packaging/packages.txt": listed + "study   four  # a list; of CMake\n"})
 
     def test_formatting(self):
         with tempfile.TemporaryDirectory() as folder:

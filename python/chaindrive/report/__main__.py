@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """python3 -m chaindrive.report DIRECTORY... [--output FILE]: writes a report on runs and prints its path."""
 import argparse
+import importlib.util
 import pathlib
 import sys
 
-PACKAGES = {"h5py": "python3-h5py", "numpy": "python3-numpy", "pandas": "python3-pandas"}
+PACKAGES = ("python3-h5py", "python3-numpy", "python3-pandas")  # each has the module of its name
 
 
 def main():
@@ -21,13 +22,12 @@ def main():
 
 
 def write(words):
-    try:
-        from chaindrive import RunError, report
-    except ModuleNotFoundError as error:
-        if error.name not in PACKAGES:
-            raise
-        print(f"chaindrive: A report needs the Debian package {PACKAGES[error.name]}, which is not installed.", file=sys.stderr)
+    missing = [package for package in PACKAGES if importlib.util.find_spec(package.removeprefix("python3-")) is None]
+    if missing:
+        print("chaindrive: A report needs packages of Debian that are not installed: apt install --no-install-recommends " + " ".join(missing),
+              file=sys.stderr)
         return 2
+    from chaindrive import RunError, report
     try:
         if len(words.folders) > report.MOST_RUNS:
             raise RunError(f"A report compares up to {report.MOST_RUNS} runs, not {len(words.folders)}.")
