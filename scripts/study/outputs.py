@@ -6,7 +6,6 @@ import re
 
 import numpy as np
 
-import program  # noqa: F401  finds the package chaindrive
 import chaindrive
 from chaindrive.report.foreign import plain
 

@@ -16,9 +16,8 @@ import subprocess
 import sys
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(REPOSITORY / "scripts"))
-import program  # noqa: E402
-from program import check  # noqa: E402
+import program
+from program import check
 
 try:
     import h5py

@@ -23,10 +23,11 @@ import sys
 import tempfile
 import time
 
+from program import check
+
 MESH = "sprocket-15.msh"
 CASE, PROGRAM, REPOSITORY = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
-sys.path[:0] = [str(REPOSITORY / "scripts"), str(REPOSITORY / "scripts/study")]
-from program import check  # noqa: E402
+os.environ.pop("PYTHONPATH", None)  # what is started finds its modules by itself
 
 DRIVE = """
 include {repository}/prm/paper/layered-auto.prm

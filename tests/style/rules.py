@@ -112,6 +112,18 @@ def licence(tree):
     return violations
 
 
+def imports(tree):
+    """Python finds modules by where it is started and by what is installed, not by what a file does to its paths."""
+    ban = re.compile(r"\bsys\.pat[h]\b|\bfrom sys import\b.*\bpath\b|\bsite\.addsitedi[r]\b")
+    return [
+        f"{path}:{number}: a module's place is not found by the file that imports it: {line.strip()}"
+        for path, text in tree.items()
+        if path.endswith((".py", "Snakefile", ".md"))
+        for number, line in enumerate(text.splitlines(), 1)
+        if ban.search(line)
+    ]
+
+
 def length(tree):
     violations = [
         f"{path}: {text.count(chr(10))} lines, more than {MAX_LINES}"
@@ -194,4 +206,4 @@ def prm_listed(tree):
     ]
 
 
-RULES = {rule.__name__: rule for rule in (layering, licence, length, words, links, prose, prm_listed)}
+RULES = {rule.__name__: rule for rule in (layering, licence, imports, length, words, links, prose, prm_listed)}

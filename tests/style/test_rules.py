@@ -63,6 +63,14 @@ class Files(unittest.TestCase):
             {"a.h": "int a;\n", "d.prm": "", "tool": "#!/bin/sh\nls\n", "e.cc": f"# {rules.LICENCE}\n"},
         )
 
+    def test_imports(self):
+        self.assert_rule(
+            rules.imports,
+            {"a.py": "import sys\nsys.argv\nos.path.join()\n", "b.cc": "// sys." + "path\n"},
+            {"c.py": "sys." + "path.insert(0, '')\n", "Snakefile": "sys." + "path[:0] = ['']\n",
+             "d.py": "from sys " + "import path\n", "e.md": "    sys." + "path.append('python')\n"},
+        )
+
     def test_length(self):
         self.assert_rule(
             rules.length,
