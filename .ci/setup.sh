@@ -10,7 +10,8 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_
 
 build_packages=(g++ cmake ninja-build nlohmann-json3-dev libboost-program-options-dev libfftw3-dev
   libdeflate-dev)
-check_packages=(numdiff perl python3 clang-format clang-tidy dpkg-dev file chromium)
+check_packages=(numdiff perl python3 clang-format clang-tidy dpkg-dev file chromium python3-pytest python3-pip
+  python3-setuptools python3-wheel python3-pyflakes pydocstyle mypy)
 report_packages=(python3-h5py python3-pandas python3-plotly)
 study_packages=(snakemake python3-h5py python3-jinja2 python3-matplotlib python3-pandas python3-scipy)
 # A deal.II of one's own is found through DEAL_II_DIR.
