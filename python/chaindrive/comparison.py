@@ -1,9 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Several runs side by side."""
+from __future__ import annotations
+
 import numbers
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import pandas as pd
+
+from chaindrive.run import Run
 
 #: Figures of the summary that a comparison shows: member, unit, what it is.
 FIGURES = {
@@ -36,7 +42,7 @@ IMPACTS = {"peak_force": ("N", "peak force of an impact"), "impulse": ("N s", "i
            "normal_speed": ("m/s", "normal speed of an impact")}
 
 
-def names(runs):
+def names(runs: Sequence[Run]) -> list[str]:
     """A name for each run: its folder, with the folders above where names would be the same."""
     for depth in range(1, 8):
         found = ["/".join(run.folder.resolve().parts[-depth:]) for run in runs]
@@ -45,7 +51,7 @@ def names(runs):
     return [f"{i + 1}: {run.name}" for i, run in enumerate(runs)]
 
 
-def figures(run):
+def figures(run: Run) -> dict[str, tuple[Any, str, str]]:
     """{name: (value, unit, meaning)} of a run."""
     found = {name: (run.summary.get(name), *about) for name, about in FIGURES.items()}
     statistics = run.summary.get("statistics", {})
@@ -68,12 +74,15 @@ def figures(run):
         found["noise"] = (one.get("level_a"), "dB(A)", f"noise at {one.get('name')}")
     if "total" in run.summary.get("cpu_seconds", {}):
         found["cpu_seconds"] = (run.summary["cpu_seconds"]["total"], "s", "CPU time")
-    return {name: about for name, about in found.items() if isinstance(about[0], numbers.Real) and np.isfinite(about[0])}
+    return {name: about for name, about in found.items() if isinstance(about[0], numbers.Real) and np.isfinite(float(about[0]))}
 
 
-def compare(runs):
-    """The figures of several runs: a frame with a row per figure, columns `meaning`, `unit`, one for each run (its folder), and for each
-    but the first `... difference` from the first one and `... difference in %`."""
+def compare(runs: Sequence[Run]) -> pd.DataFrame:
+    """The figures of several runs side by side, with their differences.
+
+    A frame with a row per figure and columns `meaning`, `unit`, one for each run (its folder), and for each but
+    the first `... difference` from the first one and `... difference in %`.
+    """
     found, columns = [figures(run) for run in runs], names(runs)
     rows = list(dict.fromkeys(name for one in found for name in one))
     about = {name: next(one[name] for one in found if name in one) for name in rows}
@@ -86,7 +95,7 @@ def compare(runs):
     return frame
 
 
-def changes(runs):
+def changes(runs: Sequence[Run]) -> pd.DataFrame:
     """The entries in which the parameters of runs differ, a column for each run."""
     columns = names(runs)
     paths = list(dict.fromkeys(path for run in runs for path in run.parameters))
@@ -95,6 +104,6 @@ def changes(runs):
     return pd.DataFrame.from_dict(differ, orient="index", columns=columns)
 
 
-def one_drive(runs):
+def one_drive(runs: Sequence[Run]) -> bool:
     """Whether all runs are of one drive: chain, links and teeth."""
     return len({(run.parameters.get("Drive/Chain/Designation"), run.n_links, run.sprockets) for run in runs}) == 1

@@ -129,6 +129,29 @@ class Files(unittest.TestCase):
             self.assertTrue(style.clang_format([bad]))
 
 
+class Python(unittest.TestCase):
+    GOOD = '"""A module."""\n\n\ndef twice(a: float) -> float:\n    """Twice a number."""\n    return 2 * a\n'
+
+    def assert_checker(self, check, *bad):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "module.py")
+            file.write_text(self.GOOD)
+            self.assertEqual(check([file]), [])
+            for old, new in bad:
+                file.write_text(self.GOOD.replace(old, new))
+                self.assertTrue(check([file]), f"{new} was accepted")
+
+    def test_names(self):
+        self.assert_checker(style.pyflakes, ("\n\n\ndef", "\nimport os\n\n\ndef"), ("2 * a", "2 * b"))
+
+    def test_docstrings(self):
+        self.assert_checker(style.pydocstyle, ('    """Twice a number."""\n', ""), ("a number.", "a number"),
+                            ("a number.", "a number.\n    Of any kind.\n    "))
+
+    def test_types(self):
+        self.assert_checker(style.mypy, ("a: float", "a"), ("2 * a", "str(a)"))
+
+
 class Repository(unittest.TestCase):
     def test_both_ways_of_listing_see_the_sources(self):
         walked = style.found_by_walking()
