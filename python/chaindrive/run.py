@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 import pandas as pd
 
-from chaindrive import spectra
+from chaindrive import schema, spectra
 from chaindrive.errors import RunError
 from chaindrive.parameters import Parameters
 from chaindrive.units import Units, convert, squared
@@ -24,13 +24,8 @@ Array = npt.NDArray[np.float64]
 #: What names a column: the number of a roller, link or tooth, or a text.
 Label = Union[int, str]
 
-ENGAGEMENT_UNITS = {"sprocket": "", "roller": "", "time": "s", "relative_speed": "m/s", "normal_speed": "m/s", "peak_force": "N",
-                    "impulse": "N s", "complete": ""}
-
-#: Beginnings of paths, and the word of Output/Quantities that makes these histories.
-QUANTITIES = {"hubs/": "speeds", "links/": "tensions", "spans/": "tensions", "teeth/": "tooth forces", "rollers/driv": "tooth forces",
-              "rollers/surface": "surface velocity", "rollers/": "roller motion", "joints/": "joint forces", "plates/": "plate stress",
-              "energy/": "energy"}
+#: Units of what is known of an engagement, by name.
+ENGAGEMENT_UNITS = schema.below("engagements/*")
 
 #: Bytes above which an array is read anew, and only the columns that are asked for.
 LARGE = 64e6
@@ -272,9 +267,8 @@ class Run:
         """A dataset of histories.h5. RunError when it is missing, with the entry that makes it."""
         if path in self:
             return self.file[path]
-        word = next((word for start, word in QUANTITIES.items() if path.startswith(start)), None)
         hint = ""
-        if word is not None:
+        for word in schema.HISTORIES.get(path, {}).get("quantities", []):
             hint = f" Output/Quantities makes it with '{word}'"
             if word in ("joint forces", "plate stress", "surface velocity"):
                 hint += ", where the fidelity has such parts"

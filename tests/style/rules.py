@@ -5,6 +5,7 @@ Each rule takes the tree as a dictionary {path: text} and returns its violations
 test_rules.py shows for every rule a tree that it accepts and one that it does not.
 """
 
+import json
 import posixpath
 import re
 
@@ -196,6 +197,19 @@ def prose(tree):
     return violations
 
 
+def results_documented(tree):
+    """doc/output.md names every history and every member of the summary that runs write."""
+    text = re.sub(r"```.*?```", "", tree.get("doc/output.md", ""), flags=re.DOTALL)
+    named = set(re.findall(r"`([^`\n]+)`", text))
+    violations = []
+    for kind, members in json.loads(tree["python/chaindrive/schema.json"]).items():
+        for path in members:
+            name = [part for part in path.split("/") if part != "*"][-1]
+            if not named & {name, re.sub(r".*(_peak|_gap)$", r"...\1", name)}:
+                violations.append(f"doc/output.md: the {kind} have {path}, which is not explained")
+    return violations
+
+
 def prm_listed(tree):
     """Every .prm for users is in a table that says what it answers."""
     tables = tree.get("README.md", "") + tree.get("prm/README.md", "")
@@ -206,4 +220,4 @@ def prm_listed(tree):
     ]
 
 
-RULES = {rule.__name__: rule for rule in (layering, licence, imports, length, words, links, prose, prm_listed)}
+RULES = {rule.__name__: rule for rule in (layering, licence, imports, length, words, links, prose, results_documented, prm_listed)}

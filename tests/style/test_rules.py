@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Every check of style must be able to fail: each is shown something good and something bad."""
 
+import json
 import tempfile
 import unittest
 from pathlib import Path
@@ -111,6 +112,14 @@ class Files(unittest.TestCase):
                 "a.cc": f"// {long}\n",
             },
             {"b.md": long, "c.md": f"```\na\n```\n{long}\n", "d.md": f"- item\n  {long}\n"},
+        )
+
+    def test_results_documented(self):
+        schema = {"histories": {"links/force": {}, "links/force_peak": {}}, "summary": {"events/*/time": {}, "steps": {}}}
+        self.assert_rule(
+            rules.results_documented,
+            {"doc/output.md": "`force` and `..._peak`\n\n```python\n`\n```\n\n`time`, `steps`\n", "python/chaindrive/schema.json": json.dumps(schema)},
+            {"doc/output.md": "`force`, `time` and `..._peak`, ```steps```, steps\n"},
         )
 
     def test_prm_listed(self):

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from chaindrive import comparison
+from chaindrive import comparison, schema
 from chaindrive.errors import RunError
 from chaindrive.plates import plate_stresses
 from chaindrive.report.parts import Subject
@@ -152,10 +152,9 @@ def plate_table(subjects: Sequence[Subject]) -> str:
                  "numbers") if rows else ""
 
 
-TITLES = {"driven_speed": "driven speed", "driver_torque": "driver torque", "span_speed": "speed of the tight span", "tight_tension": "tight tension",
-          "slack_tension": "slack tension", "tight_offset": "offset of the tight span", "slack_offset": "offset of the slack span",
-          "driver_load": "load of the driver's shaft", "driver_load_direction": "its direction", "driven_load": "load of the driven shaft",
-          "driven_load_direction": "its direction"}
+#: What signals of the window statistics are called.
+TITLES = {path.split("/")[1]: one["description"].removesuffix(", mean") for path, one in schema.SUMMARY.items()
+          if path.startswith("statistics/") and path.endswith("/mean")}
 
 
 def statistics_tables(run: Run) -> str:
