@@ -62,3 +62,11 @@ def test_it_reads_and_reports(python, simple):
     page = pathlib.Path("page.html").read_text()
     style = (pathlib.Path(__file__).parents[2] / "python/chaindrive/report/page.css").read_text()
     assert style in page
+
+
+@pytest.mark.parametrize(("options", "status"), [((), 2), (("--after-run",), 0)])
+def test_a_report_without_the_packages_of_debian_says_what_it_needs(repository, options, status):
+    said = subprocess.run([sys.executable, "-S", "-B", repository / "python/report.py", *options, "nowhere"],
+                          capture_output=True, text=True)
+    assert said.returncode == status
+    assert "needs the Debian package python3-" in said.stderr and "Traceback" not in said.stderr
