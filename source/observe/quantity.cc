@@ -68,6 +68,7 @@ std::vector<NamedQuantity> make_quantities(const Observation &start)
 std::vector<std::pair<std::optional<parameters::QuantityGroup>, Contents>> all_contents()
 {
   std::vector<std::pair<std::optional<parameters::QuantityGroup>, Contents>> all;
+  all.reserve(all_known().size());
   for (const auto &[order, known] : all_known())
     all.emplace_back(known.group, known.contents);
   return all;

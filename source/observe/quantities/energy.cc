@@ -56,11 +56,11 @@ public:
         contents.histories.push_back({path, "J", line.description});
         contents.summary.push_back({path, "J", line.description});
       }
-    for (const files::Described &history : std::vector<files::Described>{
-             {"energy/drive_work", "J", "Of the driver on the chain since the start"},
-             {"energy/resisting_work", "J", "Against the load torque since the start"},
-             {"energy/imbalance", "J", "Stored and lost less supplied: the error of the balance"}})
-      contents.histories.push_back(history);
+    contents.histories.insert(
+        contents.histories.end(),
+        {{"energy/drive_work", "J", "Of the driver on the chain since the start"},
+         {"energy/resisting_work", "J", "Against the load torque since the start"},
+         {"energy/imbalance", "J", "Stored and lost less supplied: the error of the balance"}});
     contents.summary.push_back({"drive_work", "J", "work of the driver"});
     contents.summary.push_back({"resisting_work", "J", "work against the load"});
     return contents;
