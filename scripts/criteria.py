@@ -3,7 +3,6 @@
 One run decides nothing about the scatter between rollers: it takes several start phases."""
 import numpy as np
 
-import program  # noqa: F401  finds the package
 import chaindrive
 from chaindrive import comparison
 

@@ -10,17 +10,15 @@ efficient variants of each output, of which none is cheaper and more accurate. D
 """
 import argparse
 import pathlib
-import sys
 
 import matplotlib
 
 matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.pyplot as plt
+
+from study import stats
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE / "study"))
-import stats  # noqa: E402
-
 OUTPUTS = "tight_tension_mean,driver_peak_mean,driver_impulse_mean,roller_velocity_rms,plate_stress_max,losses"
 
 

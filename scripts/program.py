@@ -8,7 +8,6 @@ import sys
 
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = REPOSITORY / "build/source/chaindrive"
-sys.path.insert(0, str(REPOSITORY / "python"))  # the package chaindrive, which reads results
 
 # in a container all are root, and tests have more ranks than there are cores
 ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",

@@ -15,7 +15,6 @@ import sys
 import numpy as np
 from scipy.special import h1vp, hankel1
 
-import program  # noqa: F401  knows where the package is
 import chaindrive
 
 OCTAVES = (1e3, 2e3, 4e3, 8e3, 16e3)

@@ -10,12 +10,11 @@ import sys
 import matplotlib
 import numpy as np
 
-import program  # noqa: F401  finds the package chaindrive
 import chaindrive
 
 matplotlib.use("Agg")
 matplotlib.rcParams.update({"font.size": 8, "axes.titlesize": 9})
-import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.pyplot as plt
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")  # Okabe and Ito
 PITCHES = 8

@@ -119,6 +119,7 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   visible.add_options()(
       "kW", value_of(c.design.kilowatt)->value_name("KW"), "template: power of the load");
   add("man", c.man, "document: print the manual page (troff)");
+  add("schema", c.schema, "document: print what histories and summary of runs may hold (JSON)");
   visible.add_options()("completion",
                         options::value(&c.completion)->value_name("SHELL"),
                         "document: print what completes words in a shell, which is bash");
@@ -296,14 +297,16 @@ void check_belonging(const CommandLine &c)
   if (c.strict && c.command != Command::run && c.command != Command::plan &&
       c.command != Command::help)
     throw InputError("The option --strict belongs to runs and plans.");
-  if ((c.man || !c.completion.empty()) && c.command != Command::document &&
+  const char *const document = c.man ? "--man" : c.schema ? "--schema" : "--completion";
+  if ((c.man || c.schema || !c.completion.empty()) && c.command != Command::document &&
       c.command != Command::help)
-    throw InputError(std::string("The option ") + (c.man ? "--man" : "--completion") +
+    throw InputError(std::string("The option ") + document +
                      " belongs to documents: chaindrive document.");
   if (!c.completion.empty() && c.completion != "bash")
     throw InputError("The option --completion = " + c.completion + " must be bash.");
-  if (c.man && !c.completion.empty())
-    throw InputError("The options --man and --completion print different documents: take one.");
+  if (int(c.man) + int(c.schema) + int(!c.completion.empty()) > 1)
+    throw InputError("The options --man, --schema and --completion print different documents: take "
+                     "one.");
   if (c.command == Command::noise && (!c.output_directory.empty() || !c.resume.empty()))
     throw InputError("The options --output and --resume belong to runs: chaindrive noise DIR "
                      "writes into DIR.");

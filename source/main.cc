@@ -2,6 +2,7 @@
 #include <chaindrive/command_line.h>
 #include <chaindrive/commands.h>
 #include <chaindrive/files/console.h>
+#include <chaindrive/observe/schema.h>
 #include <chaindrive/packages.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/utilities/errors.h>
@@ -72,6 +73,7 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
     case Command::document:
       if (is_first_rank)
         std::cout << (command_line.man                 ? man_page() :
+                      command_line.schema              ? observe::schema().dump(1) + "\n" :
                       !command_line.completion.empty() ? bash_completion() :
                                                          parameters::parameter_documentation());
       break;

@@ -8,7 +8,7 @@
 #include <unistd.h>
 #include <vector>
 
-// The page on runs is made by python/chaindrive/report.
+// The page on runs is made by python/chaindrive/report, which python/report.py starts.
 
 namespace chaindrive
 {
@@ -24,7 +24,7 @@ std::string python()
 /// -B: the folder of the package may belong to others.
 std::vector<std::string> first_words()
 {
-  return {python(), "-B", files::data_folder("python") + "/chaindrive/report/__main__.py"};
+  return {python(), "-B", files::data_folder("python") + "/report.py"};
 }
 } // namespace
 

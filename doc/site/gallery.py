@@ -5,10 +5,8 @@ import pathlib
 import re
 import shutil
 import subprocess
-import sys
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(REPOSITORY / "scripts"), str(REPOSITORY / "python")]
 
 # In the order of the gallery; each runs in less than half a minute.
 DRIVES = {

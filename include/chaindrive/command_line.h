@@ -49,10 +49,11 @@ struct CommandLine
     bool is_complete() const { return chain && teeth && centre && rpm && kilowatt; }
   };
   Design                   design;
-  bool                     man = false; ///< document: as the manual page
-  std::string              completion;  ///< document: as the completion of this shell
-  std::vector<std::string> folders;     ///< report: those of the runs
-  std::vector<std::string> rest;        ///< study: options of Snakemake, after `--`
+  bool                     man    = false; ///< document: as the manual page
+  bool                     schema = false; ///< document: what is in the results
+  std::string              completion;     ///< document: as the completion of this shell
+  std::vector<std::string> folders;        ///< report: those of the runs
+  std::vector<std::string> rest;           ///< study: options of Snakemake, after `--`
 };
 
 /// Reads the arguments of main(): `chaindrive [COMMAND] [FILE.prm] [OPTION]...`, where the command

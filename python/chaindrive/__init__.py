@@ -10,6 +10,7 @@
 
 Everything that cannot be read is a RunError, a sentence.
 """
+from chaindrive import schema
 from chaindrive.comparison import changes, compare, one_drive
 from chaindrive.errors import RunError
 from chaindrive.parameters import Parameters
@@ -18,4 +19,4 @@ from chaindrive.run import Run, open  # noqa: A004
 from chaindrive.spectra import harmonics, third_octaves
 
 __all__ = ["Parameters", "Run", "RunError", "changes", "compare", "harmonics", "one_drive", "open", "plate_stresses",
-           "third_octaves"]
+           "schema", "third_octaves"]

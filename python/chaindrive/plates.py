@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Stresses of the side plates that arrive at the driver one after the other: the paper's Figure 9 as numbers."""
+from __future__ import annotations
+
 import numpy as np
 import pandas as pd
 
 from chaindrive.errors import RunError
+from chaindrive.run import Run
 
 
-def nominal_stress(run, link, tension):
+def nominal_stress(run: Run, link: int, tension: float) -> float:
     """The `tension` of a link, N, over the waists of both of its plates, Pa; nan where their dimensions are auto."""
     which = "Outer" if link % 2 else "Inner"
     try:
@@ -16,11 +19,14 @@ def nominal_stress(run, link, tension):
         return np.nan
 
 
-def plate_stresses(run, n=5):
-    """Of the links behind the first `n` rollers that meet the driver in the window, over the pitch time before, when they are in the tight
-    span: a frame with a row per link, columns in Pa. `nominal`: mean tension over both waists, which is the static solution of the pull;
-    `axial`, `principal_1`, `principal_2`: means at the waist; `in_plane`, `out_of_plane`: r.m.s. of bending. doc/output.md defines them.
-    RunError when no roller meets the driver so, or plates have no stresses."""
+def plate_stresses(run: Run, n: int = 5) -> pd.DataFrame:
+    """Stresses of the links behind the first `n` rollers that meet the driver in the window, Pa.
+
+    A frame with a row per link, over the pitch time before the touch, when it is in the tight span.
+    `nominal`: mean tension over both waists, which is the static solution of the pull; `axial`,
+    `principal_1`, `principal_2`: means at the waist; `in_plane`, `out_of_plane`: r.m.s. of bending.
+    doc/output.md defines them. RunError when no roller meets the driver so, or plates have no stresses.
+    """
     rows, index = [], []
     for roller, touch, _ in run.arrivals(n):
         if touch - run.pitch_time < run.time[0]:

@@ -1,15 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Spectra of records with equal intervals: mean squares per line, third octaves, harmonics of the teeth."""
+from __future__ import annotations
+
 import numpy as np
+import numpy.typing as npt
 import pandas as pd
 
 from chaindrive.errors import RunError
+
+Array = npt.NDArray[np.float64]
 
 #: Samples are taken at whole steps, so that intervals differ by a step or so.
 JITTER = 0.1
 
 
-def interval_of(time, what="record"):
+def interval_of(time: Array, what: str = "record") -> float:
     """The interval of equally spaced times, s. RunError when a time is off by more than a tenth of an interval."""
     if len(time) < 2:
         raise RunError(f"The {what} have fewer than two samples.")
@@ -24,10 +29,10 @@ def interval_of(time, what="record"):
         steps = np.diff(time)
         raise RunError(f"The {what} are not sampled at equal intervals, but at {1e6 * steps.min():.4g} to {1e6 * steps.max():.4g} us: "
                        "there are no spectra of them. A step below Output/History interval in us makes them equal.")
-    return interval
+    return float(interval)
 
 
-def resample(time, values, at):
+def resample(time: Array, values: Array, at: Array) -> Array:
     """`values` at the instants `at` by cubic interpolation through the four nearest of nearly equal samples."""
     interval = (time[-1] - time[0]) / (len(time) - 1)
     position = np.interp(at, time, np.arange(len(time)))
@@ -43,9 +48,11 @@ def resample(time, values, at):
     return result
 
 
-def whole_periods(time, values, period):
-    """The record from its begin on over as many whole periods as it has, at equal intervals that divide them. RunError when there is not
-    a single one."""
+def whole_periods(time: Array, values: Array, period: float) -> tuple[Array, Array]:
+    """The record from its begin on over as many whole periods as it has, at equal intervals that divide them.
+
+    RunError when there is not a single one.
+    """
     n = int(np.floor((time[-1] - time[0]) / period * (1 + 1e-6)))
     if n < 1:
         raise RunError(f"The record of {1e3 * (time[-1] - time[0]):.4g} ms is shorter than a pitch time, {1e3 * period:.4g} ms: it has no "
@@ -55,9 +62,11 @@ def whole_periods(time, values, period):
     return at, resample(time, values, at)
 
 
-def mean_square_lines(values, interval, window="none"):
-    """Frequencies in Hz and the mean square on each line, of one side: their sum is the mean square of `values`, with a Hann window its
-    estimate from the tapered record."""
+def mean_square_lines(values: Array, interval: float, window: str = "none") -> tuple[Array, Array]:
+    """Frequencies in Hz and the mean square on each line, of one side.
+
+    Their sum is the mean square of `values`, with a Hann window its estimate from the tapered record.
+    """
     n = len(values)
     taper = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(n) / n) if window == "hann" else np.ones(n)
     power = np.abs(np.fft.rfft(values * taper)) ** 2 / n ** 2 / np.mean(taper ** 2)
@@ -65,17 +74,20 @@ def mean_square_lines(values, interval, window="none"):
     return np.fft.rfftfreq(n, interval), power
 
 
-def third_octaves(spectrum, lowest=20., highest=20000.):
-    """Root mean square in third octaves (IEC 61260-1, base ten) between two centres in Hz, of a frame that Run.spectrum() gives: a line
-    that lies across an edge counts for both bands by its shares. Bands without a line, below the first or above the last one, are left out."""
+def third_octaves(spectrum: pd.DataFrame, lowest: float = 20., highest: float = 20000.) -> pd.DataFrame:
+    """Root mean square in third octaves (IEC 61260-1, base ten) of a frame that Run.spectrum() gives.
+
+    Between two centres, Hz: a line that lies across an edge counts for both bands by its shares. Bands
+    without a line, below the first or above the last one, are left out.
+    """
     frequency, power = spectrum.index.to_numpy(), spectrum["mean_square"].to_numpy()
     step = frequency[1] - frequency[0]
     centres = 10. ** (np.arange(round(10 * np.log10(lowest)), round(10 * np.log10(highest)) + 1) / 10)
     centres = centres[(centres * 10. ** 0.05 <= frequency[-1] + step / 2) & (centres * 10. ** 0.05 > step / 2)]
     sums = np.concatenate([[0.], np.cumsum(power[1:])])  # without the mean
 
-    def below(edge):
-        return np.interp(edge, frequency + step / 2, sums, left=0.)
+    def below(edge: float) -> float:
+        return float(np.interp(edge, frequency + step / 2, sums, left=0.))
 
     values = [np.sqrt(max(0., below(centre * 10. ** 0.05) - below(centre * 10. ** -0.05))) for centre in centres]
     frame = pd.DataFrame({"rms": values}, index=pd.Index(centres, name="frequency"))
@@ -83,7 +95,7 @@ def third_octaves(spectrum, lowest=20., highest=20000.):
     return frame
 
 
-def harmonics(spectrum, frequency, n=10):
+def harmonics(spectrum: pd.DataFrame, frequency: float, n: int = 10) -> pd.DataFrame:
     """Amplitudes of the first `n` harmonics of `frequency`, Hz, in a spectrum over whole periods."""
     lines = spectrum.index.to_numpy()
     step = lines[1] - lines[0]

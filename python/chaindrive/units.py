@@ -1,8 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Units. Files hold SI units only; frames convert to others where that is asked for."""
+from __future__ import annotations
+
 import math
+from collections.abc import Sequence
+from typing import Union
 
 from chaindrive.errors import RunError
+
+#: Names of units to convert to: one, or several such as ("mm", "ms").
+Units = Union[str, Sequence[str]]
 
 #: unit: (unit of the files, by which a number of that is multiplied)
 SCALES = {
@@ -18,14 +25,16 @@ SCALES = {
 }
 
 
-def squared(unit):
+def squared(unit: str) -> str:
     """The unit of a mean square."""
     return f"({unit})2" if set(unit) & set("/ 0123456789") else unit + "2"
 
 
-def convert(unit, wanted=()):
-    """The unit and the factor that lead from `unit` to the one of `wanted` (a name or several, such as ("mm", "ms")) that measures
-    the same; `unit` itself and 1 where there is none. RunError for a unit that is not known."""
+def convert(unit: str, wanted: Units = ()) -> tuple[str, float]:
+    """The unit and the factor that lead from `unit` to the one of `wanted` that measures the same.
+
+    `unit` itself and 1 where there is none. RunError for a unit that is not known.
+    """
     for name in (wanted,) if isinstance(wanted, str) else wanted:
         if name not in SCALES and name not in {base for base, _ in SCALES.values()}:
             raise RunError(f"There is no unit '{name}'. There are: {', '.join(SCALES)}, and the units of the files.")

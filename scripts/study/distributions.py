@@ -7,16 +7,12 @@ python3-h5py, python3-pandas and python3-scipy."""
 import argparse
 import json
 import pathlib
-import sys
 
 import numpy as np
 import scipy.stats
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))  # program.py
-
-import outputs  # noqa: E402
-import stats  # noqa: E402
+import outputs
+import stats
 
 
 def samples(directory, variant):

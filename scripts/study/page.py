@@ -12,7 +12,7 @@ import sweep
 
 matplotlib.use("Agg")
 matplotlib.rcParams["svg.hashsalt"] = "study"  # the same picture from the same figures
-import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.pyplot as plt
 
 NO_INTERVALS = f"Fewer than {stats.FEWEST} start phases give no interval."
 MANY = 8  # panels; bands of a spectrum stand in the table only

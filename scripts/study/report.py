@@ -14,13 +14,10 @@ import sys
 import h5py
 import numpy as np
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))  # program.py
-
-import outputs  # noqa: E402
-import page  # noqa: E402
-import stats  # noqa: E402
-import sweep  # noqa: E402
+import outputs
+import page
+import stats
+import sweep
 
 FIGURES = {"steps": "steps", "memory": "memory_peak", "wall": "wall_seconds"}  # of summary.json
 

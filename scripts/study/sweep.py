@@ -10,9 +10,9 @@ import outputs
 
 matplotlib.use("Agg")
 matplotlib.rcParams["svg.hashsalt"] = "study"
-import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.colors import LogNorm  # noqa: E402
-from PIL import Image  # noqa: E402
+import matplotlib.pyplot as plt
+from matplotlib.colors import LogNorm
+from PIL import Image
 
 SPEED = "Loads/Driver speed in rad/s"
 RPM = 30 / math.pi  # per rad/s

@@ -338,6 +338,52 @@ files::Json to_json(const Facts &facts)
   return json;
 }
 
+std::vector<files::Described> described_facts()
+{
+  return {
+      {"drive/chain", "", "designation of the chain"},
+      {"drive/links", "1", "number of links"},
+      {"drive/pitch", "m", "nominal pitch"},
+      {"drive/loaded_pitch", "m", "mean distance of rollers under load"},
+      {"drive/mass_per_metre", "kg/m", "mass of the chain"},
+      {"drive/tensile_strength", "N", "least breaking load of the chain's size"},
+      {"drive/safety", "1", "tensile strength over the tension of the tight span"},
+      {"drive/bearing_area", "m2", "pin diameter times length of the bush"},
+      {"drive/ratio", "1", "teeth of the driven sprocket over those of the driver"},
+      {"drive/centre_distance", "m", "distance of the shafts"},
+      {"drive/sprockets/*/name", "", "driver or driven"},
+      {"drive/sprockets/*/teeth", "1", "number of teeth"},
+      {"drive/sprockets/*/pitch_diameter", "m", "pitch diameter"},
+      {"drive/sprockets/*/wrap", "rad", "wrap of the chain around it"},
+      {"drive/sprockets/*/speed", "rad/s", "mean speed"},
+      {"drive/sprockets/*/torque", "N m", "mean torque without losses"},
+      {"drive/sprockets/*/polygon_effect", "1", "rise and fall of the chain's speed over it"},
+      {"drive/sprockets/*/seating_velocity", "m/s", "speed with which a link meets it"},
+      {"drive/spans/*/name", "", "tight or slack"},
+      {"drive/spans/*/links", "1", "links between the points where it leaves the pitch circles"},
+      {"drive/spans/*/length", "m", "length between these points"},
+      {"drive/spans/*/slack", "m", "length less the distance of its ends"},
+      {"drive/spans/*/sag", "m", "sag in its middle"},
+      {"drive/spans/*/tension", "N", "mean tension with the centrifugal one"},
+      {"drive/spans/*/frequency", "Hz", "lowest frequency in the plane"},
+      {"drive/spans/*/mode", "", "symmetric or antisymmetric"},
+      {"drive/spans/*/resonance", "rad/s", "driver speed at which the teeth meet this frequency"},
+      {"drive/power", "W", "power of the load"},
+      {"drive/chain_speed", "m/s", "mean speed of the chain"},
+      {"drive/tooth_frequency", "Hz", "teeth that meet the chain in a second"},
+      {"drive/pitch_time", "s", "time from one tooth to the next"},
+      {"drive/effective_tension", "N", "power over chain speed"},
+      {"drive/centrifugal_tension", "N", "tension that loads neither teeth nor shafts"},
+      {"drive/start_tension", "N", "tension of the tight span while the speed grows"},
+      {"drive/joint_pressure", "Pa", "tension of the tight span over the bearing area"},
+      {"drive/shaft_load", "N", "resultant of both spans on either shaft"},
+      {"drive/driven_inertia", "kg m2", "inertia of all that turns with the driven sprocket"},
+      {"drive/driven_frequency", "Hz", "frequency of that on the tight span"},
+      {"drive/driven_resonance", "rad/s", "driver speed at which the teeth meet this frequency"},
+      {"drive/rated_power", "W", "usual limit for this size, teeth and speed"},
+      {"drive/highest_speed", "rad/s", "usual limit of the driver's speed"}};
+}
+
 void print(std::ostream &out, const Facts &facts)
 {
   const auto rpm  = [](const double speed) { return to_text(speed * 30. / PI, 5) + " rpm"; };

@@ -16,6 +16,7 @@ struct Known
   std::string                              name;
   std::optional<parameters::QuantityGroup> group;
   Registration::Make                       make;
+  Contents                                 contents;
 };
 
 /// By their order. A function, so that it exists before the registrations of other sources.
@@ -24,18 +25,33 @@ std::map<int, Known> &all_known()
   static std::map<int, Known> known;
   return known;
 }
+
+/// The history @p path as its quantity describes it.
+files::Channel channel_of(const std::string &path)
+{
+  for (const auto &[order, known] : all_known())
+    for (const files::Described &history : known.contents.histories)
+      if (history.path == path)
+        {
+          const std::size_t slash = path.find('/');
+          return {path.substr(0, slash), path.substr(slash + 1), history.unit, history.meaning};
+        }
+  AssertThrow(false, dealii::ExcMessage("No quantity describes the history " + path));
+  return {};
+}
 } // namespace
 
 Registration::Registration(const std::string                             &name,
                            const int                                      order,
                            const std::optional<parameters::QuantityGroup> group,
-                           Make                                           make)
+                           Make                                           make,
+                           const Contents                                &contents)
 {
   for (const auto &[other_order, other] : all_known())
     AssertThrow(other_order != order && other.name != name,
                 dealii::ExcMessage("The quantities " + name + " and " + other.name +
                                    " have the same name or order"));
-  all_known()[order] = {name, group, std::move(make)};
+  all_known()[order] = {name, group, std::move(make), contents};
 }
 
 std::vector<NamedQuantity> make_quantities(const Observation &start)
@@ -49,13 +65,31 @@ std::vector<NamedQuantity> make_quantities(const Observation &start)
   return quantities;
 }
 
-void Channels::add(const files::Channel &channel, Fill fill)
+std::vector<std::pair<std::optional<parameters::QuantityGroup>, Contents>> all_contents()
+{
+  std::vector<std::pair<std::optional<parameters::QuantityGroup>, Contents>> all;
+  all.reserve(all_known().size());
+  for (const auto &[order, known] : all_known())
+    all.emplace_back(known.group, known.contents);
+  return all;
+}
+
+void Channels::add(const std::string &path, Fill fill) { add(channel_of(path), std::move(fill)); }
+
+void Channels::add(const std::string &path, const std::vector<std::string> &labels, Fill fill)
+{
+  files::Channel channel = channel_of(path);
+  channel.columns        = static_cast<unsigned int>(labels.size());
+  channel.labels         = labels;
+  add(std::move(channel), std::move(fill));
+}
+
+void Channels::add(files::Channel channel, Fill fill)
 {
   AssertThrow(files::is_history_group(channel.group),
               dealii::ExcMessage("Histories of '" + channel.group + "' would never be removed"));
-  files::Channel stored = channel;
-  stored.single         = single_ && channel.columns > 1;
-  sources_.push_back({histories_.add(stored), std::move(fill)});
+  channel.single = single_ && channel.columns > 1;
+  sources_.push_back({histories_.add(channel), std::move(fill)});
 }
 
 void Channels::sample(const double time)

@@ -6,12 +6,12 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace chaindrive::observe
 {
 // a last step may end a little later than the run: a run that goes on counts all of it
-WindowStatistics::WindowStatistics(const Observation                  &now,
-                                   const std::initializer_list<Signal> signals)
+WindowStatistics::WindowStatistics(const Observation &now, const std::vector<Signal> &signals)
     : now_(now), tooth_periods_(now.window().start(), now.window().end())
 {
   const auto &hubs = now.system.world.hubs;
@@ -63,6 +63,25 @@ void WindowStatistics::summarize(files::Json &summary) const
                         {"least", statistics.least()},
                         {"largest", statistics.largest()},
                         {"harmonics", statistics.harmonics(tooth_periods_.n_turns())}};
+}
+
+std::vector<files::Described> WindowStatistics::members(const std::vector<Signal> &signals)
+{
+  std::vector<files::Described> members;
+  for (const Signal &signal : signals)
+    {
+      const std::string path = "statistics/" + signal.name + "/";
+      members.push_back({path + "unit", "", "unit of all these"});
+      for (const auto &[name, meaning] :
+           {std::make_pair("mean", "mean"),
+            std::make_pair("deviation", "standard deviation"),
+            std::make_pair("least", "least"),
+            std::make_pair("largest", "largest"),
+            std::make_pair("harmonics/*", "amplitudes of the first harmonics of the teeth")})
+        members.push_back({path + name, signal.unit, signal.title + ", " + meaning});
+    }
+  members.push_back({"statistics/tooth_periods", "1", "whole tooth periods in the window"});
+  return members;
 }
 
 void WindowStatistics::serialize(const Archive &archive)

@@ -19,6 +19,7 @@ try:
 except ModuleNotFoundError:
     sys.exit(77)
 import forges
+import style
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 CASE, CTEST = sys.argv[1:3]
@@ -141,8 +142,6 @@ def habits():
             check(hook["language"] == "system", f"{hook['id']} would be installed from elsewhere")
             for word in (word for word in hook["entry"].split() if "/" in word and not word.startswith(("-", "/"))):
                 check((REPOSITORY / word).is_file(), f"{hook['id']}: there is no {word}")
-    sys.path.insert(0, str(REPOSITORY / "tests/style"))
-    import style
     rules = [hook["args"][0] for hook in hooks["repos"][0]["hooks"] if "tests/style/style.py" in hook["entry"]]
     check(set(rules) == set(style.rules.RULES), f"before a commit {sorted(set(style.rules.RULES) ^ set(rules))} are checked here or there alone")
 

@@ -14,10 +14,10 @@ import shutil
 import subprocess
 import sys
 
+import links
+from program import check
+
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(REPOSITORY / "doc/site"), str(REPOSITORY / "scripts")]
-import links  # noqa: E402
-from program import check  # noqa: E402
 
 CASE, PROGRAM = sys.argv[1:3]
 CHROMIUM = shutil.which("chromium")

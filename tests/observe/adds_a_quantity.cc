@@ -8,6 +8,7 @@
 #include "../support/table.h"
 
 #include <chaindrive/observe/quantity.h>
+#include <chaindrive/observe/schema.h>
 #include <chaindrive/simulation.h>
 
 #include <algorithm>
@@ -36,9 +37,15 @@ public:
 
   static bool exists(const Observation &start) { return start.system.world.hubs.size() == 2; }
 
+  static Contents contents()
+  {
+    return {{{"hubs/driven_power", "W", "Power that the driven hub delivers"}},
+            {{"driven_power_max", "W", "power of the driven hub, largest"}}};
+  }
+
   void add_channels(Channels &channels) override
   {
-    channels.add({"hubs", "driven_power", "W", "Power that the driven hub delivers"},
+    channels.add("hubs/driven_power",
                  [this](const Channels::Row row) { row[0] = power_of(now_.system); });
   }
   void update() override { largest_ = std::max(largest_, power_of(now_.system)); }
@@ -110,6 +117,10 @@ int main(int argc, char **argv)
   std::cout << std::setprecision(4) << "mean speed "
             << whole.summary().values.at("driven_speed_mean").get<double>() << " rad/s\n";
   verdict("a sample at every step", power.size() == whole.n_steps() + 1);
+  const files::Json schema = chaindrive::observe::schema();
+  verdict("both are in the schema",
+          schema["histories"]["hubs/driven_power"]["unit"] == "W" &&
+              schema["summary"]["driven_power_max"]["unit"] == "W");
   verdict("power is torque times speed", error < 1e-12 && largest > 100.);
   verdict("its largest value is in the summary",
           largest == *std::max_element(power.begin(), power.end()));

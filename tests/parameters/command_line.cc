@@ -106,6 +106,8 @@ int main()
   parse({"template", "--completion", "bash"});
   parse({"document", "--completion", "zsh"});
   parse({"document", "--completion", "bash", "--man"});
+  parse({"plan", "a.prm", "--schema"});
+  parse({"document", "--schema", "--man"});
 
   std::cout << help_text();
   if (has_simd_width(4))

@@ -16,11 +16,9 @@ import shutil
 import subprocess
 import sys
 
-REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(REPOSITORY / "scripts"), str(REPOSITORY / "tests/support")]
-import program  # noqa: E402
-from elements import Elements  # noqa: E402
-from program import check  # noqa: E402
+import program
+from elements import Elements
+from program import check
 
 try:
     import h5py
@@ -32,6 +30,7 @@ except ModuleNotFoundError as error:
     sys.exit(77)
 
 CASE, PROGRAM = sys.argv[1:3]
+os.environ.pop("PYTHONPATH", None)  # what is started finds its modules by itself
 MARK = "poisoned"
 POISON = f"<img src=x onerror={MARK}()>\"'><script>{MARK}()</script>"
 

@@ -26,14 +26,11 @@ import subprocess
 import sys
 import time
 
-REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(REPOSITORY / "scripts"))
-import program  # noqa: E402
-from program import check  # noqa: E402
+import program
+from program import check
 
 try:
     import h5py
-    import chaindrive  # noqa: F401
     from chaindrive.report import page as pages
 except ModuleNotFoundError as error:
     if error.name not in ("h5py", "pandas", "numpy"):
@@ -41,6 +38,8 @@ except ModuleNotFoundError as error:
     sys.exit(77)
 
 CASE, PROGRAM = sys.argv[1:3]
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+os.environ.pop("PYTHONPATH", None)  # what is started finds its modules by itself
 SHORT = {"Time/End time in ms": 18, "Output/Window start in ms": 8, "Output/Field interval in ms": 0}
 CHROMIUM = shutil.which("chromium")
 FIGURES = ("tensions", "offsets", "shapes", "shafts", "velocities", "link-forces", "contact-forces", "aligned", "peaks", "wrap", "spectra",
@@ -346,7 +345,7 @@ def refuse():
     check("up to 7 runs" in report(*["short"] * 8, status=2), "eight runs")
     check("cannot be written" in report("short", "--output", "nowhere/page.html", status=3), "a page that cannot be written")
     for script, words in (("--after-run", 0), ("--quiet", 2)):
-        done = subprocess.run([sys.executable, "-B", REPOSITORY / "python/chaindrive/report/__main__.py", script, "--", "nowhere"])
+        done = subprocess.run([sys.executable, "-B", REPOSITORY / "python/report.py", script, "--", "nowhere"])
         check(done.returncode == words, f"{script}: {done.returncode}")
 
 

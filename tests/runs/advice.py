@@ -14,11 +14,9 @@ import re
 import sys
 import tempfile
 
-for folder in ("scripts", "tests/fuzz"):
-    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / folder))
-import advice_cases  # noqa: E402
-import fuzz  # noqa: E402
-import program  # noqa: E402
+import advice_cases
+import fuzz
+import program
 
 CASE, PROGRAM = sys.argv[1:3]
 SIMPLE = "prm/paper/simple.prm"

@@ -12,10 +12,9 @@ import pathlib
 import shutil
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import program  # noqa: E402
-from program import check  # noqa: E402
-from small_drives import ELASTIC, RIGID  # noqa: E402
+import program
+from program import check
+from small_drives import ELASTIC, RIGID
 
 CASE, PROGRAM = sys.argv[1:3]
 

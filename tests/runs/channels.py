@@ -6,17 +6,15 @@ be computed again from others: velocities are slopes of positions, accelerations
 forces on teeth sum to those on rollers; terms of energy sum to the imbalance; and the outside of an elastic roller
 moves with its centre and its spin.
 """
-import pathlib
 import sys
 import warnings
 
 import h5py
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import program  # noqa: E402
-from program import check  # noqa: E402
-from small_drives import RIGID  # noqa: E402
+import program
+from program import check
+from small_drives import RIGID
 
 FIDELITY, PROGRAM = sys.argv[1:3]
 # what may stand still: nothing in these drives makes it move

@@ -16,8 +16,7 @@ import pathlib
 import re
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import program  # noqa: E402
+import program
 
 PROGRAM, TUTORIALS = sys.argv[1], pathlib.Path(sys.argv[2]) / "prm/tutorial"
 PITCH = {"06B": 9.525e-3, "08B": 12.7e-3, "12A": 19.05e-3, "525": 15.875e-3}  # ISO 606; motorcycle

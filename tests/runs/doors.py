@@ -15,10 +15,9 @@ import subprocess
 import sys
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import program  # noqa: E402
-from program import check  # noqa: E402
-from small_drives import RIGID  # noqa: E402
+import program
+from program import check
+from small_drives import RIGID
 
 CASE, PROGRAM = sys.argv[1:3]
 BASE = "prm/verification/hard.prm"

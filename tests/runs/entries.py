@@ -10,9 +10,8 @@ import pathlib
 import re
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import program  # noqa: E402
-from program import check  # noqa: E402
+import program
+from program import check
 
 PROGRAM = sys.argv[1]
 SHORT = {"Time/End time in ms": 0.5, "Output/Window start in ms": 0, "Output/Field interval in ms": 0}

@@ -11,9 +11,8 @@ import sys
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import program  # noqa: E402
-import chaindrive  # noqa: E402
+import program
+import chaindrive
 
 PROGRAM = sys.argv[1]
 FILE = "prm/paper/simple.prm"

@@ -18,10 +18,9 @@ import time
 import h5py
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import program  # noqa: E402
-from program import check  # noqa: E402
-from small_drives import ELASTIC, RIGID  # noqa: E402
+import program
+from program import check
+from small_drives import ELASTIC, RIGID
 
 CASE, PROGRAM = sys.argv[1:3]
 BASE = "prm/verification/hard.prm"

@@ -8,16 +8,16 @@
 
 `package` without dpkg-shlibdeps, and the study without Snakemake, are left out (77)."""
 import json
+import os
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-from program import REPOSITORY, check, start  # noqa: E402
+from program import REPOSITORY, check, start
 
 CASE, BUILD = sys.argv[1], pathlib.Path(sys.argv[2])
+os.environ.pop("PYTHONPATH", None)  # what is started finds its modules by itself
 DESIGN = ("--chain", "10B", "--teeth", "21/63", "--centre", "500", "--rpm", "1450", "--kW", "3")
 SHORT = ("--set", "Time/End time in ms=1", "--set", "Output/Window start in ms=0", "--set", "Output/Field interval in ms=0")
 

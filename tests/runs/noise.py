@@ -14,8 +14,7 @@ import sys
 import h5py
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import program  # noqa: E402
+import program
 
 PROGRAM = sys.argv[1]
 RUN = {

@@ -6,9 +6,8 @@ import pathlib
 import re
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import program  # noqa: E402
-from program import check  # noqa: E402
+import program
+from program import check
 
 PROGRAM = pathlib.Path(sys.argv[1])
 DRIVE = {

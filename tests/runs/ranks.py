@@ -24,11 +24,10 @@ import re
 import shutil
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import program  # noqa: E402
-import small_drives  # noqa: E402
-from program import check  # noqa: E402
-from small_drives import IMPORTED, RIGID, TOUCHING_PLATES  # noqa: E402
+import program
+import small_drives
+from program import check
+from small_drives import IMPORTED, RIGID, TOUCHING_PLATES
 
 CASE, PROGRAM = sys.argv[1:3]
 

@@ -26,9 +26,8 @@ import subprocess
 import sys
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import program  # noqa: E402
-from program import check  # noqa: E402
+import program
+from program import check
 
 PROGRAM, REPOSITORY = sys.argv[2], pathlib.Path(sys.argv[3])
 

@@ -5,9 +5,8 @@ import random
 import shutil
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import program  # noqa: E402
-from program import check  # noqa: E402
+import program
+from program import check
 
 PROGRAM, N = sys.argv[1], int(sys.argv[2])
 CHAINS = {"06B": 9.525, "08B": 12.7, "10B": 15.875, "12A": 19.05, "16B": 25.4}

@@ -7,8 +7,7 @@ import re
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-from program import command, start, summary  # noqa: E402
+from program import command, start, summary
 
 HARD, SLOW, LOW = "prm/verification/hard.prm", "prm/verification/slow.prm", "prm/tutorial/12a-11-23-low-speed.prm"
 LAYERED = {"Model/Fidelity": "layered"}

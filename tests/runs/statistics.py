@@ -6,15 +6,13 @@ each signal, and its harmonics by a least-squares fit over the same tooth period
 histories, and the losses of interfaces add up to it. The chain pulls at both shafts with the tensions of the spans less what its own
 motion needs, T1 + T2 - 2 m v^2. Impacts are the engagements in the window. A layered model has losses in its joints.
 """
-import pathlib
 import sys
 
 import h5py
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import program  # noqa: E402
-from program import check  # noqa: E402
+import program
+from program import check
 
 PROGRAM = sys.argv[1]
 ENTRIES = {

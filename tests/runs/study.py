@@ -23,10 +23,11 @@ import sys
 import tempfile
 import time
 
+from program import check
+
 MESH = "sprocket-15.msh"
 CASE, PROGRAM, REPOSITORY = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
-sys.path[:0] = [str(REPOSITORY / "scripts"), str(REPOSITORY / "scripts/study")]
-from program import check  # noqa: E402
+os.environ.pop("PYTHONPATH", None)  # what is started finds its modules by itself
 
 DRIVE = """
 include {repository}/prm/paper/layered-auto.prm
@@ -95,6 +96,7 @@ def statistics():
     import numpy as np
     import outputs
     import stats
+    from chaindrive.schema import SUMMARY
 
     random = np.random.default_rng(7)
     reference = random.normal(100., 20., 8)
@@ -159,7 +161,11 @@ def statistics():
     documented = subprocess.run([PROGRAM, "document"], stdout=subprocess.PIPE, text=True).stdout
     of_outputs = documented[documented.index("Outputs that a study"):].split("\n## ")[0]
     names = [line.split("`")[1] for line in of_outputs.splitlines() if line.startswith("| `")]
-    check(sorted(names) == sorted(outputs.OUTPUTS), f"only in one list: {set(names) ^ set(outputs.OUTPUTS)}")
+    of_summary = {name for name in names if name in SUMMARY}
+    check(sorted(set(names) - of_summary) == sorted(outputs.OUTPUTS), f"only in one list: {set(names) ^ set(outputs.OUTPUTS)}")
+    units = {line.split("`")[1]: line.split(" | ")[1] for line in of_outputs.splitlines() if line.startswith("| `")}
+    wrong = [name for name in of_summary if SUMMARY[name]["unit"] != units[name]]
+    check(len(of_summary) == 10 and not wrong, f"outputs of the summary: {sorted(of_summary)}, other units: {wrong}")
 
 
 LOOP = "subsection Model\n set Fidelity = {simple|layered}\nend\n"

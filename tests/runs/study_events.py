@@ -9,15 +9,14 @@
 Without Snakemake, h5py, matplotlib or pandas they end with 77: left out."""
 import csv
 import json
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
 
-CASE, PROGRAM, REPOSITORY = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
-sys.path[:0] = [str(REPOSITORY / folder) for folder in ("scripts", "scripts/study", "tests/support")]
-from elements import Elements  # noqa: E402
-from program import check  # noqa: E402
+from elements import Elements
+from program import check
 
 if shutil.which("snakemake") is None:
     sys.exit(77)
@@ -29,6 +28,9 @@ except ModuleNotFoundError as error:
     if error.name not in ("h5py", "jinja2", "matplotlib", "numpy", "pandas", "PIL"):
         raise
     sys.exit(77)
+
+CASE, PROGRAM, REPOSITORY = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+os.environ.pop("PYTHONPATH", None)  # what is started finds its modules by itself
 
 STUDY = """
 include {repository}/prm/paper/simple.prm

@@ -2,6 +2,7 @@
 """tutorial.py PROGRAM REPOSITORY: the commands of doc/tutorial.md, in its order and in an empty folder, in a quick form: runs take 10
 pitches after 20, studies --quick. What the tutorial says of 17 and 25 teeth must hold, its pictures must be made, and what it prints
 of the plan must be in the plan."""
+import os
 import pathlib
 import re
 import shlex
@@ -9,9 +10,10 @@ import shutil
 import subprocess
 import sys
 
+from program import check
+
 PROGRAM, REPOSITORY = sys.argv[1], pathlib.Path(sys.argv[2])
-sys.path.insert(0, str(REPOSITORY / "scripts"))
-from program import check  # noqa: E402
+os.environ.pop("PYTHONPATH", None)  # what is started finds its modules by itself
 
 if shutil.which("snakemake") is None or subprocess.run(
         ["/usr/bin/python3", "-c", "import h5py, jinja2, matplotlib, pandas"], stderr=subprocess.DEVNULL).returncode != 0:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether doc/parameters.md is what the program writes: documentation.py PATH_OF_CHAINDRIVE."""
+"""Whether files of the repository are what the program writes: documentation.py PATH_OF_CHAINDRIVE."""
 
 import difflib
 import subprocess
@@ -7,21 +7,23 @@ import sys
 
 import style
 
-STORED = style.ROOT / "doc" / "parameters.md"
+# The files that options of `chaindrive document` write.
+WRITTEN = {"doc/parameters.md": [], "python/chaindrive/schema.json": ["--schema"]}
 
 
-def difference(stored, written):
-    return list(difflib.unified_diff(stored.splitlines(), written.splitlines(), "doc/parameters.md", "program", lineterm=""))
+def difference(stored, written, name="stored"):
+    return list(difflib.unified_diff(stored.splitlines(), written.splitlines(), name, "program", lineterm=""))
 
 
 def main():
-    result = subprocess.run([sys.argv[1], "document"], capture_output=True, text=True, check=True)
-    stored = STORED.read_text(encoding="utf-8") if STORED.exists() else ""
-    lines = difference(stored, result.stdout)
-    print(*lines[:40], sep="\n")
-    if lines or not result.stdout:
-        sys.exit("doc/parameters.md is out of date: build/source/chaindrive document > doc/parameters.md")
-    print("doc/parameters.md is current")
+    for name, options in WRITTEN.items():
+        result = subprocess.run([sys.argv[1], "document", *options], capture_output=True, text=True, check=True)
+        file = style.ROOT / name
+        lines = difference(file.read_text(encoding="utf-8") if file.exists() else "", result.stdout, name)
+        print(*lines[:40], sep="\n")
+        if lines or not result.stdout:
+            sys.exit(f"{name} is out of date: {' '.join(['build/source/chaindrive document', *options])} > {name}")
+        print(f"{name} is current")
 
 
 if __name__ == "__main__":

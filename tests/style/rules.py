@@ -5,6 +5,7 @@ Each rule takes the tree as a dictionary {path: text} and returns its violations
 test_rules.py shows for every rule a tree that it accepts and one that it does not.
 """
 
+import json
 import posixpath
 import re
 
@@ -112,6 +113,18 @@ def licence(tree):
     return violations
 
 
+def imports(tree):
+    """Python finds modules by where it is started and by what is installed, not by what a file does to its paths."""
+    ban = re.compile(r"\bsys\.pat[h]\b|\bfrom sys import\b.*\bpath\b|\bsite\.addsitedi[r]\b")
+    return [
+        f"{path}:{number}: a module's place is not found by the file that imports it: {line.strip()}"
+        for path, text in tree.items()
+        if path.endswith((".py", "Snakefile", ".md"))
+        for number, line in enumerate(text.splitlines(), 1)
+        if ban.search(line)
+    ]
+
+
 def length(tree):
     violations = [
         f"{path}: {text.count(chr(10))} lines, more than {MAX_LINES}"
@@ -184,6 +197,19 @@ def prose(tree):
     return violations
 
 
+def results_documented(tree):
+    """doc/output.md names every history and every member of the summary that runs write."""
+    text = re.sub(r"```.*?```", "", tree.get("doc/output.md", ""), flags=re.DOTALL)
+    named = set(re.findall(r"`([^`\n]+)`", text))
+    violations = []
+    for kind, members in json.loads(tree["python/chaindrive/schema.json"]).items():
+        for path in members:
+            name = [part for part in path.split("/") if part != "*"][-1]
+            if not named & {name, re.sub(r".*(_peak|_gap)$", r"...\1", name)}:
+                violations.append(f"doc/output.md: the {kind} have {path}, which is not explained")
+    return violations
+
+
 def prm_listed(tree):
     """Every .prm for users is in a table that says what it answers."""
     tables = tree.get("README.md", "") + tree.get("prm/README.md", "")
@@ -209,4 +235,5 @@ def packages(tree):
     return violations
 
 
-RULES = {rule.__name__: rule for rule in (layering, licence, length, words, links, prose, prm_listed, packages)}
+RULES = {rule.__name__: rule for rule in (layering, licence, imports, length, words, links, prose, results_documented, prm_listed,
+                                          packages)}

@@ -10,6 +10,9 @@ import rules
 
 ROOT = Path(__file__).resolve().parents[2]
 
+# mypy, pyflakes, pydocstyle and numpy's type hints belong to Debian's Python.
+PYTHON = "/usr/bin/python3" if os.access("/usr/bin/python3", os.X_OK) else sys.executable
+
 
 def listed_by_git():
     """Tracked files and new ones that are not ignored; none where this is not a git checkout."""
@@ -61,12 +64,47 @@ def formatting(tree):
     return clang_format([path for path in tree if rules.is_cxx(path)])
 
 
+def said_by(checker, *words):
+    """The complaints of a checker that is a module of Python."""
+    result = subprocess.run([PYTHON, "-B", "-m", checker, *map(str, words)], cwd=ROOT, capture_output=True, text=True)
+    return [line for line in (result.stdout + result.stderr).splitlines() if line] if result.returncode else []
+
+
+def pyflakes(files):
+    """Names and imports that are not used, or not defined."""
+    return said_by("pyflakes", *files)
+
+
+def pydocstyle(files):
+    """Docstrings that are missing or not of the one kind."""
+    return said_by("pydocstyle", f"--config={ROOT}/pyproject.toml", *files)
+
+
+def mypy(files=()):
+    """Type hints that are missing or wrong, in the package unless other files are named."""
+    return said_by("mypy", f"--config-file={ROOT}/pyproject.toml", "--cache-dir=/dev/null", "--no-error-summary", *files)
+
+
+def python_names(tree):
+    return pyflakes([path for path in tree if path.endswith(".py")])
+
+
+def python_docstrings(tree):
+    return pydocstyle([path for path in tree if path.startswith("python/chaindrive/") and path.endswith(".py")])
+
+
+def python_types(_):
+    return mypy()
+
+
+CHECKS = {**rules.RULES, **{check.__name__: check for check in (formatting, python_names, python_docstrings, python_types)}}
+
+
 def main():
-    checks = {**rules.RULES, "formatting": formatting}
-    if len(sys.argv) != 2 or sys.argv[1] not in checks:
-        sys.exit(f"usage: style.py {' | '.join(checks)}")
+    if len(sys.argv) != 2 or sys.argv[1] not in CHECKS:
+        sys.exit(f"usage: style.py {' | '.join(CHECKS)}")
     tree = repository()
-    violations = checks[sys.argv[1]](tree)
+    violations = CHECKS[sys.argv[1]](tree)
     print(*violations, sep="\n")
     print(f"{sys.argv[1]}: {len(tree)} files, {len(violations)} violations")
     sys.exit(bool(violations))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Every check of style must be able to fail: each is shown something good and something bad."""
 
+import json
 import tempfile
 import unittest
 from pathlib import Path
@@ -63,6 +64,14 @@ class Files(unittest.TestCase):
             {"a.h": "int a;\n", "d.prm": "", "tool": "#!/bin/sh\nls\n", "e.cc": f"# {rules.LICENCE}\n"},
         )
 
+    def test_imports(self):
+        self.assert_rule(
+            rules.imports,
+            {"a.py": "import sys\nsys.argv\nos.path.join()\n", "b.cc": "// sys." + "path\n"},
+            {"c.py": "sys." + "path.insert(0, '')\n", "Snakefile": "sys." + "path[:0] = ['']\n",
+             "d.py": "from sys " + "import path\n", "e.md": "    sys." + "path.append('python')\n"},
+        )
+
     def test_length(self):
         self.assert_rule(
             rules.length,
@@ -105,6 +114,14 @@ class Files(unittest.TestCase):
             {"b.md": long, "c.md": f"```\na\n```\n{long}\n", "d.md": f"- item\n  {long}\n"},
         )
 
+    def test_results_documented(self):
+        schema = {"histories": {"links/force": {}, "links/force_peak": {}}, "summary": {"events/*/time": {}, "steps": {}}}
+        self.assert_rule(
+            rules.results_documented,
+            {"doc/output.md": "`force` and `..._peak`\n\n```python\n`\n```\n\n`time`, `steps`\n", "python/chaindrive/schema.json": json.dumps(schema)},
+            {"doc/output.md": "`force`, `time` and `..._peak`, ```steps```, steps\n"},
+        )
+
     def test_prm_listed(self):
         self.assert_rule(
             rules.prm_listed,
@@ -127,6 +144,29 @@ class Files(unittest.TestCase):
             bad.write_text("int   a=1;\n")
             self.assertEqual(style.clang_format([good]), [])
             self.assertTrue(style.clang_format([bad]))
+
+
+class Python(unittest.TestCase):
+    GOOD = '"""A module."""\n\n\ndef twice(a: float) -> float:\n    """Twice a number."""\n    return 2 * a\n'
+
+    def assert_checker(self, check, *bad):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "module.py")
+            file.write_text(self.GOOD)
+            self.assertEqual(check([file]), [])
+            for old, new in bad:
+                file.write_text(self.GOOD.replace(old, new))
+                self.assertTrue(check([file]), f"{new} was accepted")
+
+    def test_names(self):
+        self.assert_checker(style.pyflakes, ("\n\n\ndef", "\nimport os\n\n\ndef"), ("2 * a", "2 * b"))
+
+    def test_docstrings(self):
+        self.assert_checker(style.pydocstyle, ('    """Twice a number."""\n', ""), ("a number.", "a number"),
+                            ("a number.", "a number.\n    Of any kind.\n    "))
+
+    def test_types(self):
+        self.assert_checker(style.mypy, ("a: float", "a"), ("2 * a", "str(a)"))
 
 
 class Repository(unittest.TestCase):

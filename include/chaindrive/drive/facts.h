@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/drive/drive.h>
+#include <chaindrive/files/described.h>
 #include <chaindrive/files/json.h>
 
 #include <array>
@@ -85,6 +86,9 @@ unsigned int pitches_per_resonance(const Facts &facts);
 
 /// Member `drive` of summary.json: doc/output.md.
 files::Json to_json(const Facts &facts);
+
+/// What its members are.
+std::vector<files::Described> described_facts();
 
 /// The block at the top of plan and log.
 void print(std::ostream &out, const Facts &facts);

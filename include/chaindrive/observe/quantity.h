@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/files/described.h>
 #include <chaindrive/files/histories.h>
 #include <chaindrive/files/json.h>
 #include <chaindrive/observe/observation.h>
@@ -10,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace chaindrive::observe
@@ -28,8 +30,12 @@ public:
   {
   }
 
-  /// The group must be one of files::is_history_group(). Rows begin as NaN.
-  void add(const files::Channel &channel, Fill fill);
+  /// The history `group/name`, which its quantity has in Contents::histories; the group must be one
+  /// of files::is_history_group(). Rows begin as NaN.
+  void add(const std::string &path, Fill fill);
+
+  /// One with a column for each of @p labels.
+  void add(const std::string &path, const std::vector<std::string> &labels, Fill fill);
 
   /// Writes a sample at @p time [s].
   void sample(double time);
@@ -40,9 +46,18 @@ private:
     files::Histories::Handle handle;
     Fill                     fill;
   };
+  void add(files::Channel channel, Fill fill);
+
   files::Histories   &histories_;
   bool                single_;
   std::vector<Source> sources_;
+};
+
+/// What a quantity may write, in whatever model: its histories, its members of the summary.
+struct Contents
+{
+  std::vector<files::Described> histories = {};
+  std::vector<files::Described> summary   = {};
 };
 
 /// Something that is observed of a run: its channels in the histories, its members of the summary.
@@ -53,6 +68,7 @@ private:
 ///     public:
 ///       using Quantity::Quantity;
 ///       static bool exists(const Observation &start);
+///       static Contents contents();
 ///       void add_channels(Channels &channels) override;
 ///       ...
 ///     };
@@ -66,6 +82,9 @@ public:
   virtual ~Quantity()                   = default;
   Quantity(const Quantity &)            = delete;
   Quantity &operator=(const Quantity &) = delete;
+
+  /// What those who read results are told of it; every history must be among it.
+  static Contents contents() { return {}; }
 
   /// Declares the histories. First rank only, before the first sample.
   virtual void add_channels(Channels &) {}
@@ -107,19 +126,26 @@ public:
   Registration(const std::string                       &name,
                int                                      order,
                std::optional<parameters::QuantityGroup> group,
-               Make                                     make);
+               Make                                     make,
+               const Contents                          &contents = {});
 };
 
-/// Registers T, which says with T::exists(start) whether a scene has it.
+/// Registers T, which says with T::exists(start) whether a scene has it, and with T::contents()
+/// what it writes.
 template <typename T>
 struct Registered : Registration
 {
   Registered(const std::string                              &name,
              const int                                       order,
              const std::optional<parameters::QuantityGroup> &group = std::nullopt)
-      : Registration(name, order, group, [](const Observation &start) -> std::unique_ptr<Quantity> {
-        return T::exists(start) ? std::make_unique<T>(start) : nullptr;
-      })
+      : Registration(
+            name,
+            order,
+            group,
+            [](const Observation &start) -> std::unique_ptr<Quantity> {
+              return T::exists(start) ? std::make_unique<T>(start) : nullptr;
+            },
+            T::contents())
   {
   }
 };
@@ -134,4 +160,7 @@ struct NamedQuantity
 /// All registered quantities that are asked for and that the scene of @p start has, in their order.
 /// They keep a reference to @p start.
 std::vector<NamedQuantity> make_quantities(const Observation &start);
+
+/// What each of the registered quantities may write, in their order, with its group.
+std::vector<std::pair<std::optional<parameters::QuantityGroup>, Contents>> all_contents();
 } // namespace chaindrive::observe

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/files/described.h>
 #include <chaindrive/files/json.h>
 #include <chaindrive/observe/observation.h>
 #include <chaindrive/utilities/archive.h>
@@ -18,14 +19,17 @@ namespace chaindrive::observe
 class WindowStatistics
 {
 public:
-  /// What a signal is called, and its unit.
+  /// What a signal is called in files, its unit, and what it is called in sentences.
   struct Signal
   {
-    std::string name, unit;
+    std::string name, unit, title = {};
   };
 
+  /// Members of the summary for @p signals.
+  static std::vector<files::Described> members(const std::vector<Signal> &signals);
+
   /// Of @p signals of the run that @p now observes, which must outlive this.
-  WindowStatistics(const Observation &now, std::initializer_list<Signal> signals);
+  WindowStatistics(const Observation &now, const std::vector<Signal> &signals);
 
   /// Their @p values at the end of a step, in the same order.
   void add(std::initializer_list<double> values);

@@ -1,23 +1,34 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """chaindrive report: what runs have found, as one page. write() makes it; page.py is how it looks."""
+from __future__ import annotations
+
+import os
 import pathlib
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, TypeVar
 
 from chaindrive import comparison
 from chaindrive.report import curves, facts, motion
 from chaindrive.report.answers import answers
-from chaindrive.report.page import Page
+from chaindrive.report.page import Page, Part
 from chaindrive.errors import RunError
 from chaindrive.report.foreign import ForeignRun, plain
 from chaindrive.report.parts import DAMAGE, Subject, of_each, of_other_files
 from chaindrive.report.text import escape, number, quantity, sentences, table
+from chaindrive.run import Run
+
+T = TypeVar("T")
 
 #: As many as there are colours.
 MOST_RUNS = 7
 
 
-def write(folders, file=None):
-    """Writes the report on the runs in `folders` to `file`, report.html in the first folder by default; returns its path. RunError when a folder
-    is not that of a run."""
+def write(folders: Sequence[str | os.PathLike[str]],
+          file: str | os.PathLike[str] | None = None) -> pathlib.Path:
+    """Writes the report on the runs in `folders` to `file`, report.html in the first folder by default; returns its path.
+
+    RunError when a folder is not that of a run.
+    """
     runs = [ForeignRun(folder, partial=True) for folder in folders]
     names = [plain(name) for name in comparison.names(runs)]
     subjects = [Subject(run, name, k) for k, (run, name) in enumerate(zip(runs, names))]
@@ -28,7 +39,7 @@ def write(folders, file=None):
     return file
 
 
-def _shown(make, *arguments):
+def _shown(make: Callable[..., T], *arguments: Any) -> T | str:
     """What `make` gives, or the sentence on why it cannot."""
     try:
         return make(*arguments)
@@ -38,12 +49,12 @@ def _shown(make, *arguments):
         return sentences([f"This could not be drawn: {of_other_files(error)}"], "missing")
 
 
-def _lead(subjects):
+def _lead(subjects: Sequence[Subject]) -> str:
     run = subjects[0].run
     if len(subjects) > 1:
         lead = f'<p class="lead">{len(subjects)} runs on the same axes; differences are those from {escape(subjects[0].name)}.</p>'
-        done, _ = of_each(subjects, lambda s: (s.run.n_links, s.run.sprockets))
-        if len(done) == len(subjects) and not comparison.one_drive([s.run for s in subjects]):
+        known, _ = of_each(subjects, lambda s: (s.run.n_links, s.run.sprockets))
+        if len(known) == len(subjects) and not comparison.one_drive([s.run for s in subjects]):
             lead += sentences(["These are runs of different drives: curves and figures differ by the drive too, and pitch times are not the same."])
     else:
         done, missing = of_each(subjects, lambda s: facts.drive_in_words(s.run))
@@ -60,7 +71,7 @@ def _lead(subjects):
     return _events(subjects) + lead
 
 
-def _events(subjects):
+def _events(subjects: Sequence[Subject]) -> str:
     """What makes figures of the runs meaningless, above all else."""
     texts = []
     for subject in subjects:
@@ -70,14 +81,14 @@ def _events(subjects):
     return sentences(texts)
 
 
-def _each(subjects, make, heading=True):
+def _each(subjects: Sequence[Subject], make: Callable[[ForeignRun], str], heading: bool = True) -> str:
     """HTML of each run, with its name above, and the sentences of those that have none."""
     done, missing = of_each(subjects, lambda s: make(s.run))
     out = "".join((f"<h3>{escape(s.name)}</h3>" if heading and len(subjects) > 1 else "") + html for s, html in done if html)
     return out + sentences(missing, "missing")
 
 
-def _cards(run):
+def _cards(run: Run) -> str:
     found, invalid = answers(run), run.window_is_valid is False
     cards = "".join(f'<div class="card{" warning" if a.warns or invalid and a.of_window else ""}"><div class="name">{escape(a.name)}'
                     f'{facts.INVALID if invalid and a.of_window else ""}</div><div class="value">'
@@ -86,7 +97,7 @@ def _cards(run):
     return f'<div class="cards">{cards}</div>' if cards else sentences(["There are no key figures: the run has no summary, or was asked for none."])
 
 
-def _what(subjects):
+def _what(subjects: Sequence[Subject]) -> str:
     if len(subjects) == 1:
         return table([], facts.what(subjects[0].run), classes="facts")
     done, missing = of_each(subjects, lambda s: dict(facts.what(s.run)))
@@ -95,7 +106,7 @@ def _what(subjects):
                  classes="facts") + sentences(missing, "missing")
 
 
-def _motion(page, subjects):
+def _motion(page: Page, subjects: Sequence[Subject]) -> str:
     films, unmoved = of_each(subjects, lambda s: motion.frames_of(s.run))
     for one in ("low", "high"):  # the same colours for all
         extreme = (min if one == "low" else max)((frames[one] for _, frames in films), default=0)
@@ -104,7 +115,7 @@ def _motion(page, subjects):
     return "".join(page.film(frames, s.name if len(subjects) > 1 else "") for s, frames in films) + sentences(unmoved, "missing")
 
 
-def _sections(page, subjects):
+def _sections(page: Page, subjects: Sequence[Subject]) -> Iterator[tuple[str, str, Sequence[Part]]]:
     """(key, title, parts) of all sections."""
     several = len(subjects) > 1
     moving = _shown(_motion, page, subjects)

@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Key figures of a run, each with a sentence that says what it means."""
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
 
 from chaindrive.errors import RunError
 from chaindrive.report.text import number, percent, quantity
+from chaindrive.run import Array, Run
 
 
 #: Usual in makers' catalogues: breaking load over the largest tension, where drive/checks.cc has 7 over the mean.
@@ -13,27 +18,31 @@ MOST_IMBALANCE = 0.005
 
 
 class Answer:
-    """A figure: its name, value in SI units and what it means (HTML). `warns`: it is not as it should be. `of_window`: it is found in the window
-    of the means, and no better than that."""
+    """A figure: its name, value in SI units and what it means (HTML).
 
-    def __init__(self, name, value, unit, sentence, warns=False, of_window=True):
+    `warns`: it is not as it should be. `of_window`: it is found in the window of the means, and no better
+    than that.
+    """
+
+    def __init__(self, name: str, value: float, unit: str, sentence: str, warns: bool = False,
+                 of_window: bool = True) -> None:
         self.name, self.value, self.unit, self.sentence, self.warns, self.of_window = name, value, unit, sentence, warns, of_window
 
 
-def statistic(run, name, which):
+def statistic(run: Run, name: str, which: str) -> Any:
     """A member of the window statistics; None without."""
     found = run.summary.get("statistics", {}).get(name)
     return found.get(which) if isinstance(found, dict) else None
 
 
-def in_window(run, path):
+def in_window(run: Run, path: str) -> Array:
     """A history in the window."""
     if not np.isfinite(run.start):
         raise RunError("The drive had not settled when the run ended: there is no window.")
     return run.values(path, *run.window)
 
 
-def largest(run, name, path):
+def largest(run: Run, name: str, path: str) -> float | None:
     """The largest value in the window, of all steps where that is known, or else of the samples; None without histories."""
     value = statistic(run, name, "largest")
     try:
@@ -42,7 +51,7 @@ def largest(run, name, path):
         return None
 
 
-def answers(run):
+def answers(run: Run) -> list[Answer]:
     """What can be said of a run."""
     found = []
     for make in (tension, slack, shaft, impact, variation, driven_impact, ripple, losses, wear, resonance, noise, quality):
@@ -55,30 +64,32 @@ def answers(run):
     return found
 
 
-def _against(value, expected, unit, what):
+def _against(value: float, expected: float, unit: str, what: str) -> str:
     return f"{percent(100. * (value / expected - 1.))} against the {quantity(expected, unit)} {what}" if expected else ""
 
 
-def foreseen(run, name):
+def foreseen(run: Run, name: str) -> float:
     """Tension of a span from closed forms."""
-    return next(span["tension"] for span in run.drive["spans"] if span["name"] == name)
+    return next(float(span["tension"]) for span in run.drive["spans"] if span["name"] == name)
 
 
-def turned(run):
+def turned(run: Run) -> bool:
     """The spans have changed their parts: the load drives."""
-    return run.summary["slack_tension_mean"] > run.summary["tight_tension_mean"]
+    return bool(run.summary["slack_tension_mean"] > run.summary["tight_tension_mean"])
 
 
-def largest_of_spans(run):
+def largest_of_spans(run: Run) -> float | None:
+    """The largest tension of both spans in the window, N."""
     found = [largest(run, f"{name}_tension", f"spans/{name}_tension") for name in ("tight", "slack")]
     return max((value for value in found if value is not None), default=None)
 
 
-def tension(run):
+def tension(run: Run) -> Answer:
+    """Tension of the tight span, and how far it is from breaking."""
     mean, most, expected = run.summary["tight_tension_mean"], largest(run, "tight_tension", "spans/tight_tension"), foreseen(run, "tight")
     strength, highest = run.drive.get("tensile_strength"), largest_of_spans(run) or mean
     safety = f" The chain breaks at {quantity(strength, 'N')} or more, {number(strength / highest, 3)} times the largest tension" if strength else ""
-    warns = bool(strength) and highest * LEAST_SAFETY > strength
+    warns = bool(strength and highest * LEAST_SAFETY > strength)
     if strength:
         safety += ": it would not hold." if highest >= strength else f", where at least {LEAST_SAFETY:.0f} is usual." if warns else "."
     if turned(run):
@@ -89,7 +100,8 @@ def tension(run):
     return Answer("Tension of the tight span", mean, "N", text + safety, warns)
 
 
-def slack(run):
+def slack(run: Run) -> Answer:
+    """Tension of the slack span, and what it comes from."""
     mean = run.summary["slack_tension_mean"]
     tight, alone = run.summary["tight_tension_mean"], foreseen(run, "slack")
     if turned(run):
@@ -103,7 +115,8 @@ def slack(run):
     return Answer("Tension of the slack span", mean, "N", text)
 
 
-def shaft(run):
+def shaft(run: Run) -> Answer:
+    """Load of the driver's shaft."""
     mean, most = statistic(run, "driver_load", "mean"), statistic(run, "driver_load", "largest")
     expected = run.drive["shaft_load"]
     if mean is None:
@@ -113,7 +126,8 @@ def shaft(run):
                   f"{quantity(most, 'N')}. Bearings are chosen by it.")
 
 
-def impact(run):
+def impact(run: Run) -> Answer:
+    """Peak forces of rollers that seat on the driver."""
     touches = run.engagements("driver", window=True)
     peak, speed = touches["peak_force"].astype(float), touches["normal_speed"].astype(float)
     return Answer("Impact on the driver", peak.mean(), "N", f"Mean peak force of {len(peak)} rollers that seat, the largest "
@@ -121,7 +135,8 @@ def impact(run):
                   "with the root of the stiffness of the teeth.")
 
 
-def variation(run):
+def variation(run: Run) -> Answer | None:
+    """How much peak forces vary from roller to roller."""
     peak = run.engagements("driver", window=True)["peak_force"].astype(float)
     if len(peak) < 3:
         return None
@@ -129,13 +144,15 @@ def variation(run):
                   f"mean: the weakest of {len(peak)} has {quantity(peak.min(), 'N')}, the strongest {quantity(peak.max(), 'N')}.")
 
 
-def driven_impact(run):
+def driven_impact(run: Run) -> Answer:
+    """Peak forces of rollers that seat on the driven sprocket."""
     peak = run.engagements("driven", window=True)["peak_force"].astype(float)
     return Answer("Impact on the driven sprocket", peak.mean(), "N", f"Mean peak force of {len(peak)} rollers, the largest "
                   f"{quantity(peak.max(), 'N')}.")
 
 
-def ripple(run):
+def ripple(run: Run) -> Answer:
+    """How much the driven speed varies."""
     mean = run.summary["driven_speed_mean"]
     deviation = statistic(run, "driven_speed", "deviation")
     deviation = float(np.std(in_window(run, "hubs/driven_speed"))) if deviation is None else deviation
@@ -145,7 +162,8 @@ def ripple(run):
                   "the spans passes on more or less of it.")
 
 
-def losses(run):
+def losses(run: Run) -> Answer | None:
+    """Power that is lost, and where."""
     if "window_energy" in run.summary:
         energy = run.summary["window_energy"]
         power = energy["lost"] / energy["duration"]
@@ -162,7 +180,7 @@ def losses(run):
         power, efficiency, where = sum(parts.values()), None, ""
         if not parts:
             return None
-        name, watt = max(parts.items(), key=lambda item: item[1])
+        name, watt = max(parts.items(), key=lambda item: float(item[1]))
         where = f"; most by {name.removeprefix('energy/').removesuffix('_loss').replace('_', ' ')} ({quantity(watt, 'W', 3)})"
     share = power / run.drive["power"]
     text = f"{number(100 * share, 2)}\u00a0% of the drive's {quantity(run.drive['power'], 'W')}{where}."
@@ -171,7 +189,8 @@ def losses(run):
     return Answer("Loss", power, "W", text)
 
 
-def wear(run):
+def wear(run: Run) -> Answer:
+    """Pressure of pins and bushes."""
     pressure, area = run.drive["joint_pressure"], run.drive["bearing_area"]
     most = largest_of_spans(run)
     peak = f", {quantity(most / area, 'Pa', 3)} at the largest tension" if most else ""
@@ -179,17 +198,19 @@ def wear(run):
                   "Wear grows with it and with the angle by which joints turn: fewer teeth, more wear.", of_window=False)
 
 
-def resonance(run):
+def resonance(run: Run) -> Answer:
+    """The tooth frequency and the resonance next to it."""
     drive = run.drive
     places = [(drive.get("driven_resonance"), drive.get("driven_frequency"), "the driven inertia on the tight span")]
     places += [(span.get("resonance"), span.get("frequency"), f"the {span['name']} span") for span in drive["spans"]]
     speed = drive["sprockets"][0]["speed"]
-    near = min((p for p in places if p[0]), key=lambda p: abs(np.log(p[0] / speed)))
+    near = min((p for p in places if p[0]), key=lambda p: float(abs(np.log(p[0] / speed))))
     return Answer("Tooth frequency", drive["tooth_frequency"], "Hz", f"The nearest resonance is that of {near[2]} at {quantity(near[1], 'Hz', 3)}, "
                   f"which the teeth meet at {quantity(near[0], 'rad/s')} of the driver; it runs at {quantity(speed, 'rad/s')}.", of_window=False)
 
 
-def noise(run):
+def noise(run: Run) -> Answer | None:
+    """Level of the sound, where it was computed."""
     if not run.acoustics:
         return None
     observers = run.acoustics["observers"]
@@ -198,7 +219,8 @@ def noise(run):
                   "weighting. Housing, shafts and plates are not in it.")
 
 
-def quality(run):
+def quality(run: Run) -> Answer:
+    """The error of the energy balance."""
     error = run.summary["energy_imbalance_max"]
     warns, limit = error > MOST_IMBALANCE, f"{100 * MOST_IMBALANCE:g}\u00a0%"
     return Answer("Error of the energy balance", 100. * error, "%", "The largest in the whole run, of the energy turned over. " +

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The figures of a report, from histories."""
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
 import numpy as np
 import pandas as pd
 
@@ -7,53 +11,61 @@ from chaindrive import spectra
 from chaindrive.errors import RunError
 from chaindrive.report.facts import of_paper
 from chaindrive.report.figure import Curve, Figure, Panel, limits
-from chaindrive.report.parts import beside, finite, of_each, together
+from chaindrive.report.parts import Subject, beside, finite, of_each, together
+from chaindrive.run import Array, Label, Run
+
+Subjects = Sequence[Subject]
 
 MS = "time (ms)"
 
 
-def successive(run, n=5):
-    """The first rollers that meet the driver in the window, or the last ones at all where none does: (roller, time, peak force). RunError
-    when there are none."""
+def successive(run: Run, n: int = 5) -> list[tuple[int, float, float]]:
+    """The first rollers that meet the driver in the window: (roller, time, peak force).
+
+    Or the last ones at all where none does. RunError when there are none.
+    """
     found = run.arrivals(n)
     if not found:
         every = run.engagements("driver")[["roller", "time", "peak_force"]]
-        found = [tuple(row) for row in every.itertuples(index=False)][-n:]
+        found = [(row.roller, row.time, row.peak_force) for row in every[-n:].itertuples()]
     if not found:
         raise RunError(f"In the run in '{run.folder}' no roller meets the driver.")
     return found
 
 
-def early(subjects):
+def early(subjects: Subjects) -> list[str]:
     """Sentences for runs in whose window no roller meets the driver."""
     done, _ = of_each(subjects, lambda s: (successive(s.run), s.run.arrivals(1)))
     return [f"In the run in '{s.run.folder}' no roller meets the driver between the begin of the window and 1 ms before the end: the rollers shown "
             "met it earlier or later." for s, (_, arrived) in done if not arrived]
 
 
-def shown(run):
+def shown(run: Run) -> tuple[float, float]:
     """Begin and end of what figures of the engaging rollers show, s: from the begin of the window on."""
     rollers = successive(run)
     start = run.start if run.arrivals(1) else rollers[0][1] - run.pitch_time
     return max(run.time[0], start), min(run.time[-1], rollers[-1][1] + 1.5 * run.pitch_time)
 
 
-def over_time(run, path, label=None, scale=1., part=None):
+def over_time(run: Run, path: str, label: Label | None = None, scale: float = 1.,
+              part: tuple[float, float] | None = None) -> tuple[Array, Array]:
+    """Times, ms, and scaled values of a column of a history."""
     start, end = part or (None, None)
     label = run.labels(path)[0] if label is None else label
     return 1e3 * run.time[run.rows(start, end)], scale * run.column(path, label, start, end)
 
 
-def has_surface(run):
+def has_surface(run: Run) -> bool:
+    """Whether the histories have the velocity of a node on the surface of rollers."""
     return "rollers/surface_velocity_normal" in run
 
 
 # ---- the paper's figures
 
 
-def velocities(subjects):
+def velocities(subjects: Subjects) -> Figure:
     """Figures 5 and 7."""
-    def panels(run):
+    def panels(run: Run) -> list[Panel]:
         part = shown(run)
         rows = run.rows(*part)
         result = [Panel(MS, name, []) for name in ("along the span (m/s)", "normal to the span (m/s)")]
@@ -77,23 +89,23 @@ def velocities(subjects):
     return figure
 
 
-def _readable(run):
+def _readable(run: Run) -> bool:
     try:
         return bool(len(run.time))
     except RunError:
         return False
 
 
-def behind_rollers(run, name, factor):
+def behind_rollers(run: Run, name: str, factor: float) -> list[Curve]:
     """Of the links behind the rollers that engage one after the other."""
     part = shown(run)
     return [Curve(f"behind roller {i + 1}", *over_time(run, name, run.link_behind(roller), factor, part), i)
             for i, (roller, _, _) in enumerate(successive(run))]
 
 
-def link_forces(subjects):
+def link_forces(subjects: Subjects) -> Figure:
     """Figure 8."""
-    def panels(run):
+    def panels(run: Run) -> list[Panel]:
         return [Panel(MS, "tension (kN)", behind_rollers(run, "links/tension", 1e-3))]
 
     figure = beside(subjects, "link-forces", "Tension of the links behind these rollers",
@@ -103,9 +115,9 @@ def link_forces(subjects):
     return figure
 
 
-def plate_stress(subjects):
+def plate_stress(subjects: Subjects) -> Figure:
     """Figure 9; none without elastic links."""
-    def panels(run):
+    def panels(run: Run) -> list[Panel]:
         return [Panel(MS, title, behind_rollers(run, f"plates/{name}", 1e-6))
                 for name, title in (("axial_stress", "pull (MPa)"), ("bending_in_plane", "bending in the plane (MPa)"),
                                     ("principal_1", "first principal stress (MPa)"), ("principal_2", "second principal stress (MPa)"))]
@@ -119,9 +131,9 @@ def plate_stress(subjects):
     return figure
 
 
-def contact_forces(subjects):
+def contact_forces(subjects: Subjects) -> Figure:
     """Figures 12 and 13."""
-    def panels(run):
+    def panels(run: Run) -> list[Panel]:
         part = shown(run)
         curves = []
         for i, (roller, _, _) in enumerate(successive(run)):
@@ -140,8 +152,9 @@ def contact_forces(subjects):
 # ---- engagements
 
 
-def aligned(subjects):
-    def panels(run):
+def aligned(subjects: Subjects) -> Figure:
+    """Forces of the engagements in the window, against the time since their touch."""
+    def panels(run: Run) -> list[Panel]:
         result = []
         for sprocket in ("driver", "driven"):
             frame = run.aligned_engagements(sprocket, before=0.1e-3, after=1.5e-3, units=("ms", "kN"))
@@ -161,9 +174,10 @@ def aligned(subjects):
                   "their mean is the variation from roller to roller, which listeners hear.", panels)
 
 
-def peaks(subjects):
-    def curve(which):
-        def make(subject):
+def peaks(subjects: Subjects) -> Figure:
+    """Peak forces of all engagements."""
+    def curve(which: str) -> Callable[[Subject], tuple[Array, Array]]:
+        def make(subject: Subject) -> tuple[Array, Array]:
             touches = subject.run.engagements(which, window=False)
             touches = touches[touches["complete"].astype(bool)]
             return 1e3 * touches["time"].to_numpy(float), 1e-3 * touches["peak_force"].to_numpy(float)
@@ -182,14 +196,16 @@ def peaks(subjects):
 # ---- the wrap
 
 
-def _thinning(run, start, end):
+def _thinning(run: Run, start: float, end: float) -> int:
     """So many samples are passed over that some hundreds are left, at all phases of a pitch time."""
     return max(1, len(run.time[run.rows(start, end)]) // 400)
 
 
-def along_wrap(run, sprocket, bins=4):
-    """The tooth load on rollers by the pitches that they have passed since the chain met the sprocket: positions, mean, tenth and ninetieth
-    percentile of the window, N."""
+def along_wrap(run: Run, sprocket: str, bins: int = 4) -> Array:
+    """The tooth load on rollers by the pitches that they have passed since the chain met the sprocket.
+
+    Four rows: positions, and mean, tenth and ninetieth percentile in the window, N.
+    """
     number = 0 if sprocket == "driver" else 1
     start, end = run.window if np.isfinite(run.start) else (run.time[0], run.time[-1])
     path = f"rollers/{sprocket}_force"
@@ -224,10 +240,14 @@ def along_wrap(run, sprocket, bins=4):
     return np.array(found).T
 
 
-def wrap(subjects):
+def wrap(subjects: Subjects) -> Figure:
+    """Load of the teeth along both wraps."""
     panels, missing = [], []
     for sprocket, title in (("driver", "driver"), ("driven", "driven sprocket")):
-        done, sentences = of_each(subjects, lambda s, which=sprocket: along_wrap(s.run, which))
+        def load(subject: Subject, which: str = sprocket) -> Array:
+            return along_wrap(subject.run, which)
+
+        done, sentences = of_each(subjects, load)
         missing += sentences
         curves = []
         for s, (position, mean, low, high) in done:
@@ -245,8 +265,9 @@ def wrap(subjects):
 # ---- spans, shafts
 
 
-def tensions(subjects):
-    def panel(path, title):
+def tensions(subjects: Subjects) -> Figure:
+    """Tensions of both spans."""
+    def panel(path: str, title: str) -> tuple[Panel, list[str]]:
         done, missing = of_each(subjects, lambda s: over_time(s.run, path, scale=1e-3))
         return Panel(MS, "tension (kN)", [Curve(s.name if len(subjects) > 1 else "", x, y, s.color, s.color) for s, (x, y) in done],
                      title), missing
@@ -257,8 +278,9 @@ def tensions(subjects):
                   "Spans are called tight and slack as they are while the driver drives.", [tight, slack], missing)
 
 
-def offsets(subjects):
-    def panel(path, title):
+def offsets(subjects: Subjects) -> Figure:
+    """How the middles of both spans swing."""
+    def panel(path: str, title: str) -> tuple[Panel, list[str]]:
         done, missing = of_each(subjects, lambda s: over_time(s.run, path, scale=1e3))
         curves = [Curve(s.name if len(subjects) > 1 else "", x, y - np.nanmean(y), s.color, s.color) for s, (x, y) in done]
         return Panel(MS, "offset (mm)", curves, title, y_range=limits([c.y for c in curves], False, 0.05)), missing
@@ -268,9 +290,9 @@ def offsets(subjects):
     return Figure("offsets", "Spans in motion", "How the middle of each span swings across its direction of travel, about its mean; each on a scale of its own.", [tight, slack], missing)
 
 
-def shapes(subjects):
+def shapes(subjects: Subjects) -> Figure:
     """Where rollers of the spans are, across the line of the span."""
-    def panels(run):
+    def panels(run: Run) -> list[Panel]:
         start, end = run.window if np.isfinite(run.start) else (run.time[0], run.time[-1])
         every = _thinning(run, start, end)
         x, y = (run.values(f"rollers/position_{axis}", start, end, every) for axis in "xy")
@@ -312,7 +334,8 @@ def shapes(subjects):
     return figure
 
 
-def shafts(subjects):
+def shafts(subjects: Subjects) -> Figure:
+    """Speed and torque of the shafts."""
     one = together(subjects, "driven-speed", "", "", MS, "driven speed (rpm)",
                    lambda run: over_time(run, "hubs/driven_speed", scale=30. / np.pi))
     two = together(subjects, "driver-torque", "", "", MS, "driver torque (N m)", lambda run: over_time(run, "hubs/driver_torque"))
@@ -324,7 +347,7 @@ def shafts(subjects):
 # ---- spectra
 
 
-def marks_of(run):
+def marks_of(run: Run) -> list[tuple[float, str]]:
     """What the drive is known to ring at."""
     drive = run.drive
     found = [(drive["tooth_frequency"], "teeth")] if "tooth_frequency" in drive else []
@@ -334,7 +357,7 @@ def marks_of(run):
     return found
 
 
-def amplitudes(run, path, label=None, scale=1.):
+def amplitudes(run: Run, path: str, label: Label | None = None, scale: float = 1.) -> tuple[Array, Array]:
     """Amplitude of each line in the window, over whole pitch times."""
     lines = run.spectrum(path, label)
     frequency = lines.index.to_numpy()[1:]
@@ -343,13 +366,17 @@ def amplitudes(run, path, label=None, scale=1.):
     return frequency[upper], np.maximum(amplitude[upper], 1e-12)
 
 
-def line_spectra(subjects):
+def line_spectra(subjects: Subjects) -> Figure:
+    """Spectra of tension, speed, torque and offset."""
     panels, missing = [], []
     for path, name, scale in (("spans/tight_tension", "tight tension (N)", 1.),
                               ("hubs/driven_speed", "driven speed (rpm)", 30. / np.pi),
                               ("hubs/driver_torque", "driver torque (N m)", 1.),
                               ("spans/tight_offset", "tight offset (µm)", 1e6)):
-        done, sentences = of_each(subjects, lambda s, p=path, f=scale: amplitudes(s.run, p, scale=f))
+        def lines(subject: Subject, which: str = path, factor: float = scale) -> tuple[Array, Array]:
+            return amplitudes(subject.run, which, scale=factor)
+
+        done, sentences = of_each(subjects, lines)
         missing += sentences
         curves = [Curve(s.name if len(subjects) > 1 else "", x, y, s.color, s.color) for s, (x, y) in done]
         largest = max((float(c.y.max()) for c in curves), default=1.)
@@ -360,9 +387,9 @@ def line_spectra(subjects):
                   "lines: frequencies that closed forms foretell.", panels, list(dict.fromkeys(missing)))
 
 
-def roller_bands(subjects):
+def roller_bands(subjects: Subjects) -> Figure:
     """Third octaves of the velocity of the rollers that engage, from a pitch time before the touch to one after it."""
-    def bands(run):
+    def bands(run: Run) -> tuple[Array, Array]:
         interval, period = run.interval(), run.pitch_time
         n = 2 * int(period / interval)
         total = []
@@ -389,8 +416,9 @@ def roller_bands(subjects):
 # ---- noise
 
 
-def pressures(subjects):
-    def pressure(run):
+def pressures(subjects: Subjects) -> Figure:
+    """Sound pressure at the microphone over time."""
+    def pressure(run: Run) -> tuple[Array, Array]:
         heard = run.sound()
         return 1e3 * heard.index.to_numpy(), heard.iloc[:, microphone(run)].to_numpy()
 
@@ -399,24 +427,25 @@ def pressures(subjects):
                     of_paper(subjects, "their Figure 6, as measured"), MS, "pressure (Pa)", pressure)
 
 
-def microphone(run):
+def microphone(run: Run) -> int:
     """Its number among the observers; the first one where none is called so."""
     names = [observer["name"] for observer in run.acoustics["observers"]]
     return names.index("microphone") if "microphone" in names else 0
 
 
-def decibels(square):
+def decibels(square: Array) -> Array:
     """Level of a mean square pressure, re 20 uPa."""
-    return 10 * np.log10(np.maximum(square, 1e-20) / 4e-10)
+    level: Array = 10 * np.log10(np.maximum(square, 1e-20) / 4e-10)
+    return level
 
 
-def noise_spectra(subjects):
+def noise_spectra(subjects: Subjects) -> Figure:
     """Figures 10 and 11."""
-    def lines(run):
+    def lines(run: Run) -> tuple[Array, Array]:
         spectrum = run.sound("spectrum").iloc[1:, microphone(run)]
         return spectrum.index.to_numpy(), decibels(spectrum.to_numpy())
 
-    def bands(run):
+    def bands(run: Run) -> tuple[Array, Array]:
         run.sound("spectrum")
         level = run.acoustics["observers"][microphone(run)]["third_octaves"]
         return finite(np.asarray(run.acoustics["third_octaves"], float), np.asarray(level, float))
@@ -430,8 +459,9 @@ def noise_spectra(subjects):
                   of_paper(subjects, "their Figures 10 (computed) and 11 (measured)"), narrow.panels + wide.panels, narrow.missing or wide.missing)
 
 
-def directivity(subjects):
-    def around(run):
+def directivity(subjects: Subjects) -> Figure:
+    """Level by the direction from the engagement."""
+    def around(run: Run) -> tuple[Array, Array]:
         found = run.acoustics["directivity"]
         return np.degrees(np.asarray(found["angle"], float)), np.asarray(found["level"], float)
 
@@ -441,10 +471,11 @@ def directivity(subjects):
                     "angle (°)", "level (dB)", around)
 
 
-def noise_engagements(subjects):
-    def one(run):
+def noise_engagements(subjects: Subjects) -> Figure:
+    """The loudest instant of each pitch time."""
+    def one(run: Run) -> tuple[Array, Array]:
         values = np.asarray(run.acoustics["observers"][microphone(run)]["engagement_peaks"], float)
-        return np.arange(1, len(values) + 1), values
+        return np.arange(1., len(values) + 1), values
 
     with_noise = [s for s in subjects if s.run.acoustics]
     figure = together(with_noise, "noise-peaks", "Loudest instant of each pitch time", "Largest pressure at the microphone in each pitch time of "
@@ -460,9 +491,11 @@ def noise_engagements(subjects):
 # ---- energy
 
 
-def energies(subjects):
-    def panels(run):
-        stored, lost = [], []
+def energies(subjects: Subjects) -> Figure:
+    """What the chain stores, and what it has lost."""
+    def panels(run: Run) -> list[Panel]:
+        stored: list[tuple[str, str]] = []
+        lost: list[tuple[str, str]] = []
         for path in run.histories.index:
             name = path.removeprefix("energy/")
             if path.startswith("energy/") and name not in ("imbalance", "drive_work", "resisting_work"):

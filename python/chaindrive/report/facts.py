@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What was run, the drive's block, statistics and costs, as HTML."""
+from __future__ import annotations
+
 import time
+from collections.abc import Sequence
 
 import numpy as np
 
-from chaindrive import comparison
+from chaindrive import comparison, schema
 from chaindrive.errors import RunError
 from chaindrive.plates import plate_stresses
+from chaindrive.report.parts import Subject
 from chaindrive.report.text import escape, number, percent, quantity, sentences, table
+from chaindrive.run import Run
 
 WORDS = {"simple": "lumped rollers and elastic bars", "layered": "rigid rollers and links with clearances",
          "reduced": "bodies that deform by some shapes each", "full": "elastic finite elements"}
@@ -16,12 +21,12 @@ WORDS = {"simple": "lumped rollers and elastic bars", "layered": "rigid rollers 
 INVALID = ' <b class="invalid">not valid</b>'
 
 
-def invalid_window(run, what):
+def invalid_window(run: Run, what: str) -> str:
     """A sentence above `what` that is found in the window of a run, where that is not valid; else nothing."""
     return sentences([f"{what} not valid: an event lies in the window, see above."]) if run.window_is_valid is False else ""
 
 
-def question(run):
+def question(run: Run) -> str:
     """The comment at the head of the parameter file, without the licence."""
     file = run.folder / "input.prm"
     lines = []
@@ -33,12 +38,13 @@ def question(run):
     return " ".join(" ".join(lines).split())
 
 
-def of_paper(subjects, sentence):
+def of_paper(subjects: Sequence[Subject], sentence: str) -> str:
     """A sentence on figures of the paper for runs whose files speak of it; of others, nothing: their readers do not know it."""
     return f" Zheng, Wang and Quek (2004) show it in {sentence}." if all("Zheng, Wang and Quek" in question(s.run) for s in subjects) else ""
 
 
-def drive_in_words(run):
+def drive_in_words(run: Run) -> str:
+    """The drive in a line, as HTML."""
     drive = run.drive
     if not drive:
         return f"{run.n_links} links, {run.sprockets[0]} and {run.sprockets[1]} teeth"
@@ -47,7 +53,7 @@ def drive_in_words(run):
             f"{quantity(first['speed'], 'rad/s')}, {quantity(drive['power'], 'W')}")
 
 
-def what(run):
+def what(run: Run) -> list[tuple[str, str]]:
     """Facts about the run itself: (name, HTML)."""
     entries, fidelity = run.parameters, run.parameters.get("Model/Fidelity", "")
     rows = [("drive", drive_in_words(run)), ("model", f"{escape(fidelity)}: {WORDS.get(fidelity, '')}")]
@@ -75,7 +81,7 @@ def what(run):
     return rows
 
 
-def checks(subjects):
+def checks(subjects: Sequence[Subject]) -> str:
     """What the design checks say."""
     out = ""
     for subject in subjects:
@@ -91,7 +97,7 @@ def checks(subjects):
     return out
 
 
-def drive_tables(run):
+def drive_tables(run: Run) -> str:
     """The drive's block. RunError when the summary has none."""
     drive = run.drive
     if not drive:
@@ -128,7 +134,7 @@ def drive_tables(run):
             + table(["", *(escape(s["name"] + " span") for s in drive["spans"])], [(name, *cells) for name, cells in spans]) + "</div>")
 
 
-def plate_table(subjects):
+def plate_table(subjects: Sequence[Subject]) -> str:
     """Stresses of the plates behind the rollers that engage, of all runs that have them; nothing where none has."""
     rows, several = [], len(subjects) > 1
     for subject in subjects:
@@ -146,13 +152,12 @@ def plate_table(subjects):
                  "numbers") if rows else ""
 
 
-TITLES = {"driven_speed": "driven speed", "driver_torque": "driver torque", "span_speed": "speed of the tight span", "tight_tension": "tight tension",
-          "slack_tension": "slack tension", "tight_offset": "offset of the tight span", "slack_offset": "offset of the slack span",
-          "driver_load": "load of the driver's shaft", "driver_load_direction": "its direction", "driven_load": "load of the driven shaft",
-          "driven_load_direction": "its direction"}
+#: What signals of the window statistics are called.
+TITLES = {path.split("/")[1]: one["description"].removesuffix(", mean") for path, one in schema.SUMMARY.items()
+          if path.startswith("statistics/") and path.endswith("/mean")}
 
 
-def statistics_tables(run):
+def statistics_tables(run: Run) -> str:
     """Window statistics, impacts and losses. RunError where the summary has none of them."""
     summary, out = run.summary, ""
     rows = []
@@ -188,11 +193,14 @@ def statistics_tables(run):
     return invalid_window(run, "These figures are") + out
 
 
-def noise_tables(run):
+def noise_tables(run: Run) -> str:
     """Levels at the observers, and what the sprockets add. Empty without noise."""
     if not run.acoustics:
         return ""
-    level = lambda value: f"{value:.1f}" if value is not None else "–"  # noqa: E731
+
+    def level(value: float | None) -> str:
+        return f"{value:.1f}" if value is not None else "–"
+
     rows = [(escape(o["name"]), ", ".join(number(x, 3) for x in o["position"]), level(o["level"]), level(o["level_a"]), quantity(o["peak_pressure"], "Pa", 3))
             for o in run.acoustics["observers"]]
     out = invalid_window(run, "These levels are") + table(["observer", "position (m)", "level (dB)", "level (dB(A))", "peak"], rows, f"Over {run.acoustics['periods']} pitch times, re 20 µPa")
@@ -203,7 +211,7 @@ def noise_tables(run):
     return out
 
 
-def costs(run):
+def costs(run: Run) -> str:
     """CPU time and energy at the end."""
     cpu = run.summary.get("cpu_seconds")
     if not cpu:
@@ -227,7 +235,7 @@ def costs(run):
     return f'<div class="side">{out}</div>'
 
 
-def differences(subjects):
+def differences(subjects: Sequence[Subject]) -> str:
     """Figures of several runs with what they differ by from the first one; a figure of a window that is not valid differs by nothing."""
     frame = comparison.compare([subject.run for subject in subjects])
     columns = comparison.names([subject.run for subject in subjects])
@@ -248,7 +256,8 @@ def differences(subjects):
     return table(head, rows, f"Differences are those from {escape(subjects[0].name)}", "numbers")
 
 
-def changed_entries(subjects):
+def changed_entries(subjects: Sequence[Subject]) -> str:
+    """The entries in which the parameters of several runs differ."""
     frame = comparison.changes([subject.run for subject in subjects])
     if frame.empty:
         return sentences(["All entries of these runs are the same."], "plain")
@@ -256,6 +265,7 @@ def changed_entries(subjects):
                                                                   zip(frame.index, frame.to_numpy())], "Entries in which these runs differ")
 
 
-def all_entries(run):
+def all_entries(run: Run) -> str:
+    """All entries of a run, folded away."""
     rows = [(f"<code>{escape(path)}</code>", escape(value)) for path, value in run.parameters.items()]
     return f"<details><summary>All {len(rows)} entries as they were used</summary>{table(['entry', 'value'], rows)}</details>"

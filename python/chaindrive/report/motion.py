@@ -1,8 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The moving side view of a chain: positions of rollers and tensions of links at some instants, small enough for a page."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 from chaindrive.errors import RunError
+from chaindrive.run import Run
+
+#: Red, green and blue, from 0 to 255.
+Color = tuple[int, int, int]
 
 FRAMES = 200
 #: Of cividis, which people with any colour vision read alike.
@@ -12,9 +21,11 @@ LIGHT = ((0, 34, 78), (53, 69, 108), (102, 105, 112), (148, 142, 119), (200, 183
 DARK = ((74, 116, 190), (110, 128, 168), (141, 141, 146), (172, 164, 138), (211, 194, 116), (254, 232, 56))
 
 
-def frames_of(run):
-    """What page.js plays: positions in hundredths of a millimetre, tensions in newtons, time in microseconds. RunError where not all rollers
-    are in the histories."""
+def frames_of(run: Run) -> dict[str, Any]:
+    """What page.js plays: positions in hundredths of a millimetre, tensions in newtons, time in microseconds.
+
+    RunError where not all rollers are in the histories.
+    """
     labels = run.labels("rollers/position_x")
     if len(labels) != run.n_links:
         raise RunError(f"There is no moving picture of the run in '{run.folder}': its histories have {len(labels)} of {run.n_links} rollers. "
@@ -46,18 +57,18 @@ def frames_of(run):
             "sprockets": sprockets, "roller": _mm(_diameter(run) / 2), "low": round(min(0., float(np.percentile(finite, 0.5)))), "high": round(high) or 1}
 
 
-def _mm(length):
+def _mm(length: float) -> float:
     return round(1e3 * length, 3)
 
 
-def _diameter(run):
+def _diameter(run: Run) -> float:
     try:
         return 1e-3 * run.parameter("Drive/Chain/Roller diameter in mm")
     except RunError:
-        return 0.64 * run.drive["pitch"]  # auto: about that of all sizes
+        return 0.64 * float(run.drive["pitch"])  # auto: about that of all sizes
 
 
-def color(value, stops=LIGHT):
+def color(value: float, stops: Sequence[Color] = LIGHT) -> str:
     """Of a number between 0 and 1."""
     place = min(max(value, 0.), 1.) * (len(stops) - 1)
     first = min(int(place), len(stops) - 2)
@@ -65,7 +76,7 @@ def color(value, stops=LIGHT):
     return "#" + "".join(f"{int(round(part)):02x}" for part in mixed)
 
 
-def outline(about, angle, roller):
+def outline(about: dict[str, Any], angle: float, roller: float) -> list[tuple[float, float]]:
     """A sprocket as a path in mm, y upwards: seats of the rollers and tips of the teeth between them."""
     points, pitch = [], 2 * np.pi / about["teeth"]
     for tooth in range(about["teeth"]):
@@ -78,7 +89,7 @@ def outline(about, angle, roller):
     return points
 
 
-def still(frames):
+def still(frames: dict[str, Any]) -> str:
     """One instant as an svg element, for print."""
     x, y = (np.array(frames[axis][-1]) / 100. for axis in "xy")
     margin = 12.

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A report as one HTML file that needs nothing else."""
+from __future__ import annotations
+
 import base64
 import gzip
 import importlib.util
@@ -7,6 +9,8 @@ import json
 import os
 import pathlib
 import tempfile
+from collections.abc import Iterable, Sequence
+from typing import Any, Union
 
 from chaindrive.report import motion, svg
 from chaindrive.errors import RunError
@@ -14,12 +18,15 @@ from chaindrive.report.figure import Figure, as_data
 from chaindrive.report.parts import DAMAGE, of_other_files
 from chaindrive.report.text import escape, number, sentences
 
+#: What sections are made of: HTML, or a figure.
+Part = Union[str, Figure]
+
 HERE = pathlib.Path(__file__).resolve().parent
 DEBIAN = pathlib.Path("/usr/share/python3-plotly/plotly.js")
 LICENCES = pathlib.Path("/usr/share/doc/python3-plotly/copyright")
 
 
-def plotly():
+def plotly() -> pathlib.Path | None:
     """The file of plotly.js: Debian's, or that of the Python package plotly; None without."""
     if DEBIAN.exists():
         return DEBIAN
@@ -30,21 +37,24 @@ def plotly():
     return None
 
 
-def packed(data, level=6):
+def packed(data: bytes, level: int = 6) -> str:
+    """Bytes as a script of a page can hold them."""
     return base64.b64encode(gzip.compress(data, level, mtime=0)).decode()
 
 
 class Page:
     """Collects HTML and what the scripts draw."""
 
-    def __init__(self):
-        self.panels, self.films = [], []
+    def __init__(self) -> None:
+        self.panels: list[dict[str, Any]] = []
+        self.films: list[dict[str, Any]] = []
 
-    def figure(self, figure):
+    def figure(self, figure: Figure) -> str:
         """A figure as HTML: legend, panels with their still pictures, sentences in the place of what is missing."""
         if not figure.panels and not figure.missing:
             return ""
-        data, stills = [], []
+        data: list[dict[str, Any]] = []
+        stills: list[str] = []
         for panel in figure.panels:
             try:
                 data.append(json.loads(json.dumps(as_data(panel), allow_nan=False)))
@@ -65,7 +75,7 @@ class Page:
         out.append("</div>" + sentences(figure.missing, "missing") + "</figure>")
         return "".join(out)
 
-    def film(self, frames, title):
+    def film(self, frames: dict[str, Any], title: str) -> str:
         """The chain in motion."""
         json.dumps(frames, allow_nan=False)  # or it is damaged, before anything is made of it
         which = len(self.films)
@@ -80,7 +90,8 @@ class Page:
                 f'<p class="scale caption">tension of a link: <span>{number(frames["low"])} N</span><i style="{bars}"></i>'
                 f'<span>{number(frames["high"])} N</span></p></figure>')
 
-    def write(self, file, title, lead, sections):
+    def write(self, file: pathlib.Path, title: str, lead: str,
+              sections: Iterable[tuple[str, str, Sequence[Part]]]) -> None:
         """Writes the page with its `sections`: (key, title, parts), each part HTML or a Figure."""
         menu = "".join(f'<a href="#{key}">{escape(key.capitalize())}</a>' for key, _, _ in sections)
         body = []
@@ -112,7 +123,7 @@ class Page:
 MADE_BY = "Made by <code>chaindrive report</code>"
 
 
-def replace(file, page):
+def replace(file: pathlib.Path, page: str) -> None:
     """Puts a page in the place of an earlier one, all at once. RunError when anything else stands there."""
     if file.is_symlink() or (file.exists() and not file.is_file()):
         raise RunError(f"'{file}' is no file that a report could replace: --output takes the name of a new file, such as report.html.")
@@ -131,7 +142,7 @@ def replace(file, page):
         raise
 
 
-def _look(color, dash, kind):
+def _look(color: int, dash: int, kind: str) -> str:
     """A curve in a legend."""
     if kind in ("bars", "band"):
         return f'<svg viewBox="0 0 30 12" aria-hidden="true"><rect class="{"bar" if kind == "bars" else "band"} c{color % 8}" y="2" width="30" height="8"/></svg>'

@@ -1,29 +1,29 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What sections of a report are made of."""
-import dataclasses
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
 
 import numpy as np
 
 from chaindrive.errors import RunError
 from chaindrive.report.figure import Curve, Figure, Panel
+from chaindrive.report.foreign import ForeignRun
+from chaindrive.run import Array
 
-
-@dataclasses.dataclass
-class Section:
-    """A heading with HTML and figures, in the order of `parts`."""
-    key: str
-    title: str
-    parts: list = dataclasses.field(default_factory=list)
+T = TypeVar("T")
 
 
 class Subject:
     """A run in a report: its name there and its colour."""
 
-    def __init__(self, run, name, color):
+    def __init__(self, run: ForeignRun, name: str, color: int) -> None:
         self.run, self.name, self.color = run, name, color
 
 
-def of_each(subjects, make):
+def of_each(subjects: Sequence[Subject],
+            make: Callable[[Subject], T]) -> tuple[list[tuple[Subject, T]], list[str]]:
     """What `make(subject)` gives for those runs that can, and the sentences of those that cannot."""
     done, missing = [], []
     for subject in subjects:
@@ -40,18 +40,21 @@ def of_each(subjects, make):
 DAMAGE = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, OSError, RuntimeError, StopIteration)
 
 
-def of_other_files(error):
+def of_other_files(error: BaseException) -> str:
+    """A sentence on files that a reader does not expect."""
     return f"its files are damaged, or not as this version writes them ({type(error).__name__}: {error})."
 
 
-def together(subjects, key, title, sentence, x, y, curve_of, **axes):
+def together(subjects: Sequence[Subject], key: str, title: str, sentence: str, x: str, y: str,
+             curve_of: Callable[[ForeignRun], tuple[Array, Array]], **axes: Any) -> Figure:
     """A figure with a curve for each run on the same axes; `curve_of(run)` gives x and y."""
     done, missing = of_each(subjects, lambda subject: curve_of(subject.run))
     curves = [Curve(s.name if len(subjects) > 1 else "", px, py, s.color, s.color) for s, (px, py) in done]
     return Figure(key, title, sentence, [Panel(x, y, curves, **axes)], missing)
 
 
-def beside(subjects, key, title, sentence, panels_of):
+def beside(subjects: Sequence[Subject], key: str, title: str, sentence: str,
+           panels_of: Callable[[ForeignRun], list[Panel]]) -> Figure:
     """A figure with a panel or several for each run; `panels_of(run)` gives them. The panels of several runs have their names."""
     done, missing = of_each(subjects, lambda subject: panels_of(subject.run))
     panels = []
@@ -64,7 +67,7 @@ def beside(subjects, key, title, sentence, panels_of):
     return Figure(key, title, sentence, panels, missing)
 
 
-def finite(x, y):
+def finite(x: Array, y: Array) -> tuple[Array, Array]:
     """Without points that are no numbers."""
     good = np.isfinite(x) & np.isfinite(y)
     return np.asarray(x)[good], np.asarray(y)[good]

@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Panels as still pictures, for print and where no script runs. Colours are those of the page's style sheet."""
+from __future__ import annotations
+
 import html
 import math
 
 import numpy as np
+import numpy.typing as npt
 
-from chaindrive.report.figure import PRINTED, thin
+from chaindrive.report.figure import PRINTED, Curve, Panel, Range, thin
+from chaindrive.run import Array
 
 WIDTH, HEIGHT = 480, 290
 LEFT, RIGHT, TOP, BOTTOM = 58, 12, 12, 42
 DASHES = ("", "6 3", "2 2", "8 3 2 3", "1 3")
 
 
-def ticks(low, high, log, most=7):
+def ticks(low: float, high: float, log: bool, most: int = 7) -> list[float]:
     """Values on an axis at round numbers."""
     if log:
         first, last = math.floor(math.log10(low)), math.ceil(math.log10(high))
@@ -27,7 +31,8 @@ def ticks(low, high, log, most=7):
     return [value for value in found if low * (1 - 1e-9) <= value <= high * (1 + 1e-9) or not log]
 
 
-def label(value):
+def label(value: float) -> str:
+    """A number beside an axis."""
     text = f"{value:.6g}"
     return "0" if abs(value) < 1e-12 else text.replace("-", "−") if "e" not in text else text
 
@@ -35,19 +40,20 @@ def label(value):
 class Axis:
     """From values to points of the picture."""
 
-    def __init__(self, limits, log, start, end):
+    def __init__(self, limits: Range, log: bool, start: float, end: float) -> None:
         self.log, self.start, self.end = log, start, end
         self.low, self.high = limits
         self.ends = (math.log10(self.low), math.log10(self.high)) if log else limits
 
-    def __call__(self, values):
-        values = np.asarray(values, float)
+    def __call__(self, values: npt.ArrayLike) -> Array:
+        """Points of the picture; nan for what a logarithmic axis does not have."""
+        numbers: Array = np.asarray(values, float)
         if self.log:
-            values = np.log10(np.where(values > 0., values, np.nan))
-        return self.start + (self.end - self.start) * (values - self.ends[0]) / (self.ends[1] - self.ends[0])
+            numbers = np.log10(np.where(numbers > 0., numbers, np.nan))
+        return self.start + (self.end - self.start) * (numbers - self.ends[0]) / (self.ends[1] - self.ends[0])
 
 
-def path(x, y):
+def path(x: Array, y: Array) -> str:
     """Points as a path that is broken where there is no number."""
     words, pen = [], False
     for a, b in zip(x.tolist(), y.tolist()):
@@ -59,17 +65,18 @@ def path(x, y):
     return "".join(words)
 
 
-def draw(panel, name):
+def draw(panel: Panel, name: str) -> str:
     """The panel as an svg element; `name` is its own in the page."""
-    x, y = Axis(panel.x_range, panel.log_x, LEFT, WIDTH - RIGHT), Axis(panel.y_range, panel.log_y, HEIGHT - BOTTOM, TOP)
+    x_range, y_range = panel.ranges()
+    x, y = Axis(x_range, panel.log_x, LEFT, WIDTH - RIGHT), Axis(y_range, panel.log_y, HEIGHT - BOTTOM, TOP)
     out = [f'<svg class="still" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="{html.escape(panel.title or panel.y)}">',
            f'<clipPath id="{name}"><rect x="{LEFT}" y="{TOP}" width="{WIDTH - LEFT - RIGHT}" height="{HEIGHT - TOP - BOTTOM}"/></clipPath>']
     grid, texts = [], []
-    for value in ticks(*panel.x_range, panel.log_x):
+    for value in ticks(*x_range, panel.log_x):
         at = float(x(value))
         grid.append(f"M{at:.1f} {TOP}V{HEIGHT - BOTTOM}")
         texts.append(f'<text x="{at:.1f}" y="{HEIGHT - BOTTOM + 15}" text-anchor="middle">{label(value)}</text>')
-    for value in ticks(*panel.y_range, panel.log_y, 6):
+    for value in ticks(*y_range, panel.log_y, 6):
         at = float(y(value))
         grid.append(f"M{LEFT} {at:.1f}H{WIDTH - RIGHT}")
         texts.append(f'<text x="{LEFT - 6}" y="{at + 4:.1f}" text-anchor="end">{label(value)}</text>')
@@ -78,7 +85,7 @@ def draw(panel, name):
         out.append(_curve(curve, x, y, number, panel))
     out.append("</g>")
     for value, text in panel.marks:
-        if panel.x_range[0] <= value <= panel.x_range[1]:
+        if x_range[0] <= value <= x_range[1]:
             at = float(x(value))
             out.append(f'<path class="mark" d="M{at:.1f} {TOP}V{HEIGHT - BOTTOM}"/>'
                        f'<text class="mark" text-anchor="end" transform="translate({at - 3:.1f} {TOP + 2}) rotate(-90)">{html.escape(text)}</text>')
@@ -88,18 +95,19 @@ def draw(panel, name):
     return "".join(out)
 
 
-def _curve(curve, x, y, number, panel):
+def _curve(curve: Curve, x: Axis, y: Axis, number: int, panel: Panel) -> str:
     color = f"c{curve.color % 8}"
     if curve.kind == "bars":
         n = max(1, sum(c.kind == "bars" for c in panel.curves))
         which = sum(c.kind == "bars" for c in panel.curves[:number])
         at = x(curve.x)
         width = 0.8 * (np.min(np.abs(np.diff(at))) if len(at) > 1 else 40.) / n
-        foot = float(y(panel.y_range[0] if panel.log_y or panel.y_range[0] > 0. else min(max(0., panel.y_range[0]), panel.y_range[1])))
+        least, largest = panel.ranges()[1]
+        foot = float(y(least if panel.log_y or least > 0. else min(max(0., least), largest)))
         left = at + (which - n / 2) * width
         bars = "".join(f"M{a:.1f} {foot:.1f}V{b:.1f}h{width:.1f}V{foot:.1f}z" for a, b in zip(left, y(curve.y)) if math.isfinite(b))
         return f'<path class="bar {color}" d="{bars}"/>'
-    if curve.kind == "band":
+    if curve.kind == "band" and curve.low is not None:
         good = np.isfinite(curve.y) & np.isfinite(curve.low)
         up, down = path(x(curve.x[good]), y(curve.y[good])), path(x(curve.x[good][::-1]), y(curve.low[good][::-1]))
         return f'<path class="band {color}" d="{up}{down.replace("M", "L", 1)}z"/>'

@@ -22,6 +22,11 @@ public:
            start.scene.elements.formulation == parameters::Formulation::one_point;
   }
 
+  static Contents contents()
+  {
+    return {{}, {{"artificial_energy", "1", "energy of hourglass modes over that of all strain"}}};
+  }
+
   bool reads_contacts() const override { return false; }
 
   void update() override

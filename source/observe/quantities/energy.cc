@@ -47,16 +47,34 @@ public:
 
   static bool exists(const Observation &) { return true; }
 
+  static Contents contents()
+  {
+    Contents contents;
+    for (const Line &line : lines)
+      {
+        const std::string path = std::string("energy/") + line.name;
+        contents.histories.push_back({path, "J", line.description});
+        contents.summary.push_back({path, "J", line.description});
+      }
+    contents.histories.insert(
+        contents.histories.end(),
+        {{"energy/drive_work", "J", "Of the driver on the chain since the start"},
+         {"energy/resisting_work", "J", "Against the load torque since the start"},
+         {"energy/imbalance", "J", "Stored and lost less supplied: the error of the balance"}});
+    contents.summary.push_back({"drive_work", "J", "work of the driver"});
+    contents.summary.push_back({"resisting_work", "J", "work against the load"});
+    return contents;
+  }
+
   bool reads_contacts() const override { return false; }
 
   void add_channels(Channels &channels) override
   {
     const Ledger &ledger = now_.system.world.ledger;
-    const auto    term =
-        [&](const std::string &name, const std::string &description, double Ledger::*value) {
-          channels.add({"energy", name, "J", description},
-                       [&ledger, value](const Channels::Row row) { row[0] = ledger.*value; });
-        };
+    const auto    term   = [&](const std::string &name, double Ledger::*value) {
+      channels.add("energy/" + name,
+                   [&ledger, value](const Channels::Row row) { row[0] = ledger.*value; });
+    };
     const auto is_there = [this](const Line &line) {
       return line.effect == nullptr ||
              (line.effect == elastic ? now_.scene.has_elastic_bodies() :
@@ -65,12 +83,11 @@ public:
     };
     for (const Line &line : lines)
       if (is_there(line))
-        term(line.name, line.description, line.term);
-    term("drive_work", "Of the driver on the chain since the start", &Ledger::drive_work);
-    term("resisting_work", "Against the load torque since the start", &Ledger::resisting_work);
-    channels.add(
-        {"energy", "imbalance", "J", "Stored and lost less supplied: the error of the balance"},
-        [&ledger](const Channels::Row row) { row[0] = ledger.imbalance(); });
+        term(line.name, line.term);
+    term("drive_work", &Ledger::drive_work);
+    term("resisting_work", &Ledger::resisting_work);
+    channels.add("energy/imbalance",
+                 [&ledger](const Channels::Row row) { row[0] = ledger.imbalance(); });
   }
 
   void summarize(files::Json &summary) const override

@@ -80,6 +80,31 @@ public:
 
   static bool exists(const Observation &start) { return !start.scene.teeth.empty(); }
 
+  static Contents contents()
+  {
+    Contents contents;
+    contents.summary = {{"pitch_time_mean", "s", "time from engagement to engagement, mean"},
+                        {"engagements/*/sprocket", "", "driver or driven"},
+                        {"engagements/*/roller", "", "number of the joint"},
+                        {"engagements/*/time", "s", "first touch"},
+                        {"engagements/*/relative_speed", "m/s", "speed of roller against tooth"},
+                        {"engagements/*/normal_speed", "m/s", "normal speed of an impact"},
+                        {"engagements/*/peak_force", "N", "peak force of an impact"},
+                        {"engagements/*/impulse", "N s", "impulse of an impact"},
+                        {"engagements/*/complete", "", "whether the run went on for 1 ms"},
+                        {"impacts/*/number", "1", "impacts on a sprocket in the window"}};
+    for (const auto &[name, unit] : {std::make_pair("peak_force", "N"),
+                                     std::make_pair("impulse", "N s"),
+                                     std::make_pair("normal_speed", "m/s")})
+      for (const auto &[which, meaning] : {std::make_pair("mean", "mean"),
+                                           std::make_pair("deviation", "standard deviation"),
+                                           std::make_pair("largest", "largest")})
+        contents.summary.push_back({std::string("impacts/*/") + name + "/" + which,
+                                    unit,
+                                    std::string("of impacts in the window, ") + meaning});
+    return contents;
+  }
+
   void update() override
   {
     for (Sprocket &sprocket : sprockets_)

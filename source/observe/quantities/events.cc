@@ -95,6 +95,24 @@ public:
   /// Tensions are known where they are asked for anyway.
   bool reads_contacts() const override { return knows_tensions_; }
 
+  static Contents contents()
+  {
+    return {{},
+            {{"events/*/kind",
+              "",
+              "jumped, chain off, roller on a tip, tight span slack or above breaking"},
+             {"events/*/time", "s", "of the first one"},
+             {"events/*/sprocket", "", "driver or driven, of what happens at one"},
+             {"events/*/roller", "", "number of the joint, of a roller on a tip"},
+             {"events/*/span", "", "of a span that is slack"},
+             {"events/*/link", "", "number of the link, of one above breaking"},
+             {"events/*/ahead", "1", "teeth by which the chain is ahead at the end, of a jump"},
+             {"events/*/amount", "", "how much or how long, in its unit"},
+             {"events/*/unit", "", "teeth, s or N"},
+             {"events/*/in_window", "", "whether it was so in the window of the means"},
+             {"events/*/sentence", "", "what has happened"}}};
+  }
+
   void update() override
   {
     if (knows_tensions_)

@@ -13,12 +13,36 @@ namespace
 class Hubs : public Quantity
 {
 public:
-  explicit Hubs(const Observation &now)
-      : Quantity(now), statistics_(now, {{"driven_speed", "rad/s"}, {"driver_torque", "N m"}})
-  {
-  }
+  explicit Hubs(const Observation &now) : Quantity(now), statistics_(now, signals()) {}
 
   static bool exists(const Observation &start) { return !start.scene.sprockets.empty(); }
+
+  static Contents contents()
+  {
+    Contents contents;
+    for (const char *name : {"driver", "driven"})
+      {
+        const std::string path = std::string("hubs/") + name;
+        contents.histories.push_back(
+            {path + "_angle",
+             "rad",
+             "Rotation since the start, positive in the sense of the drive"});
+        contents.histories.push_back(
+            {path + "_speed", "rad/s", "Angular velocity in the sense of the drive"});
+      }
+    contents.histories.push_back(
+        {"hubs/driver_torque",
+         "N m",
+         "Torque that the drive supplies, the driver's own inertia excluded"});
+    contents.histories.push_back(
+        {"hubs/load_torque", "N m", "Torque of the load against the driven hub"});
+    contents.summary = WindowStatistics::members(signals());
+    contents.summary.insert(contents.summary.end(),
+                            {{"driven_angle_end", "rad", "angle of the driven sprocket at the end"},
+                             {"driven_speed_mean", "rad/s", "driven speed, mean"},
+                             {"driver_torque_mean", "N m", "driver torque, mean"}});
+    return contents;
+  }
 
   bool reads_contacts() const override { return false; }
 
@@ -29,23 +53,17 @@ public:
         const std::string  name  = sprocket.name();
         const unsigned int body  = sprocket.body;
         const int          sense = now_.scene.sense;
-        channels.add(
-            {"hubs",
-             name + "_angle",
-             "rad",
-             "Rotation since the start, positive in the sense of the drive"},
-            [this, body, sense](const Channels::Row row) { row[0] = sense * hub_of(body).angle; });
-        channels.add(
-            {"hubs", name + "_speed", "rad/s", "Angular velocity in the sense of the drive"},
-            [this, body, sense](const Channels::Row row) { row[0] = sense * hub_of(body).speed; });
+        channels.add("hubs/" + name + "_angle", [this, body, sense](const Channels::Row row) {
+          row[0] = sense * hub_of(body).angle;
+        });
+        channels.add("hubs/" + name + "_speed", [this, body, sense](const Channels::Row row) {
+          row[0] = sense * hub_of(body).speed;
+        });
       }
     const load::Loads &loads = now_.system.loads;
-    channels.add({"hubs",
-                  "driver_torque",
-                  "N m",
-                  "Torque that the drive supplies, the driver's own inertia excluded"},
+    channels.add("hubs/driver_torque",
                  [&loads](const Channels::Row row) { row[0] = loads.driver_torque(); });
-    channels.add({"hubs", "load_torque", "N m", "Torque of the load against the driven hub"},
+    channels.add("hubs/load_torque",
                  [&loads](const Channels::Row row) { row[0] = loads.load_torque(); });
   }
 
@@ -68,6 +86,11 @@ public:
   void serialize(const Archive &archive) override { statistics_.serialize(archive / "statistics"); }
 
 private:
+  static std::vector<WindowStatistics::Signal> signals()
+  {
+    return {{"driven_speed", "rad/s", "driven speed"}, {"driver_torque", "N m", "driver torque"}};
+  }
+
   const World::Hub &hub_of(const unsigned int body) const
   {
     return *std::find_if(now_.system.world.hubs.begin(),

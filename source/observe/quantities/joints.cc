@@ -27,6 +27,24 @@ public:
 
   static bool exists(const Observation &start) { return !start.scene.bores.empty(); }
 
+  static Contents contents()
+  {
+    Contents contents;
+    for (const char *name : {"roller_bush", "bush_pin"})
+      {
+        const std::string path = std::string("joints/") + name;
+        contents.histories.push_back({path + "_force", "N", "Normal force in the joint"});
+        contents.histories.push_back(
+            {path + "_force_peak", "N", "Its largest value since the last sample"});
+        contents.histories.push_back(
+            {path + "_gap", "m", "Smallest gap in the joint, negative: overlap"});
+      }
+    for (const char *name : {"roller-bush", "bush-pin"})
+      contents.summary.push_back(
+          {std::string("overlap_max/") + name, "m", "overlap of the two sides, largest"});
+    return contents;
+  }
+
   void add_channels(Channels &channels) override
   {
     const unsigned int n = now_.scene.n_joints;
@@ -34,23 +52,10 @@ public:
       {
         std::string name = kind.name;
         std::replace(name.begin(), name.end(), '-', '_');
-        channels.add(
-            {"joints", name + "_force", "N", "Normal force in the joint", n, labels_up_to(n)},
-            copy_of(kind.force));
-        channels.add({"joints",
-                      name + "_force_peak",
-                      "N",
-                      "Its largest value since the last sample",
-                      n,
-                      labels_up_to(n)},
-                     copy_of(kind.peak));
-        channels.add({"joints",
-                      name + "_gap",
-                      "m",
-                      "Smallest gap in the joint, negative: overlap",
-                      n,
-                      labels_up_to(n)},
-                     smallest_gaps_of(kind.families));
+        const std::vector<std::string> labels = labels_up_to(n);
+        channels.add("joints/" + name + "_force", labels, copy_of(kind.force));
+        channels.add("joints/" + name + "_force_peak", labels, copy_of(kind.peak));
+        channels.add("joints/" + name + "_gap", labels, smallest_gaps_of(kind.families));
       }
   }
 

@@ -18,22 +18,21 @@ public:
 
   static bool exists(const Observation &start) { return start.scene.n_joints > 0; }
 
+  static Contents contents()
+  {
+    return {{{"links/tension", "N", "Tension of the bar or link from joint k to joint k+1"},
+             {"links/tension_peak", "N", "Largest tension since the last sample"}},
+            {}};
+  }
+
   void add_channels(Channels &channels) override
   {
     const unsigned int n = now_.scene.n_joints;
-    channels.add({"links",
-                  "tension",
-                  "N",
-                  "Tension of the bar or link from joint k to joint k+1",
-                  n,
-                  labels_up_to(n)},
-                 [this](const Channels::Row row) {
-                   const std::vector<double> &tension = now_.spans().link_tension();
-                   std::copy(tension.begin(), tension.end(), row.begin());
-                 });
-    channels.add(
-        {"links", "tension_peak", "N", "Largest tension since the last sample", n, labels_up_to(n)},
-        copy_of(peak_));
+    channels.add("links/tension", labels_up_to(n), [this](const Channels::Row row) {
+      const std::vector<double> &tension = now_.spans().link_tension();
+      std::copy(tension.begin(), tension.end(), row.begin());
+    });
+    channels.add("links/tension_peak", labels_up_to(n), copy_of(peak_));
   }
 
   void update() override

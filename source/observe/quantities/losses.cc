@@ -30,6 +30,21 @@ public:
 
   static bool exists(const Observation &) { return true; }
 
+  static Contents contents()
+  {
+    return {{},
+            {{"losses/*/friction", "J", "lost by friction of an interface in the window"},
+             {"losses/*/damping", "J", "lost by damping of an interface in the window"},
+             {"losses/*/energy", "J", "lost by an interface, chain damping or drag in the window"},
+             {"losses/*/power", "W", "the same over the time of the window"},
+             {"window_energy/drive_work", "J", "work of the driver in the window"},
+             {"window_energy/resisting_work", "J", "work against the load in the window"},
+             {"window_energy/lost", "J", "lost in the window"},
+             {"window_energy/stored", "J", "stored at the end of the window less at its begin"},
+             {"window_energy/duration", "s", "time of the window"},
+             {"efficiency", "1", "efficiency in the window"}}};
+  }
+
   bool reads_contacts() const override { return false; }
 
   void update() override

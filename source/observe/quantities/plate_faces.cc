@@ -20,6 +20,11 @@ public:
 
   static bool exists(const Observation &start) { return !start.scene.faces.empty(); }
 
+  static Contents contents()
+  {
+    return {{}, {{"overlap_max/plate faces", "m", "overlap of the two sides, largest"}}};
+  }
+
   void update() override
   {
     for (Kind &kind : kinds_)

@@ -34,35 +34,42 @@ public:
         start.scene, start.system, {scene::Kind::inner_link, scene::Kind::outer_link});
   }
 
+  static Contents contents()
+  {
+    return {{{"plates/axial_stress",
+              "Pa",
+              "Stress along the link at the waist of a side plate, mean over the section"},
+             {"plates/bending_in_plane",
+              "Pa",
+              "Half of that at the outer edge less that at the edge towards the chain's inside"},
+             {"plates/bending_out_of_plane",
+              "Pa",
+              "Half of that in the outer face less that in the face towards the middle plane"},
+             {"plates/principal_1",
+              "Pa",
+              "Larger in-plane principal stress in the middle of the plate"},
+             {"plates/principal_2", "Pa", "The smaller one"}},
+            {}};
+  }
+
   bool reads_contacts() const override { return false; }
 
   void add_channels(Channels &channels) override
   {
     const unsigned int n   = now_.scene.n_joints;
     const auto         add = [&](const std::string &name,
-                         const std::string &description,
                          double WaistStress::*value,
                          const double         sign = 1.) {
-      channels.add({"plates", name, "Pa", description, n, labels_up_to(n)},
-                   [this, value, sign](const Channels::Row row) {
-                     for (unsigned int k = 0; k < stress_.size(); ++k)
-                       row[k] = sign * (stress_[k].*value);
-                   });
+      channels.add("plates/" + name, labels_up_to(n), [this, value, sign](const Channels::Row row) {
+        for (unsigned int k = 0; k < stress_.size(); ++k)
+          row[k] = sign * (stress_[k].*value);
+      });
     };
-    add("axial_stress",
-        "Stress along the link at the waist of a side plate, mean over the section",
-        &WaistStress::axial);
-    add("bending_in_plane",
-        "Half of that at the outer edge less that at the edge towards the chain's inside",
-        &WaistStress::in_plane,
-        now_.scene.sense);
-    add("bending_out_of_plane",
-        "Half of that in the outer face less that in the face towards the middle plane",
-        &WaistStress::out_of_plane);
-    add("principal_1",
-        "Larger in-plane principal stress in the middle of the plate",
-        &WaistStress::principal_1);
-    add("principal_2", "The smaller one", &WaistStress::principal_2);
+    add("axial_stress", &WaistStress::axial);
+    add("bending_in_plane", &WaistStress::in_plane, now_.scene.sense);
+    add("bending_out_of_plane", &WaistStress::out_of_plane);
+    add("principal_1", &WaistStress::principal_1);
+    add("principal_2", &WaistStress::principal_2);
   }
 
   /// Every rank looks at its own links and leaves zeros where others do.

@@ -22,46 +22,49 @@ public:
 
   static bool exists(const Observation &start) { return start.scene.n_joints > 0; }
 
+  static Contents contents()
+  {
+    Contents contents;
+    for (const std::string axis : {"x", "y"})
+      {
+        contents.histories.push_back({"rollers/position_" + axis, "m", "Centre of mass"});
+        contents.histories.push_back({"rollers/velocity_" + axis, "m/s", "Of the centre of mass"});
+        contents.histories.push_back(
+            {"rollers/acceleration_" + axis, "m/s2", "Of the centre of mass"});
+      }
+    contents.histories.push_back(
+        {"rollers/spin", "rad/s", "Angular velocity, counter-clockwise positive"});
+    return contents;
+  }
+
   bool reads_contacts() const override { return false; }
 
   void add_channels(Channels &channels) override
   {
-    const auto add = [&](const std::string &name,
-                         const std::string &unit,
-                         const std::string &description,
-                         const auto        &value_of) {
-      const unsigned int n = static_cast<unsigned int>(now_.rollers.size());
-      channels.add({"rollers", name, unit, description, n, labels_of(now_.rollers)},
-                   [this, value_of](const Channels::Row row) {
-                     std::transform(
-                         now_.rollers.begin(), now_.rollers.end(), row.begin(), value_of);
-                   });
+    const auto add = [&](const std::string &name, const auto &value_of) {
+      channels.add(
+          "rollers/" + name, labels_of(now_.rollers), [this, value_of](const Channels::Row row) {
+            std::transform(now_.rollers.begin(), now_.rollers.end(), row.begin(), value_of);
+          });
     };
     const std::vector<Frame> &frames = now_.system.world.frames;
     for (const unsigned int d : {0U, 1U})
       {
         const std::string axis = d == 0 ? "x" : "y";
-        add("position_" + axis, "m", "Centre of mass", [&frames, d](const unsigned int k) {
-          return frames[k].position[d];
-        });
-        add("velocity_" + axis, "m/s", "Of the centre of mass", [&frames, d](const unsigned int k) {
-          return frames[k].velocity[d];
-        });
+        add("position_" + axis,
+            [&frames, d](const unsigned int k) { return frames[k].position[d]; });
+        add("velocity_" + axis,
+            [&frames, d](const unsigned int k) { return frames[k].velocity[d]; });
         add("acceleration_" + axis,
-            "m/s2",
-            "Of the centre of mass",
             [this, d](const unsigned int k) { return acceleration_[3 * k + d]; });
       }
     if (std::all_of(now_.rollers.begin(), now_.rollers.end(), [this](const unsigned int k) {
           return turns(now_.scene.bodies[k]);
         }))
-      add("spin",
-          "rad/s",
-          "Angular velocity, counter-clockwise positive",
-          [this, &frames](const unsigned int k) {
-            return now_.system.world.moves_by_nodes(k) ? spin_of_nodes_[k] :
-                                                         frames[k].angular_velocity[2];
-          });
+      add("spin", [this, &frames](const unsigned int k) {
+        return now_.system.world.moves_by_nodes(k) ? spin_of_nodes_[k] :
+                                                     frames[k].angular_velocity[2];
+      });
   }
 
   /// Every rank looks at its own rollers that move by nodes and leaves zeros where others do.

@@ -16,6 +16,15 @@ public:
 
   static bool exists(const Observation &) { return true; }
 
+  static Contents contents()
+  {
+    return {{},
+            {{"contacts_missed",
+              "1",
+              "nodes that a search found to overlap without having been visited before"},
+             {"searches", "1", "searches for contacts"}}};
+  }
+
   bool reads_contacts() const override { return false; }
 
   void summarize(files::Json &summary) const override

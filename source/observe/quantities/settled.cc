@@ -24,6 +24,12 @@ public:
            start.parameters.loads.driver_speed > 0.;
   }
 
+  static Contents contents()
+  {
+    return {{},
+            {{"statistics/settled", "", "whether the drive had settled at the end of the window"}}};
+  }
+
   void update() override
   {
     const Window &window = now_.window();

@@ -18,25 +18,30 @@ class Shafts : public Quantity
 public:
   explicit Shafts(const Observation &now)
       : Quantity(now)
-      , statistics_(now,
-                    {{"driver_load", "N"},
-                     {"driver_load_direction", "rad"},
-                     {"driven_load", "N"},
-                     {"driven_load_direction", "rad"}})
+      , statistics_(now, signals())
       , shafts_({Shaft(now, parameters::Role::driver), Shaft(now, parameters::Role::driven)})
   {
   }
 
   static bool exists(const Observation &start) { return !start.scene.teeth.empty(); }
 
+  static Contents contents()
+  {
+    Contents contents;
+    for (const std::string name : {"driver", "driven"})
+      for (const char *axis : {"x", "y"})
+        contents.histories.push_back({"hubs/" + name + "_load_" + axis,
+                                      "N",
+                                      "Force of the chain on the " + name + " shaft"});
+    contents.summary = WindowStatistics::members(signals());
+    return contents;
+  }
+
   void add_channels(Channels &channels) override
   {
     for (const Shaft &shaft : shafts_)
       for (const unsigned int d : {0U, 1U})
-        channels.add({"hubs",
-                      shaft.name + (d == 0 ? "_load_x" : "_load_y"),
-                      "N",
-                      "Force of the chain on the " + shaft.name + " shaft"},
+        channels.add("hubs/" + shaft.name + (d == 0 ? "_load_x" : "_load_y"),
                      [&shaft, d](const Channels::Row row) { row[0] = shaft.load[d]; });
   }
 
@@ -60,6 +65,14 @@ public:
   }
 
 private:
+  static std::vector<WindowStatistics::Signal> signals()
+  {
+    return {{"driver_load", "N", "load of the driver's shaft"},
+            {"driver_load_direction", "rad", "direction of the load of the driver's shaft"},
+            {"driven_load", "N", "load of the driven shaft"},
+            {"driven_load_direction", "rad", "direction of the load of the driven shaft"}};
+  }
+
   struct Shaft
   {
     Shaft(const Observation &now, const parameters::Role role) : name(text_of(role))

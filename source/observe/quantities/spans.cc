@@ -17,45 +17,45 @@ constexpr double start_time = 10e-3;
 class SpansQuantity : public Quantity
 {
 public:
-  explicit SpansQuantity(const Observation &now)
-      : Quantity(now)
-      , statistics_(now,
-                    {{"span_speed", "m/s"},
-                     {"tight_tension", "N"},
-                     {"slack_tension", "N"},
-                     {"tight_offset", "m"},
-                     {"slack_offset", "m"}})
-  {
-  }
+  explicit SpansQuantity(const Observation &now) : Quantity(now), statistics_(now, signals()) {}
 
   static bool exists(const Observation &start) { return start.scene.n_joints > 0; }
 
+  static Contents contents()
+  {
+    Contents contents;
+    contents.histories = {
+        {"spans/tight_tension", "N", "Mean tension of the links in the middle of the tight span"},
+        {"spans/slack_tension", "N", "Mean tension of the links in the middle of the slack span"},
+        {"spans/tight_speed", "m/s", "Mean velocity of the tight span along itself"},
+        {"spans/tight_offset",
+         "m",
+         "Mean distance of the tight span's middle from the driver's axis along the span normal"},
+        {"spans/slack_offset",
+         "m",
+         "The same of the slack span, along its own normal and towards the tight span"}};
+    contents.summary = WindowStatistics::members(signals());
+    contents.summary.insert(contents.summary.end(),
+                            {{"span_speed_mean", "m/s", "speed of the tight span, mean"},
+                             {"tight_tension_mean", "N", "tension of the tight span, mean"},
+                             {"slack_tension_mean", "N", "tension of the slack span, mean"},
+                             {"tight_tension_max_start",
+                              "N",
+                              "tension of the tight span, largest in the first 10 ms"}});
+    return contents;
+  }
+
   void add_channels(Channels &channels) override
   {
-    const auto add = [&](const std::string &name,
-                         const std::string &unit,
-                         const std::string &description,
-                         double Spans::*value) {
-      channels.add({"spans", name, unit, description},
+    const auto add = [&](const std::string &name, double Spans::*value) {
+      channels.add("spans/" + name,
                    [this, value](const Channels::Row row) { row[0] = now_.spans().*value; });
     };
-    add("tight_tension",
-        "N",
-        "Mean tension of the links in the middle of the tight span",
-        &Spans::tight_tension);
-    add("slack_tension",
-        "N",
-        "Mean tension of the links in the middle of the slack span",
-        &Spans::slack_tension);
-    add("tight_speed", "m/s", "Mean velocity of the tight span along itself", &Spans::tight_speed);
-    add("tight_offset",
-        "m",
-        "Mean distance of the tight span's middle from the driver's axis along the span normal",
-        &Spans::tight_offset);
-    add("slack_offset",
-        "m",
-        "The same of the slack span, along its own normal and towards the tight span",
-        &Spans::slack_offset);
+    add("tight_tension", &Spans::tight_tension);
+    add("slack_tension", &Spans::slack_tension);
+    add("tight_speed", &Spans::tight_speed);
+    add("tight_offset", &Spans::tight_offset);
+    add("slack_offset", &Spans::slack_offset);
   }
 
   void update() override
@@ -85,6 +85,15 @@ public:
   }
 
 private:
+  static std::vector<WindowStatistics::Signal> signals()
+  {
+    return {{"span_speed", "m/s", "speed of the tight span"},
+            {"tight_tension", "N", "tension of the tight span"},
+            {"slack_tension", "N", "tension of the slack span"},
+            {"tight_offset", "m", "offset of the tight span"},
+            {"slack_offset", "m", "offset of the slack span"}};
+  }
+
   WindowStatistics statistics_;
   double           tight_tension_start_ = 0.; ///< largest, N
 };

@@ -26,26 +26,31 @@ public:
     return has_elastic(start.scene, start.system, {scene::Kind::roller});
   }
 
+  static Contents contents()
+  {
+    return {{{"rollers/surface_velocity_tangential",
+              "m/s",
+              "Of a node of the surface, along the tight span's direction of travel"},
+             {"rollers/surface_velocity_normal",
+              "m/s",
+              "Of a node of the surface, along the tight span's outward normal"}},
+            {}};
+  }
+
   bool reads_contacts() const override { return false; }
 
   void add_channels(Channels &channels) override
   {
-    const auto add = [&](const std::string          &name,
-                         const std::string          &direction,
-                         const dealii::Tensor<1, 3> &axis) {
-      channels.add({"rollers",
-                    "surface_velocity_" + name,
-                    "m/s",
-                    "Of a node of the surface, along the tight span's " + direction,
-                    static_cast<unsigned int>(now_.rollers.size()),
-                    labels_of(now_.rollers)},
+    const auto add = [&](const std::string &name, const dealii::Tensor<1, 3> &axis) {
+      channels.add("rollers/surface_velocity_" + name,
+                   labels_of(now_.rollers),
                    [this, axis](const Channels::Row row) {
                      for (unsigned int i = 0; i < velocity_.size(); ++i)
                        row[i] = velocity_[i] * axis;
                    });
     };
-    add("tangential", "direction of travel", now_.scene.span_direction);
-    add("normal", "outward normal", now_.scene.span_normal);
+    add("tangential", now_.scene.span_direction);
+    add("normal", now_.scene.span_normal);
   }
 
   /// Every rank looks at its own rollers and leaves zeros where others do.

@@ -21,47 +21,42 @@ public:
 
   static bool exists(const Observation &start) { return !start.scene.teeth.empty(); }
 
+  static Contents contents()
+  {
+    Contents contents;
+    for (const std::string name : {"driver", "driven"})
+      {
+        const std::string rollers = "rollers/" + name, teeth = "teeth/" + name,
+                          peak = "Its largest value since the last sample";
+        contents.histories.insert(
+            contents.histories.end(),
+            {{rollers + "_force", "N", "Normal force of the " + name + "'s teeth on the roller"},
+             {rollers + "_force_peak", "N", peak},
+             {rollers + "_gap",
+              "m",
+              "Gap to the " + name + "'s teeth, negative: overlap; NaN out of reach"},
+             {teeth + "_force", "N", "Normal force in each gap between two teeth"},
+             {teeth + "_force_peak", "N", peak}});
+        contents.summary.push_back(
+            {"overlap_max/roller-" + name, "m", "overlap of the two sides, largest"});
+      }
+    return contents;
+  }
+
   void add_channels(Channels &channels) override
   {
     const unsigned int n = now_.scene.n_joints;
     for (const ToothForces &forces : sprockets_)
       {
-        const auto add = [&](const std::string    &group,
-                             const std::string    &name,
-                             const std::string    &description,
-                             const unsigned int    columns,
-                             const Channels::Fill &fill,
-                             const std::string    &unit = "N") {
-          channels.add(
-              {group, forces.name + name, unit, description, columns, labels_up_to(columns)}, fill);
-        };
-        const unsigned int gaps = static_cast<unsigned int>(forces.in_gap.size());
-        add("rollers",
-            "_force",
-            "Normal force of the " + forces.name + "'s teeth on the roller",
-            n,
-            copy_of(forces.roller));
-        add("rollers",
-            "_force_peak",
-            "Its largest value since the last sample",
-            n,
-            copy_of(forces.roller_peak));
-        add("rollers",
-            "_gap",
-            "Gap to the " + forces.name + "'s teeth, negative: overlap; NaN out of reach",
-            n,
-            smallest_gaps_of(forces.families),
-            "m");
-        add("teeth",
-            "_force",
-            "Normal force in each gap between two teeth",
-            gaps,
-            copy_of(forces.in_gap));
-        add("teeth",
-            "_force_peak",
-            "Its largest value since the last sample",
-            gaps,
-            copy_of(forces.in_gap_peak));
+        const std::vector<std::string> joints = labels_up_to(n),
+                                       gaps   = labels_up_to(
+                                           static_cast<unsigned int>(forces.in_gap.size()));
+        const std::string rollers = "rollers/" + forces.name, teeth = "teeth/" + forces.name;
+        channels.add(rollers + "_force", joints, copy_of(forces.roller));
+        channels.add(rollers + "_force_peak", joints, copy_of(forces.roller_peak));
+        channels.add(rollers + "_gap", joints, smallest_gaps_of(forces.families));
+        channels.add(teeth + "_force", gaps, copy_of(forces.in_gap));
+        channels.add(teeth + "_force_peak", gaps, copy_of(forces.in_gap_peak));
       }
   }
 

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/files/json.h>
+
+namespace chaindrive::observe
+{
+/// All histories and all members of the summary that runs may have, whatever their fidelity:
+/// `histories` and `summary`, each with a member for each files::Described::path, of `unit`,
+/// `description` and, where Output/Quantities decides on it, `quantities`, the word that asks for
+/// it.
+files::Json schema();
+} // namespace chaindrive::observe

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What histories and summaries of runs may hold, as the program says it: `chaindrive document --schema`.
+
+HISTORIES and SUMMARY have a member for each path: a dictionary of `unit`, `description` and, where
+Output/Quantities decides on it, `quantities`, the words that ask for it. In a path of the summary a star
+stands for any name, or any place in a list: "engagements/*/time".
+"""
+from __future__ import annotations
+
+import json
+import pathlib
+from typing import Any
+
+_SCHEMA = json.loads(pathlib.Path(__file__).with_name("schema.json").read_text(encoding="utf-8"))
+
+HISTORIES: dict[str, dict[str, Any]] = _SCHEMA["histories"]
+SUMMARY: dict[str, dict[str, Any]] = _SCHEMA["summary"]
+
+
+def about(member: str) -> tuple[str, str]:
+    """Unit and description of a member of the summary."""
+    return SUMMARY[member]["unit"], SUMMARY[member]["description"]
+
+
+def below(path: str) -> dict[str, str]:
+    """Names and units of the members of a path of the summary, such as "engagements/*"."""
+    start = path + "/"
+    return {name.removeprefix(start): one["unit"] for name, one in SUMMARY.items() if name.startswith(start)}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/facts.h>
+#include <chaindrive/observe/quantity.h>
+#include <chaindrive/observe/schema.h>
+
+namespace chaindrive::observe
+{
+namespace
+{
+/// Members of the summary that no quantity writes.
+std::vector<files::Described> members_of_every_run()
+{
+  return {{"energy_turned_over",
+           "J",
+           "half of the sum of the magnitudes of all terms of the energy balance, largest"},
+          {"energy_imbalance_max", "1", "error of the energy balance, largest"},
+          {"momentum_imbalance_max", "1", "error of the balance of momentum, largest"},
+          {"energy_jump_max", "1", "jump of the energy balance in 16 steps, largest"},
+          {"checks/*/name", "", "design check that warns"},
+          {"checks/*/severity", "", "warning"},
+          {"checks/*/sentence", "", "what it says"},
+          {"stable_step", "s", "largest stable time step"},
+          {"step", "s", "time step"},
+          {"steps", "1", "time steps"},
+          {"window/start", "s", "begin of the window of the means"},
+          {"window/end", "s", "end of the window of the means"},
+          {"window/settled", "", "whether a window that waits for the drive to settle has begun"},
+          {"window/judged_pitches", "1", "pitch times over which settling is judged"},
+          {"window/valid", "", "whether no event lies in the window"},
+          {"ranks", "1", "MPI ranks"},
+          {"memory_peak", "B", "memory of all ranks, largest"},
+          {"wall_seconds", "s", "elapsed time"},
+          {"cpu_seconds/*", "s", "CPU time of all ranks in a phase, and in all together: total"}};
+}
+
+void add(files::Json                         &list,
+         const std::vector<files::Described> &described,
+         const std::string                   &quantities)
+{
+  for (const files::Described &one : described)
+    {
+      files::Json &entry = list[one.path];
+      if (entry.is_null())
+        entry = {{"unit", one.unit}, {"description", one.meaning}};
+      if (!quantities.empty()) // some members are of several
+        entry["quantities"].push_back(quantities);
+    }
+}
+} // namespace
+
+files::Json schema()
+{
+  files::Json histories = files::Json::object(), summary = files::Json::object();
+  histories["time"] = {{"unit", "s"}, {"description", "Time of each sample"}};
+  for (const auto &[group, contents] : all_contents())
+    {
+      const std::string word = group ? text_of(*group) : "";
+      add(histories, contents.histories, word);
+      add(summary, contents.summary, word);
+    }
+  add(summary, members_of_every_run(), "");
+  add(summary, drive::described_facts(), "");
+  return {{"histories", histories}, {"summary", summary}};
+}
+} // namespace chaindrive::observe
