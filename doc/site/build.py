@@ -64,7 +64,7 @@ def main():
     for name in arguments.drives:
         if name not in gallery.DRIVES:
             fail(f"--drives: '{name}' is none of {', '.join(gallery.DRIVES)}")
-    version = re.search(r"project\(chaindrive VERSION ([\d.]+)", (REPOSITORY / "CMakeLists.txt").read_text())[1]
+    version = (REPOSITORY / "VERSION").read_text().strip()
     began, output = time.monotonic(), arguments.output.resolve()
     work = output.with_name(output.name + ".work")
     for name in ("pages", "api", "extra", "doctrees", "new"):

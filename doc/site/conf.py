@@ -9,7 +9,7 @@ CONTENTS = pathlib.Path(os.environ["CHAINDRIVE_CONTENTS"])  # the lists of pages
 
 project = "chaindrive"
 copyright = "the chaindrive developers, LGPL 2.1 or later"  # the name that Sphinx asks for
-version = release = re.search(r"project\(chaindrive VERSION ([\d.]+)", (REPOSITORY / "CMakeLists.txt").read_text())[1]
+version = release = (REPOSITORY / "VERSION").read_text().strip()
 language = "en"
 
 extensions = ["myst_parser", "sphinx.ext.mathjax"]

@@ -161,7 +161,7 @@ def habits():
     used = set(re.findall(r"\$\{(\w+)_packages\[@\]\}", lines))
     uses = {line.split()[0] for line in (REPOSITORY / "packaging/packages.txt").read_text().splitlines() if line and not line.startswith("#")}
     check(used and used <= uses, f"the development container asks for packages of {sorted(used - uses)}")
-    version = re.search(r"project\(chaindrive VERSION ([\d.]+)", (REPOSITORY / "CMakeLists.txt").read_text())[1]
+    version = (REPOSITORY / "VERSION").read_text().strip()
     check(f"\nversion: {version}\n" in (REPOSITORY / "CITATION.cff").read_text(), f"CITATION.cff is not of version {version}")
     check("\n## [Unreleased]\n" in (REPOSITORY / "CHANGELOG.md").read_text(), "CHANGELOG.md has no [Unreleased]")
 

@@ -99,7 +99,7 @@ def site():
     search = (pages / "searchindex.js").read_text()
     check(all(word in search for word in ("hourglass", "checkpoint", "clearanc")), "words are missing in the search")
     check(list((pages / "api/search").glob("all_*.js")), "the reference has no search")
-    version = re.search(r"project\(chaindrive VERSION ([\d.]+)", (REPOSITORY / "CMakeLists.txt").read_text())[1]
+    version = (REPOSITORY / "VERSION").read_text().strip()
     check(f"chaindrive {version}" in (pages / "index.html").read_text() and version in (pages / "api/index.html").read_text(), "the version is missing")
 
     import api
