@@ -123,6 +123,9 @@ def tokens(text):
     for match in TOKEN.finditer(text):
         token, around = match.group(), text[max(match.start() - 1, 0) : match.end() + 1].split(match.group())
         if match["operator"] in ("+", "-", "+=", "-="):
+            sides = text[max(match.start() - 80, 0) : match.start()], text[match.end() : match.end() + 80]
+            if sides[0].rstrip()[-1:] == '"' or sides[1].lstrip()[:1] == '"':
+                continue  # of texts
             found.append(("sign", match.start(), token))
         elif match["operator"] in OPPOSITE and all(part.isspace() for part in around):
             found.append(("comparison", match.start(), token))
@@ -412,16 +415,20 @@ class Record:
         new.replace(self.path)
 
 
-def without_changes(tests, names, record):
-    """How long each test takes, whether it passes and what it reaches, with an empty cache."""
+def without_changes(tests, names, record, limit=3600.0):
+    """How long each test takes, whether it passes in time and what it reaches, with an empty cache."""
     for name in names:
-        if name not in record.data:
+        known = record.data.get(name)
+        if known is None or (known["stopped"] and known["seconds"] < limit):
             tests.empty_cache()
-            passed, seconds = tests.run(name, trace=True)
-            record.data[name] = {"passed": passed, "seconds": seconds, "reached": tests.reached()}
+            passed, seconds = tests.run(name, limit=limit, trace=True)
+            stopped = not passed and seconds >= limit
+            found = {"passed": passed, "seconds": seconds, "stopped": stopped}
+            record.data[name] = {**found, "reached": tests.reached()}
             record.save()
             if not passed:
-                print(f"{name} fails without any change: left out", flush=True)
+                why = "takes too long" if stopped else "fails"
+                print(f"{name} {why} without any change: left out", flush=True)
 
 
 def try_changes(tests, names, normal, results, number):
@@ -499,7 +506,8 @@ def main():
             fail(f"{', '.join(changed)} changed since the places were drawn: choose another folder")
     else:
         copy(root, folder, names, [])
-        configure(folder)
+        if not (folder / "build/compile_commands.json").exists():
+            configure(folder)
         places = draw(folder, sources, options.number, options.seed)
         texts = {place["file"]: old[place["file"]] for place in places}
         chosen.data = {"asked": asked, "places": places, "texts": texts}
@@ -508,6 +516,7 @@ def main():
     if options.only_draw:
         return
     copy(root, folder, names, places)
+    configure(folder)
     call("nice", "-n", "19", "ninja", "-C", folder / "build", "-j", options.jobs, *options.targets.split())
 
     tests = Tests(folder, options.exclude)
@@ -521,17 +530,15 @@ def main():
     without_changes(tests, quick, normal)
     try_changes(tests, quick, normal.data, results, len(places))
     if options.longest:
-        without_changes(tests, sorted(tests.long), normal)
-        short = [name for name in tests.long if normal.data[name]["seconds"] <= options.longest]
-        try_changes(tests, short, normal.data, results, len(places))
+        without_changes(tests, sorted(tests.long), normal, options.longest)
+        try_changes(tests, tests.long, normal.data, results, len(places))
     report(places, tests, normal, results)
 
 
 def configure(folder):
-    """CMake's files, unless they are there: ninja sees whether they are old."""
-    if not (folder / "build/build.ninja").exists():
-        compile_commands = "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"
-        call("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build", compile_commands)
+    """CMake finds new tests."""
+    compile_commands = "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"
+    call("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build", compile_commands)
 
 
 if __name__ == "__main__":
