@@ -32,7 +32,9 @@ int main()
   std::size_t  first = 0;
   while (driver[first] < begin)
     ++first;
-  test::range("pitches before the window", begin / pitch_angle, 1., 100.);
+  const double prescribed = 6. * (hubs["time"][last] - 0.5 * 0.15); // a ramp of 150 ms
+  test::range(
+      "driver's angle at the end / prescribed", driver[last] / prescribed, 1. - 1e-6, 1. + 1e-6);
 
   // Mean ratio: how far the driven sprocket is ahead of 15/42 of the driver's angle, averaged over
   // the first and over the last of the pitches, since the driven inertia rings on the tight span.
