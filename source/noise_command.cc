@@ -259,7 +259,7 @@ checked_site(const drive::Drive &drive, const drive::Facts &facts, const Paramet
     throw InputError(
         "Acoustics/Noise: the driver stands still, with Loads/Driver speed in rad/s = 0: "
         "there are no pitch times.");
-  const acoustics::Site site = make_site(drive, facts);
+  acoustics::Site site = make_site(drive, facts);
   acoustics::check_site(parameters.acoustics, site);
   return site;
 }

@@ -139,7 +139,7 @@ std::vector<std::string> similar(const std::string &name, const std::vector<std:
       whole.push_back(candidate);
       quantities.push_back(Name(candidate).quantity);
     }
-  if (const std::vector<std::string> begun = names_begun_with(name, whole); !begun.empty())
+  if (std::vector<std::string> begun = names_begun_with(name, whole); !begun.empty())
     return begun;
   if (const std::string nearest = nearest_name(name, whole); !nearest.empty())
     return {nearest};

@@ -7,6 +7,9 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <cmath>
+#include <memory>
+#include <set>
+#include <vector>
 
 namespace chaindrive::statics
 {
@@ -91,6 +94,43 @@ void attach_link_manifolds(dealii::Triangulation<3> &mesh,
         if (const unsigned int c = cylinder_of(face); c > 0)
           face->set_all_manifold_ids(c);
       }
+}
+
+/// The vertices of a face, by which cells find it whatever its number and direction.
+std::set<unsigned int> vertices_of(const mesh::CellIterator &cell, const unsigned int f)
+{
+  std::set<unsigned int> vertices;
+  for (const unsigned int v : cell->face(f)->vertex_indices())
+    vertices.insert(cell->face(f)->vertex_index(v));
+  return vertices;
+}
+
+/// The same mesh with the vertices of each cell in an order by which opposite edges run the same
+/// way in all cells: for others deal.II 9.4 tells p4est wrongly which edges are the same. Their
+/// refinement would not keep cells at such an edge within a level of each other.
+std::unique_ptr<dealii::Triangulation<3>> in_order(const dealii::Triangulation<3> &mesh)
+{
+  std::vector<dealii::CellData<3>> cells;
+  for (const auto &cell : mesh.active_cell_iterators())
+    {
+      dealii::CellData<3> data;
+      data.material_id = cell->material_id();
+      for (const unsigned int v : cell->vertex_indices())
+        data.vertices[v] = cell->vertex_index(v);
+      cells.push_back(data);
+    }
+  dealii::GridTools::consistently_order_cells(cells);
+  auto result = std::make_unique<dealii::Triangulation<3>>();
+  result->create_triangulation(mesh.get_vertices(), cells, dealii::SubCellData());
+  for (const auto &cell : result->active_cell_iterators())
+    {
+      const mesh::CellIterator original = mesh::cell_at(mesh, cell->active_cell_index());
+      for (const unsigned int f : cell->face_indices())
+        for (const unsigned int g : original->face_indices())
+          if (cell->face(f)->at_boundary() && vertices_of(cell, f) == vertices_of(original, g))
+            cell->face(f)->set_boundary_id(original->face(g)->boundary_id());
+    }
+  return result;
 }
 
 drive::Plate plate_of(const drive::ChainDimensions &chain, const bool inner)
@@ -190,6 +230,7 @@ Piece rim_sector(const drive::ToothForm    &form,
   piece.mesh = mesh::cut_out(*part.mesh, chosen, [](const mesh::CellIterator &beyond) {
     return beyond->material_id() == mesh::hub_zone ? mesh::hub : mesh::other_surface;
   });
+  piece.mesh = in_order(*piece.mesh);
   for (const auto &cell : piece.mesh->active_cell_iterators())
     for (const unsigned int f : cell->face_indices())
       if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == mesh::middle_plane)

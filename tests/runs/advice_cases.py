@@ -232,7 +232,7 @@ def quantities():
     yield ("needs the motion of all rollers, .*; choose all", {**noise, O + "Rollers": "1,2"}, [{O + "Rollers": "all"}])
     yield ("needs pitch times, but Loads/Driver speed in rad/s = 0[;.]", {**noise, SPEED: 0}, [{SPEED: 100}, {A + "Noise": "off"}])
     for interval in (31, 17, 7.3):
-        yield (rf"Highest frequency in kHz = 100 is too high: .* tell of {NUMBER} kHz at most. Choose a lower one, or run with a shorter interval",
+        yield (rf"Highest frequency in kHz = 100 is too high: .* tells of {NUMBER} kHz at most. Choose a lower one, or run with a shorter Output/History interval",
                {**noise, O + "History interval in us": interval, A + "Highest frequency in kHz": 100},
                [{A + "Highest frequency in kHz": r"\1"}, {O + "History interval in us": 2}])
     yield (rf"tell nothing of the tooth frequency of .* Hz. Run with an interval of at most {NUMBER}\.",
