@@ -23,13 +23,11 @@ namespace
 /// prints it from runs.
 constexpr double change_of_elastic = 1.22;
 
-/// Ends a run after some CPU time. Not timed are its first steps, in which everything is touched
-/// for the first time.
+/// Ends a run after a quarter of a second of CPU time, or where that were too few steps after a
+/// second. Not timed are its first steps, in which everything is touched for the first time.
 class Stopwatch : public dynamics::Observer
 {
 public:
-  explicit Stopwatch(const double seconds) : seconds_(seconds) {}
-
   bool observe(dynamics::System &system, const unsigned long step, const double) override
   {
     if (step < first || step % 4 != 0)
@@ -40,7 +38,8 @@ public:
     last_ = step;
     end_  = now;
     // every rank asks, so that all stop at the same step
-    return dealii::Utilities::MPI::max(now - begin_, system.world.communicator()) < seconds_;
+    const double spent = dealii::Utilities::MPI::max(now - begin_, system.world.communicator());
+    return spent < (steps() < enough ? longest : shortest);
   }
 
   std::string name() const override { return "stopwatch"; }
@@ -49,9 +48,9 @@ public:
   double        seconds() const { return end_ - begin_; }
 
 private:
-  static constexpr unsigned long first = 8;
+  static constexpr unsigned long first = 8, enough = 32;
+  static constexpr double        shortest = 0.25, longest = 1.; // s
 
-  const double  seconds_;
   unsigned long last_  = 0;
   double        begin_ = 0., end_ = 0.;
 };
@@ -110,14 +109,13 @@ void time_outputs(Simulation &simulation, Cost &cost)
 
 Cost measure_cost(Simulation                     &simulation,
                   const std::vector<std::string> &folders,
-                  const double                    before,
-                  const double                    timed)
+                  const double                    before)
 {
   const MPI_Comm comm = simulation.communicator();
   Cost           cost;
   cost.steps = simulation.n_steps();
 
-  Stopwatch stopwatch(timed);
+  Stopwatch stopwatch;
   simulation.run({&stopwatch});
   cost.timed = stopwatch.steps();
   cost.step  = sum(stopwatch.seconds(), comm) / std::max(1UL, cost.timed);

@@ -170,7 +170,7 @@ files::Json prepare(const Run &run, const bool all, const Estimating &estimating
   if (estimating.folder.empty())
     return {};
   ::setenv("TMPDIR", estimating.folder.c_str(), 1); // of a process that ends with this check
-  const Cost cost = measure_cost(simulation, {"."}, estimating.cpu, 0.25);
+  const Cost cost = measure_cost(simulation, {"."}, estimating.cpu);
   return {{"cpu", cost.total()}, {"memory", cost.memory + estimating.memory}};
 }
 

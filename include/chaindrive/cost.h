@@ -30,15 +30,12 @@ struct Cost
   double total() const { return start_up + loop() + outputs(); }
 };
 
-/// Runs the first steps of @p simulation, which has not begun, for @p timed seconds of CPU time of
+/// Runs the first steps of @p simulation, which has not begun, for at most a second of CPU time of
 /// each rank, takes a few samples and a picture, and removes them. Leaves the simulation where it
 /// has come to. Then prepares another one from the same @p folders: what the first had to compute
 /// for all runs of its kind (statics/cache.h) is no cost of a run. @p before: CPU time of this
 /// process until it began to prepare [s]. Collective.
-Cost measure_cost(Simulation                     &simulation,
-                  const std::vector<std::string> &folders,
-                  double                          before,
-                  double                          timed = 1.);
+Cost measure_cost(Simulation &simulation, const std::vector<std::string> &folders, double before);
 
 /// The sentence of the plan.
 void print(std::ostream &out, const Cost &cost, int ranks);

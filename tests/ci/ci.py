@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """ci.py CASE CTEST: what forges are told to do, and what is done before a commit.
 
-  forges  both forges do the same: all tests on Debian 12 and 13 with both compilers, a Debug build, sanitizers at night, the pages; every script
-          and option that they call exists, and what they keep is what was written
+  forges  both forges do the same: the tests on Debian 12 and 13 with both compilers, a Debug build, at night all tests and sanitizers, the pages;
+          every script and option that they call exists, and what they keep is what was written
   wrong   changes of these files that would leave something out, or call what is not there, are found
   habits  presets, hooks before a commit, templates and the development container name what exists
 
@@ -48,7 +48,7 @@ def options_of(script, known={}):
 
 def faults(jobs):
     """What is wrong with the jobs of one forge, one line each."""
-    out, tests, debug, sanitized, pages = [], set(), False, set(), False
+    out, tests, debug, night, pages = [], set(), False, {"--sanitize": set(), "--all": set()}, False
     for job in jobs:
         if job.image not in ("debian:12", "debian:13"):
             out.append(f"{job.name}: the image {job.image}")
@@ -74,11 +74,11 @@ def faults(jobs):
                 continue
             if words[-2:] != ["--output-junit", job.junit] or job.junit not in job.artifacts:
                 out.append(f"{job.name}: the results are in {words[-1:]}, and {job.artifacts} are kept")
-            if "--sanitize" in words:
+            for option in night.keys() & set(words):
                 if not job.nightly:
-                    out.append(f"{job.name}: the sanitizers are for the night")
-                sanitized.add(job.image)
-            elif job.nightly:
+                    out.append(f"{job.name}: {option} is for the night")
+                night[option].add(job.image)
+            if night.keys() & set(words) or job.nightly:
                 continue
             elif "--debug" in words:
                 debug = True
@@ -86,7 +86,7 @@ def faults(jobs):
                 tests.add((job.image, job.environment.get("CXX")))
     for image in ("debian:12", "debian:13"):
         out += [f"no tests on {image} with {compiler}" for compiler in ("g++", "clang++") if (image, compiler) not in tests]
-        out += [] if image in sanitized else [f"no sanitizers on {image}"]
+        out += [f"no {option} on {image}" for option, images in night.items() if image not in images]
     return out + ([] if debug else ["no Debug build"]) + ([] if pages else ["no pages"])
 
 
@@ -113,8 +113,8 @@ def wrong():
             (forges.GITHUB[0], "--debug", "--debugging", "--debugging"), (forges.GITHUB[0], "path: results/ctest.xml", "path: results/tests.xml", "are kept"),
             (forges.GITHUB[0], "./site --output results/site", "./site --output results/pages", "are kept"),
             (forges.GITHUB[0], "mkdir -p results\n", "if true\n", "syntax error"), (forges.GITHUB[0], "git ca-certificates", "git ca-certificate", "ca-certificate"),
-            (night, "debian: [12, 13]", "debian: [13]", "no sanitizers on debian:12"), (night, "schedule:\n    - cron: \"17 2 * * *\"\n", "push:\n", "night"),
-            (night, "--sanitize", "", "no sanitizers"),
+            (night, "debian: [12, 13]", "debian: [13]", "no --sanitize on debian:12"), (night, "schedule:\n    - cron: \"17 2 * * *\"\n", "push:\n", "night"),
+            (night, "--sanitize", "", "no --sanitize"), (night, "--all", "", "no --all"),
             (forges.GITLAB, 'DEBIAN: ["12", "13"]\n        CXX', 'DEBIAN: ["13"]\n        CXX', "debian:12 with"),
             (forges.GITLAB, "--output-junit", "--junit", "--junit"), (forges.GITLAB, "junit: results/ctest.xml", "junit: results/a.xml", "are kept"),
             (forges.GITLAB, "--debug", "", "no Debug"), (forges.GITLAB, "./site --output results/site", "echo none", "no pages")):

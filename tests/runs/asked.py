@@ -88,7 +88,7 @@ def irrelevant():
         (layered, {"Loads/Gravity in m/s2": 0}, {"Effects/Gravity": "off"}),
         (layered, {"Contact/Friction coefficient": 0}, {"Effects/Friction": "off"}),
         (layered, {"Contact/Damping ratio": 0}, {"Effects/Contact damping": "off"}),
-        ({**ELASTIC, **step, "Model/Half model": "false"}, {"Contact/Plate faces": "on"}, {"Contact/Plate faces": "off"}),
+        ({**ELASTIC, **step, "Model/Half model": "false", "Time/End time in ms": 0.05}, {"Contact/Plate faces": "on"}, {"Contact/Plate faces": "off"}),
     ):
         run("on", {**entries, **on})
         run("off", {**entries, **off})
