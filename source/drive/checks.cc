@@ -248,7 +248,7 @@ struct Checks
             later(from + least_window_swings / facts.driven_frequency) +
             ", or Output/Window start in ms = settled.");
     const bool   settled = p.drive.layout.start == parameters::Start::settled;
-    const double over    = p.time.start + (settled ? 0. : p.loads.ramp_time) + facts.pitch_time;
+    const double over    = facts.full_speed_from + facts.pitch_time;
     add(!settled && from < over,
         "start_up",
         "The window begins at " + ms(from) + ", but the start-up is not over before " +

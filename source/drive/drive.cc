@@ -273,7 +273,10 @@ Drive make_drive(const Parameters  &parameters,
   const parameters::Capabilities model     = parameters.model.capabilities();
 
   Drive d;
-  d.chain = make_chain(parameters.drive.chain, parameters.effects);
+  d.programs = make_programs(parameters.loads,
+                             parameters.time.start,
+                             parameters.drive.layout.start == parameters::Start::settled);
+  d.chain    = make_chain(parameters.drive.chain, parameters.effects);
   for (const auto &[role, name] : parameters::texts_of<Role>)
     d.sprockets.push_back(make_sprocket(role, sprockets, d.chain));
   append(d.notes, d.chain.derived);

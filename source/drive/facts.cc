@@ -142,12 +142,11 @@ double kept_tension(const Facts &facts, const Parameters &p, const Drive &d, con
 /// driver pulls all of the chain that does not sit on it.
 double start_tension(const Facts &facts, const Parameters &p, const Drive &d)
 {
-  if (p.drive.layout.start == parameters::Start::settled || p.loads.ramp_time <= 0.)
+  const double steepest = d.programs.speed->steepest(p.time.start, p.time.end); // rad/s2
+  if (steepest == 0.)
     return 0.;
-  const bool   cosine = p.loads.speed_ramp == parameters::SpeedRamp::cosine;
-  const double of_chain =
-      facts.chain_speed / p.loads.ramp_time * (cosine ? 0.5 * PI : 1.); // acceleration, m/s2
-  const double radius = 0.5 * facts.sprockets[1].pitch_diameter;
+  const double of_chain = facts.chain_speed / p.loads.driver_speed * steepest; // m/s2
+  const double radius   = 0.5 * facts.sprockets[1].pitch_diameter;
   const double mass =
       facts.mass_per_metre * facts.loaded_pitch * (facts.links - d.layout.sprockets.front().seats);
   return facts.effective_tension + of_chain * (mass + facts.driven_inertia / (radius * radius));
@@ -270,8 +269,9 @@ Facts make_facts(const Parameters &p, const Drive &d)
   // the spans include the angle by which either wrap differs from half a turn
   const double between = facts.sprockets[1].wrap - PI;
   facts.shaft_load = std::sqrt(tight * tight + kept * kept + 2. * tight * kept * std::cos(between));
-  facts.driven_inertia = p.model.driven_inertia.value_or(d.with(Role::driven).solid.inertia[2][2]);
-  facts.start_tension  = start_tension(facts, p, d);
+  facts.driven_inertia  = p.model.driven_inertia.value_or(d.with(Role::driven).solid.inertia[2][2]);
+  facts.start_tension   = start_tension(facts, p, d);
+  facts.full_speed_from = functions::last_breakpoint(*d.programs.speed, p.time.start);
   facts.driven_frequency = driven_frequency(facts, p, d);
   facts.driven_resonance = 2. * PI * facts.driven_frequency / z1;
   set_limits(facts);

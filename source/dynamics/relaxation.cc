@@ -38,7 +38,7 @@ scene::Scene at_rest(const scene::Scene &scene)
   without_friction(still.faces);
   without_friction(still.teeth);
   without_friction(still.surfaces);
-  still.loads.driver_speed = still.loads.resisting_torque = 0.;
+  still.programs      = drive::Programs();
   still.loads.gravity = still.loads.drag = 0.;
   still.at_speed                         = false;
   still.prestress                        = std::numeric_limits<double>::infinity();

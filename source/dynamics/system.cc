@@ -141,14 +141,13 @@ void System::advance(const double dt, const double new_time)
 
 Step System::make_step(const double dt, const double new_time) const
 {
-  const load::SpeedProgram &program = loads.speed_program();
   return {dt,
           new_time,
           loads.gravity(),
           loads.drag(),
-          Step::Program{program.angle(new_time),
-                        program.speed(new_time - 0.5 * dt),
-                        program.speed(new_time)}};
+          Step::Program{loads.driver_angle(new_time),
+                        loads.driver_speed(new_time - 0.5 * dt),
+                        loads.driver_speed(new_time)}};
 }
 
 void System::close_ledger() { world.ledger.kinetic += world.kinetic_energy(); }

@@ -5,8 +5,8 @@
 namespace chaindrive::load
 {
 Loads::Loads(const scene::Scene &scene)
-    : speed_(scene)
-    , torque_(scene)
+    : programs_(scene.programs)
+    , start_(scene.start_time)
     , gravity_(scene.loads.gravity)
     , drag_(scene.loads.drag)
     , sense_(scene.sense)
@@ -62,7 +62,8 @@ void Loads::add_work(World &world)
         }
       else
         {
-          const double torque = torque_.torque(hub.angle, world.time);
+          const double torque =
+              -sense_ * programs_.resisting_torque(sense_ * hub.angle, world.time);
           if (booked_)
             world.ledger.resisting_work -=
                 0.5 * (load_torque_ + torque) * (hub.angle - load_angle_);

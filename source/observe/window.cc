@@ -28,10 +28,8 @@ Window::Window(const scene::Scene &scene,
 {
   if (!waits_)
     return;
-  const parameters::Loads &loads = parameters.loads;
   drift_.emplace(scene, parameters, pitches_per_period);
-  drift_->begin(parameters.time.start + std::max(scene.at_speed ? 0. : loads.ramp_time,
-                                                 loads.torque_step_time.value_or(0.)));
+  drift_->begin(scene.programs.last_change(parameters.time.start));
   unsigned int pitches = parameters.output.window_pitches;
   if (pitches_per_period > 1)
     pitches = std::max(pitches, judged_pitches());

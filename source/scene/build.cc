@@ -137,8 +137,7 @@ Scene build_scene(const Parameters               &parameters,
                            "Drive/Layout/Start = " + text_of(parameters.drive.layout.start) +
                                (scene.at_speed ? ": at full speed" : ": from rest")});
   scene.prestress = layout.prestress;
-  if (scene.at_speed) // the load torque is fully applied, and stays so if a held drive turns back
-    scene.torque_angle_offset = std::numeric_limits<double>::infinity();
+  scene.programs  = drive.programs;
 
   builder_of(parameters.model.fidelity)(parameters, drive, scene);
   add_sprockets(parameters, drive, folders, scene);

@@ -16,20 +16,6 @@ using dealii::numbers::PI;
 
 constexpr int margin = 2; // links beside those that arrive: plates on both sides pull at a joint
 
-/// What the driver has turned at @p time [s], in the sense of the drive, rad: see
-/// load::SpeedProgram.
-double turned(const Scene &scene, const double time)
-{
-  const double ramp = scene.at_speed ? 0. : scene.loads.ramp_time;
-  const double t    = std::max(0., time - scene.start_time);
-  if (t >= ramp)
-    return scene.loads.driver_speed * (t - 0.5 * ramp);
-  const double s = t / ramp;
-  return scene.loads.driver_speed * ramp *
-         (scene.loads.speed_ramp == parameters::SpeedRamp::cosine ?
-              0.5 * s - std::sin(PI * s) / (2. * PI) :
-              0.5 * s * s);
-}
 } // namespace
 
 std::vector<char>
@@ -41,11 +27,14 @@ elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &s
 
   // joint 0 sits where the chain comes in; with every pitch that the driver turns joint n-1, n-2,
   // ... comes after it
+  const auto turned = [&drive, &scene](const double time) {
+    return drive.programs.speed->integral(scene.start_time, std::max(time, scene.start_time));
+  };
   const double per_angle = drive.with(parameters::Role::driver).form.teeth / (2. * PI);
   const double from      = parameters.output.window_start.value(),
                to        = parameters.output.window_end.value_or(parameters.time.end);
-  int first              = n - static_cast<int>(std::ceil(per_angle * turned(scene, to))) - margin;
-  int last = n - static_cast<int>(std::floor(per_angle * turned(scene, from))) + margin;
+  int first              = n - static_cast<int>(std::ceil(per_angle * turned(to))) - margin;
+  int last               = n - static_cast<int>(std::floor(per_angle * turned(from))) + margin;
   // inner links, which begin at even joints, are the outermost: their bushes are whole
   first -= (first % 2 + 2) % 2;
   last += 1 - (last % 2 + 2) % 2;

@@ -14,10 +14,10 @@ int main()
   const double       step = dealii::numbers::PI / (n - 1), m = 1e-4, k_contact = 1e5, k_bar = 1e6,
                r = 1e-4;
 
-  scene::Scene scene       = empty_scene();
-  scene.loads.driver_speed = 0.5; // clockwise or counter-clockwise alike
-  scene.loads.ramp_time    = 0.01;
-  scene.loads.drag         = 200.;
+  scene::Scene scene = empty_scene();
+  // clockwise or counter-clockwise alike
+  scene.programs.speed = std::make_shared<functions::Ramp>(0.5, 0., 0.01);
+  scene.loads.drag     = 200.;
   std::vector<scene::SlavePoint> slaves;
   const double                   seat = radius + r + 1e-12;
   for (unsigned int i = 0; i < n; ++i)

@@ -8,18 +8,17 @@ using namespace test;
 int main()
 {
   const double m = 3.4e-3, g = 9.81, bush = 3.715e-3, bore = 3.76e-3, inertia = 2.4e-8, k = 1e6;
-  scene::Scene scene       = empty_scene();
-  scene.loads.gravity      = g;
-  scene.loads.drag         = 100.; // lets the swinging about the bottom of the bore die out
-  scene.loads.driver_speed = 120.74;
-  scene.loads.ramp_time    = 20e-3;
-  scene.loads.speed_ramp   = parameters::SpeedRamp::cosine;
-  scene.bodies             = {body(scene::Motion::rigid,
+  scene::Scene scene  = empty_scene();
+  scene.loads.gravity = g;
+  scene.loads.drag    = 100.; // lets the swinging about the bottom of the bore die out
+  scene.programs.speed =
+      std::make_shared<functions::Ramp>(120.74, 0., 20e-3, functions::Rise::cosine);
+  scene.bodies = {body(scene::Motion::rigid,
                        scene::Support::none,
                        m,
                        vector(inertia, inertia, inertia),
                        vector(0., -(bore - bush) - 0.9e-9)),
-                              ground()};
+                  ground()};
   const scene::ContactLaw law{
       k / 2, 0.5 * std::sqrt(k * m), 0.3, 0.8 * k / 2, 0.5 * std::sqrt(k * m)};
   scene.bores = {{"bore",

@@ -5,18 +5,37 @@
 
 using namespace test;
 
+namespace
+{
+/// A kind of function that the program does not know: amplitude sin(order x).
+struct Sine : functions::Function
+{
+  double value(const double x) const override { return 3. * std::sin(200. * x); }
+  double derivative(const double x) const override { return 600. * std::cos(200. * x); }
+  double integral(const double from, const double to) const override
+  {
+    return 0.015 * (std::cos(200. * from) - std::cos(200. * to));
+  }
+  double largest(double, double) const override { return 3.; }
+  double steepest(double, double) const override { return 600.; }
+};
+} // namespace
+
 int main()
 {
   const double full = 120.74, ramp = 5e-3, dt = 0.25e-6;
   for (const int sense : {1, -1})
     for (const auto shape : {parameters::SpeedRamp::linear, parameters::SpeedRamp::cosine})
       {
-        scene::Scene scene       = empty_scene();
-        scene.sense              = sense;
-        scene.loads.driver_speed = full;
-        scene.loads.ramp_time    = ramp;
-        scene.loads.speed_ramp   = shape;
-        scene.bodies             = {ground()};
+        scene::Scene scene   = empty_scene();
+        scene.sense          = sense;
+        scene.programs.speed = std::make_shared<functions::Ramp>(
+            full,
+            0.,
+            ramp,
+            shape == parameters::SpeedRamp::cosine ? functions::Rise::cosine :
+                                                     functions::Rise::linear);
+        scene.bodies = {ground()};
         dynamics::System system(scene, false);
         double           worst_angle = 0., worst_speed = 0.;
         advance(system, 40000, dt, [&]() {
@@ -42,10 +61,25 @@ int main()
                 worst_speed < 1e-9 && worst_angle < 1e-12);
       }
 
+  // What is defined above turns the driver to and fro as any other function.
+  scene::Scene to_and_fro   = empty_scene();
+  to_and_fro.programs.speed = std::make_shared<Sine>();
+  to_and_fro.bodies         = {ground()};
+  dynamics::System swinging(to_and_fro, false);
+  double           worst_swing = 0.;
+  advance(swinging, 20000, 1e-6, [&]() {
+    const double angle = 0.015 * (1. - std::cos(200. * swinging.world.time));
+    worst_swing        = std::max(worst_swing, std::abs(swinging.world.hubs[0].angle - angle));
+  });
+  verdict("to and fro: angle to 1e-12 rad", worst_swing < 1e-12);
+
   // Load torque growing linearly over the angle is a torsion spring until 0.03 rad.
-  scene::Scene scene                          = empty_scene();
-  scene.loads.resisting_torque                = 150.;
-  scene.loads.torque_ramp_angle               = 0.03;
+  scene::Scene      scene = empty_scene();
+  parameters::Loads loads;
+  loads.driver_speed                          = 0.;
+  loads.resisting_torque                      = 150.;
+  loads.torque_ramp_angle                     = 0.03;
+  scene.programs                              = drive::make_programs(loads, 0., false);
   scene.bodies                                = {ground()};
   scene.bodies[0].support                     = scene::Support::loaded_hub;
   scene.bodies[0].inertia                     = vector(1., 1., 9.88e-3);
@@ -59,17 +93,18 @@ int main()
   ratio("work against the torque",
         system.world.ledger.resisting_work,
         0.5 * 150. / 0.03 * 0.02 * 0.02);
-  const load::TorqueCurve curve(scene);
-  double                  worst = 0.;
+  double worst = 0.;
   for (double angle = -0.01; angle < 0.1; angle += 1e-4)
-    worst = std::max(
-        worst, std::abs(curve.torque(angle, 0.) + 150. * std::min(std::max(angle / 0.03, 0.), 1.)));
+    worst = std::max(worst,
+                     std::abs(scene.programs.resisting_torque(angle, 0.) -
+                              150. * std::min(std::max(angle / 0.03, 0.), 1.)));
   verdict("curve as prescribed to 1e-9", worst < 1e-9 * 150.);
 
   // 150 N m against the hub for 1 ms, then 300 N m with it: one constant torque after the other.
-  scene.loads.torque_ramp_angle               = 0.;
-  scene.loads.torque_step_time                = 1e-3;
-  scene.loads.torque_after_step               = -300.;
+  loads.torque_ramp_angle                     = 0.;
+  loads.torque_step_time                      = 1e-3;
+  loads.torque_after_step                     = -300.;
+  scene.programs                              = drive::make_programs(loads, 0., false);
   scene.bodies[0].initial.angular_velocity[2] = 20.;
   const double     inertia                    = scene.bodies[0].inertia[2];
   dynamics::System reversed(scene, false);

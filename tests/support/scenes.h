@@ -27,12 +27,11 @@ inline Vector3 vector(const double x, const double y, const double z = 0.)
   return v;
 }
 
-/// A scene with nothing in it: no gravity, no drag, a drive that stands still.
+/// A scene with nothing in it: no gravity, no drag, a drive that stands still and is not loaded.
 inline scene::Scene empty_scene()
 {
   scene::Scene scene;
-  scene.loads.gravity = scene.loads.drag = scene.loads.driver_speed = 0.;
-  scene.loads.resisting_torque                                      = 0.;
+  scene.loads.gravity = scene.loads.drag = 0.;
   return scene;
 }
 

@@ -3,6 +3,7 @@
 
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/drive/layout.h>
+#include <chaindrive/drive/programs.h>
 #include <chaindrive/drive/solids.h>
 #include <chaindrive/drive/stiffness.h>
 #include <chaindrive/drive/tooth_form.h>
@@ -34,6 +35,7 @@ struct Drive
   std::vector<Sprocket> sprockets; ///< in the order in which the chain runs over them
   double                sprocket_width;
   Layout                layout;
+  Programs              programs; ///< of its shafts
 
   MassProperties roller_solid, inner_link_solid, outer_link_solid;
   double         mass_per_pitch; ///< of the solids: a roller and half of either link, kg

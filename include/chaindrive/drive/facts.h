@@ -64,6 +64,7 @@ struct Facts
   double slack_tension_unloaded; ///< of the slack span without a load, without the centrifugal one
   double centrifugal_tension;    ///< loads the chain, but neither teeth nor shafts
   double start_tension;          ///< of the tight span while the speed grows; 0: starts settled
+  double full_speed_from;        ///< time from which the driver's speed is steady, s
   double joint_pressure;         ///< of the tight span's tension on the bearing area, Pa
   double safety;                 ///< tensile strength over the tight span's tension; 0: unknown
   double shaft_load;             ///< resultant of both spans on either shaft

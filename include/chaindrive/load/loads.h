@@ -2,7 +2,7 @@
 #pragma once
 
 #include <chaindrive/bodies/world.h>
-#include <chaindrive/load/programs.h>
+#include <chaindrive/drive/programs.h>
 
 namespace chaindrive::load
 {
@@ -23,7 +23,12 @@ public:
 
   void serialize(const Archive &archive);
 
-  const SpeedProgram &speed_program() const { return speed_; }
+  /// Of the driver at @p time [s], signed about +z: rad/s, and rad since the start.
+  double driver_speed(const double time) const { return sense_ * programs_.speed->value(time); }
+  double driver_angle(const double time) const
+  {
+    return sense_ * programs_.speed->integral(start_, time);
+  }
 
   /// What acts on every node of an elastic body as it does on the others: gravity, m/s2 along -y,
   /// and drag, 1/s.
@@ -38,12 +43,12 @@ public:
   double load_torque() const { return -sense_ * load_torque_; }
 
 private:
-  SpeedProgram speed_;
-  TorqueCurve  torque_;
-  double       gravity_, drag_;
-  int          sense_;
-  double       drive_torque_ = 0., load_torque_ = 0.; ///< signed about +z, N m
-  double       drive_angle_ = 0., load_angle_ = 0.;   ///< at the last booking, rad
-  bool         booked_ = false;
+  drive::Programs programs_;
+  double          start_; ///< time at which angles are 0, s
+  double          gravity_, drag_;
+  int             sense_;
+  double          drive_torque_ = 0., load_torque_ = 0.; ///< signed about +z, N m
+  double          drive_angle_ = 0., load_angle_ = 0.;   ///< at the last booking, rad
+  bool            booked_ = false;
 };
 } // namespace chaindrive::load

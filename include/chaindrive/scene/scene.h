@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/drive/programs.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/effects.h>
 #include <chaindrive/scene/interface.h>
@@ -112,14 +113,14 @@ struct Scene
   std::vector<FaceFamily>    faces;
   std::vector<ToothFamily>   teeth;
   std::vector<SurfaceFamily> surfaces;
-  parameters::Loads          loads;   ///< with the coefficients of effects that are off set to zero
-  double torque_angle_offset = 0.;    ///< rad by which the load torque's ramp is ahead
-  double start_time          = 0.;    ///< s
-  double prestress           = 0.;    ///< N, in the spans at the start
-  bool   half                = false; ///< elastic bodies are halves, see mesh::Part::half
-  bool   plates_bend         = true;  ///< of elastic links, out of their planes
-  bool   at_speed            = false; ///< the drive starts at full speed
-  int    sense               = 1;     ///< +1: counter-clockwise drive
+  parameters::Loads          loads; ///< with the coefficients of effects that are off set to zero
+  drive::Programs            programs;        ///< what is prescribed to the shafts
+  double                     start_time = 0.; ///< s
+  double                     prestress  = 0.; ///< N, in the spans at the start
+  bool                       half = false;    ///< elastic bodies are halves, see mesh::Part::half
+  bool                       plates_bend = true;  ///< of elastic links, out of their planes
+  bool                       at_speed    = false; ///< the drive starts at full speed
+  int                        sense       = 1;     ///< +1: counter-clockwise drive
   std::map<PartOf, std::shared_ptr<const mesh::Part>>       parts;   ///< those that somebody needs
   std::map<PartOf, std::shared_ptr<const mesh::Sector>>     sectors; ///< of elastic sprockets
   std::map<PartOf, std::shared_ptr<const reduction::Basis>> bases;   ///< of reduced bodies

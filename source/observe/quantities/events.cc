@@ -230,10 +230,10 @@ private:
   /// Only in the window: before it drives start up, and driven inertia overruns them.
   void look_for_slack()
   {
-    const parameters::Loads &loads = now_.parameters.loads;
-    const double             time  = now_.time();
-    const double             start =
-        now_.parameters.time.start + (now_.scene.at_speed ? 0. : loads.ramp_time) + pitch_time_;
+    const double time = now_.time();
+    const double start =
+        functions::last_breakpoint(*now_.scene.programs.speed, now_.parameters.time.start) +
+        pitch_time_;
     const double radius =
         0.5 * now_.scene.pitch /
         std::sin(dealii::numbers::PI / now_.scene.with(parameters::Role::driven).teeth);

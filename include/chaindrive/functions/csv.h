@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/functions/function.h>
+
+#include <string>
+
+namespace chaindrive::functions
+{
+/// A Table through the points of a text file: on each line two numbers, the variable and the value,
+/// apart by a comma, a semicolon or blanks. Empty lines and those that begin with # are left out,
+/// and so is a first line of words, the titles of the columns. Values of the variable are
+/// multiplied by @p x_unit and the others by @p y_unit. Lines may end as those of any system do.
+///
+/// InputError that names the file, the line and what is allowed: when it cannot be read, has no
+/// points or more than a million, or a line has other than two finite numbers or a variable that
+/// does not exceed the one before.
+Pointer read_csv(const std::string &path, double x_unit = 1., double y_unit = 1.);
+} // namespace chaindrive::functions
