@@ -48,7 +48,7 @@ unsigned int number_of_links(const parameters::Drive &drive)
 
 std::string advised_links(const Fitter &fitter, const double missing, const bool even)
 {
-  const double wanted = fitter.n_links + missing / fitter.mean_length();
+  const double wanted = fitter.chain.n_links + missing / fitter.chain.seats.mean();
   const double step   = even ? 2. : 1.;
   return std::to_string(static_cast<long>(
       step * (missing > 0. ? std::ceil(wanted / step - 1e-9) : std::floor(wanted / step + 1e-9))));
@@ -59,7 +59,7 @@ Proposal propose(const Fitter             &fitter,
                  const double              least_distance,
                  const bool                even)
 {
-  const std::string the_chain = "A chain of " + std::to_string(fitter.n_links) + " links";
+  const std::string the_chain = "A chain of " + std::to_string(fitter.chain.n_links) + " links";
   const double      given     = layout.centre_distance;
   const bool        is_given = layout.centre_distance_from == parameters::CentreDistanceFrom::given;
   if (is_given && given <= least_distance)
@@ -68,19 +68,19 @@ Proposal propose(const Fitter             &fitter,
 
   const auto   closest = fitter.fits(least_distance, true, 1);
   const double most_slack =
-      closest.empty() ? -4. * fitter.mean_length() : closest.front().slack.slack;
+      closest.empty() ? -4. * fitter.chain.seats.mean() : closest.front().laid.slack.slack;
   if (most_slack < 0.)
     throw InputError(the_chain + " is too short for sprockets of " +
                      std::to_string(fitter.driver_teeth) + " and " +
                      std::to_string(fitter.driven_teeth) + " teeth; it takes at least " +
                      advised_links(fitter, -most_slack, even) + " links.");
 
-  const double farthest = 0.5 * fitter.mean_length() * fitter.n_links;
+  const double farthest = 0.5 * fitter.chain.seats.mean() * fitter.chain.n_links;
   if (is_given)
     {
-      const auto   fits = fitter.fits(given, true, 1); // none when it is far too short
-      const double missing =
-          fits.empty() ? 2. * (given - least_distance) - most_slack : -fits.front().slack.slack;
+      const auto   fits    = fitter.fits(given, true, 1); // none when it is far too short
+      const double missing = fits.empty() ? 2. * (given - least_distance) - most_slack :
+                                            -fits.front().laid.slack.slack;
       if (missing > 1e-12)
         throw InputError(
             "Drive/Layout/Centre distance in mm = " + to_text(given * 1e3, 7) + ": " + the_chain +

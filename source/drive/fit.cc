@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace chaindrive::drive
 {
@@ -25,68 +26,38 @@ double bisect(double low, double high, const double width, const Function &exces
 }
 } // namespace
 
-double Fit::sag() const
+std::vector<path::Wheel> Fitter::wheels(const double centre_distance) const
 {
-  const double turn = std::abs(slack.turn);
-  if (turn == 0.)
-    return 0.;
-  const double half = 0.5 * slack.links * turn; // of the angle that the circle spans
-  // circle through the span's ends with that angle between them
-  return 0.5 * slack.from.distance(slack.to) * std::tan(0.5 * half);
+  return {path::Wheel(driver_teeth, Point<2>(), chain.seats),
+          path::Wheel(driven_teeth, Point<2>(centre_distance, 0.), chain.seats)};
 }
 
 std::vector<Fit>
 Fitter::fits(const double centre_distance, const bool straight, const unsigned int most_tight) const
 {
-  const Wheel driver(driver_teeth, Point<2>(), seats);
-  const Wheel driven(driven_teeth, Point<2>(centre_distance, 0.), seats);
-  if (std::abs(driver.roller_radius - driven.roller_radius) >= centre_distance)
-    return {};
-
-  std::vector<Fit> result;
-  auto             tights = tight_spans(driver, driven, tight, n_links, phase);
-  tights.resize(std::min<std::size_t>(tights.size(), most_tight));
-  for (const TightSpan &t : tights)
-    {
-      const int gap = static_cast<int>(std::lround(
-          (t.entry - tangent_angle(driver, driven)) / driver.pitch_angle - phase + 0.5));
-      for (const SlackSpan &s :
-           slack_spans(driver, driven, slack, n_links, t, straight ? 0 : bulge))
-        result.push_back({centre_distance,
-                          {gap, t.links, s.driver_links, s.driven_links},
-                          driver,
-                          driven,
-                          t,
-                          s});
-    }
-  std::stable_sort(result.begin(), result.end(), [](const Fit &a, const Fit &b) {
-    return a.tight.misfit + a.slack.misfit < b.tight.misfit + b.slack.misfit;
-  });
+  const std::vector<path::Wheel> at = wheels(centre_distance);
+  std::vector<Fit>               result;
+  for (path::Laid &laid : path::lay_all(at, chain, straight, most_tight))
+    result.push_back({centre_distance, at, std::move(laid)});
   return result;
 }
 
-std::optional<Fit> Fitter::fit(const double centre_distance, const Route &route) const
+std::optional<Fit> Fitter::fit(const double centre_distance, const path::Route &route) const
 {
-  const Wheel driver(driver_teeth, Point<2>(), seats);
-  const Wheel driven(driven_teeth, Point<2>(centre_distance, 0.), seats);
-  if (std::abs(driver.roller_radius - driven.roller_radius) >= centre_distance)
+  std::vector<path::Wheel> at   = wheels(centre_distance);
+  const auto               laid = path::lay(at, chain, route);
+  if (!laid)
     return {};
-  const double entry =
-      tangent_angle(driver, driven) + (phase - 0.5 + route.gap) * driver.pitch_angle;
-  const TightSpan t = tight_span(driver, driven, tight, n_links, entry, route.tight_links);
-  if (t.links == 0)
-    return {};
-  const SlackSpan s =
-      slack_span(driver, driven, slack, n_links, t, bulge, route.driver_links, route.driven_links);
-  return Fit{centre_distance, route, driver, driven, t, s};
+  return Fit{centre_distance, std::move(at), *laid};
 }
 
-double Fitter::excess(const Fit &fit, const Target &target) const
+double Fitter::excess(const Fit &fit, const Target &target)
 {
+  const path::SlackSpan &slack = fit.laid.slack;
   if (target.kind == Target::Kind::slack)
-    return fit.slack.slack - target.value;
-  const double chord = fit.slack.from.distance(fit.slack.to);
-  return (fit.slack.slack > 0. ? fit.sag() : fit.slack.slack) / chord - target.value;
+    return slack.slack - target.value;
+  const double chord = slack.from.distance(slack.to);
+  return (slack.slack > 0. ? slack.sag() : slack.slack) / chord - target.value;
 }
 
 double Fitter::solve(const Target &target, const double low, const double high) const
@@ -97,9 +68,10 @@ double Fitter::solve(const Target &target, const double low, const double high) 
   });
 }
 
-std::optional<Fit> Fitter::solve(const Target &target, const Route &route, const double guess) const
+std::optional<Fit>
+Fitter::solve(const Target &target, const path::Route &route, const double guess) const
 {
-  const double reach = 0.3 * mean_length();
+  const double reach = 0.3 * chain.seats.mean();
   const auto   at    = [&](const double c) {
     const auto f = fit(c, route);
     return f ? excess(*f, target) : std::nan("");

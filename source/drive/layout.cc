@@ -22,11 +22,12 @@ namespace
 constexpr double overlap_tolerance = 1e-9; // m
 
 /// @p lengths under a tension that stretches the chain by @p stretch [m] per pitch.
-LinkLengths stretched(const LinkLengths &lengths, const bool clearances, const double stretch)
+path::LinkLengths
+stretched(const path::LinkLengths &lengths, const bool clearances, const double stretch)
 {
   // per pitch; rigid links with clearances stretch in the two joints of every outer link
-  return clearances ? LinkLengths{lengths.inner, lengths.outer + 2. * stretch} :
-                      LinkLengths{lengths.inner + stretch, lengths.outer + stretch};
+  return clearances ? path::LinkLengths{lengths.inner, lengths.outer + 2. * stretch} :
+                      path::LinkLengths{lengths.inner + stretch, lengths.outer + stretch};
 }
 
 /// What the chain is to be fitted with: the distances of bushes on the sprockets and in either
@@ -45,17 +46,19 @@ Fitter make_fitter(const parameters::Drive &drive,
   Fitter                    fitter;
   fitter.driver_teeth = drive.sprockets.driver.teeth;
   fitter.driven_teeth = drive.sprockets.driven.teeth;
-  fitter.n_links      = drive.n_links;
-  fitter.phase        = layout.start_phase;
+  path::Chain &laid   = fitter.chain;
+  laid.n_links        = drive.n_links;
+  laid.phase          = layout.start_phase;
   // the tight span above: the slack one hangs away from it; below: it sags towards it
-  fitter.bulge = layout.tight_span == parameters::TightSide::lower && !weightless ? -1 : 1;
+  laid.bulge = layout.tight_span == parameters::TightSide::lower && !weightless ? -1 : 1;
 
   const double mean = chain.loaded_pitch();
-  fitter.seats = clearances ? LinkLengths{chain.loaded_inner_pitch(), chain.loaded_outer_pitch()} :
-                              LinkLengths{mean, mean};
-  fitter.tight = fitter.slack = fitter.seats;
+  laid.seats        = clearances ?
+                          path::LinkLengths{chain.loaded_inner_pitch(), chain.loaded_outer_pitch()} :
+                          path::LinkLengths{mean, mean};
+  laid.taut = laid.slack = laid.seats;
   if (clearances && layout.start == parameters::Start::concentric)
-    fitter.tight = fitter.slack = {chain.inner_hole_pitch, chain.outer_hole_pitch};
+    laid.taut = laid.slack = {chain.inner_hole_pitch, chain.outer_hole_pitch};
 
   const double everywhere = layout.centre_distance_from == CentreDistanceFrom::pretension ?
                                 layout.pretension / stiffness_per_pitch :
@@ -63,8 +66,8 @@ Fitter make_fitter(const parameters::Drive &drive,
   const double in_tight =
       layout.start == parameters::Start::settled ? tight_tension / stiffness_per_pitch : everywhere;
   const double more = in_both / stiffness_per_pitch;
-  fitter.tight      = stretched(fitter.tight, clearances, in_tight + more);
-  fitter.slack      = stretched(fitter.slack, clearances, everywhere + more);
+  laid.taut         = stretched(laid.taut, clearances, in_tight + more);
+  laid.slack        = stretched(laid.slack, clearances, everywhere + more);
   return fitter;
 }
 
@@ -99,58 +102,40 @@ Tensor<1, 2> right_of(const Tensor<1, 2> &direction)
   return normal;
 }
 
-/// The joints of @p fit and its hubs, both sprockets turning counter-clockwise. Joints are laid in
-/// the direction of travel, so that one follows the other from joint 0, where the tight span enters
-/// the driver: seats of the driver, slack span, seats of the driven sprocket, tight span. A span
-/// has one joint less than links, since its first and last link end on seats. Sprocket frames begin
-/// at the tooth gap of the first seat.
-Layout lay(const Fit &fit, const Fitter &fitter)
+/// The joints of @p fit and its sprockets, whose frames begin at the tooth gap of the first seat.
+Layout lay(const Fit &fit, const Fitter &fitter, const std::vector<ToothForm> &forms)
 {
-  const TightSpan   &tight = fit.tight;
-  const SlackSpan   &slack = fit.slack;
-  const unsigned int n     = fitter.n_links;
-
-  Layout layout{};
-  // seat i is at the polar angle angle + i 2 pi / z, in the gap i
-  layout.sense            = 1;
-  const auto add_sprocket = [&](const Wheel &wheel, const double angle, const unsigned int seats) {
-    const int number = static_cast<int>(layout.sprockets.size());
-    layout.sprockets.push_back({wheel.centre, angle, 0., seats});
-    for (unsigned int i = 0; i < seats; ++i)
-      {
-        const double       seat = angle + i * wheel.pitch_angle;
-        const unsigned int k    = layout.joints.size();
-        layout.joints.push_back({wheel.roller(seat),
-                                 wheel.bush(seat, k),
-                                 {},
-                                 number,
-                                 static_cast<int>(i % wheel.teeth)});
-      }
-  };
-  const auto add_span = [&](const Layout::Span &span, const std::vector<Point<2>> &joints) {
-    layout.spans.push_back(span);
-    layout.spans.back().first = static_cast<unsigned int>(layout.joints.size()) - 1;
-    for (const Point<2> &p : joints)
-      layout.joints.push_back({p, p, {}, -1, -1});
-  };
-
-  add_sprocket(fit.driver, tight.entry, slack.driver_links + 1);
-  const Tensor<1, 2> to_driven = (slack.to - slack.from) / slack.from.distance(slack.to);
-  add_span({false,
-            0,
-            static_cast<unsigned int>(slack.links),
-            slack.slack,
-            fit.sag(),
-            to_driven,
-            right_of(to_driven)},
-           slack_joints(slack, fitter.slack));
-  add_sprocket(
-      fit.driven, tight.exit - slack.driven_links * fit.driven.pitch_angle, slack.driven_links + 1);
-  const Tensor<1, 2>    along = (tight.to - tight.from) / tight.from.distance(tight.to);
-  std::vector<Point<2>> straight;
-  for (unsigned int i = 1; i < tight.links; ++i)
-    straight.push_back(tight.from + fitter.tight.sum(n - tight.links, i) * along);
-  add_span({true, 0, tight.links, 0., 0., along, right_of(along)}, straight);
+  const path::Laid &laid = fit.laid;
+  Layout            layout{};
+  layout.sense = 1;
+  for (const path::Joint &joint : path::joints(fit.wheels, fitter.chain, laid))
+    {
+      const int gap = joint.wheel < 0 ? -1 :
+                                        modulo(fit.wheels[joint.wheel].turn * joint.seat,
+                                               forms[joint.wheel].teeth);
+      layout.joints.push_back({joint.roller, joint.bush, {}, joint.wheel, gap});
+    }
+  unsigned int first = 0; // joint of the span: the last seat of the wheel before it
+  for (unsigned int i = 0; i < fit.wheels.size(); ++i)
+    {
+      const path::Wheel &wheel = fit.wheels[i];
+      const unsigned int wrap  = laid.route.wraps[i];
+      layout.sprockets.push_back({wheel.centre, laid.entry[i], 0., wrap + 1, wheel.turn});
+      first += wrap;
+      const bool         slack = i == 0;
+      const Point<2>    &from  = slack ? laid.slack.from : laid.taut[i - 1].from;
+      const Point<2>    &to    = slack ? laid.slack.to : laid.taut[i - 1].to;
+      const unsigned int links = slack ? laid.slack.links : laid.taut[i - 1].links;
+      const Tensor<1, 2> along = (to - from) / from.distance(to);
+      layout.spans.push_back({!slack,
+                              first,
+                              links,
+                              slack ? laid.slack.slack : 0.,
+                              slack ? laid.slack.sag() : 0.,
+                              along,
+                              right_of(along)});
+      first += links;
+    }
   return layout;
 }
 
@@ -226,21 +211,21 @@ std::string find_overlap(const Layout                 &layout,
 /// takes half a turn, nor, where it hangs inwards, lie on the tight one.
 void check_slack(const Fit &fit, const Fitter &fitter, const double height, const bool even)
 {
-  const SlackSpan &slack = fit.slack;
+  const path::SlackSpan &slack = fit.laid.slack;
   if ((slack.links - 1) * std::abs(slack.turn) > PI)
     {
-      const SlackSpan taut  = fitter.fits(fit.centre_distance, true, 1).front().slack;
-      const double    chord = taut.from.distance(taut.to);
+      const path::SlackSpan taut  = fitter.fits(fit.centre_distance, true, 1).front().laid.slack;
+      const double          chord = taut.from.distance(taut.to);
       throw InputError(
           "Drive/Layout: the chain has " + in_mm(taut.slack) + " of slack at the centre distance " +
           in_mm(fit.centre_distance) + ", so that the slack span would turn back; at most " +
           advised_links(fitter, (0.5 * PI - 1.) * chord - taut.slack, even) + " links fit.");
     }
-  const Tensor<1, 2> along =
-      (fit.tight.to - fit.tight.from) / fit.tight.from.distance(fit.tight.to);
-  for (const Point<2> &p : slack_joints(slack, fitter.slack))
+  const path::TautSpan &tight = fit.laid.last();
+  const Tensor<1, 2>    along = (tight.to - tight.from) / tight.from.distance(tight.to);
+  for (const Point<2> &p : path::slack_joints(slack, fitter.chain.slack))
     {
-      const Tensor<1, 2> from_tight = p - fit.tight.from;
+      const Tensor<1, 2> from_tight = p - tight.from;
       if (along[0] * from_tight[1] - along[1] * from_tight[0] < height)
         throw InputError("Drive/Layout: with " + in_mm(slack.slack) +
                          " of slack the upper span would hang down onto the tight one; use fewer "
@@ -277,8 +262,9 @@ std::string no_route(const parameters::Layout &layout,
           const Proposal proposal = propose(fitter, trial, least_distance, even);
           for (const Fit &near : proposal.fits)
             {
-              const auto fit = fitter.solve(*proposal.target, near.route, near.centre_distance);
-              possible       = possible || (fit && fit->slack.links >= 1);
+              const auto fit =
+                  fitter.solve(*proposal.target, near.laid.route, near.centre_distance);
+              possible = possible || (fit && fit->laid.slack.links >= 1);
             }
         }
       catch (const InputError &)
@@ -305,17 +291,25 @@ bool keeps_sag(const parameters::Layout &layout)
          layout.centre_distance_from == CentreDistanceFrom::sag;
 }
 
-// The velocities v = w x r of the tight span's ends along it are the same. With r from either
+// The velocities v = w x r of a straight span's ends along it are the same. With r from either
 // centre and d along the span, w2 (r2 x d) = w1 (r1 x d), where r1 x d and r2 x d are the distances
-// of the centres from the span's line; their ratio is the instantaneous speed ratio. Joints on a
-// sprocket turn with it; in spans the velocity changes linearly from one end to the other.
+// of the centres from the span's line; their ratio is the instantaneous speed ratio. From the
+// driver on it goes against the travel, over all spans but the slack one. Joints on a sprocket turn
+// with it; in spans the velocity changes linearly from one end to the other.
 void set_in_motion(Layout &layout, const double driver_speed)
 {
   const unsigned int n      = layout.joints.size();
-  Layout::Sprocket  &driver = layout.sprockets[0], &driven = layout.sprockets[1];
-  const Point<2> &to = layout.joints[0].bush, &from = layout.joints[layout.span(true).first].bush;
-  driver.speed = layout.sense * driver_speed;
-  driven.speed = driver.speed * cross(to, to - from) / cross(from - driven.centre, to - from);
+  layout.sprockets[0].speed = layout.sense * driver_speed;
+  for (unsigned int i = static_cast<unsigned int>(layout.sprockets.size()) - 1; i > 0; --i)
+    {
+      const Layout::Span     &span   = layout.spans[i];
+      Layout::Sprocket       &before = layout.sprockets[i];
+      const Layout::Sprocket &after  = layout.sprockets[(i + 1) % layout.sprockets.size()];
+      const Point<2>         &to     = layout.joints[(span.first + span.links) % n].bush;
+      const Point<2>         &from   = layout.joints[span.first].bush;
+      before.speed                   = after.speed * cross(to - after.centre, to - from) /
+                     cross(from - before.centre, to - from);
+    }
 
   for (Layout::Joint &joint : layout.joints)
     if (joint.sprocket >= 0)
@@ -368,8 +362,8 @@ Layout make_layout(const parameters::Drive      &drive,
   if (keeps_sag(drive.layout) && drive.layout.sag > 0. && !proposal.fits.empty())
     {
       // the span is longer by the stretch, which changes its tension by as small a part
-      const SlackSpan  &slack = proposal.fits.front().slack;
-      const HangingSpan hung{slack.from.distance(slack.to), weight, 0.};
+      const path::SlackSpan &slack = proposal.fits.front().laid.slack;
+      const HangingSpan      hung{slack.from.distance(slack.to), weight, 0.};
       fitter   = fitter_with(hung.tension_of_sag(drive.layout.sag * hung.length) + centrifugal);
       proposal = propose(fitter, drive.layout, least, clearances);
     }
@@ -380,13 +374,14 @@ Layout make_layout(const parameters::Drive      &drive,
   for (const Fit &near : proposal.fits)
     {
       const std::optional<Fit> found =
-          proposal.target ? fitter.solve(*proposal.target, near.route, near.centre_distance) : near;
-      if (!found || found->slack.links < 1)
+          proposal.target ? fitter.solve(*proposal.target, near.laid.route, near.centre_distance) :
+                            near;
+      if (!found || found->laid.slack.links < 1)
         continue;
       const Fit &fit = *found;
       check_slack(
           fit, fitter, std::max(chain.inner_plate_height, chain.outer_plate_height), clearances);
-      Layout layout = lay(fit, fitter);
+      Layout layout = lay(fit, fitter, forms);
       if (drive.layout.start == parameters::Start::settled)
         set_in_motion(layout, std::abs(driver_speed));
       if (drive.layout.tight_span == parameters::TightSide::lower)

@@ -176,7 +176,7 @@ def wrong():
     done = reference()
     check(done.returncode == 0, f"the copy as it is: {done.stdout}{done.stderr}")
     refused("include/chaindrive/contact/family.h", "All contacts of one kind", "@nosuchcommand All contacts", ("contact/family.h", "nosuchcommand"), reference)
-    refused("include/chaindrive/drive/span.h", "///", "/// see @ref nowhere_at_all\n///", ("drive/span.h", "nowhere_at_all"), reference)
+    refused("include/chaindrive/path/span.h", "///", "/// see @ref nowhere_at_all\n///", ("path/span.h", "nowhere_at_all"), reference)
     refused("doc/architecture.md", "| `mesh` |", "| `meshes` |", ("doc/architecture.md", "mesh", "rooms.txt"), reference)
     refused("doc/architecture.md", "| observer |", "| watcher |", ("observer", "watcher", "seams.py"), reference)
     refused("source/dynamics/newmark.cc", "void second_half", "void other_half", ("source/dynamics/newmark.cc", "second_half"), reference)

@@ -1,41 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/drive/span.h>
+#include <chaindrive/path/route.h>
 
 #include <optional>
 #include <vector>
 
 namespace chaindrive::drive
 {
-/// Which joints sit on which sprocket: all that is discrete in a layout.
-struct Route
-{
-  int          gap; ///< of the entry seat, counted from the one that the phase prefers
-  unsigned int tight_links;
-  int          driver_links, driven_links;
-};
-
 /// A chain laid at one centre distance.
 struct Fit
 {
-  double    centre_distance;
-  Route     route;
-  Wheel     driver, driven;
-  TightSpan tight;
-  SlackSpan slack;
-
-  /// Greatest distance of the slack span's circle from its chord, m.
-  double sag() const;
+  double                   centre_distance;
+  std::vector<path::Wheel> wheels;
+  path::Laid               laid;
 };
 
 /// Finds routes and centre distances for a chain of given link lengths. Lengths in m.
 struct Fitter
 {
-  unsigned int driver_teeth, driven_teeth, n_links;
-  double       phase;
-  LinkLengths  seats, tight, slack; ///< on the sprockets and in the two spans
-  int          bulge;               ///< +1: away from the tight span, -1: towards it
+  unsigned int driver_teeth, driven_teeth;
+  path::Chain  chain;
 
   /// What a centre distance is solved for: the part of the slack span that is excess, as a length
   /// or through its sag.
@@ -50,7 +35,8 @@ struct Fitter
     double value;
   };
 
-  double mean_length() const { return 0.5 * (seats.inner + seats.outer); }
+  /// The driver at the origin and the driven sprocket at this distance along x.
+  std::vector<path::Wheel> wheels(double centre_distance) const;
 
   /// Routes at this centre distance, the best first; at least one unless the sprockets are within
   /// each other. @p straight: with a straight slack span, which makes the slack of the best route a
@@ -58,15 +44,15 @@ struct Fitter
   std::vector<Fit> fits(double centre_distance, bool straight, unsigned int most_tight = 4) const;
 
   /// The chain on that route; nothing if it cannot be.
-  std::optional<Fit> fit(double centre_distance, const Route &route) const;
+  std::optional<Fit> fit(double centre_distance, const path::Route &route) const;
 
   /// Excess over the target; falls as the centre distance grows.
-  double excess(const Fit &fit, const Target &target) const;
+  static double excess(const Fit &fit, const Target &target);
 
   /// Centre distance in [low, high] that meets the target on the best route, to 0.1 um.
   double solve(const Target &target, double low, double high) const;
 
   /// The chain that meets the target on one route, near @p guess; nothing if there is none.
-  std::optional<Fit> solve(const Target &target, const Route &route, double guess) const;
+  std::optional<Fit> solve(const Target &target, const path::Route &route, double guess) const;
 };
 } // namespace chaindrive::drive

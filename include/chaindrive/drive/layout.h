@@ -26,6 +26,7 @@ struct Layout
     double           angle; ///< of gap 0 from +x, rad
     double           speed; ///< rad/s, counter-clockwise positive; zero unless the start is settled
     unsigned int     seats; ///< joints that sit on it
+    int              turn;  ///< +1: the chain runs round it in the sense of the drive, -1: against
   };
 
   struct Span

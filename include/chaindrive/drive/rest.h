@@ -2,7 +2,7 @@
 #pragma once
 
 #include <chaindrive/drive/layout.h>
-#include <chaindrive/drive/span.h>
+#include <chaindrive/path/wheel.h>
 
 namespace chaindrive::drive
 {
@@ -13,14 +13,14 @@ namespace chaindrive::drive
 /// tooth through its roller, whose two contacts are in series along one normal.
 struct RestingChain
 {
-  LinkLengths length;                           ///< without load, from point to point, m
-  double      inner_stiffness, outer_stiffness; ///< of the links, N/m
-  double      weight;                           ///< of one pitch, along -y, N
-  double      roller_radius;                    ///< m
-  double      tooth_stiffness;                  ///< of a roller on a tooth, N/m
-  double      bush_clearance;                   ///< radial, of bush and roller; 0: they are one, m
-  double      bush_stiffness; ///< of a bush in its roller, where they are two, N/m
-  JointShifts shifts = {};
+  path::LinkLengths length;                           ///< without load, from point to point, m
+  double            inner_stiffness, outer_stiffness; ///< of the links, N/m
+  double            weight;                           ///< of one pitch, along -y, N
+  double            roller_radius;                    ///< m
+  double            tooth_stiffness;                  ///< of a roller on a tooth, N/m
+  double            bush_clearance; ///< radial, of bush and roller; 0: they are one, m
+  double            bush_stiffness; ///< of a bush in its roller, where they are two, N/m
+  JointShifts       shifts = {};
 };
 
 /// Moves chain, driven sprocket and shaft so that the drive of @p layout, whose driver is held and
