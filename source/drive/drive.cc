@@ -255,6 +255,16 @@ void append(std::vector<std::string> &notes, const std::vector<std::string> &mor
 {
   notes.insert(notes.end(), more.begin(), more.end());
 }
+
+/// The driver is held, and the load @p torque [N m], counter-clockwise, acts on the driven
+/// sprocket.
+std::vector<RestingWheel> resting_wheels(const std::vector<ToothForm> &forms, const double torque)
+{
+  std::vector<RestingWheel> wheels;
+  for (const ToothForm &form : forms)
+    wheels.push_back(resting_sprocket(form, wheels.empty(), wheels.size() == 1 ? torque : 0.));
+  return wheels;
+}
 } // namespace
 
 const Sprocket &Drive::with(const Role role) const
@@ -379,7 +389,8 @@ Drive make_drive(const Parameters  &parameters,
     layout.start = parameters::Start::taut;
   d.layout = lay(entries, d.chain);
   if (stretched && layout.pretension > 0.)
-    bring_to_rest(d.layout, resting_chain(parameters, d), forms, layout.pretension);
+    bring_to_rest(
+        d.layout, resting_chain(parameters, d), resting_wheels(forms, 0.), layout.pretension);
   if (settled)
     {
       RestingChain chain  = resting_chain(parameters, d);
@@ -390,9 +401,8 @@ Drive make_drive(const Parameters  &parameters,
           {
             settle(start,
                    chain,
-                   forms,
+                   resting_wheels(forms, -start.sense * parameters.loads.resisting_torque),
                    {std::abs(parameters.loads.driver_speed),
-                    parameters.loads.resisting_torque,
                     given.mass_per_pitch.value_or(d.mass_per_pitch),
                     facts.tooth_frequency < facts.driven_frequency});
           }

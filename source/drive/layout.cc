@@ -102,43 +102,6 @@ Tensor<1, 2> right_of(const Tensor<1, 2> &direction)
   return normal;
 }
 
-/// The joints of @p fit and its sprockets, whose frames begin at the tooth gap of the first seat.
-Layout lay(const Fit &fit, const Fitter &fitter, const std::vector<ToothForm> &forms)
-{
-  const path::Laid &laid = fit.laid;
-  Layout            layout{};
-  layout.sense = 1;
-  for (const path::Joint &joint : path::joints(fit.wheels, fitter.chain, laid))
-    {
-      const int gap = joint.wheel < 0 ? -1 :
-                                        modulo(fit.wheels[joint.wheel].turn * joint.seat,
-                                               forms[joint.wheel].teeth);
-      layout.joints.push_back({joint.roller, joint.bush, {}, joint.wheel, gap});
-    }
-  unsigned int first = 0; // joint of the span: the last seat of the wheel before it
-  for (unsigned int i = 0; i < fit.wheels.size(); ++i)
-    {
-      const path::Wheel &wheel = fit.wheels[i];
-      const unsigned int wrap  = laid.route.wraps[i];
-      layout.sprockets.push_back({wheel.centre, laid.entry[i], 0., wrap + 1, wheel.turn});
-      first += wrap;
-      const bool         slack = i == 0;
-      const Point<2>    &from  = slack ? laid.slack.from : laid.taut[i - 1].from;
-      const Point<2>    &to    = slack ? laid.slack.to : laid.taut[i - 1].to;
-      const unsigned int links = slack ? laid.slack.links : laid.taut[i - 1].links;
-      const Tensor<1, 2> along = (to - from) / from.distance(to);
-      layout.spans.push_back({!slack,
-                              first,
-                              links,
-                              slack ? laid.slack.slack : 0.,
-                              slack ? laid.slack.sag() : 0.,
-                              along,
-                              right_of(along)});
-      first += links;
-    }
-  return layout;
-}
-
 /// y -> -y: the lower span is tight, all sprockets turn clockwise.
 void mirror(Layout &layout, const std::vector<ToothForm> &forms)
 {
@@ -285,6 +248,42 @@ const Layout::Span &Layout::span(const bool tight) const
       spans.begin(), spans.end(), [tight](const Span &span) { return span.tight == tight; });
 }
 
+Layout
+to_layout(const std::vector<path::Wheel> &wheels, const path::Chain &chain, const path::Laid &laid)
+{
+  Layout layout{};
+  layout.sense = 1;
+  for (const path::Joint &joint : path::joints(wheels, chain, laid))
+    {
+      int gap = joint.seat;
+      if (joint.wheel >= 0 && wheels[joint.wheel].teeth > 0)
+        gap = modulo(wheels[joint.wheel].turn * gap, wheels[joint.wheel].teeth);
+      layout.joints.push_back({joint.roller, joint.bush, {}, joint.wheel, gap});
+    }
+  unsigned int first = 0; // joint of the span: the last seat of the wheel before it
+  for (unsigned int i = 0; i < wheels.size(); ++i)
+    {
+      const path::Wheel &wheel = wheels[i];
+      const unsigned int wrap  = laid.route.wraps[i];
+      layout.sprockets.push_back({wheel.centre, laid.entry[i], 0., wrap + 1, wheel.turn});
+      first += wrap;
+      const bool         slack = i == 0;
+      const Point<2>    &from  = slack ? laid.slack.from : laid.taut[i - 1].from;
+      const Point<2>    &to    = slack ? laid.slack.to : laid.taut[i - 1].to;
+      const unsigned int links = slack ? laid.slack.links : laid.taut[i - 1].links;
+      const Tensor<1, 2> along = (to - from) / from.distance(to);
+      layout.spans.push_back({!slack,
+                              first,
+                              links,
+                              slack ? laid.slack.slack : 0.,
+                              slack ? laid.slack.sag() : 0.,
+                              along,
+                              right_of(along)});
+      first += links;
+    }
+  return layout;
+}
+
 bool keeps_sag(const parameters::Layout &layout)
 {
   return layout.start == parameters::Start::settled &&
@@ -381,7 +380,7 @@ Layout make_layout(const parameters::Drive      &drive,
       const Fit &fit = *found;
       check_slack(
           fit, fitter, std::max(chain.inner_plate_height, chain.outer_plate_height), clearances);
-      Layout layout = lay(fit, fitter, forms);
+      Layout layout = to_layout(fit.wheels, fitter.chain, fit.laid);
       if (drive.layout.start == parameters::Start::settled)
         set_in_motion(layout, std::abs(driver_speed));
       if (drive.layout.tight_span == parameters::TightSide::lower)

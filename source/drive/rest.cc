@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 namespace chaindrive::drive
 {
@@ -17,20 +19,17 @@ namespace
 using Vector = Tensor<1, 2>;
 using Matrix = Tensor<2, 2>;
 
-constexpr unsigned int free_sprocket = 1; // the driven one
-
 /// Of the largest tension: the forces left over at which a search ends that comes no further,
 /// because a roller creeps over a kink in the curvature of its seat.
 constexpr double creeping = 1e-3;
 
-/// What a joint has in common with joint 0 and the driven hub, the unknowns without neighbours on
-/// one side.
-using Border = std::array<Vector, 3>;
+/// A small square matrix.
+using Rows = std::vector<std::vector<double>>;
 
 /// Lower triangle of the Cholesky factor of @p a; false if @p a is not positive definite.
-bool cholesky(std::array<std::array<double, 3>, 3> &a)
+bool cholesky(Rows &a)
 {
-  for (unsigned int i = 0; i < 3; ++i)
+  for (unsigned int i = 0; i < a.size(); ++i)
     for (unsigned int j = 0; j <= i; ++j)
       {
         double sum = a[i][j];
@@ -49,32 +48,34 @@ bool positive_definite(const Matrix &m) { return m[0][0] > 0. && determinant(m) 
 class Equilibrium
 {
 public:
-  Equilibrium(Layout                       &layout,
-              const RestingChain           &chain,
-              const std::vector<ToothForm> &forms,
-              const double                  torque      = 0.,
-              const double                  centrifugal = 0.)
+  Equilibrium(Layout                          &layout,
+              const RestingChain              &chain,
+              const std::vector<RestingWheel> &wheels,
+              const double                     centrifugal = 0.)
       : layout_(layout)
       , chain_(chain)
-      , forms_(forms)
+      , wheels_(wheels)
       , n_(layout.joints.size())
-      , hub_radius_(0.5 * forms[free_sprocket].pitch_diameter)
       , contact_radius_(chain.roller_radius - chain.bush_clearance)
       , seat_stiffness_(chain.bush_clearance > 0. ?
                             chain.tooth_stiffness * chain.bush_stiffness /
                                 (chain.tooth_stiffness + chain.bush_stiffness) :
                             chain.tooth_stiffness)
-      , torque_(torque)
       , centrifugal_(centrifugal)
+      , turned_(wheels.size(), 0.)
   {
+    for (unsigned int i = 0; i < wheels.size(); ++i)
+      if (!wheels[i].held)
+        free_.push_back(i);
     for (const Layout::Joint &joint : layout.joints)
       at_.push_back(joint.bush);
   }
 
-  /// Moves the driven shaft, and the chain with it, as if all of it were stretched alike.
+  /// Moves the shaft of wheel 1 along x, and the chain with it, as if all of it were stretched
+  /// alike.
   void move_shaft(const double by)
   {
-    double &shaft = layout_.sprockets[free_sprocket].centre[0];
+    double &shaft = layout_.sprockets[1].centre[0];
     for (Point<2> &p : at_)
       p[0] += std::clamp(p[0] / shaft, 0., 1.) * by;
     shaft += by;
@@ -108,15 +109,18 @@ public:
             shift = std::max(10. * shift, 1e-9 * stiffest);
             continue;
           }
-        const auto   before  = at_;
-        const double angle   = turned_;
-        double       longest = std::abs(hub_step_);
+        const auto before  = at_;
+        const auto angles  = turned_;
+        double     longest = 0.;
+        for (const double s : wheel_step_)
+          longest = std::max(longest, std::abs(s));
         for (const Vector &s : step_)
           longest = std::max(longest, s.norm());
         const double part = std::min(1., largest_move / longest);
         for (unsigned int k = 0; k < n_; ++k)
           at_[k] += part * step_[k];
-        turned_ += part * hub_step_ / hub_radius_;
+        for (unsigned int f = 0; f < free_.size(); ++f)
+          turned_[free_[f]] += part * wheel_step_[f] / wheels_[free_[f]].lever;
         const double now = assemble();
         if (now <= energy + 1e-14 * std::abs(energy))
           {
@@ -125,7 +129,7 @@ public:
             continue;
           }
         at_     = before;
-        turned_ = angle;
+        turned_ = angles;
         shift   = std::max(10. * shift, 1e-9 * stiffest);
         if (shift > 1e6 * stiffest)
           return false;
@@ -137,7 +141,9 @@ public:
   /// By which something is out of balance, N.
   double largest_force() const
   {
-    double largest = std::abs(hub_gradient_);
+    double largest = 0.;
+    for (const double g : wheel_gradient_)
+      largest = std::max(largest, std::abs(g));
     for (const Vector &g : gradient_)
       largest = std::max(largest, g.norm());
     return largest;
@@ -159,7 +165,7 @@ public:
         Vector         normal;
         joint.pin_force  = std::abs(tension(k % 2 == 1 ? k : (k + n_ - 1) % n_));
         joint.seat_force = 0.;
-        for (unsigned int i = 0; i < forms_.size(); ++i)
+        for (unsigned int i = 0; i < wheels_.size(); ++i)
           joint.seat_force += seat_force(k, overlap(i, at_[k], 0., normal));
         layout_.prestress = std::max({layout_.prestress, std::abs(tension(k)), joint.seat_force});
       }
@@ -168,7 +174,8 @@ public:
         layout_.joints[k].bush   = at_[k];
         layout_.joints[k].roller = roller(k);
       }
-    layout_.sprockets[free_sprocket].angle += turned_;
+    for (unsigned int i = 0; i < wheels_.size(); ++i)
+      layout_.sprockets[i].angle += turned_[i];
     for (Layout::Span &span : layout_.spans)
       {
         const Point<2> &from = at_[span.first], &to = at_[(span.first + span.links) % n_];
@@ -201,20 +208,20 @@ private:
     return seat_stiffness_ * std::max(0., depth - chain_.shifts.seat_of(k));
   }
 
-  /// By how much a joint's point at @p p overlaps sprocket @p i, the driven one turned on by
-  /// @p turn; very negative where it is far from it. @p normal points away from the tooth.
+  /// By how much a joint's point at @p p overlaps wheel @p i, turned on by @p turn; very negative
+  /// where it is far from it. @p normal points away from the wheel.
   double overlap(const unsigned int i, const Point<2> &p, const double turn, Vector &normal) const
   {
-    const ToothForm        &form     = forms_[i];
-    const Layout::Sprocket &sprocket = layout_.sprockets[i];
-    const Vector            arm      = p - sprocket.centre;
-    normal                           = Vector();
-    if (arm.norm() > 0.5 * form.outside_diameter + chain_.roller_radius)
+    const path::Obstacle   &outline = *wheels_[i].outline;
+    const Layout::Sprocket &wheel   = layout_.sprockets[i];
+    const Vector            arm     = p - wheel.centre;
+    normal                          = Vector();
+    if (arm.norm() > outline.reach() + chain_.roller_radius)
       return -1.;
-    const double angle = i == free_sprocket ? sprocket.angle + turned_ + turn : sprocket.angle;
-    const double c = std::cos(angle), s = std::sin(angle);
-    const auto   nearest =
-        form.closest_point(Point<2>(c * arm[0] + s * arm[1], c * arm[1] - s * arm[0]));
+    const double        angle = wheels_[i].held ? wheel.angle : wheel.angle + turned_[i] + turn;
+    const double        c = std::cos(angle), s = std::sin(angle);
+    const path::Nearest nearest =
+        outline.nearest(Point<2>(c * arm[0] + s * arm[1], c * arm[1] - s * arm[0]));
     normal[0] = c * nearest.normal[0] - s * nearest.normal[1];
     normal[1] = s * nearest.normal[0] + c * nearest.normal[1];
     return contact_radius_ - nearest.distance;
@@ -232,7 +239,7 @@ private:
     Vector   normal;
     Point<2> at   = bush;
     bool     free = true;
-    for (unsigned int i = 0; i < forms_.size(); ++i)
+    for (unsigned int i = 0; i < wheels_.size(); ++i)
       {
         const double depth = overlap(i, bush, 0., normal);
         if (depth > -clearance)
@@ -243,15 +250,15 @@ private:
     if (free && chain_.weight > 0.)
       {
         at[1] -= clearance;
-        for (unsigned int i = 0; i < forms_.size(); ++i)
+        for (unsigned int i = 0; i < wheels_.size(); ++i)
           if (overlap(i, at, 0., normal) > -clearance)
             return bush;
       }
     return at;
   }
 
-  /// Derivatives of a contact's energy by the joint's position and the driven hub's way at its
-  /// pitch radius; returns the energy.
+  /// Derivatives of a contact's energy by the joint's position and the wheel's way at its lever;
+  /// returns the energy.
   double contact(const unsigned int     k,
                  const unsigned int     i,
                  const Point<2>        &p,
@@ -260,41 +267,42 @@ private:
   {
     Vector       normal;
     const double force = seat_force(k, overlap(i, p, turn, normal));
-    const Vector arm   = p - layout_.sprockets[free_sprocket].centre;
+    const Vector arm   = p - layout_.sprockets[i].centre;
     gradient           = {{-force * normal[0],
                            -force * normal[1],
-                 i != free_sprocket ?
+                 wheels_[i].held ?
                                0. :
-                               force * (normal[1] * arm[0] - normal[0] * arm[1]) / hub_radius_}};
+                               force * (normal[1] * arm[0] - normal[0] * arm[1]) / wheels_[i].lever}};
     return 0.5 * force * force / seat_stiffness_;
   }
 
-  void add_contact(const unsigned int k, const unsigned int sprocket)
+  /// Of joint @p k with wheel @p i, which is free wheel @p f if it is not held.
+  void add_contact(const unsigned int k, const unsigned int i, const unsigned int f)
   {
+    const bool            held = wheels_[i].held;
     std::array<double, 3> here, there;
-    energy_ += contact(k, sprocket, at_[k], 0., here);
+    energy_ += contact(k, i, at_[k], 0., here);
     gradient_[k][0] += here[0];
     gradient_[k][1] += here[1];
-    hub_gradient_ += here[2];
+    if (!held)
+      wheel_gradient_[f] += here[2];
     if (here[0] == 0. && here[1] == 0.)
       return;
-    for (unsigned int j = 0; j < 3; ++j)
+    for (unsigned int j = 0; j < (held ? 2 : 3); ++j)
       {
         Point<2> moved = at_[k];
         if (j < 2)
           moved[j] += nudge;
-        else if (sprocket != free_sprocket)
-          break;
-        contact(k, sprocket, moved, j < 2 ? 0. : nudge / hub_radius_, there);
-        for (unsigned int i = 0; i < 3; ++i)
+        contact(k, i, moved, j < 2 ? 0. : nudge / wheels_[i].lever, there);
+        for (unsigned int a = 0; a < 3; ++a)
           {
-            const double second = (there[i] - here[i]) / nudge;
-            if (i < 2 && j < 2)
-              diagonal_[k][i][j] += second;
-            else if (i == 2 && j == 2)
-              hub_diagonal_ += second;
+            const double second = (there[a] - here[a]) / nudge;
+            if (a < 2 && j < 2)
+              diagonal_[k][a][j] += second;
+            else if (a == 2 && j == 2)
+              wheel_diagonal_[f] += second;
             else if (j == 2)
-              to_hub_[k][i] += second;
+              to_wheel_[f][k][a] += second;
           }
       }
   }
@@ -302,11 +310,17 @@ private:
   /// Energy [J] at the present state; its derivatives become members.
   double assemble()
   {
-    energy_       = -torque_ * turned_;
-    hub_gradient_ = -torque_ / hub_radius_;
-    hub_diagonal_ = 0.;
+    const std::size_t n_free = free_.size();
+    energy_                  = 0.;
+    wheel_gradient_.clear();
+    for (const unsigned int i : free_)
+      {
+        energy_ -= wheels_[i].torque * turned_[i];
+        wheel_gradient_.push_back(-wheels_[i].torque / wheels_[i].lever);
+      }
+    wheel_diagonal_.assign(n_free, 0.);
     gradient_.assign(n_, Vector());
-    to_hub_.assign(n_, Vector());
+    to_wheel_.assign(n_free, std::vector<Vector>(n_));
     diagonal_.assign(n_, Matrix());
     to_next_.assign(n_, Matrix());
     for (unsigned int k = 0; k < n_; ++k)
@@ -328,8 +342,11 @@ private:
         diagonal_[k] += along;
         diagonal_[next] += along;
         to_next_[k] -= along;
-        for (unsigned int i = 0; i < forms_.size(); ++i)
-          add_contact(k, i);
+        for (unsigned int i = 0, f = 0; i < wheels_.size(); ++i)
+          {
+            add_contact(k, i, f);
+            f += wheels_[i].held ? 0 : 1;
+          }
       }
     for (Matrix &m : diagonal_)
       m[0][1] = m[1][0] = 0.5 * (m[0][1] + m[1][0]);
@@ -337,23 +354,29 @@ private:
   }
 
   /// Solves (H + shift) step = -gradient: joints 1 ... n-1 are a block tridiagonal matrix, joint 0
-  /// and the hub its border. False where the matrix is not positive definite.
+  /// and the free wheels, the unknowns without neighbours on one side, its border. False where the
+  /// matrix is not positive definite.
   bool newton_step(const double shift)
   {
-    std::vector<Matrix>                  inverse(n_);
-    std::vector<Border>                  border(n_);
-    std::vector<Vector>                  right(n_);
-    std::array<std::array<double, 3>, 3> corner{};
-    std::array<double, 3>                rest{};
+    const unsigned int               m = 2 + static_cast<unsigned int>(free_.size());
+    std::vector<Matrix>              inverse(n_);
+    std::vector<std::vector<Vector>> border(n_, std::vector<Vector>(m));
+    std::vector<Vector>              right(n_);
+    Rows                             corner(m, std::vector<double>(m, 0.));
+    std::vector<double>              rest(m);
     for (unsigned int i = 0; i < 2; ++i)
       {
         for (unsigned int j = 0; j < 2; ++j)
           corner[i][j] = diagonal_[0][i][j] + (i == j ? shift : 0.);
-        corner[2][i] = corner[i][2] = to_hub_[0][i];
-        rest[i]                     = -gradient_[0][i];
+        for (unsigned int f = 2; f < m; ++f)
+          corner[f][i] = corner[i][f] = to_wheel_[f - 2][0][i];
+        rest[i] = -gradient_[0][i];
       }
-    corner[2][2] = hub_diagonal_ + shift;
-    rest[2]      = -hub_gradient_;
+    for (unsigned int f = 2; f < m; ++f)
+      {
+        corner[f][f] = wheel_diagonal_[f - 2] + shift;
+        rest[f]      = -wheel_gradient_[f - 2];
+      }
 
     for (unsigned int k = 1; k < n_; ++k)
       {
@@ -366,49 +389,50 @@ private:
             for (unsigned int j = 0; j < 2; ++j) // to_next_ is symmetric
               border[k][j][i] =
                   (k == 1 ? to_next_[0][i][j] : 0.) + (k == n_ - 1 ? to_next_[n_ - 1][i][j] : 0.);
-            border[k][2][i] = to_hub_[k][i];
+            for (unsigned int f = 2; f < m; ++f)
+              border[k][f][i] = to_wheel_[f - 2][k][i];
           }
         if (k > 1)
           {
             const Matrix factor = to_next_[k - 1] * inverse[k - 1];
             pivot -= factor * to_next_[k - 1];
             right[k] -= factor * right[k - 1];
-            for (unsigned int b = 0; b < 3; ++b)
+            for (unsigned int b = 0; b < m; ++b)
               border[k][b] -= factor * border[k - 1][b];
           }
         if (!positive_definite(pivot))
           return false;
         inverse[k] = invert(pivot);
-        for (unsigned int a = 0; a < 3; ++a)
+        for (unsigned int a = 0; a < m; ++a)
           {
             const Vector row = inverse[k] * border[k][a];
-            for (unsigned int b = 0; b < 3; ++b)
+            for (unsigned int b = 0; b < m; ++b)
               corner[a][b] -= row * border[k][b];
             rest[a] -= row * right[k];
           }
       }
     if (!cholesky(corner))
       return false;
-    for (int i = 0; i < 3; ++i)
+    for (unsigned int i = 0; i < m; ++i)
       {
-        for (int j = 0; j < i; ++j)
+        for (unsigned int j = 0; j < i; ++j)
           rest[i] -= corner[i][j] * rest[j];
         rest[i] /= corner[i][i];
       }
-    for (int i = 2; i >= 0; --i)
+    for (unsigned int i = m; i-- > 0;)
       {
-        for (int j = i + 1; j < 3; ++j)
+        for (unsigned int j = i + 1; j < m; ++j)
           rest[i] -= corner[j][i] * rest[j];
         rest[i] /= corner[i][i];
       }
     step_.assign(n_, Vector());
     step_[0][0] = rest[0];
     step_[0][1] = rest[1];
-    hub_step_   = rest[2];
+    wheel_step_.assign(rest.begin() + 2, rest.end());
     for (unsigned int k = n_ - 1; k > 0; --k)
       {
         Vector sum = right[k];
-        for (unsigned int b = 0; b < 3; ++b)
+        for (unsigned int b = 0; b < m; ++b)
           sum -= rest[b] * border[k][b];
         if (k + 1 < n_)
           sum -= to_next_[k] * step_[k + 1];
@@ -417,56 +441,85 @@ private:
     return true;
   }
 
-  Layout                       &layout_;
-  const RestingChain           &chain_;
-  const std::vector<ToothForm> &forms_;
-  const unsigned int            n_;
-  const double                  hub_radius_, contact_radius_;
-  double                        seat_stiffness_;
-  const double torque_;      ///< on the driven sprocket, counter-clockwise positive, N m
+  Layout                          &layout_;
+  const RestingChain              &chain_;
+  const std::vector<RestingWheel> &wheels_;
+  const unsigned int               n_;
+  const double                     contact_radius_;
+  double                           seat_stiffness_;
   const double centrifugal_; ///< what turning its momentum takes of the tension, N
 
-  std::vector<Point<2>> at_;          ///< of the joints, m
-  double                turned_ = 0.; ///< the driven hub, rad
-  double                energy_ = 0.;
+  std::vector<unsigned int> free_;   ///< wheels that are not held
+  std::vector<Point<2>>     at_;     ///< of the joints, m
+  std::vector<double>       turned_; ///< per wheel, rad
+  double                    energy_ = 0.;
 
-  std::vector<Vector> gradient_, to_hub_; ///< second derivatives by a joint and the hub
-  std::vector<Matrix> diagonal_, to_next_;
-  double              hub_gradient_ = 0., hub_diagonal_ = 0.;
-  std::vector<Vector> step_;
-  double              hub_step_ = 0.;
+  std::vector<Vector>              gradient_;
+  std::vector<std::vector<Vector>> to_wheel_; ///< second derivatives by a free wheel and a joint
+  std::vector<Matrix>              diagonal_, to_next_;
+  std::vector<double>              wheel_gradient_, wheel_diagonal_; ///< per free wheel
+  std::vector<Vector>              step_;
+  std::vector<double>              wheel_step_;
 };
 
-/// Gives the driven sprocket @p speed, and the chain in the spans its share of the change.
-void set_driven_speed(Layout &layout, const double speed)
+/// Gives wheel @p i the @p speed, and the chain in the spans beside it its share of the change.
+void set_speed(Layout &layout, const unsigned int i, const double speed)
 {
-  Layout::Sprocket  &driven = layout.sprockets[free_sprocket];
-  const double       factor = speed / driven.speed;
+  Layout::Sprocket  &wheel  = layout.sprockets[i];
+  const double       factor = speed / wheel.speed;
   const unsigned int n      = layout.joints.size();
   for (const Layout::Span &span : layout.spans)
     {
-      const unsigned int last   = (span.first + span.links) % n;
-      const bool         leads  = layout.joints[last].sprocket == free_sprocket;
-      const Vector       change = (factor - 1.) * layout.joints[leads ? last : span.first].velocity;
-      for (unsigned int i = 1; i < span.links; ++i)
-        layout.joints[(span.first + i) % n].velocity +=
-            static_cast<double>(leads ? i : span.links - i) / span.links * change;
+      const unsigned int last  = (span.first + span.links) % n;
+      const bool         leads = layout.joints[last].sprocket == static_cast<int>(i);
+      if (!leads && layout.joints[span.first].sprocket != static_cast<int>(i))
+        continue;
+      const Vector change = (factor - 1.) * layout.joints[leads ? last : span.first].velocity;
+      for (unsigned int k = 1; k < span.links; ++k)
+        layout.joints[(span.first + k) % n].velocity +=
+            static_cast<double>(leads ? k : span.links - k) / span.links * change;
     }
   for (Layout::Joint &joint : layout.joints)
-    if (joint.sprocket == free_sprocket)
+    if (joint.sprocket == static_cast<int>(i))
       joint.velocity *= factor;
-  driven.speed = speed;
+  wheel.speed = speed;
 }
+
+/// A sprocket as an obstacle.
+class Teeth : public path::Obstacle
+{
+public:
+  explicit Teeth(const ToothForm &form) : form_(form) {}
+
+  double        reach() const override { return 0.5 * form_.outside_diameter; }
+  path::Nearest nearest(const Point<2> &p) const override
+  {
+    const Projection nearest = form_.closest_point(p);
+    return {nearest.distance, nearest.normal};
+  }
+
+private:
+  const ToothForm &form_;
+};
 } // namespace
 
-void bring_to_rest(Layout                       &layout,
-                   const RestingChain           &chain,
-                   const std::vector<ToothForm> &forms,
-                   const double                  tension)
+RestingWheel resting_sprocket(const ToothForm &form, const bool held, const double torque)
 {
-  const Layout::Span &tight = layout.span(true), &slack = layout.span(false);
+  return {std::make_shared<Teeth>(form),
+          0.5 * form.pitch_diameter,
+          static_cast<double>(form.teeth),
+          held,
+          torque};
+}
 
-  Equilibrium  equilibrium(layout, chain, forms);
+void bring_to_rest(Layout                          &layout,
+                   const RestingChain              &chain,
+                   const std::vector<RestingWheel> &wheels,
+                   const double                     tension)
+{
+  const Layout::Span &tight = layout.spans[1];
+
+  Equilibrium  equilibrium(layout, chain, wheels);
   const double tolerance = 1e-6 * tension + 1e-3;
   // tension over the shaft's way: first that of two straight spans, then secants
   double slope  = 2. / (1. / chain.inner_stiffness + 1. / chain.outer_stiffness) / tight.links;
@@ -483,9 +536,11 @@ void bring_to_rest(Layout                       &layout,
           equilibrium.move_shaft(-moved);
           continue;
         }
-      const double now = 0.5 * (equilibrium.tension(tight.first + tight.links / 2) +
-                                equilibrium.tension(slack.first + slack.links / 2));
-      found            = std::abs(now - tension) < 1e-3 * tension;
+      double now = 0.;
+      for (const Layout::Span &span : layout.spans)
+        now += equilibrium.tension(span.first + span.links / 2);
+      now /= layout.spans.size();
+      found = std::abs(now - tension) < 1e-3 * tension;
       if (found)
         break;
       if (moved != 0. && (now - before) / moved > 0.)
@@ -503,18 +558,20 @@ void bring_to_rest(Layout                       &layout,
   equilibrium.store();
 }
 
-void settle(Layout                       &layout,
-            const RestingChain           &chain,
-            const std::vector<ToothForm> &forms,
-            const Operation              &operation)
+void settle(Layout                          &layout,
+            const RestingChain              &chain,
+            const std::vector<RestingWheel> &wheels,
+            const Operation                 &operation)
 {
   // a chain that runs takes m v^2 of its tension to turn its own momentum
-  const double speed = 0.5 * forms[0].pitch_diameter * operation.driver_speed;
+  const double speed = wheels[0].lever * operation.driver_speed;
   const double pitch = 0.5 * (chain.length.inner + chain.length.outer);
   const double flux  = operation.mass_per_pitch / pitch * speed * speed;
 
-  Equilibrium  equilibrium(layout, chain, forms, -layout.sense * operation.torque, flux);
-  const double scale = flux + std::abs(operation.torque) / (0.5 * forms[1].pitch_diameter);
+  Equilibrium equilibrium(layout, chain, wheels, flux);
+  double      scale = flux;
+  for (const RestingWheel &wheel : wheels)
+    scale += std::abs(wheel.torque) / wheel.lever;
   if (!equilibrium.solve(1e-6 * scale + 1e-3) && equilibrium.largest_force() > creeping * scale)
     throw InputError("Drive/Layout/Start = settled: no balance of the load torque, the tension of "
                      "the chain and the forces of the teeth is found for this drive; choose taut, "
@@ -523,7 +580,10 @@ void settle(Layout                       &layout,
   set_in_motion(layout, operation.driver_speed);
   // above the resonance the inertia keeps its mean speed, whatever the polygon
   if (!operation.follows_polygon && operation.driver_speed > 0.)
-    set_driven_speed(layout,
-                     layout.sprockets[0].speed * forms[0].teeth / forms[free_sprocket].teeth);
+    for (unsigned int i = 1; i < wheels.size(); ++i)
+      set_speed(layout,
+                i,
+                layout.sprockets[i].turn * layout.sprockets[0].speed * wheels[0].seats /
+                    wheels[i].seats);
 }
 } // namespace chaindrive::drive

@@ -20,7 +20,7 @@ Wheel::Wheel(const unsigned int n_teeth,
              const Point<2>    &position,
              const LinkLengths &lengths,
              const int          turns)
-    : pitch_angle(2. * PI / n_teeth)
+    : teeth(n_teeth), pitch_angle(2. * PI / n_teeth)
 {
   const double half = PI / n_teeth;
   roller_radius     = 0.5 * lengths.mean() / std::sin(half);
@@ -34,6 +34,7 @@ Wheel Wheel::flat(const double       seats,
 {
   Wheel        wheel;
   const double half   = std::asin(0.5 * lengths.mean() / seats);
+  wheel.teeth         = 0;
   wheel.pitch_angle   = 2. * half;
   wheel.roller_radius = seats;
   wheel.set(position, lengths, turns, half);

@@ -4,6 +4,7 @@
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/drive/tooth_form.h>
 #include <chaindrive/parameters/drive.h>
+#include <chaindrive/path/route.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -83,6 +84,11 @@ struct JointShifts
   double pin_of(const unsigned int k) const { return pin.empty() ? 0. : pin[k]; }
   double seat_of(const unsigned int k) const { return seat.empty() ? 0. : seat[k]; }
 };
+
+/// What joints and wheels of a laid chain are in a layout: wheels in their order, span 0 the slack
+/// one, nothing in motion. Frames of wheels begin at the tooth gap of their first seat.
+Layout
+to_layout(const std::vector<path::Wheel> &wheels, const path::Chain &chain, const path::Laid &laid);
 
 /// Whether the sag of @p layout is that of the drive in operation: the start is settled.
 bool keeps_sag(const parameters::Layout &layout);

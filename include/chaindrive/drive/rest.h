@@ -2,7 +2,11 @@
 #pragma once
 
 #include <chaindrive/drive/layout.h>
+#include <chaindrive/path/obstacle.h>
 #include <chaindrive/path/wheel.h>
+
+#include <memory>
+#include <vector>
 
 namespace chaindrive::drive
 {
@@ -23,35 +27,47 @@ struct RestingChain
   JointShifts       shifts = {};
 };
 
-/// Moves chain, driven sprocket and shaft so that the drive of @p layout, whose driver is held and
-/// whose driven sprocket turns freely, rests in equilibrium with the mean tension @p tension [N] in
-/// the middle of its two spans: minimum of the energy by Newton's method, centre distance by
-/// secants. Without friction, which holds what has been laid so.
+/// A wheel, as statics see it.
+struct RestingWheel
+{
+  std::shared_ptr<const path::Obstacle> outline;
+  double                                lever;          ///< radius of its pitch circle, m
+  double                                seats;          ///< on a whole turn: its teeth
+  bool                                  held   = false; ///< it does not turn
+  double                                torque = 0.;    ///< counter-clockwise, N m
+};
+
+/// A sprocket, of which @p form must live as long.
+RestingWheel resting_sprocket(const ToothForm &form, bool held, double torque = 0.);
+
+/// Moves chain, wheels and the shaft of wheel 1 so that the drive of @p layout, whose wheels turn
+/// freely unless they are held, rests in equilibrium with the mean tension @p tension [N] in the
+/// middle of its spans: minimum of the energy by Newton's method, the shaft by secants along x.
+/// Without friction, which holds what has been laid so.
 ///
 /// @throws InputError, naming Drive/Layout/Pretension in N, when there is no such state.
-void bring_to_rest(Layout                       &layout,
-                   const RestingChain           &chain,
-                   const std::vector<ToothForm> &forms,
-                   double                        tension);
+void bring_to_rest(Layout                          &layout,
+                   const RestingChain              &chain,
+                   const std::vector<RestingWheel> &wheels,
+                   double                           tension);
 
 /// How a drive runs.
 struct Operation
 {
-  double driver_speed;    ///< magnitude, rad/s
-  double torque;          ///< of the load, against the motion of the driven sprocket, N m
+  double driver_speed;    ///< of wheel 0, magnitude, rad/s
   double mass_per_pitch;  ///< kg
-  bool   follows_polygon; ///< the driven side turns with the polygon's speed of its phase, as it
-                          ///< does below its resonance on the tight span, or with its mean
+  bool   follows_polygon; ///< other wheels turn with the polygon's speed of their phase, as they do
+                          ///< below their resonance on straight spans, or with their means
 };
 
-/// Moves chain and driven sprocket of @p layout to where they balance the load torque while the
-/// drive runs, and sets them in motion: minimum of the energy as above, in which the tension that
-/// pulls at a joint is less by what turns the chain's own momentum, m v^2. Teeth take their shares
-/// of the tension at the angles at which rollers bear on them then. Without friction.
+/// Moves chain and free wheels of @p layout to where they balance their torques while the drive
+/// runs, and sets them in motion: minimum of the energy as above, in which the tension that pulls
+/// at a joint is less by what turns the chain's own momentum, m v^2. Teeth take their shares of the
+/// tension at the angles at which rollers bear on them then. Without friction.
 ///
 /// @throws InputError, naming Drive/Layout/Start, when no such state is found.
-void settle(Layout                       &layout,
-            const RestingChain           &chain,
-            const std::vector<ToothForm> &forms,
-            const Operation              &operation);
+void settle(Layout                          &layout,
+            const RestingChain              &chain,
+            const std::vector<RestingWheel> &wheels,
+            const Operation                 &operation);
 } // namespace chaindrive::drive

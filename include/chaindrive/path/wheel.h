@@ -25,6 +25,7 @@ struct LinkLengths
 /// consecutive bushes have exactly the distances of inner and outer links.
 struct Wheel
 {
+  unsigned int     teeth; ///< 0: none
   int              turn;
   dealii::Point<2> centre;
   double           pitch_angle;   ///< between consecutive seats
