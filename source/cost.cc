@@ -98,7 +98,7 @@ void time_outputs(Simulation &simulation, Cost &cost)
   cost.files   = std::max(0., first - few * cost.sample);
   cost.samples = 1. + std::min(std::ceil(duration / output.history_interval), double(cost.steps));
   const double interval = parameters::field_interval(simulation.parameters);
-  if (interval <= 0. || !scene::is_on(simulation.scene.effects, "fields"))
+  if (interval <= 0. || !scene::is_on(simulation.scene.effects, scene::EffectKind::fields))
     return;
   observe::Pictures pictures(
       simulation.scene, simulation.parameters, system, scratch.path(), system.timer);

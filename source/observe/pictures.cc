@@ -33,9 +33,11 @@ Pictures::Pictures(const scene::Scene     &scene,
     : scene_(scene)
     , phase_(timer.add("Output"))
     , schedule_(parameters.time.start,
-                is_on(scene.effects, "fields") ? parameters::field_interval(parameters) : 0.)
+                is_on(scene.effects, scene::EffectKind::fields) ?
+                    parameters::field_interval(parameters) :
+                    0.)
 {
-  if (is_on(scene.effects, "fields"))
+  if (is_on(scene.effects, scene::EffectKind::fields))
     drawing_ = std::make_unique<Drawing>(scene, system, directory);
 }
 

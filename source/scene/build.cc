@@ -15,9 +15,9 @@ namespace
 parameters::Loads effective_loads(const Parameters &p, const std::vector<Effect> &effects)
 {
   parameters::Loads loads = p.loads;
-  if (!is_on(effects, "gravity"))
+  if (!is_on(effects, EffectKind::gravity))
     loads.gravity = 0.;
-  if (!is_on(effects, "drag"))
+  if (!is_on(effects, EffectKind::drag))
     loads.drag = 0.;
   return loads;
 }
@@ -70,9 +70,9 @@ ContactLaw make_law(const Parameters           &parameters,
   const parameters::Contact &contact = parameters.contact;
   ContactLaw                 law;
   law.stiffness = k;
-  if (is_on(effects, "contact damping"))
+  if (is_on(effects, EffectKind::contact_damping))
     law.damping = 2. * contact.damping_ratio * std::sqrt(k * mass);
-  if (is_on(effects, "friction"))
+  if (is_on(effects, EffectKind::friction))
     law.friction = friction.value_or(contact.friction_coefficient);
   if (law.friction > 0.)
     {
@@ -118,8 +118,8 @@ Scene build_scene(const Parameters               &parameters,
   scene.elements        = parameters.elements;
   scene.effects         = decide_effects(parameters);
   scene.loads           = effective_loads(parameters, scene.effects);
-  scene.half            = is_on(scene.effects, "half model");
-  scene.plates_bend     = is_on(scene.effects, "plate bending");
+  scene.half            = is_on(scene.effects, EffectKind::half_model);
+  scene.plates_bend     = is_on(scene.effects, EffectKind::plate_bending);
   scene.sense           = layout.sense;
   scene.at_speed        = parameters.drive.layout.start == parameters::Start::settled;
   scene.n_joints        = static_cast<unsigned int>(layout.joints.size());
@@ -132,7 +132,7 @@ Scene build_scene(const Parameters               &parameters,
   scene.stiffness_per_pitch = drive.stiffness_per_pitch;
   scene.notes               = drive.notes;
   scene.notes.push_back(note_of_quantities(parameters.output));
-  scene.effects.push_back({"start-up",
+  scene.effects.push_back({EffectKind::start_up,
                            !scene.at_speed,
                            "Drive/Layout/Start = " + text_of(parameters.drive.layout.start) +
                                (scene.at_speed ? ": at full speed" : ": from rest")});
@@ -141,7 +141,7 @@ Scene build_scene(const Parameters               &parameters,
 
   builder_of(parameters.model.fidelity)(parameters, drive, scene);
   add_sprockets(parameters, drive, folders, scene);
-  if (is_on(scene.effects, "reduced bodies") && basis_of)
+  if (is_on(scene.effects, EffectKind::reduced_bodies) && basis_of)
     add_bases(basis_of, scene);
   return scene;
 }

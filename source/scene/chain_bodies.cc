@@ -69,8 +69,8 @@ void add_chain_bodies(const Parameters        &parameters,
   const drive::Layout &layout          = drive.layout;
   const unsigned int   n               = scene.n_joints;
   const double         factor          = link_mass_factor(parameters, drive);
-  const bool           elastic_rollers = is_on(scene.effects, "elastic rollers");
-  const bool           elastic_links   = is_on(scene.effects, "elastic links");
+  const bool           elastic_rollers = is_on(scene.effects, EffectKind::elastic_rollers);
+  const bool           elastic_links   = is_on(scene.effects, EffectKind::elastic_links);
   const Motion         deforming =
       parameters.model.capabilities().is_reduced ? Motion::reduced : Motion::elastic;
   const Motion others = parameters.model.other_links == parameters::OtherLinks::reduced ?

@@ -5,6 +5,7 @@
 #include <chaindrive/utilities/text.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 
@@ -16,15 +17,42 @@ using parameters::Switch;
 
 namespace
 {
-Effect decide(const std::string &name,
+struct EffectText
+{
+  EffectKind  kind;
+  const char *text;
+};
+constexpr EffectText texts[] = {{EffectKind::roller_bush_clearance, "roller-bush clearance"},
+                                {EffectKind::bush_pin_clearance, "bush-pin clearance"},
+                                {EffectKind::chain_bars, "chain bars"},
+                                {EffectKind::friction, "friction"},
+                                {EffectKind::contact_damping, "contact damping"},
+                                {EffectKind::chain_damping, "chain damping"},
+                                {EffectKind::gravity, "gravity"},
+                                {EffectKind::drag, "drag"},
+                                {EffectKind::elastic_links, "elastic links"},
+                                {EffectKind::elastic_rollers, "elastic rollers"},
+                                {EffectKind::elastic_driver, "elastic driver"},
+                                {EffectKind::elastic_driven, "elastic driven"},
+                                {EffectKind::tooth_compliance, "tooth compliance"},
+                                {EffectKind::plate_bending, "plate bending"},
+                                {EffectKind::reduced_bodies, "reduced bodies"},
+                                {EffectKind::column_mass_scaling, "column mass scaling"},
+                                {EffectKind::plate_faces, "plate faces"},
+                                {EffectKind::half_model, "half model"},
+                                {EffectKind::fields, "fields"},
+                                {EffectKind::stress_recovery, "stress recovery"},
+                                {EffectKind::start_up, "start-up"}};
+
+Effect decide(const EffectKind   kind,
               const Switch       choice,
               const double       coefficient,
               const std::string &coefficient_text)
 {
   if (choice == Switch::off)
-    return {name, false, "switched off in section Effects"};
+    return {kind, false, "switched off in section Effects"};
   const bool on = coefficient != 0.;
-  return {name, on, coefficient_text + (on ? "" : " is zero")};
+  return {kind, on, coefficient_text + (on ? "" : " is zero")};
 }
 
 /// The largest friction coefficient of the interfaces that the fidelity of @p p has.
@@ -50,57 +78,75 @@ std::vector<Effect> decide_effects(const Parameters &p)
   const double      friction = largest_friction(p);
 
   std::vector<Effect> effects;
-  const auto          add = [&effects](const std::string &name, const Decision &decision) {
-    effects.push_back({name, decision.on, decision.reason});
+  const auto          add = [&effects](const EffectKind kind, const Decision &decision) {
+    effects.push_back({kind, decision.on, decision.reason});
   };
-  add("roller-bush clearance", parameters::clearance(p, p.effects.roller_bush_clearance));
-  add("bush-pin clearance", parameters::clearance(p, p.effects.bush_pin_clearance));
+  add(EffectKind::roller_bush_clearance, parameters::clearance(p, p.effects.roller_bush_clearance));
+  add(EffectKind::bush_pin_clearance, parameters::clearance(p, p.effects.bush_pin_clearance));
   effects.push_back(
-      {"chain bars",
+      {EffectKind::chain_bars,
        !has_clearances,
        fidelity + (is_reduced     ? "links deform by shapes" :
                    is_elastic     ? "links are made of finite elements" :
                    has_clearances ? "links are rigid, their compliance sits in the joints" :
                                     "plates are elastic bars")});
-  effects.push_back(decide(
-      "friction", p.effects.friction, friction, "friction coefficient " + to_text(friction)));
-  effects.push_back(decide("contact damping",
+  effects.push_back(decide(EffectKind::friction,
+                           p.effects.friction,
+                           friction,
+                           "friction coefficient " + to_text(friction)));
+  effects.push_back(decide(EffectKind::contact_damping,
                            p.effects.contact_damping,
                            p.contact.damping_ratio,
                            "damping ratio " + to_text(p.contact.damping_ratio)));
-  Effect chain_damping = decide("chain damping",
+  Effect chain_damping = decide(EffectKind::chain_damping,
                                 p.effects.chain_damping,
                                 p.model.chain_damping_ratio,
                                 "chain damping ratio " + to_text(p.model.chain_damping_ratio));
   if (has_clearances)
-    chain_damping = {"chain damping", false, "there are no bars: the joints' contact damping acts"};
+    chain_damping = {
+        EffectKind::chain_damping, false, "there are no bars: the joints' contact damping acts"};
   effects.push_back(chain_damping);
-  effects.push_back(decide("gravity",
+  effects.push_back(decide(EffectKind::gravity,
                            p.effects.gravity,
                            p.loads.gravity,
                            "acceleration " + to_text(p.loads.gravity) + " m/s2"));
-  effects.push_back(decide(
-      "drag", p.effects.drag, p.loads.drag, "coefficient " + to_text(p.loads.drag) + " 1/s"));
-  add("elastic links", parameters::elastic_links(p));
-  add("elastic rollers", parameters::elastic_rollers(p));
-  add("elastic driver", parameters::elastic_sprocket(p, Role::driver));
-  add("elastic driven", parameters::elastic_sprocket(p, Role::driven));
-  add("tooth compliance", parameters::tooth_compliance(p));
-  add("plate bending", parameters::plate_bending(p));
-  add("reduced bodies", parameters::reduced_bodies(p));
-  add("column mass scaling", parameters::column_mass_scaling(p));
-  add("plate faces", parameters::plate_faces(p));
-  add("half model", parameters::half_model(p));
-  add("fields", parameters::fields(p));
-  add("stress recovery", parameters::stress_recovery(p));
+  effects.push_back(decide(EffectKind::drag,
+                           p.effects.drag,
+                           p.loads.drag,
+                           "coefficient " + to_text(p.loads.drag) + " 1/s"));
+  add(EffectKind::elastic_links, parameters::elastic_links(p));
+  add(EffectKind::elastic_rollers, parameters::elastic_rollers(p));
+  add(EffectKind::elastic_driver, parameters::elastic_sprocket(p, Role::driver));
+  add(EffectKind::elastic_driven, parameters::elastic_sprocket(p, Role::driven));
+  add(EffectKind::tooth_compliance, parameters::tooth_compliance(p));
+  add(EffectKind::plate_bending, parameters::plate_bending(p));
+  add(EffectKind::reduced_bodies, parameters::reduced_bodies(p));
+  add(EffectKind::column_mass_scaling, parameters::column_mass_scaling(p));
+  add(EffectKind::plate_faces, parameters::plate_faces(p));
+  add(EffectKind::half_model, parameters::half_model(p));
+  add(EffectKind::fields, parameters::fields(p));
+  add(EffectKind::stress_recovery, parameters::stress_recovery(p));
   return effects;
 }
 
-bool is_on(const std::vector<Effect> &effects, const std::string &name)
+bool is_on(const std::vector<Effect> &effects, const EffectKind kind)
 {
   for (const Effect &effect : effects)
-    if (effect.name == name)
+    if (effect.kind == kind)
       return effect.on;
-  throw std::logic_error("no effect is called " + name);
+  throw std::logic_error("an effect that nobody decided");
+}
+
+std::string Effect::name() const
+{
+  return std::find_if(std::begin(texts),
+                      std::end(texts),
+                      [this](const EffectText &entry) { return entry.kind == kind; })
+      ->text;
+}
+
+EffectKind elastic_sprocket(const Role role)
+{
+  return role == Role::driver ? EffectKind::elastic_driver : EffectKind::elastic_driven;
 }
 } // namespace chaindrive::scene

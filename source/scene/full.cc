@@ -74,7 +74,7 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
   scene.parts[Kind::outer_link] = make_link_part(parameters, drive, false);
 
   weigh_reduced_bodies(scene);
-  if (is_on(scene.effects, "column mass scaling"))
+  if (is_on(scene.effects, EffectKind::column_mass_scaling))
     note_column_masses(scene);
 
   // the softer of two surfaces decides how far they may overlap
@@ -97,7 +97,8 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
                     Kind::inner_link,
                     mesh::bush_outside_first,
                     parameters.contact.roller_bush_friction);
-  if (is_on(scene.effects, "elastic rollers") != is_on(scene.effects, "elastic links"))
+  if (is_on(scene.effects, EffectKind::elastic_rollers) !=
+      is_on(scene.effects, EffectKind::elastic_links))
     add_foundation(drive, scene, rollers.law);
   pins.name                           = "bush-pin";
   pins.elastic                        = true;
@@ -141,7 +142,7 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
   for (BoreFamily *family : {&rollers, &pins})
     if (!family->pairs.empty())
       scene.bores.push_back(std::move(*family));
-  if (is_on(scene.effects, "plate faces"))
+  if (is_on(scene.effects, EffectKind::plate_faces))
     {
       FaceFamily plates;
       plates.name   = "plate faces";

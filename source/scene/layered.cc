@@ -17,7 +17,7 @@ void add_layered_chain(const Parameters &parameters, const drive::Drive &drive, 
 {
   add_chain_bodies(parameters, drive, std::vector<char>(scene.n_joints, false), scene);
   add_rigid_joints(parameters, drive, scene);
-  if (is_on(scene.effects, "fields"))
+  if (is_on(scene.effects, EffectKind::fields))
     {
       scene.parts[Kind::roller]     = make_roller_part(parameters, drive);
       scene.parts[Kind::inner_link] = make_link_part(parameters, drive, true);

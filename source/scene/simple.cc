@@ -18,7 +18,7 @@ void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, S
 
   // what turns is the ring, whatever mass of the links is lumped with it
   const drive::MassProperties &ring    = drive.roller_solid;
-  const bool                   spins   = is_on(scene.effects, "friction");
+  const bool                   spins   = is_on(scene.effects, EffectKind::friction);
   const double                 inertia = ring.inertia[2][2] * std::min(1., mass / ring.mass);
   for (unsigned int k = 0; k < scene.n_joints; ++k)
     {
@@ -35,12 +35,12 @@ void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, S
         roller.inertia[2] = inertia;
       scene.bodies.push_back(roller);
     }
-  if (is_on(scene.effects, "fields"))
+  if (is_on(scene.effects, EffectKind::fields))
     scene.parts[Kind::roller] = make_roller_part(parameters, drive);
 
   const double k       = drive.stiffness_per_pitch;
   double       damping = 0.;
-  if (is_on(scene.effects, "chain damping")) // of two lumps on one bar: reduced mass m/2
+  if (is_on(scene.effects, EffectKind::chain_damping)) // of two lumps on one bar: reduced mass m/2
     damping = 2. * parameters.model.chain_damping_ratio * std::sqrt(k * 0.5 * mass);
   for (unsigned int i = 0; i < scene.n_joints; ++i)
     scene.bars.push_back({i, (i + 1) % scene.n_joints, drive.chain.loaded_pitch(), k, damping});

@@ -25,7 +25,7 @@ std::shared_ptr<const mesh::Part> sprocket_part(const Parameters               &
                                                 const std::vector<std::string> &folders,
                                                 const Scene                    &scene)
 {
-  const bool         elastic = is_on(scene.effects, "elastic " + text_of(sprocket.role));
+  const bool         elastic = is_on(scene.effects, elastic_sprocket(sprocket.role));
   const std::string &file    = sprocket.mesh;
   if (!file.empty())
     {
@@ -41,7 +41,7 @@ std::shared_ptr<const mesh::Part> sprocket_part(const Parameters               &
             to_text(drive.chain.inner_width * 1e3, 4) + " mm between the inner plates.");
       return part;
     }
-  if (is_on(scene.effects, "fields") || elastic)
+  if (is_on(scene.effects, EffectKind::fields) || elastic)
     return make_sprocket_part(parameters, drive, sprocket);
   return nullptr;
 }
@@ -56,7 +56,7 @@ Body sprocket_body(const Parameters   &parameters,
   const drive::Sprocket         &sprocket = drive.sprockets[i];
   const drive::Layout::Sprocket &start    = drive.layout.sprockets[i];
   const drive::MassProperties   &solid    = sprocket.mesh.empty() ? sprocket.solid : part->meshed;
-  const bool                     rim = is_on(scene.effects, "elastic " + text_of(sprocket.role));
+  const bool                     rim      = is_on(scene.effects, elastic_sprocket(sprocket.role));
 
   Body body;
   body.kind    = Kind::sprocket;
@@ -145,7 +145,7 @@ ToothFamily with_elastic_rollers(const Parameters   &parameters,
   const double radius = 0.5 * drive.chain.roller_diameter;
   teeth.half_angle =
       drive::largest_half_angle(radius, teeth.form->seat_radius - radius, scene.material);
-  if (is_on(scene.effects, "tooth compliance") && sector == scene.sectors.end())
+  if (is_on(scene.effects, EffectKind::tooth_compliance) && sector == scene.sectors.end())
     {
       let_give_way(teeth,
                    tooth_stiffness,
@@ -240,7 +240,7 @@ void add_sprockets(const Parameters               &parameters,
 
       const ToothFamily flanks =
           make_flanks(parameters, drive, sprocket, number, part.get(), scene);
-      if (is_on(scene.effects, "tooth compliance") && body.motion == Motion::rigid)
+      if (is_on(scene.effects, EffectKind::tooth_compliance) && body.motion == Motion::rigid)
         scene.notes.push_back(flanks.name + ": tooth and rim give way under a roller by " +
                               to_text(sprocket.tooth_stiffness, 4) + " N/m (" +
                               (parameters.contact.tooth_stiffness ? "given" : "auto") + ")");

@@ -49,13 +49,14 @@ elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &s
   for (int k = first; k <= last; ++k)
     elastic[((k % n) + n) % n] = true;
   const auto name = [n](const int k) { return std::to_string(((k % n) + n) % n); };
-  scene.notes.push_back(
-      "Elastic: rollers " + name(first) + " to " + name(last) + ", " +
-      std::to_string(last - first + 1) + " of " + std::to_string(n) +
-      ", and the links between them: they arrive at the driver in Output's "
-      "window, or up to " +
-      std::to_string(margin) + " links before and after; all else is " +
-      (is_on(scene.effects, "reduced bodies") ? text_of(parameters.model.other_links) : "rigid"));
+  scene.notes.push_back("Elastic: rollers " + name(first) + " to " + name(last) + ", " +
+                        std::to_string(last - first + 1) + " of " + std::to_string(n) +
+                        ", and the links between them: they arrive at the driver in Output's "
+                        "window, or up to " +
+                        std::to_string(margin) + " links before and after; all else is " +
+                        (is_on(scene.effects, EffectKind::reduced_bodies) ?
+                             text_of(parameters.model.other_links) :
+                             "rigid"));
   return elastic;
 }
 } // namespace chaindrive::scene

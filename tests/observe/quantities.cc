@@ -40,14 +40,15 @@ Sizes show(const std::string &what, const Parameters &parameters)
   for (const observe::NamedQuantity &item : observe::make_quantities(now))
     std::cout << ", " << item.name << (item.quantity->reads_contacts() ? "" : " (no records)");
   std::cout << "\n  effects";
-  for (const char *name : {"elastic links",
-                           "elastic rollers",
-                           "elastic driver",
-                           "elastic driven",
-                           "half model",
-                           "fields"})
-    if (is_on(scene.effects, name))
-      std::cout << ", " << name;
+  for (const scene::Effect &effect : scene.effects)
+    for (const scene::EffectKind asked : {scene::EffectKind::elastic_links,
+                                          scene::EffectKind::elastic_rollers,
+                                          scene::EffectKind::elastic_driver,
+                                          scene::EffectKind::elastic_driven,
+                                          scene::EffectKind::half_model,
+                                          scene::EffectKind::fields})
+      if (effect.kind == asked && effect.on)
+        std::cout << ", " << effect.name();
   std::cout << "\n  groups of elastic bodies " << system.world.n_elastic_groups() << ", meshes "
             << scene.parts.size() << '\n';
   return {system.world.memory_consumption(), system.contacts.memory_consumption()};

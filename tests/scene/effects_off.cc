@@ -24,7 +24,7 @@ void show(const std::string &what, const Parameters &parameters)
   std::cout << what << ":\n  on:";
   for (const scene::Effect &effect : scene.effects)
     if (effect.on)
-      std::cout << ' ' << effect.name << ',';
+      std::cout << ' ' << effect.name() << ',';
   std::cout << "\n  bars " << scene.bars.size() << ", bore pairs "
             << (scene.bores.empty() ? 0 : scene.bores[0].pairs.size() + scene.bores[1].pairs.size())
             << ", meshes " << scene.parts.size() << ", rotations " << system.world.rotations.size()

@@ -88,7 +88,8 @@ void show_teeth(const std::string &what, const Parameters &p)
   for (const scene::ToothFamily &teeth : scene.teeth)
     if (teeth.elastic)
       std::cout << ' ' << 1e-9 * teeth.law.stiffness;
-  std::cout << (scene::is_on(scene.effects, "tooth compliance") ? ", on\n" : ", off\n");
+  std::cout << (scene::is_on(scene.effects, scene::EffectKind::tooth_compliance) ? ", on\n" :
+                                                                                   ", off\n");
 }
 
 void check_teeth()

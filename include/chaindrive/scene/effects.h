@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/parameters/drive.h>
+
 #include <string>
 #include <vector>
 
@@ -11,17 +13,48 @@ struct Parameters;
 
 namespace chaindrive::scene
 {
-/// A piece of physics that a scene may call for or not. One that is off makes no object.
+/// The pieces of physics that a scene may call for or not.
+enum class EffectKind
+{
+  roller_bush_clearance,
+  bush_pin_clearance,
+  chain_bars,
+  friction,
+  contact_damping,
+  chain_damping,
+  gravity,
+  drag,
+  elastic_links,
+  elastic_rollers,
+  elastic_driver,
+  elastic_driven,
+  tooth_compliance,
+  plate_bending,
+  reduced_bodies,
+  column_mass_scaling,
+  plate_faces,
+  half_model,
+  fields,
+  stress_recovery,
+  start_up
+};
+
+/// One of them, decided. What is off makes no object.
 struct Effect
 {
-  std::string name;
+  EffectKind  kind;
   bool        on;
   std::string reason; ///< a phrase: why it is on or off
+
+  std::string name() const; ///< in words
 };
+
+/// That the sprocket of this @p role is elastic.
+EffectKind elastic_sprocket(parameters::Role role);
 
 /// Decides each effect from its `auto | on | off` entry and the coefficients behind it.
 std::vector<Effect> decide_effects(const Parameters &parameters);
 
-/// Whether the effect called @p name is on; throws std::logic_error for a name nobody decided.
-bool is_on(const std::vector<Effect> &effects, const std::string &name);
+/// Whether the effect @p kind is on; throws std::logic_error for one that nobody decided.
+bool is_on(const std::vector<Effect> &effects, EffectKind kind);
 } // namespace chaindrive::scene

@@ -12,33 +12,46 @@ struct Line
 {
   const char *name;
   double Ledger::*term;
-  const char     *effect; ///< that fills the line; null: always there; or bodies
-  const char     *description;
+  bool (*is_there)(const Observation &now); ///< whether anything can fill the line
+  const char *description;
 };
 
-// bodies that fill a line: elastic ones of any kind, and those made of elements
-constexpr const char *elastic = "elastic bodies", *nodal = "bodies that move by nodes";
+bool always(const Observation &) { return true; }
+bool elastic(const Observation &now) { return now.scene.has_elastic_bodies(); }
+bool nodal(const Observation &now) { return now.system.world.n_nodal_groups() > 0; }
+
+template <scene::EffectKind kind>
+bool with(const Observation &now)
+{
+  return scene::is_on(now.scene.effects, kind);
+}
 
 constexpr Line lines[] = {
-    {"kinetic", &Ledger::kinetic, nullptr, "Of all bodies but the prescribed hub"},
-    {"potential", &Ledger::potential, "gravity", "Of gravity, zero at the start"},
-    {"bar", &Ledger::bar, "chain bars", "Strain energy of the bars"},
+    {"kinetic", &Ledger::kinetic, always, "Of all bodies but the prescribed hub"},
+    {"potential",
+     &Ledger::potential,
+     with<scene::EffectKind::gravity>,
+     "Of gravity, zero at the start"},
+    {"bar", &Ledger::bar, with<scene::EffectKind::chain_bars>, "Strain energy of the bars"},
     {"strain", &Ledger::strain, elastic, "Strain energy of elastic bodies"},
     {"hourglass",
      &Ledger::hourglass,
      nodal,
      "In the hourglass stiffness of elastic bodies; physical bending for the enhanced elements"},
-    {"contact", &Ledger::contact, nullptr, "Stored in the contact springs"},
-    {"friction_loss", &Ledger::friction, "friction", "Lost by friction since the start"},
+    {"contact", &Ledger::contact, always, "Stored in the contact springs"},
+    {"friction_loss",
+     &Ledger::friction,
+     with<scene::EffectKind::friction>,
+     "Lost by friction since the start"},
     {"contact_damping_loss",
      &Ledger::contact_damping,
-     "contact damping",
+     with<scene::EffectKind::contact_damping>,
      "Lost by contact damping since the start"},
     {"chain_damping_loss",
      &Ledger::chain_damping,
-     "chain damping",
+     with<scene::EffectKind::chain_damping>,
      "Lost in the bars' dashpots since the start"},
-    {"drag_loss", &Ledger::drag, "drag", "Lost by drag since the start"}};
+    {"drag_loss", &Ledger::drag, with<scene::EffectKind::drag>, "Lost by drag since the start"}};
 
 class Energy : public Quantity
 {
@@ -75,14 +88,8 @@ public:
       channels.add("energy/" + name,
                    [&ledger, value](const Channels::Row row) { row[0] = ledger.*value; });
     };
-    const auto is_there = [this](const Line &line) {
-      return line.effect == nullptr ||
-             (line.effect == elastic ? now_.scene.has_elastic_bodies() :
-              line.effect == nodal   ? now_.system.world.n_nodal_groups() > 0 :
-                                       scene::is_on(now_.scene.effects, line.effect));
-    };
     for (const Line &line : lines)
-      if (is_there(line))
+      if (line.is_there(now_))
         term(line.name, line.term);
     term("drive_work", &Ledger::drive_work);
     term("resisting_work", &Ledger::resisting_work);
