@@ -78,7 +78,7 @@ SEAMS = {
         [Interface("Surface", "include/chaindrive/contact/surface.h")],
         [Implementations("Surface")]]),
     "slave set": Seam("contact", "A family holds the slaves of one kind of interface; Contacts asks all families in this order.", [
-        [calls("Contacts", "source/contact/contacts.cc", "needs_search", "search", "announce", "place_surfaces", "fetch_ghosts", "add_forces", "send_forces",
+        [calls("Contacts", "source/contact/contacts.cc", "needs_search", "search", "announce", "place_surfaces", "fetch", "add_forces", "send_forces",
                "gather_forces", "add_springs"),
          calls("stable step", "source/dynamics/closed_contact.cc", "closed_pairs")],
         [Interface("Family", "include/chaindrive/contact/family.h")],

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -53,6 +54,7 @@ BodyBatches::BodyBatches(std::shared_ptr<const mesh::Part> the_part,
     , rank_(rank_in(comm))
     , first_batch_(std::move(first_batch))
     , ghosts_(n_batches() * stride())
+    , always_(n_batches() * stride())
     , is_shared_(n_batches(), 0)
 {
   dealii::IndexSet owned(n_batches() * stride());
@@ -102,6 +104,18 @@ void BodyBatches::want(const unsigned int copy, const std::vector<unsigned int> 
   for (const unsigned int node : wanted)
     {
       const std::size_t first = batch_of(copy) * stride() + node_offset(node);
+      always_.add_range(first, first + numbers_per_node);
+    }
+}
+
+void BodyBatches::may_want(const unsigned int copy, const std::vector<unsigned int> &wanted)
+{
+  has_more_room_ = true;
+  if (owns(copy))
+    return;
+  for (const unsigned int node : wanted)
+    {
+      const std::size_t first = batch_of(copy) * stride() + node_offset(node);
       ghosts_.add_range(first, first + numbers_per_node);
     }
 }
@@ -110,12 +124,16 @@ void BodyBatches::make_ghosts()
 {
   if (first_batch_.size() == 2) // one rank
     return;
+  ghosts_.add_indices(always_);
   for (Vector *vector : {&position, &velocity, &force})
     {
       Vector with_ghosts(vector->locally_owned_elements(), ghosts_, comm_);
       with_ghosts.copy_locally_owned_data_from(*vector);
       vector->swap(with_ghosts);
     }
+  travelling_ = position.get_partitioner();
+  if (has_more_room_)
+    want_now({});
   if (nodes_travel())
     return;
   std::vector<unsigned int> wanted(n_batches());
@@ -123,6 +141,29 @@ void BodyBatches::make_ghosts()
     wanted[batch] = ghosts_.is_element(batch * stride()) ? 1 : 0;
   dealii::Utilities::MPI::max(wanted, comm_, wanted);
   is_shared_.assign(wanted.begin(), wanted.end());
+}
+
+void BodyBatches::want_now(const std::vector<Place> &wanted)
+{
+  if (first_batch_.size() == 2) // one rank
+    return;
+  std::vector<std::size_t> numbers;
+  for (const auto &[copy, node] : wanted)
+    if (!owns(copy))
+      for (unsigned int d = 0; d < 3; ++d)
+        numbers.push_back(batch_of(copy) * stride() + node_offset(node) + component_offset(d) +
+                          lane_of(copy));
+  std::sort(numbers.begin(), numbers.end());
+  dealii::IndexSet now(always_.size());
+  now.add_indices(numbers.begin(), numbers.end());
+  now.add_indices(always_);
+
+  const auto partitioner = std::make_shared<Partitioner>(position.locally_owned_elements(), comm_);
+  partitioner->set_ghost_indices(now, position.get_partitioner()->ghost_indices());
+  travelling_ = partitioner;
+  std::fill_n(position.begin() + position.locally_owned_size(),
+              position.get_partitioner()->n_ghost_indices(),
+              std::numeric_limits<double>::quiet_NaN());
 }
 
 void BodyBatches::count_readers()
@@ -140,30 +181,6 @@ void BodyBatches::add_readers(const unsigned int               batch,
   for (const unsigned int node : nodes)
     readers_[batch * n_nodes() + node] += more;
   ++reader_changes_[batch];
-}
-
-void BodyBatches::fetch_ghosts(std::vector<BodyBatches> &copies)
-{
-  unsigned int channel = 0;
-  for (BodyBatches &c : copies)
-    if (c.nodes_travel())
-      for (const Vector *vector : {&c.position, &c.velocity})
-        vector->update_ghost_values_start(channel++);
-  for (BodyBatches &c : copies)
-    if (c.nodes_travel())
-      for (const Vector *vector : {&c.position, &c.velocity})
-        vector->update_ghost_values_finish();
-}
-
-void BodyBatches::send_forces(std::vector<BodyBatches> &copies)
-{
-  unsigned int channel = 0;
-  for (BodyBatches &c : copies)
-    if (c.nodes_travel())
-      c.force.compress_start(channel++, dealii::VectorOperation::add);
-  for (BodyBatches &c : copies)
-    if (c.nodes_travel())
-      c.force.compress_finish(dealii::VectorOperation::add);
 }
 
 void BodyBatches::stop_plate_bending()

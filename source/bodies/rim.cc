@@ -34,10 +34,10 @@ Rim::Rim(const unsigned int                  the_body,
     else if (copies.owns(t))
       copies.want(s, {a});
   });
-  // rollers of any rank may meet any tooth
+  // rollers of any rank may meet any tooth, but few at a time
   const mesh::SurfaceNodes flanks(*copies.part, nodes, mesh::tooth_flanks);
   for (unsigned int s = 0; s < n; ++s)
-    copies.want(s, flanks.node);
+    copies.may_want(s, flanks.node);
 
   for (unsigned int node = 0; node < nodes.size(); ++node)
     {

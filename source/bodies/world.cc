@@ -51,7 +51,8 @@ dealii::Tensor<1, 3> angular_momentum(const Frame &frame, const dealii::Tensor<1
 } // namespace
 
 World::World(const scene::Scene &scene, const MPI_Comm comm)
-    : time(scene.start_time)
+    : node_exchange(comm)
+    , time(scene.start_time)
     , whole(scene.half ? 2. : 1.)
     , comm_(comm)
     , rank_(rank_in(comm))

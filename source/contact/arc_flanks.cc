@@ -119,6 +119,20 @@ ElasticFlanks::Facet ArcFlanks::nearest(const dealii::Tensor<1, 3> &x,
   return facet;
 }
 
+std::vector<BodyBatches::Place> ArcFlanks::nodes_of_gap(const unsigned int gap) const
+{
+  const unsigned int              last = angle_.size() - 1, n = place_.size() / nodes_.size();
+  std::vector<BodyBatches::Place> places;
+  for (unsigned int k = 0; k < z_.size(); ++k)
+    {
+      for (unsigned int c = 0; c <= last; ++c)
+        places.push_back({gap, node(c, k)});
+      places.push_back({(gap + n - 1) % n, node(last, k)});
+      places.push_back({(gap + 1) % n, node(0, k)});
+    }
+  return places;
+}
+
 ClosedSide ArcFlanks::closed_side(const World              &world,
                                   const double              stiffness,
                                   const mesh::SurfaceNodes &slaves,

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace chaindrive::contact
 {
@@ -27,12 +28,17 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
     NodeFaces::want_ghosts(faces, world);
   for (BodyBatches &copies : world.copies)
     copies.make_ghosts();
+  world.node_exchange.connect(world.copies);
 
   const auto add_family = [&](const scene::SurfaceFamily &family) {
+    std::unique_ptr<SurfaceContact> made;
     if (family.elastic)
-      families_.push_back(std::make_unique<NodeContact>(family, world, search_every_step));
+      made = std::make_unique<NodeContact>(family, world, search_every_step);
     else
-      families_.push_back(std::make_unique<PointContact>(family));
+      made = std::make_unique<PointContact>(family);
+    if (const auto *flanks = dynamic_cast<const ElasticFlanks *>(family.surface.get()))
+      near_flanks_.add(*flanks, *made);
+    families_.push_back(std::move(made));
   };
   for (const scene::ToothFamily &teeth : scene.teeth)
     add_family(on_flanks(teeth, world));
@@ -57,7 +63,7 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
   world.losses.resize(families_.size());
 }
 
-void Contacts::search_if_due(const World &world, const double dt)
+bool Contacts::search_if_due(const World &world, const double dt)
 {
   double largest = 0.;
   if (!every_step_)
@@ -65,7 +71,8 @@ void Contacts::search_if_due(const World &world, const double dt)
       largest = std::max(largest, frame.velocity.norm_square());
   const double approach = 2. * std::sqrt(largest) * dt;
 
-  if (every_step_ || cadence_.is_due(approach))
+  const bool due = every_step_ || cadence_.is_due(approach);
+  if (due)
     {
       for (const auto &family : families_)
         family->search(world, reach_);
@@ -75,16 +82,17 @@ void Contacts::search_if_due(const World &world, const double dt)
   else
     cadence_.use(approach);
   ++statistics_.evaluations;
+  return due;
 }
 
 void Contacts::add_forces(World &world, const double dt)
 {
-  if (needs_search_)
-    search_if_due(world, dt);
+  const bool searched = needs_search_ && search_if_due(world, dt);
+  near_flanks_.look(world, searched, dt);
   for (const auto &family : families_)
     family->announce(world, dt);
   world.place_surfaces(0.5 * dt);
-  BodyBatches::fetch_ghosts(world.copies);
+  world.node_exchange.fetch(world.copies);
   for (std::size_t i = 0; i < families_.size(); ++i)
     if (families_[i]->is_dealt_out() || world.is_first_rank())
       {
@@ -93,38 +101,49 @@ void Contacts::add_forces(World &world, const double dt)
         world.losses[i].friction += world.ledger.friction - friction;
         world.losses[i].damping += world.ledger.contact_damping - damping;
       }
-  BodyBatches::send_forces(world.copies);
+  world.node_exchange.send_forces(world.copies);
   world.gather_forces();
 }
 
 void Contacts::gather_records(const World &world)
 {
-  const MPI_Comm     comm    = world.communicator();
-  const unsigned int n_ranks = n_ranks_in(comm);
-  const unsigned int rank    = rank_in(comm);
-  constexpr int      tag     = 1;
+  const MPI_Comm     comm = world.communicator();
+  const unsigned int rank = rank_in(comm), first = rank > 0 ? rank : 1,
+                     end = rank > 0 ? rank + 1 : n_ranks_in(comm);
+  constexpr int tag      = 1;
+
+  // numbers of each rank; those of others that the first one has of them are as many as will come
+  messages_.resize(end);
+  for (unsigned int of = first; of < end; ++of)
+    {
+      messages_[of].clear();
+      for (const auto &family : families_)
+        family->pack_records(of, messages_[of]);
+    }
   if (rank > 0)
     {
-      message_.clear();
-      for (const auto &family : families_)
-        family->pack_records(rank, message_);
-      const int status = MPI_Send(message_.data(), int(message_.size()), MPI_DOUBLE, 0, tag, comm);
+      const std::vector<double> &own = messages_[rank];
+      const int status = MPI_Send(own.data(), int(own.size()), MPI_DOUBLE, 0, tag, comm);
       AssertThrowMPI(status);
       return;
     }
-  for (unsigned int other = 1; other < n_ranks; ++other)
+
+  std::vector<MPI_Request> requests(end - first);
+  for (unsigned int i = 0; i < requests.size(); ++i)
     {
-      MPI_Status status;
-      int        size = 0;
-      MPI_Probe(int(other), tag, comm, &status);
-      MPI_Get_count(&status, MPI_DOUBLE, &size);
-      message_.resize(size);
-      const int error =
-          MPI_Recv(message_.data(), size, MPI_DOUBLE, int(other), tag, comm, MPI_STATUS_IGNORE);
-      AssertThrowMPI(error);
+      std::vector<double> &message = messages_[first + i];
+      const int            status  = MPI_Irecv(
+          message.data(), int(message.size()), MPI_DOUBLE, int(first + i), tag, comm, &requests[i]);
+      AssertThrowMPI(status);
+    }
+  for (unsigned int n = 0; n < requests.size(); ++n) // in the order in which they come
+    {
+      int       i      = 0;
+      const int status = MPI_Waitany(int(requests.size()), requests.data(), &i, MPI_STATUS_IGNORE);
+      AssertThrowMPI(status);
       std::size_t position = 0;
       for (const auto &family : families_)
-        family->unpack_records(other, message_, position);
+        family->unpack_records(first + i, messages_[first + i], position);
     }
 }
 
@@ -139,9 +158,11 @@ void Contacts::serialize(const Archive &archive, World &world)
   for (unsigned int f = 0; f < families_.size(); ++f)
     families_[f]->serialize(archive / ("family " + std::to_string(f)),
                             rank_in(world.communicator()));
-  if (archive.reads())
-    for (const auto &family : families_)
-      family->announce(world, {});
+  if (!archive.reads())
+    return;
+  near_flanks_.forget();
+  for (const auto &family : families_)
+    family->announce(world, {});
 }
 
 void Contacts::add_springs(const World &world, std::vector<Spring> &springs) const

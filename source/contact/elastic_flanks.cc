@@ -3,8 +3,11 @@
 #include <chaindrive/contact/arc_flanks.h>
 #include <chaindrive/contact/facet_flanks.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace chaindrive::contact
@@ -26,6 +29,13 @@ Touch ElasticFlanks::project(const World                &world,
       return {};
     }
   const auto u = complete(world, x, facet, projection);
+
+  if (std::isnan(projection.displacement.norm_square()))
+    {
+      Touch unknown; // of nodes that are not numbers
+      unknown.gap = std::numeric_limits<double>::quiet_NaN();
+      return unknown;
+    }
 
   // the distance changes by no more than the displacement, to first order by its normal part
   if (facet.distance - radius > projection.displacement.norm())
@@ -103,6 +113,28 @@ void ElasticFlanks::add_opposite(World &world,
   const dealii::Tensor<1, 3> couple = cross_product_3d(projection.arm, f);
   for (unsigned int d = 0; d < 3; ++d)
     world.moment.local_element(3 * body() + d) += couple[d];
+}
+
+std::set<unsigned int> ElasticFlanks::gaps_near(const World                &world,
+                                                const dealii::Tensor<1, 3> &x,
+                                                const double                radius,
+                                                const double                margin) const
+{
+  const Frame               &hub      = world.frames[body()];
+  const dealii::Tensor<1, 3> local    = dealii::transpose(hub.rotation) * (x - hub.position);
+  const double               distance = radius + margin + beyond(radius),
+               from_axis              = std::hypot(local[0], local[1]);
+  const int    n                      = static_cast<int>(family_.teeth);
+  const double per_gap                = 2. * dealii::numbers::PI / n;
+  const double half   = from_axis > distance ? std::asin(distance / from_axis) / per_gap : n;
+  const double centre = std::atan2(local[1], local[0]) / per_gap;
+  int          first  = static_cast<int>(std::lround(centre - half)),
+      last            = static_cast<int>(std::lround(centre + half));
+  last                = std::min(last, first + n - 1);
+  std::set<unsigned int> gaps;
+  for (int gap = first; gap <= last; ++gap)
+    gaps.insert((gap % n + n) % n);
+  return gaps;
 }
 
 TributaryArea largest_share(const mesh::SurfaceNodes &side, const BodyBatches &copies)

@@ -20,6 +20,15 @@ FacetFlanks::FacetFlanks(const scene::ToothFamily &family, const World &world, c
         place_[v]               = copies.index(0, node);
         position_[v]            = copies.nodes.position[node];
       }
+
+  in_gap_.resize(family.teeth);
+  for (const unsigned int node :
+       mesh::SurfaceNodes(*copies.part, copies.nodes, mesh::tooth_flanks).node)
+    in_gap_[gap_of(dealii::Tensor<1, 3>(copies.nodes.position[node]))].push_back({0, node});
+  for (unsigned int f = 0; f < family.facets->n_facets(); ++f)
+    for (const unsigned int v : family.facets->vertices(f))
+      for (const unsigned int w : family.facets->vertices(f))
+        longest_ = std::max(longest_, position_[v].distance(position_[w]));
 }
 
 ElasticFlanks::Facet FacetFlanks::nearest(const dealii::Tensor<1, 3> &x,

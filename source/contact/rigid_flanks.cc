@@ -10,20 +10,16 @@
 
 namespace chaindrive::contact
 {
-namespace
-{
-/// The gap between two teeth that the point @p p of the sprocket's frame is nearest to.
-unsigned int gap_of(const dealii::Tensor<1, 3> &p, const unsigned int teeth)
-{
-  const double gaps = std::atan2(p[1], p[0]) * teeth / (2. * dealii::numbers::PI);
-  return (static_cast<int>(std::lround(gaps)) + teeth) % teeth;
-}
-} // namespace
-
 RigidFlanks::RigidFlanks(const scene::ToothFamily &family)
     : Surface(family.sprocket), family_(family)
 {
   family_.slaves.clear();
+}
+
+unsigned int RigidFlanks::gap_of(const dealii::Tensor<1, 3> &p) const
+{
+  const double gaps = std::atan2(p[1], p[0]) * family_.teeth / (2. * dealii::numbers::PI);
+  return (static_cast<int>(std::lround(gaps)) + family_.teeth) % family_.teeth;
 }
 
 Touch RigidFlanks::project(const World                &world,
@@ -58,7 +54,7 @@ Touch RigidFlanks::project_on_rigid(const World                &world,
       normal    = nearest.normal;
       hint      = nearest.facet;
       if (touch.gap < 0.)
-        touch.feature = gap_of(local, family_.teeth);
+        touch.feature = gap_of(local);
     }
   else
     {

@@ -76,7 +76,7 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 //   Contacts::add_forces
 //     groups: place_surface   nodes that follow rigid bodies                                first
 //                             nodes of reduced bodies                                       readers
-//     fetch_ghosts            positions and velocities of other nodes of elastic bodies
+//     fetch                   positions and velocities of other nodes of elastic bodies
 //                             that other ranks touch                                        message
 //     search, if it is due
 //     families                forces on nodes of both sides; resultants on bodies, of
@@ -94,7 +94,7 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 //   Loads::add_work      load torque on the hub, work of both hubs                          all
 //
 // A step waits for other ranks at the three messages, or only at the last one if no nodes travel:
-// those of reduced bodies do not.
+// those of reduced bodies do not. What observers send is none of it: see doc/architecture.md.
 
 void System::evaluate_forces(const double dt)
 {
@@ -115,7 +115,7 @@ void System::evaluate_forces(const double dt)
       contacts.add_forces(world, dt); // from place_surface to gather_forces
     }
   else
-    BodyBatches::send_forces(world.copies);
+    world.node_exchange.send_forces(world.copies);
   const Step step{dt, world.time, loads.gravity(), loads.drag(), {}};
   for (const auto &group : world.groups)
     group->advance(world, step, force_timer);

@@ -70,7 +70,7 @@ void Recorder::write_histories(const std::string  &directory,
 bool Recorder::observe(dynamics::System &system, const unsigned long, const double dt)
 {
   const PhaseTimer::Scope scope(system.timer, phase_);
-  if (reads_contacts_)
+  if (reads_contacts_) // at every step, since peaks, means and engagements are of every step
     system.contacts.gather_records(system.world);
   now_.next(dt);
   if (system.world.is_first_rank())

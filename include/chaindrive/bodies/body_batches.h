@@ -24,14 +24,15 @@ namespace chaindrive
 /// one other batch. Those of reduced bodies are in an order that makes neighbours lie in one batch.
 ///
 /// Whole batches are dealt out to the ranks. A rank sees of the batches of others the nodes that it
-/// asked for, as ghosts: their positions and velocities come with fetch_ghosts(), and forces that
-/// it adds to them go home with send_forces(). Nodes of reduced bodies do not travel: batches whose
-/// nodes several ranks touch are shared, which is that all ranks know their motion, and each rank
-/// places for itself the nodes that it reads.
+/// asked for, as ghosts: their positions and velocities come and forces that it adds to them go
+/// home by NodeExchange. Ghosts that it may want have room, but travel only while it wants them.
+/// Nodes of reduced bodies do not travel: batches whose nodes several ranks touch are shared, which
+/// is that all ranks know their motion, and each rank places for itself the nodes that it reads.
 class BodyBatches
 {
 public:
-  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+  using Vector      = dealii::LinearAlgebra::distributed::Vector<double>;
+  using Partitioner = dealii::Utilities::MPI::Partitioner;
 
   /// @p bodies are numbers into @p all, the scene's bodies, all made of @p part. Rank r of @p comm
   /// owns the batches from @p first_batch[r] up to first_batch[r + 1].
@@ -131,9 +132,27 @@ public:
   /// are reduced, unless this rank owns it. To be followed by make_ghosts().
   void want(unsigned int copy, const std::vector<unsigned int> &wanted);
 
+  /// The same for nodes that travel only while want_now() asks for them. To be called by all ranks.
+  void may_want(unsigned int copy, const std::vector<unsigned int> &wanted);
+
   /// Gives the vectors room for all ghosts that any rank wants, and finds out which batches are
   /// shared. Collective.
   void make_ghosts();
+
+  /// A node of one copy.
+  struct Place
+  {
+    unsigned int copy, node;
+  };
+
+  /// Of the nodes that it may want, this rank wants these from now on. Ghosts are not numbers until
+  /// they are fetched: who reads others all the same does not go unnoticed. To be followed by
+  /// NodeExchange::connect(). Collective.
+  void want_now(const std::vector<Place> &wanted);
+
+  /// Whether ghosts come and go by messages, and which of them do now.
+  bool               nodes_travel() const { return first_batch_.size() > 2 && !counts_readers(); }
+  const Partitioner &travelling() const { return *travelling_; }
 
   /// Of reduced bodies: from now on counts who reads which nodes on this rank. Nodes that nobody
   /// reads need not be placed. To be called before want().
@@ -150,10 +169,6 @@ public:
 
   /// How often readers of @p batch have come or gone.
   unsigned long reader_changes(const unsigned int batch) const { return reader_changes_[batch]; }
-
-  /// For all @p copies but those of reduced bodies. Messages travel side by side. Collective.
-  static void fetch_ghosts(std::vector<BodyBatches> &copies);
-  static void send_forces(std::vector<BodyBatches> &copies);
 
   /// The state between two steps, batch by batch: forces are then used up.
   void serialize(const Archive &archive);
@@ -180,13 +195,14 @@ public:
   double ahead = 0.;
 
 private:
-  /// Whether ghosts come and go by messages.
-  bool nodes_travel() const { return first_batch_.size() > 2 && !counts_readers(); }
-
   MPI_Comm                  comm_;
   unsigned int              rank_;
-  std::vector<unsigned int> first_batch_; ///< per rank, and their number
-  dealii::IndexSet          ghosts_;
+  std::vector<unsigned int> first_batch_;           ///< per rank, and their number
+  dealii::IndexSet          ghosts_;                ///< all that have room
+  dealii::IndexSet          always_;                ///< those that always travel
+  bool                      has_more_room_ = false; ///< there are others
+
+  std::shared_ptr<const Partitioner> travelling_;
 
   std::vector<char> is_shared_; ///< [batch]
 

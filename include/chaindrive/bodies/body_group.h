@@ -67,7 +67,7 @@ public:
   virtual void drift(World & /*world*/, const Step & /*step*/) {}
 
   /// Adds forces that must be there before those of contacts are. To be followed by
-  /// BodyBatches::send_forces(), with which they travel to other ranks.
+  /// NodeExchange::send_forces(), with which they travel to other ranks.
   virtual void add_forces(World & /*world*/, const ForceTimer & /*timer*/) {}
 
   /// Places the nodes that contacts see, if they are not there anyway. Their velocities belong to

@@ -29,7 +29,7 @@ struct Rim
   void find_seam(const BodyBatches &copies);
 
   /// Gives both of two nodes that are one the mean of the forces on them. Where one of them is
-  /// another rank's, its half waits on a ghost until BodyBatches::send_forces().
+  /// another rank's, its half waits on a ghost until NodeExchange::send_forces().
   void even_out_forces(BodyBatches &copies) const;
 
   /// Places the nodes that the hub holds as the sprocket's @p frame says.

@@ -4,6 +4,7 @@
 #include <chaindrive/bodies/body_batches.h>
 #include <chaindrive/bodies/body_group.h>
 #include <chaindrive/bodies/ledger.h>
+#include <chaindrive/bodies/node_exchange.h>
 #include <chaindrive/bodies/partition.h>
 #include <chaindrive/bodies/rim.h>
 #include <chaindrive/utilities/archive.h>
@@ -176,8 +177,9 @@ public:
   std::vector<Rotation>             rotations;
   std::vector<Spin>                 spins;
   std::vector<Hub>                  hubs;
-  std::vector<Frame>       frames; ///< per body, now; of an elastic one, its centre of mass
-  std::vector<BodyBatches> copies; ///< the elastic bodies, part by part
+  std::vector<Frame>       frames;        ///< per body, now; of an elastic one, its centre of mass
+  std::vector<BodyBatches> copies;        ///< the elastic bodies, part by part
+  NodeExchange             node_exchange; ///< between the ranks' copies
   std::vector<Address>     elastic_address; ///< per body, in copies
   std::vector<Rim>         rims;            ///< of elastic sprockets
 

@@ -20,6 +20,8 @@ public:
                          const mesh::SurfaceNodes &slaves,
                          const BodyBatches        &of_slaves) const override;
 
+  std::vector<BodyBatches::Place> nodes_of_gap(unsigned int gap) const override;
+
 private:
   Facet nearest(const dealii::Tensor<1, 3> &x,
                 double                      within,

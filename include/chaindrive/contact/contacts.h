@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/contact/family.h>
+#include <chaindrive/contact/near_flanks.h>
 #include <chaindrive/contact/search_cadence.h>
 
 #include <memory>
@@ -31,7 +32,8 @@ public:
   /// at the first one. Collective.
   void add_forces(World &world, double dt);
 
-  /// Brings the records of all pairs to the first rank. Collective.
+  /// Brings the records of all pairs that are near to the first rank: one message from each other,
+  /// which goes on. Collective.
   void gather_records(const World &world);
 
   /// What searches and pairs remember between two steps. Collective.
@@ -57,15 +59,17 @@ public:
   std::size_t             memory_consumption() const;
 
 private:
-  void search_if_due(const World &world, double dt);
+  /// Returns whether it was.
+  bool search_if_due(const World &world, double dt);
 
   std::vector<std::unique_ptr<Family>> families_;
   bool                                 every_step_;
   bool                                 needs_search_ = false;
   double                               reach_;   ///< m
   SearchCadence                        cadence_; ///< of approach, m
+  NearFlanks                           near_flanks_;
   SearchStatistics                     statistics_;
   unsigned long                        missed_before_ = 0; ///< the run was resumed, by any rank
-  std::vector<double>                  message_;           ///< of gather_records()
+  std::vector<std::vector<double>>     messages_;          ///< of gather_records(), by rank
 };
 } // namespace chaindrive::contact

@@ -7,6 +7,8 @@
 
 #include <array>
 #include <memory>
+#include <set>
+#include <vector>
 
 namespace chaindrive::contact
 {
@@ -41,6 +43,17 @@ public:
                     const Projection           &projection,
                     const PointForce           &on_slave) const override;
 
+  /// The gaps between two teeth on whose nodes, or twins, a slave at @p x [m, world] may be
+  /// projected, or a node of it that is no farther than @p radius [m] away, also when it has moved
+  /// by @p margin [m] from there as the hub sees it.
+  std::set<unsigned int>
+  gaps_near(const World &world, const dealii::Tensor<1, 3> &x, double radius, double margin) const;
+
+  /// These nodes, of the sectors #group.
+  virtual std::vector<BodyBatches::Place> nodes_of_gap(unsigned int gap) const = 0;
+
+  unsigned int group() const { return group_; }
+
 protected:
   ElasticFlanks(const scene::ToothFamily &family, const Rim &rim)
       : RigidFlanks(family), group_(rim.group)
@@ -65,6 +78,10 @@ protected:
                         double                      within,
                         unsigned int               &hint,
                         Projection                 &projection) const = 0;
+
+  /// How far [m] the nodes of the facet nearest to a point of a slave with @p radius [m] may be
+  /// from it, beyond the sector of that point: nothing where facets end with sectors.
+  virtual double beyond(double /*radius*/) const { return 0.; }
 
   unsigned int group_; ///< of the sectors in World::copies
 

@@ -19,7 +19,15 @@ public:
                          const mesh::SurfaceNodes &slaves,
                          const BodyBatches        &of_slaves) const override;
 
+  std::vector<BodyBatches::Place> nodes_of_gap(unsigned int gap) const override
+  {
+    return in_gap_[gap];
+  }
+
 private:
+  /// Facets are looked for up to two radii from a slave.
+  double beyond(const double radius) const override { return 2. * radius + longest_; }
+
   Facet nearest(const dealii::Tensor<1, 3> &x,
                 double                      within,
                 unsigned int               &hint,
@@ -28,5 +36,8 @@ private:
   /// By vertices of the mesh; those that are not on the flanks have none.
   std::vector<std::size_t>      place_;    ///< of the x component in the vectors
   std::vector<dealii::Point<3>> position_; ///< in the hub's frame, m
+
+  std::vector<std::vector<BodyBatches::Place>> in_gap_;       ///< [gap]
+  double                                       longest_ = 0.; ///< diagonal of a facet, m
 };
 } // namespace chaindrive::contact

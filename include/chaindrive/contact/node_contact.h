@@ -43,6 +43,8 @@ public:
 
   std::optional<unsigned int> deepest_node(unsigned int i) const override;
 
+  std::vector<unsigned int> own(const World &) const override { return own_; }
+
   void serialize(const Archive &archive, unsigned int rank) override;
 
 protected:

@@ -33,6 +33,9 @@ public:
   bool   is_beside(const World &world, const dealii::Tensor<1, 3> &x) const override;
 
 protected:
+  /// The gap between two teeth that the point @p p [m, in the sprocket's frame] is nearest to.
+  unsigned int gap_of(const dealii::Tensor<1, 3> &p) const;
+
   /// project() onto the sprocket as if it were rigid.
   Touch project_on_rigid(const World                &world,
                          const dealii::Tensor<1, 3> &x,

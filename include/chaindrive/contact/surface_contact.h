@@ -30,6 +30,14 @@ public:
   /// Pairs chosen by the last search, ascending.
   const std::vector<unsigned int> &near() const { return near_; }
 
+  /// Those of them that this rank evaluates.
+  virtual std::vector<unsigned int> own(const World &world) const
+  {
+    return world.is_first_rank() ? near_ : std::vector<unsigned int>();
+  }
+
+  const scene::SlavePoint &slave(const unsigned int i) const { return pairs_[i].slave; }
+
   /// The body that slaves touch, of the first pair.
   unsigned int master() const { return pairs_.front().surface->body(); }
 
