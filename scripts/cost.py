@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether `chaindrive plan` foretells what a run costs: for each .prm file, plan and run, the CPU time and the memory
-that one foretells and the other takes, as a table of doc/performance.md. A run that is foretold to take longer than
+"""Whether `chaindrive plan` predicts what a run costs: for each .prm file, plan and run, the CPU time and the memory
+that one predicts and the other takes, as a table of doc/performance.md. A run that is predicted to take longer than
 --limit seconds is shortened in proportion, window and all, and planned anew.
 
 usage: scripts/cost.py [--limit SECONDS] [--program PROGRAM] [--within FACTOR] [--fit] [FILE.prm]...
@@ -23,7 +23,7 @@ COST = re.compile(r"^Cost: (?P<total>\S+) s of CPU time.*start-up (?P<start>\S+)
 
 
 def plan(file, entries, which):
-    """What is foretold: total, start, steps, step, memory; first: a step at first [us], of elastic bodies only."""
+    """What is predicted: total, start, steps, step, memory; first: a step at first [us], of elastic bodies only."""
     found = COST.search(program.run(file, entries, "--plan", program=which))
     program.check(found, f"{file}: the plan says nothing of the cost")
     return {name: float(value) for name, value in found.groupdict().items() if value}
@@ -45,19 +45,19 @@ def shortened(text, share):
 def compare(file, limit, which):
     """The row of the table of one file."""
     text, entries = (program.REPOSITORY / file).read_text(), {}
-    foretold = plan(file, entries, which)
-    if foretold["total"] > limit:
-        entries = shortened(text, limit / foretold["total"])
-        foretold = plan(file, entries, which)
+    predicted = plan(file, entries, which)
+    if predicted["total"] > limit:
+        entries = shortened(text, limit / predicted["total"])
+        predicted = plan(file, entries, which)
     with tempfile.TemporaryDirectory() as folder:
         program.run(file, entries, "--quiet", "--output", folder, program=which)
         summary = program.summary(folder)
     took = summary["cpu_seconds"]
-    outputs = foretold["total"] - foretold["start"] - 1e-6 * foretold["steps"] * foretold["step"]
+    outputs = predicted["total"] - predicted["start"] - 1e-6 * predicted["steps"] * predicted["step"]
     loop = took["total"] - took["initiation_and_rest"] - outputs
-    return {"until": entries.get("Time/End time in ms"), "foretold": foretold["total"], "took": took["total"],
-            "change": 1e6 * loop / summary["steps"] / foretold["first"] if "first" in foretold else None,
-            "memory foretold": foretold["memory"], "memory": summary["memory_peak"] / 1e6}
+    return {"until": entries.get("Time/End time in ms"), "predicted": predicted["total"], "took": took["total"],
+            "change": 1e6 * loop / summary["steps"] / predicted["first"] if "first" in predicted else None,
+            "memory predicted": predicted["memory"], "memory": summary["memory_peak"] / 1e6}
 
 
 def main():
@@ -71,7 +71,7 @@ def main():
     every = sorted(program.REPOSITORY.glob("prm/**/*.prm"))
     files = words.files or [file.relative_to(program.REPOSITORY) for file in every if file.parent.name != "studies"]
 
-    print("| file | run until (ms) | CPU time foretold (s) | taken (s) | foretold / taken | memory foretold (MB) | taken (MB) |")
+    print("| file | run until (ms) | CPU time predicted (s) | taken (s) | predicted / taken | memory predicted (MB) | taken (MB) |")
     print("|---|---|---|---|---|---|---|")
     off, changes = [], []
 
@@ -81,11 +81,11 @@ def main():
     for file in files:
         for _ in range(3 if words.within else 1):
             row = compare(file, words.limit, words.program)
-            ratio = row["foretold"] / row["took"]
+            ratio = row["predicted"] / row["took"]
             if not is_off(ratio):
                 break
-        print(f"| {pathlib.Path(file).stem} | {row['until'] or 'its end'} | {row['foretold']:.3g} | {row['took']:.3g} | {ratio:.2f} "
-              f"| {row['memory foretold']:.0f} | {row['memory']:.0f} |", flush=True)
+        print(f"| {pathlib.Path(file).stem} | {row['until'] or 'its end'} | {row['predicted']:.3g} | {row['took']:.3g} | {ratio:.2f} "
+              f"| {row['memory predicted']:.0f} | {row['memory']:.0f} |", flush=True)
         changes += [row["change"]] if row["change"] else []
         if is_off(ratio):
             off.append(f"{file}: {ratio:.2f} of what it took")

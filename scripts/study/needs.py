@@ -3,7 +3,7 @@
 time [s] and memory [bytes] of one process). Too much waits a little longer in the queue, too little kills a run."""
 import math
 
-MARGIN = 1.5  # on memory: runs take up to 1.07 times what is foretold (doc/performance.md), others keep more of it
+MARGIN = 1.5  # on memory: runs take up to 1.07 times what is predicted (doc/performance.md), others keep more of it
 RANK = 250.  # MB of each further rank: of the full and reduced models each takes 190 to 235 MB
 LEAST_MB = 500  # a run of any model takes 190 MB at least
 

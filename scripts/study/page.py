@@ -163,7 +163,7 @@ def draw_all(study, folder, name="chart", kind="svg", dpi=100):
     orders = folder / f"{name}-orders.{kind}"
     if sweep.draw_orders(of, orders, dpi):
         pictures.append(("Orders of tooth frequency at each speed", orders, "A row for each speed; lines: the frequencies "
-                         "that the figures of the drive foretell."))
+                         "that the design data of the drive predict."))
     return pictures
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A study against one of its entries (Study/Against): curves of its outputs, and against the driver's speed the orders of
-tooth frequency at each speed, with the resonances that the figures of the drive foretell."""
+tooth frequency at each speed, with the resonances that the design data of the drive predict."""
 import math
 
 import matplotlib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""facts.py PROGRAM: what `drive` in summary.json foretells against what a run does.
+"""facts.py PROGRAM: what `drive` in summary.json predicts against what a run does.
 
 The paper's drive runs slowly, as a simple model that starts settled, without friction; a step of the torque lets it ring. Means of
 tension and speed over its window, the first frequency of the tight span from the motion of its middle, and that of the driven inertia
@@ -48,9 +48,9 @@ def mean(frequencies, power):
     return np.average(frequencies, weights=power)
 
 
-def compare(name, run, foretold):
-    good = abs(run / foretold - 1) < 0.03
-    print(f"{name}: {run:.5g}, foretold {foretold:.5g}{'' if good else ': not within 3 %'}")
+def compare(name, run, predicted):
+    good = abs(run / predicted - 1) < 0.03
+    print(f"{name}: {run:.5g}, predicted {predicted:.5g}{'' if good else ': not within 3 %'}")
     return good
 
 

@@ -384,7 +384,7 @@ def line_spectra(subjects: Subjects) -> Figure:
         panels.append(Panel("frequency (Hz)", name, curves, log_x=True, log_y=True, marks=marks, y_range=(1e-4 * largest, 1.5 * largest)))
     return Figure("spectra", "Spectra of tension, speed and torque",
                   "Amplitude of each line over the window, cut to whole pitch times so that the orders of the tooth frequency do not leak. Vertical "
-                  "lines: frequencies that closed forms foretell.", panels, list(dict.fromkeys(missing)))
+                  "lines: frequencies that closed forms predict.", panels, list(dict.fromkeys(missing)))
 
 
 def roller_bands(subjects: Subjects) -> Figure:
