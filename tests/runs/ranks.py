@@ -121,8 +121,10 @@ def elastic(entries):
 
     undisturbed = files("ranks2")
     older = min(pathlib.Path("ranks2").glob("checkpoint-*.ckpt"))  # the other is that of the end
-    shutil.copytree("ranks2", "others", dirs_exist_ok=True)
-    resumed = {"ranks2": 2, "others": 3} if CASE in WITH_RIMS else {"ranks2": 2}
+    resumed = {"ranks2": 2}
+    if CASE in WITH_RIMS:
+        shutil.copytree("ranks2", "others", dirs_exist_ok=True)
+        resumed["others"] = 3
     for directory, ranks in resumed.items():
         for name in undisturbed:
             os.remove(f"{directory}/{name}")
