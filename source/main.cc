@@ -30,6 +30,13 @@ namespace
 {
 using namespace chaindrive;
 
+/// Whether SIGHUP was ignored when the program was started, as by nohup. UCX, which comes with
+/// OpenMPI 5, takes that signal for itself when it is loaded, before main() begins: this is asked
+/// before any library is.
+bool hang_up_was_ignored = false;
+void look_at_hang_up() { hang_up_was_ignored = hang_up_is_ignored(); }
+__attribute__((section(".preinit_array"), used)) void (*before_libraries)() = look_at_hang_up;
+
 /// What main() is to become when all is done; no words: nothing.
 struct Successor
 {
@@ -207,8 +214,7 @@ int main(int argc, char **argv)
         unsetenv("SLURM_STEP_ID");
     }
   std::signal(SIGXFSZ, SIG_IGN); // a file at its size limit is a failed write, told in a sentence
-  const bool ignore_hang_up = hang_up_is_ignored();
-  catch_stop_signals(ignore_hang_up);
+  catch_stop_signals(hang_up_was_ignored);
   Successor successor;
   int       status = 0;
   {
@@ -216,7 +222,8 @@ int main(int argc, char **argv)
     // ours
     int                                            n_words = std::min(argc, 1);
     const dealii::Utilities::MPI::MPI_InitFinalize mpi(n_words, argv, 1);
-    catch_stop_signals(ignore_hang_up); // again: PETSc, which deal.II starts, catches some itself
+    catch_stop_signals(
+        hang_up_was_ignored); // again: PETSc, which deal.II starts, catches some itself
 
     const bool is_first_rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     status                   = end_together(

@@ -142,8 +142,12 @@ def memory():
     # from too little, which lets the libraries start, to enough: each end has a sentence or is a good one
     ends = {}
     for limit in (*range(460000, 700000, 10000), 4000000):
-        words = program.command(BASE, {**RIGID, "Time/End time in ms": 1}, "--output", "small", program=PROGRAM)
-        done = subprocess.run(["sh", "-c", f'ulimit -v {limit} && exec "$@"', "sh", *words], capture_output=True, text=True, errors="replace")
+        def limited(words):
+            return subprocess.run(["sh", "-c", f'ulimit -v {limit} && exec "$@"', "sh", *words], capture_output=True, text=True, errors="replace")
+
+        if limited([PROGRAM, "--version"]).returncode != 0:
+            continue  # the libraries themselves, MPI among them, could not start
+        done = limited(program.command(BASE, {**RIGID, "Time/End time in ms": 1}, "--output", "small", program=PROGRAM))
         if done.returncode < 0 and any(sign in done.stderr for sign in ("ompi_mpi_init", "OPAL ERROR")):
             continue  # MPI itself could not start, and ended the process
         ends[limit] = done.returncode
