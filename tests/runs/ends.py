@@ -147,8 +147,8 @@ def ranks_of(process):
 
 
 def child_of(pid):
-    """mpirun, whose parent is the script."""
-    said = subprocess.run(["pgrep", "-P", str(pid), "mpirun"], stdout=subprocess.PIPE, text=True).stdout.split()
+    """mpirun, whose parent is the script; that of OpenMPI 5 has another name."""
+    said = subprocess.run(["pgrep", "-P", str(pid), "mpirun|prterun"], stdout=subprocess.PIPE, text=True).stdout.split()
     return int(said[0]) if said else 0
 
 
