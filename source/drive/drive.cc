@@ -261,6 +261,7 @@ void append(std::vector<std::string> &notes, const std::vector<std::string> &mor
 std::vector<RestingWheel> resting_wheels(const std::vector<ToothForm> &forms, const double torque)
 {
   std::vector<RestingWheel> wheels;
+  wheels.reserve(forms.size());
   for (const ToothForm &form : forms)
     wheels.push_back(resting_sprocket(form, wheels.empty(), wheels.size() == 1 ? torque : 0.));
   return wheels;

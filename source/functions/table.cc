@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/functions/function.h>
 
-#include <boost/math/interpolators/pchip.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -12,31 +10,24 @@ namespace chaindrive::functions
 {
 namespace
 {
-/// The slopes at the points: Boost's pchip, which needs four; through fewer the chords are.
+/// The slopes at the points; at the first and the last one those of the chords.
 std::vector<double> slopes(const std::vector<double> &x, const std::vector<double> &y)
 {
   const std::size_t   n = x.size();
   std::vector<double> slope(n, 0.);
-  if (n >= 4)
-    {
-      const boost::math::interpolators::pchip<std::vector<double>> smooth{std::vector<double>(x),
-                                                                          std::vector<double>(y)};
-      for (std::size_t i = 0; i < n; ++i)
-        slope[i] = smooth.prime(x[i]);
-      return slope;
-    }
   const auto chord = [&](const std::size_t i) { return (y[i + 1] - y[i]) / (x[i + 1] - x[i]); };
   if (n > 1)
     {
       slope.front() = chord(0);
       slope.back()  = chord(n - 2);
     }
-  if (n == 3 && chord(0) * chord(1) > 0.)
-    {
-      const double left = x[1] - x[0], right = x[2] - x[1];
-      const double of_left = 2. * right + left, of_right = right + 2. * left;
-      slope[1] = (of_left + of_right) / (of_left / chord(0) + of_right / chord(1));
-    }
+  for (std::size_t i = 1; i + 1 < n; ++i)
+    if (chord(i - 1) * chord(i) > 0.)
+      {
+        const double left = x[i] - x[i - 1], right = x[i + 1] - x[i];
+        const double of_left = 2. * right + left, of_right = right + 2. * left;
+        slope[i] = (of_left + of_right) / (of_left / chord(i - 1) + of_right / chord(i));
+      }
   return slope;
 }
 } // namespace

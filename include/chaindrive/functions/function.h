@@ -116,7 +116,7 @@ private:
 ///
 /// Between two points a cubic with slopes that keep what is monotone so: the weighted harmonic mean
 /// of the slopes of the chords on both sides, and 0 at extremes (F. N. Fritsch and J. Butland, SIAM
-/// J. Sci. Stat. Comput. 5 (1984) 300-304; Boost.Math's pchip).
+/// J. Sci. Stat. Comput. 5 (1984) 300-304).
 class Table : public Function
 {
 public:
