@@ -43,6 +43,16 @@ std::vector<double> merged(const Functions &functions, const double from, const 
   return all;
 }
 
+/// The sum of what @p of tells of each function.
+template <typename Of>
+double total(const std::vector<Pointer> &functions, const Of &of)
+{
+  double sum = 0.;
+  for (const Pointer &function : functions)
+    sum += of(*function);
+  return sum;
+}
+
 void require(const bool good, const char *what)
 {
   if (!good)
@@ -228,26 +238,17 @@ Sum::Sum(std::vector<Pointer> terms) : terms_(std::move(terms)) {}
 
 double Sum::value(const double x) const
 {
-  double sum = 0.;
-  for (const Pointer &term : terms_)
-    sum += term->value(x);
-  return sum;
+  return total(terms_, [=](const Function &term) { return term.value(x); });
 }
 
 double Sum::derivative(const double x) const
 {
-  double sum = 0.;
-  for (const Pointer &term : terms_)
-    sum += term->derivative(x);
-  return sum;
+  return total(terms_, [=](const Function &term) { return term.derivative(x); });
 }
 
 double Sum::integral(const double from, const double to) const
 {
-  double sum = 0.;
-  for (const Pointer &term : terms_)
-    sum += term->integral(from, to);
-  return sum;
+  return total(terms_, [=](const Function &term) { return term.integral(from, to); });
 }
 
 std::vector<double> Sum::breakpoints(const double from, const double to) const
@@ -257,18 +258,12 @@ std::vector<double> Sum::breakpoints(const double from, const double to) const
 
 double Sum::largest(const double from, const double to) const
 {
-  double sum = 0.;
-  for (const Pointer &term : terms_)
-    sum += term->largest(from, to);
-  return sum;
+  return total(terms_, [=](const Function &term) { return term.largest(from, to); });
 }
 
 double Sum::steepest(const double from, const double to) const
 {
-  double sum = 0.;
-  for (const Pointer &term : terms_)
-    sum += term->steepest(from, to);
-  return sum;
+  return total(terms_, [=](const Function &term) { return term.steepest(from, to); });
 }
 
 bool Sum::is_constant() const

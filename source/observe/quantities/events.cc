@@ -71,6 +71,8 @@ public:
       , pitch_time_(std::min(2. * dealii::numbers::PI /
                                  (now.scene.sprockets[0].teeth * now.parameters.loads.driver_speed),
                              longest_pitch))
+      , started_(functions::last_breakpoint(*now.scene.programs.speed, now.parameters.time.start) +
+                 pitch_time_)
       , looks_(now.parameters.time.start, std::min(look_interval, pitch_time_ / looks_a_pitch))
       , knows_tensions_(now.parameters.output.asks_for(parameters::QuantityGroup::tensions))
   {
@@ -231,14 +233,12 @@ private:
   void look_for_slack()
   {
     const double time = now_.time();
-    const double start =
-        functions::last_breakpoint(*now_.scene.programs.speed, now_.parameters.time.start) +
-        pitch_time_;
     const double radius =
         0.5 * now_.scene.pitch /
         std::sin(dealii::numbers::PI / now_.scene.with(parameters::Role::driven).teeth);
     const double pull = now_.system.loads.load_torque() / radius;
-    if (time < std::max(start, now_.window().start()) || time > now_.window().end() || pull <= 0.)
+    if (time < std::max(started_, now_.window().start()) || time > now_.window().end() ||
+        pull <= 0.)
       {
         pitch_       = {};
         slack_since_ = {};
@@ -317,6 +317,7 @@ private:
   }
 
   double                  pitch_time_; ///< of the driver at its full speed; states must last it, s
+  double                  started_;    ///< time from which the start-up is over, s
   Schedule                looks_;
   bool                    knows_tensions_;
   double                  strength_ = 0.; ///< of the chain, N; 0: not known
