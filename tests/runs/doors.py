@@ -148,7 +148,8 @@ def memory():
         if limited([PROGRAM, "--version"]).returncode != 0:
             continue  # the libraries themselves, MPI among them, could not start
         done = limited(program.command(BASE, {**RIGID, "Time/End time in ms": 1}, "--output", "small", program=PROGRAM))
-        if done.returncode < 0 and any(sign in done.stderr for sign in ("ompi_mpi_init", "OPAL ERROR")):
+        unable = {1: ("cannot be selected",)}.get(done.returncode, ("ompi_mpi_init", "OPAL ERROR"))
+        if done.returncode not in (0, 3) and any(words in done.stderr for words in unable):
             continue  # MPI itself could not start, and ended the process
         ends[limit] = done.returncode
         check(done.returncode == 0 or "chaindrive: " in done.stderr, f"{limit} KiB: status {done.returncode} and not one word: {done.stderr}")
