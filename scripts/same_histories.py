@@ -3,8 +3,8 @@
 """same_histories.py OLD NEW [CASE]...: whether two builds of chaindrive give the same histories, bit by bit.
 
 For changes of the code that must not change a result. OLD and NEW are programs; each runs a simple, a layered and some small
-full drives on one and on two ranks, and every dataset of histories.h5 is compared byte by byte. Takes a minute for each program
-on two cores. Needs Debian's python3-h5py and python3-pandas.
+full drives on one and on two ranks, and every dataset of histories.h5 of OLD is compared byte by byte with that of NEW, which
+may have more. Takes a minute for each program on two cores. Needs Debian's python3-h5py and python3-pandas.
 """
 import pathlib
 import sys
@@ -68,8 +68,10 @@ def main(arguments):
                     rows_of(run(which, case, ranks, pathlib.Path(folder) / name))
                     for which, name in zip(programs, ("old", "new"))
                 )
-                unlike = sorted(name for name in old.keys() | new.keys() if old.get(name) != new.get(name))
+                unlike = sorted(name for name in old if old[name] != new.get(name))
+                added = sorted(new.keys() - old.keys())
                 verdict = f"DIFFERENT: {', '.join(unlike)}" if unlike else f"the same {len(old)} histories"
+                verdict += f", and new ones: {', '.join(added)}" if added else ""
                 print(f"{case:22} {ranks} rank{'s' if ranks > 1 else ' '}  {verdict}", flush=True)
                 different += bool(unlike)
     return 1 if different else 0

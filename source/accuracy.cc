@@ -139,7 +139,7 @@ Studies shipped_studies() { return read_studies(accuracy_table); }
 
 std::vector<std::string> drive_in_words(const drive::Facts &facts)
 {
-  const auto &[driver, driven] = facts.sprockets;
+  const drive::Facts::Sprocket &driver = facts.driver(), &driven = facts.loaded();
   return {"chain=" + facts.chain,
           "links=" + std::to_string(facts.links),
           "driver teeth=" + std::to_string(driver.teeth),

@@ -70,14 +70,13 @@ Vector3 in_space(const dealii::Tensor<1, 2> &v)
 acoustics::Site make_site(const drive::Drive &drive, const drive::Facts &facts)
 {
   const drive::Layout           &layout = drive.layout;
-  const drive::Layout::Span     &tight  = layout.span(true);
+  const drive::Layout::Span     &tight  = layout.tight();
   const drive::Layout::Sprocket &driver = layout.sprockets[0];
   acoustics::Site                site{};
-  site.outward = in_space(tight.normal);
-  site.along   = -in_space(tight.direction); // the driver pulls it in
-  site.engagement =
-      in_space(driver.centre) + 0.5 * facts.sprockets[0].pitch_diameter * site.outward;
-  site.middle        = 0.5 * (driver.centre[0] + layout.sprockets[1].centre[0]);
+  site.outward       = in_space(tight.normal);
+  site.along         = -in_space(tight.direction); // the driver pulls it in
+  site.engagement    = in_space(driver.centre) + 0.5 * facts.driver().pitch_diameter * site.outward;
+  site.middle        = 0.5 * (driver.centre[0] + layout.sprockets[layout.moved].centre[0]);
   site.pitch         = drive.chain.pitch;
   site.roller_radius = 0.5 * drive.chain.roller_diameter;
   site.roller_length = drive.chain.roller_length;

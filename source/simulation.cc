@@ -160,10 +160,10 @@ make_system(const Parameters &parameters, const scene::Scene &scene, const MPI_C
   catch (const InputError &error)
     {
       std::string meshes;
-      for (const auto &[role, name] : parameters::texts_of<parameters::Role>)
-        if (const std::string &mesh = parameters.drive.sprockets.with(role).mesh; !mesh.empty())
-          meshes += " The " + parameters::in_words(role) +
-                    " touches with the flanks of the mesh '" + mesh + "', which must fit as well.";
+      for (const parameters::Sprocket &sprocket : parameters.drive.sprockets.list)
+        if (!sprocket.mesh.empty())
+          meshes += " The " + sprocket.in_words() + " touches with the flanks of the mesh '" +
+                    sprocket.mesh + "', which must fit as well.";
       throw InputError(error.what() + meshes);
     }
 }

@@ -78,8 +78,8 @@ void template_command(const CommandLine::Design &design, std::ostream &out)
   const auto [driver, driven] = read_teeth(*design.teeth);
   parameters::Drive drive;
   drive.chain.designation           = chain;
-  drive.sprockets.driver.teeth      = driver;
-  drive.sprockets.driven.teeth      = driven;
+  drive.sprockets.driver().teeth    = driver;
+  drive.sprockets.driven().teeth    = driven;
   drive.layout.centre_distance      = 1e-3 * centre;
   drive.layout.centre_distance_from = parameters::CentreDistanceFrom::sag;
 

@@ -14,12 +14,13 @@ void Hubs::kick(World &world, const double h)
 
 void Hubs::drift(World &world, const Step &step)
 {
-  for (World::Hub &hub : world.hubs)
+  for (std::size_t i = 0; i < world.hubs.size(); ++i)
     {
-      if (hub.prescribed && step.program)
+      World::Hub &hub = world.hubs[i];
+      if (hub.prescribed && step.programs != nullptr)
         {
-          hub.angle = step.program->angle;
-          hub.speed = step.program->mean_speed;
+          hub.angle = step.programs[i].angle;
+          hub.speed = step.programs[i].mean_speed;
         }
       else
         hub.angle += step.dt * hub.speed;
@@ -31,10 +32,11 @@ void Hubs::drift(World &world, const Step &step)
 
 void Hubs::finish(World &world, const Step &step)
 {
-  for (World::Hub &hub : world.hubs)
+  for (std::size_t i = 0; i < world.hubs.size(); ++i)
     {
-      if (hub.prescribed && step.program)
-        hub.speed = step.program->speed;
+      World::Hub &hub = world.hubs[i];
+      if (hub.prescribed && step.programs != nullptr)
+        hub.speed = step.programs[i].speed;
       world.frames[hub.body].angular_velocity[2] = hub.speed;
     }
 }

@@ -18,6 +18,18 @@ using dealii::numbers::PI;
 std::string at_most(const double length) { return to_text_at_most(length * 1e3, 7) + " mm"; }
 std::string at_least(const double length) { return to_text_at_least(length * 1e3, 7) + " mm"; }
 
+/// Such as "15 and 42".
+std::string teeth_in_words(const Fitter &fitter)
+{
+  std::string text;
+  for (std::size_t i = 0; i < fitter.sprockets.size(); ++i)
+    text += (i == 0                           ? "" :
+             i + 1 == fitter.sprockets.size() ? " and " :
+                                                ", ") +
+            std::to_string(fitter.sprockets[i].teeth);
+  return text;
+}
+
 Target wanted(const parameters::Layout &layout)
 {
   if (layout.centre_distance_from == parameters::CentreDistanceFrom::slack)
@@ -33,7 +45,7 @@ unsigned int number_of_links(const parameters::Drive &drive)
   parameters::Chain chain = drive.chain;
   chain.elongation        = 0.;
   const double pitch      = make_chain(chain).loaded_pitch();
-  const double z1 = drive.sprockets.driver.teeth, z2 = drive.sprockets.driven.teeth;
+  const double z1 = drive.sprockets.driver().teeth, z2 = drive.sprockets.driven().teeth;
   const auto   radius = [pitch](const double z) { return 0.5 * pitch / std::sin(PI / z); };
   const double c      = drive.layout.centre_distance;
   if (c <= radius(z1) + radius(z2))
@@ -70,10 +82,9 @@ Proposal propose(const Fitter             &fitter,
   const double most_slack =
       closest.empty() ? -4. * fitter.chain.seats.mean() : closest.front().laid.slack.slack;
   if (most_slack < 0.)
-    throw InputError(the_chain + " is too short for sprockets of " +
-                     std::to_string(fitter.driver_teeth) + " and " +
-                     std::to_string(fitter.driven_teeth) + " teeth; it takes at least " +
-                     advised_links(fitter, -most_slack, even) + " links.");
+    throw InputError(the_chain + " is too short for sprockets of " + teeth_in_words(fitter) +
+                     " teeth; it takes at least " + advised_links(fitter, -most_slack, even) +
+                     " links.");
 
   const double farthest = 0.5 * fitter.chain.seats.mean() * fitter.chain.n_links;
   if (is_given)

@@ -57,9 +57,9 @@ struct Checks
   /// without any. @p after is the torque after its step.
   std::string less_load(const double after) const
   {
-    const double factor  = 2. * PI / (facts.sprockets[1].teeth * facts.loaded_pitch);
+    const double factor  = 2. * PI / (facts.loaded().teeth * facts.loaded_pitch);
     const double now     = facts.effective_tension;
-    const double kept    = facts.span(false).tension - facts.centrifugal_tension;
+    const double kept    = facts.slack().tension - facts.centrifugal_tension;
     const double all     = facts.tensile_strength / least_safety - facts.centrifugal_tension;
     const auto   at_most = [](const double value) { return to_text_at_most(value, 3); };
     if (after * factor > now)
@@ -73,7 +73,7 @@ struct Checks
     const double most = (all - kept - more) / (1. - more / now) / factor;
     if (all <= kept + more)
       return "";
-    const double speed = facts.sprockets[1].speed; // the load may have been given as power
+    const double speed = facts.loaded().speed; // the load may have been given as power
     return ", or a Loads/Resisting torque in N m of at most " + at_most(most) +
            (speed > 0. ? ", which is a Loads/Power in kW of " + at_most(1e-3 * most * speed) : "");
   }
@@ -82,9 +82,9 @@ struct Checks
   {
     // the load may become larger at its step
     const double after    = p.loads.torque_step_time ? std::abs(p.loads.torque_after_step) : 0.;
-    const double factor   = 2. * PI / (facts.sprockets[1].teeth * facts.loaded_pitch);
+    const double factor   = 2. * PI / (facts.loaded().teeth * facts.loaded_pitch);
     const double more     = std::max(0., after * factor - facts.effective_tension);
-    const double tension  = facts.span(true).tension + more;
+    const double tension  = facts.tight().tension + more;
     const double strength = facts.tensile_strength;
     if (strength <= 0. || tension <= 0.)
       return;
@@ -108,13 +108,13 @@ struct Checks
             " MPa: choose a larger chain, or larger sprockets for the same power.");
     add(facts.power > facts.rated_power && facts.power > 0.,
         "power",
-        "At " + rpm(facts.sprockets[0].speed) + " " + to_text(facts.power * 1e-3, 3) +
+        "At " + rpm(facts.driver().speed) + " " + to_text(facts.power * 1e-3, 3) +
             " kW are more than the " + to_text(facts.rated_power * 1e-3, 3) +
             " kW that a chain of this pitch usually transmits over the smaller sprocket: choose a "
             "larger chain, more teeth or less power.");
-    add(facts.sprockets[0].speed > facts.highest_speed,
+    add(facts.driver().speed > facts.highest_speed,
         "speed",
-        "The driver turns at " + rpm(facts.sprockets[0].speed) +
+        "The driver turns at " + rpm(facts.driver().speed) +
             ", and joints of this pitch gall above " + rpm(facts.highest_speed) +
             " under this load: choose a smaller pitch or a lower Loads/Driver speed, in rad/s or "
             "rpm.");
@@ -124,9 +124,9 @@ struct Checks
   {
     for (const Facts::Sprocket &sprocket : facts.sprockets)
       {
-        add(sprocket.wrap < least_wrap,
+        add(!sprocket.idle && sprocket.wrap < least_wrap,
             "wrap",
-            "The chain wraps the " + sprocket.name + " by " +
+            "The chain wraps the " + sprocket.title + " by " +
                 to_text(sprocket.wrap * 180. / PI, 4) +
                 " degrees only, 120 or more are usual: take " +
                 (is_given() ? "a larger Drive/Layout/Centre distance in mm with more links" :
@@ -134,7 +134,7 @@ struct Checks
                 ", or a smaller ratio.");
         add(sprocket.teeth < least_teeth && facts.chain_speed > slow,
             "teeth",
-            "The " + sprocket.name + " has " + std::to_string(sprocket.teeth) +
+            "The " + sprocket.title + " has " + std::to_string(sprocket.teeth) +
                 " teeth at a chain speed of " + to_text(facts.chain_speed, 3) +
                 " m/s, so that the speed rises and falls by " +
                 to_text(100. * sprocket.polygon_effect, 3) + " %: take at least " +
@@ -144,10 +144,12 @@ struct Checks
 
   void wear()
   {
-    const double       worn  = p.drive.chain.elongation;
-    const bool         kept  = p.drive.layout.worn_chain == parameters::WornChain::shafts_kept;
-    const unsigned int teeth = std::max(facts.sprockets[0].teeth, facts.sprockets[1].teeth);
-    const double       most  = std::min({most_wear, 2. / teeth, kept ? most_wear_kept : most_wear});
+    const double worn  = p.drive.chain.elongation;
+    const bool   kept  = p.drive.layout.worn_chain == parameters::WornChain::shafts_kept;
+    unsigned int teeth = 0;
+    for (const Facts::Sprocket &sprocket : facts.sprockets)
+      teeth = std::max(teeth, sprocket.teeth);
+    const double most = std::min({most_wear, 2. / teeth, kept ? most_wear_kept : most_wear});
     add(worn > most,
         "wear",
         "The chain is worn by Drive/Chain/Elongation in percent = " + to_text(100. * worn, 3) +
@@ -157,7 +159,7 @@ struct Checks
             ": its rollers ride near or above the tips of the teeth.");
     using parameters::CentreDistanceFrom;
     const CentreDistanceFrom from  = p.drive.layout.centre_distance_from;
-    const Facts::Span       &slack = facts.span(false);
+    const Facts::Span       &slack = facts.slack();
     add(slack.sag >= most_sag * slack.length,
         "sag",
         "The slack span sags by " + to_text(slack.sag * 1e3, 3) + " mm, " +
@@ -187,15 +189,13 @@ struct Checks
     for (const Facts::Span &span : facts.spans)
       add(near(span.frequency),
           "span_resonance",
-          sentence(std::string("the ") + (span.tight ? "tight" : "slack") + " span " +
-                       mode_in_words(span),
-                   span.frequency) +
+          sentence("the " + in_words(span) + " " + mode_in_words(span), span.frequency) +
               "change the speed, the centre distance or guide the span.");
   }
 
   void start()
   {
-    const double tension = facts.span(true).tension, least = most_start_tension * tension;
+    const double tension = facts.tight().tension, least = most_start_tension * tension;
     add(facts.start_tension > least && tension > 0.,
         "start",
         "While the speed grows the tight span pulls with " + newton(facts.start_tension) + ", " +

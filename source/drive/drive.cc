@@ -67,16 +67,19 @@ void refuse_soft(const std::string &entry,
                      pull.entry + ".");
 }
 
-/// The sprocket of this @p role but for its solid. A bore of a third and a hub of six tenths of the
-/// root diameter: a plain disc on a stout shaft.
-Sprocket make_sprocket(const parameters::Role       role,
+/// Sprocket number @p number of @p sprockets but for its solid. A bore of a third and a hub of six
+/// tenths of the root diameter: a plain disc on a stout shaft.
+Sprocket make_sprocket(const unsigned int           number,
                        const parameters::Sprockets &sprockets,
                        const ChainDimensions       &chain)
 {
-  const parameters::Sprocket &given = sprockets.with(role);
+  const parameters::Sprocket &given = sprockets.list[number];
   Sprocket                    sprocket;
-  sprocket.role         = role;
-  sprocket.form         = make_tooth_form(given.teeth, chain, sprockets, role);
+  sprocket.name         = given.name;
+  sprocket.title        = given.in_words();
+  sprocket.in_entries   = given.in_entries();
+  sprocket.role         = given.role;
+  sprocket.form         = make_tooth_form(given.teeth, chain, sprockets, number);
   sprocket.mesh         = given.mesh;
   const double root     = sprocket.form.root_diameter;
   sprocket.bore         = given.bore.value_or(root / 3.);
@@ -89,7 +92,7 @@ void check_hub(const Sprocket             &sprocket,
                const parameters::Sprocket &given,
                std::vector<std::string>   &notes)
 {
-  const std::string name = parameters::in_entries(sprocket.role);
+  const std::string name = given.in_entries();
   const double      bore = sprocket.bore, hub = sprocket.hub_diameter,
                root = sprocket.form.root_diameter;
   if (!given.bore)
@@ -174,7 +177,7 @@ void note_mass(Drive &d, const Parameters &parameters)
 /// What may keep a drive from being settled, in a sentence after the refusal; else nothing.
 std::string reason_to_fail(const parameters::Chain &chain, const Layout &layout)
 {
-  const double slack = layout.span(false).slack;
+  const double slack = layout.slack().slack;
   std::string  text;
   if (chain.elongation > 0.01)
     text += " Drive/Chain/Elongation in percent = " + to_text(100. * chain.elongation) +
@@ -203,7 +206,7 @@ double depth(const Layout &layout, const Layout::Span &span)
 /// Sag over the distance that the slack span bridges.
 double relative_sag(const Layout &layout)
 {
-  const Layout::Span &span = layout.span(false);
+  const Layout::Span &span = layout.slack();
   const auto         &from = layout.joints[span.first].bush;
   return span.sag /
          from.distance(layout.joints[(span.first + span.links) % layout.joints.size()].bush);
@@ -256,24 +259,21 @@ void append(std::vector<std::string> &notes, const std::vector<std::string> &mor
   notes.insert(notes.end(), more.begin(), more.end());
 }
 
-/// The driver is held, and the load @p torque [N m], counter-clockwise, acts on the driven
-/// sprocket.
-std::vector<RestingWheel> resting_wheels(const std::vector<ToothForm> &forms, const double torque)
+/// The driver is held, and the load @p torque [N m], counter-clockwise in a drive that turns so,
+/// acts on each sprocket that has one.
+std::vector<RestingWheel>
+resting_wheels(const std::vector<Sprocket> &sprockets, const Layout &layout, const double torque)
 {
   std::vector<RestingWheel> wheels;
-  wheels.reserve(forms.size());
-  for (const ToothForm &form : forms)
-    wheels.push_back(resting_sprocket(form, wheels.empty(), wheels.size() == 1 ? torque : 0.));
+  wheels.reserve(sprockets.size());
+  for (std::size_t i = 0; i < sprockets.size(); ++i)
+    wheels.push_back(resting_sprocket(
+        sprockets[i].form,
+        sprockets[i].role == Role::driver,
+        sprockets[i].role == Role::driven ? layout.sprockets[i].turn * torque : 0.));
   return wheels;
 }
 } // namespace
-
-const Sprocket &Drive::with(const Role role) const
-{
-  return *std::find_if(sprockets.begin(), sprockets.end(), [role](const Sprocket &sprocket) {
-    return sprocket.role == role;
-  });
-}
 
 Drive make_drive(const Parameters  &parameters,
                  const StiffnessOf &stiffness_of,
@@ -284,12 +284,16 @@ Drive make_drive(const Parameters  &parameters,
   const parameters::Capabilities model     = parameters.model.capabilities();
 
   Drive d;
-  d.programs = make_programs(parameters.loads,
-                             parameters.time.start,
-                             parameters.drive.layout.start == parameters::Start::settled);
-  d.chain    = make_chain(parameters.drive.chain, parameters.effects);
-  for (const auto &[role, name] : parameters::texts_of<Role>)
-    d.sprockets.push_back(make_sprocket(role, sprockets, d.chain));
+  d.chain = make_chain(parameters.drive.chain, parameters.effects);
+  for (unsigned int i = 0; i < sprockets.list.size(); ++i)
+    {
+      d.sprockets.push_back(make_sprocket(i, sprockets, d.chain));
+      d.sprockets[i].program =
+          make_program(d.sprockets[i].role,
+                       parameters.loads,
+                       parameters.time.start,
+                       parameters.drive.layout.start == parameters::Start::settled);
+    }
   append(d.notes, d.chain.derived);
   for (const Sprocket &sprocket : d.sprockets)
     append(d.notes, sprocket.form.derived);
@@ -301,20 +305,33 @@ Drive make_drive(const Parameters  &parameters,
     throw InputError("Drive/Sprockets/Width = " + in_mm(d.sprocket_width, 5) +
                      " must be positive and less than the " + in_mm(d.chain.inner_width, 5) +
                      " between the inner plates.");
-  for (const Sprocket &sprocket : d.sprockets)
-    check_hub(sprocket, sprockets.with(sprocket.role), d.notes);
+  for (unsigned int i = 0; i < d.sprockets.size(); ++i)
+    check_hub(d.sprockets[i], sprockets.list[i], d.notes);
 
   d.roller_solid     = roller_solid(d.chain, steel.density);
   d.inner_link_solid = inner_link_solid(d.chain, steel.density);
   d.outer_link_solid = outer_link_solid(d.chain, steel.density);
   for (Sprocket &sprocket : d.sprockets)
-    sprocket.solid = sprocket_solid(sprocket.form, sprocket.bore, d.sprocket_width, steel.density);
+    {
+      sprocket.solid =
+          sprocket_solid(sprocket.form, sprocket.bore, d.sprocket_width, steel.density);
+      sprocket.inertia = sprocket.role == Role::driven && parameters.model.driven_inertia ?
+                             *parameters.model.driven_inertia :
+                             sprocket.solid.inertia[2][2];
+    }
   d.mass_per_pitch =
       d.roller_solid.mass + 0.5 * (d.inner_link_solid.mass + d.outer_link_solid.mass);
   note_mass(d, parameters);
 
-  const ToothForm &driven = d.with(Role::driven).form;
-  d.nominal_tension       = parameters.loads.resisting_torque / (0.5 * driven.pitch_diameter);
+  d.nominal_tension = 0.;
+  double per_torque = 0.; // tension, 1/m
+  for (const Sprocket &sprocket : d.sprockets)
+    if (sprocket.role == Role::driven)
+      {
+        d.nominal_tension +=
+            parameters.loads.resisting_torque / (0.5 * sprocket.form.pitch_diameter);
+        per_torque += 1. / (0.5 * sprocket.form.pitch_diameter);
+      }
   // contact stiffness depends on the load: without one, a load that strains steel visibly
   d.reference_load                   = d.nominal_tension > 0. ?
                                            d.nominal_tension :
@@ -336,12 +353,12 @@ Drive make_drive(const Parameters  &parameters,
   if (contact.tooth_stiffness && parameters::tooth_compliance(parameters).on)
     refuse_soft("Contact/Tooth stiffness in N/m",
                 *contact.tooth_stiffness,
-                hardest_pull(parameters, 0.5 * driven.pitch_diameter),
+                hardest_pull(parameters, 1. / per_torque),
                 0.5 * d.chain.roller_diameter,
                 "rollers");
   if (!model.is_elastic) // there the elastic bodies give way
     {
-      const Pull load = hardest_pull(parameters, 0.5 * driven.pitch_diameter);
+      const Pull load = hardest_pull(parameters, 1. / per_torque);
       refuse_soft("Contact/Roller-tooth stiffness in N/m",
                   d.roller_tooth_stiffness,
                   load,
@@ -390,8 +407,10 @@ Drive make_drive(const Parameters  &parameters,
     layout.start = parameters::Start::taut;
   d.layout = lay(entries, d.chain);
   if (stretched && layout.pretension > 0.)
-    bring_to_rest(
-        d.layout, resting_chain(parameters, d), resting_wheels(forms, 0.), layout.pretension);
+    bring_to_rest(d.layout,
+                  resting_chain(parameters, d),
+                  resting_wheels(d.sprockets, d.layout, 0.),
+                  layout.pretension);
   if (settled)
     {
       RestingChain chain  = resting_chain(parameters, d);
@@ -402,7 +421,8 @@ Drive make_drive(const Parameters  &parameters,
           {
             settle(start,
                    chain,
-                   resting_wheels(forms, -start.sense * parameters.loads.resisting_torque),
+                   resting_wheels(
+                       d.sprockets, start, -start.sense * parameters.loads.resisting_torque),
                    {std::abs(parameters.loads.driver_speed),
                     given.mass_per_pitch.value_or(d.mass_per_pitch),
                     facts.tooth_frequency < facts.driven_frequency});
@@ -412,7 +432,7 @@ Drive make_drive(const Parameters  &parameters,
             throw InputError(error.what() + reason_to_fail(parameters.drive.chain, start));
           }
         for (Layout::Span &span : start.spans)
-          span.sag = span.tight ? span.sag : depth(start, span);
+          span.sag = span.straight ? span.sag : depth(start, span);
         return start;
       };
       d.layout = settled(d.layout);

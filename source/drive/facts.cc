@@ -2,6 +2,7 @@
 #include <chaindrive/drive/catalogue.h>
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/drive/hanging_span.h>
+#include <chaindrive/path/span.h>
 #include <chaindrive/utilities/text.h>
 
 #include <deal.II/base/numbers.h>
@@ -48,18 +49,28 @@ struct UsualLimits
   }
 };
 
+std::string text_of_label(const Facts::Label label)
+{
+  return label == Facts::Label::tight ? "tight" : label == Facts::Label::slack ? "slack" : "";
+}
+
 void set_limits(Facts &facts)
 {
-  const bool        driver_smaller = facts.sprockets[0].teeth <= facts.sprockets[1].teeth;
-  const auto       &smaller        = facts.sprockets[driver_smaller ? 0 : 1];
+  const auto &smaller =
+      *std::min_element(facts.sprockets.begin(),
+                        facts.sprockets.end(),
+                        [](const Facts::Sprocket &one, const Facts::Sprocket &other) {
+                          return !one.idle && (other.idle || one.teeth < other.teeth);
+                        });
   const UsualLimits limits{facts.pitch / 0.0254,
                            static_cast<double>(smaller.teeth),
                            smaller.speed * 30. / PI,
                            facts.effective_tension / 4.448,
                            facts.chain == "41" || facts.chain == "085",
                            facts.pitch < 10e-3};
-  facts.rated_power   = limits.power();
-  facts.highest_speed = limits.speed() * PI / 30. * (driver_smaller ? 1. : facts.ratio);
+  facts.rated_power = limits.power();
+  facts.highest_speed =
+      limits.speed() * PI / 30. * (static_cast<double>(smaller.teeth) / facts.driver().teeth);
 }
 
 /// Sets what concerns sprockets and geometry.
@@ -77,55 +88,117 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
   facts.bearing_area = d.chain.pin_diameter * (d.chain.bush_length + d.chain.inner_plate_thickness);
 
   facts.centre_distance = d.layout.centre_distance();
-  const double driver = d.with(Role::driver).form.teeth, driven = d.with(Role::driven).form.teeth;
-  facts.ratio         = driven / driver;
-  const auto   radius = [&](const double z) { return 0.5 * facts.loaded_pitch / std::sin(PI / z); };
-  const double rise   = radius(driven) - radius(driver);
-  const double incline = std::asin(std::clamp(rise / facts.centre_distance, -1., 1.));
+  const auto first_driven =
+      std::find_if(d.sprockets.begin(), d.sprockets.end(), [](const Sprocket &sprocket) {
+        return sprocket.role == Role::driven;
+      });
+  facts.driven          = static_cast<unsigned int>(first_driven - d.sprockets.begin());
+  const double z_driver = d.sprockets.front().form.teeth;
+  facts.ratio           = first_driven->form.teeth / z_driver;
+
+  const std::size_t        n = d.sprockets.size();
+  const path::LinkLengths  lengths{facts.loaded_pitch, facts.loaded_pitch};
+  std::vector<path::Wheel> wheels; // of a drive that turns counter-clockwise
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const Layout::Sprocket &at = d.layout.sprockets[i];
+      wheels.emplace_back(d.sprockets[i].form.teeth,
+                          dealii::Point<2>(at.centre[0], d.layout.sense * at.centre[1]),
+                          lengths,
+                          at.turn);
+    }
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const path::Wheel  &from = wheels[i], &to = wheels[(i + 1) % n];
+      const double        c    = from.centre.distance(to.centre);
+      const double        rise = to.turn * to.roller_radius - from.turn * from.roller_radius;
+      const Layout::Span &span = d.layout.spans[i];
+      facts.spans.push_back({d.sprockets[i].name + "_to_" + d.sprockets[(i + 1) % n].name,
+                             Facts::Label::none,
+                             span.links,
+                             std::sqrt(std::max(0., c * c - rise * rise)),
+                             span.slack,
+                             span.sag,
+                             0.,
+                             0.,
+                             0.,
+                             true,
+                             touch(from, path::tangent_angle(from, to)),
+                             touch(to, path::tangent_angle(from, to))});
+    }
+  facts.spans.front().label = Facts::Label::slack;
+  facts.spans.back().label  = Facts::Label::tight;
+
   const double speed = std::abs(p.loads.driver_speed), torque = p.loads.resisting_torque;
-  const auto   sprocket = [&](const Role role, const double z, const double wrap) {
-    const double w = role == Role::driver ? speed : speed / facts.ratio;
-    return Facts::Sprocket{parameters::in_words(role),
-                           static_cast<unsigned int>(z),
-                           d.with(role).form.pitch_diameter, // teeth do not grow with wear
-                           wrap,
-                           w,
-                           role == Role::driver ? torque / facts.ratio : torque,
-                           1. - std::cos(PI / z),
-                           facts.loaded_pitch * w};
-  };
-  facts.sprockets = {{sprocket(Role::driver, driver, PI - 2. * incline),
-                      sprocket(Role::driven, driven, PI + 2. * incline)}};
-  const double straight =
-      std::sqrt(std::max(0., facts.centre_distance * facts.centre_distance - rise * rise));
-  for (const Layout::Span &span : d.layout.spans)
-    facts.spans.push_back(
-        {span.tight, span.links, straight, span.slack, span.sag, 0., 0., 0., true});
+  double       pulls = 0.; // of all loads, torque over number of teeth
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const Sprocket &sprocket = d.sprockets[i];
+      const double    z = sprocket.form.teeth, w = speed / (z / z_driver);
+      const double    in   = path::tangent_angle(wheels[(i + n - 1) % n], wheels[i]);
+      const double    out  = path::tangent_angle(wheels[i], wheels[(i + 1) % n]);
+      double          wrap = wheels[i].turn * (out - in);
+      wrap -= 2. * PI * std::floor(wrap / (2. * PI));
+      const bool loaded = sprocket.role == Role::driven;
+      pulls += loaded ? torque / z : 0.;
+      facts.sprockets.push_back({sprocket.name,
+                                 sprocket.title,
+                                 d.layout.sprockets[i].centre,
+                                 d.layout.sense * wheels[i].turn,
+                                 d.layout.sense * path::touching(wheels[i], in),
+                                 sprocket.form.teeth,
+                                 sprocket.form.pitch_diameter, // teeth do not grow with wear
+                                 wrap,
+                                 w,
+                                 loaded ? torque : 0.,
+                                 1. - std::cos(PI / z),
+                                 facts.loaded_pitch * w,
+                                 sprocket.inertia,
+                                 sprocket.role == Role::idler});
+    }
+  facts.sprockets.front().torque = pulls * z_driver;
 }
 
-/// A span as it hangs in operation. Of its tension both spans stretch: the driven sprocket, which
-/// turns freely, passes it on to the other one.
+/// A span as it hangs in operation. Of its tension all spans stretch: sprockets that turn freely
+/// pass it on from one to the next.
 HangingSpan
 hanging(const Facts &facts, const Facts::Span &span, const Parameters &p, const Drive &d)
 {
   const double gravity = p.effects.gravity == parameters::Switch::off ? 0. : p.loads.gravity;
-  return {span.length,
-          facts.mass_per_metre * gravity,
-          (facts.span(true).links + facts.span(false).links) / d.stiffness_per_pitch};
+  unsigned int links   = 0;
+  for (const Facts::Span &one : facts.spans)
+    links += one.links;
+  return {span.length, facts.mass_per_metre * gravity, links / d.stiffness_per_pitch};
 }
 
-/// The tension that the slack span keeps, and the tight one has besides the effective tension: of
-/// its weight, with the slack that all stretch adds or the sag that a settled start has found; of
-/// pre-tension what stretch leaves of it. @p effective: what the tight one has besides. N.
-double kept_tension(const Facts &facts, const Parameters &p, const Drive &d, const double effective)
+/// The tension of each span besides the one that all keep: what the loads behind it take, N. The
+/// driver lets span 0 out, to which no load adds; sprocket i adds its load to span i.
+std::vector<double> tensions_of_loads(const Facts &facts)
+{
+  std::vector<double> tensions(facts.spans.size(), 0.);
+  for (std::size_t i = 1; i < tensions.size(); ++i)
+    tensions[i] = tensions[i - 1] + 2. * PI * facts.sprockets[i].torque /
+                                        (facts.sprockets[i].teeth * facts.loaded_pitch);
+  return tensions;
+}
+
+/// The tension that all spans keep besides @p effective, what loads make of each, N: that of the
+/// slack span of its weight, with the slack that all stretch adds or the sag that a settled start
+/// has found; of pre-tension what stretch leaves of it.
+double kept_tension(const Facts               &facts,
+                    const Parameters          &p,
+                    const Drive               &d,
+                    const std::vector<double> &effective)
 {
   const parameters::Layout &layout = p.drive.layout;
-  HangingSpan               slack  = hanging(facts, facts.span(false), p, d);
-  slack.length = facts.span(false).links * facts.loaded_pitch; // slack and sag are between seats
+  HangingSpan               slack  = hanging(facts, facts.slack(), p, d);
+  slack.length       = facts.slack().links * facts.loaded_pitch; // slack and sag are between seats
   const bool settled = layout.start == parameters::Start::settled;
-  if (settled && slack.weight > 0. && facts.span(false).sag > 0.)
-    return slack.tension_of_sag(facts.span(false).sag);
-  const double by_load = effective * facts.span(true).links / d.stiffness_per_pitch;
+  if (settled && slack.weight > 0. && facts.slack().sag > 0.)
+    return slack.tension_of_sag(facts.slack().sag);
+  double by_load = 0.;
+  for (std::size_t i = 0; i < effective.size(); ++i)
+    by_load += effective[i] * facts.spans[i].links / d.stiffness_per_pitch;
   if (layout.centre_distance_from == parameters::CentreDistanceFrom::pretension &&
       layout.pretension > 0.)
     {
@@ -134,7 +207,7 @@ double kept_tension(const Facts &facts, const Parameters &p, const Drive &d, con
       const double hang = 8. * sag * sag / (3. * slack.length);
       return slack.tension(hang - slack.flexibility * layout.pretension + by_load);
     }
-  return slack.tension(facts.span(false).slack + (settled ? 0. : by_load) +
+  return slack.tension(facts.slack().slack + (settled ? 0. : by_load) +
                        slack.flexibility * facts.centrifugal_tension);
 }
 
@@ -142,14 +215,19 @@ double kept_tension(const Facts &facts, const Parameters &p, const Drive &d, con
 /// driver pulls all of the chain that does not sit on it.
 double start_tension(const Facts &facts, const Parameters &p, const Drive &d)
 {
-  const double steepest = d.programs.speed->steepest(p.time.start, p.time.end); // rad/s2
+  const double steepest =
+      d.sprockets.front().program.speed->steepest(p.time.start, p.time.end); // rad/s2
   if (steepest == 0.)
     return 0.;
   const double of_chain = facts.chain_speed / p.loads.driver_speed * steepest; // m/s2
-  const double radius   = 0.5 * facts.sprockets[1].pitch_diameter;
-  const double mass =
+  double       mass =
       facts.mass_per_metre * facts.loaded_pitch * (facts.links - d.layout.sprockets.front().seats);
-  return facts.effective_tension + of_chain * (mass + facts.driven_inertia / (radius * radius));
+  for (std::size_t i = 1; i < facts.sprockets.size(); ++i)
+    {
+      const double radius = 0.5 * facts.sprockets[i].pitch_diameter;
+      mass += facts.sprockets[i].inertia / (radius * radius);
+    }
+  return facts.effective_tension + of_chain * mass;
 }
 
 /// How far the chain gives way on a sprocket per change of the tight span's tension @p tight, m/N:
@@ -179,24 +257,59 @@ double wrap_flexibility(const Drive    &d,
   return (q * q / d.stiffness_per_pitch + share * share * tooth) / (1. - q * q);
 }
 
-/// The driven inertia on the tight span, a spring of so many pitches between two wraps; of the
-/// chain what sits on the sprocket moves with it, of the span a third.
+/// The lowest frequency of the inertias of all sprockets on the spans that pull them, the driver
+/// held: of two the driven inertia on the tight span. A span is a spring of so many pitches, with
+/// what the chain gives way on the sprockets whose tighter side it is; of the chain what sits on a
+/// sprocket moves with it, and of the span that pulls it a third. The slack span is no spring.
+///
+/// Displacements u of the chain at the sprockets are F M u omega^2 with masses M and flexibilities
+/// F: of i and j what lies between the driver and the nearer one. The largest eigenvalue of F M by
+/// the power method.
 double driven_frequency(const Facts &facts, const Parameters &p, const Drive &d)
 {
-  const double pitch_mass = facts.mass_per_metre * facts.loaded_pitch;
-  const double radius     = 0.5 * facts.sprockets[1].pitch_diameter;
-  const double links      = facts.span(true).length / facts.loaded_pitch; // mean over a pitch
-  const double mass       = facts.driven_inertia / (radius * radius) +
-                      pitch_mass * (d.layout.sprockets.back().seats + links / 3.);
-  double flexibility = links / d.stiffness_per_pitch;
-  for (unsigned int i = 0; i < d.sprockets.size(); ++i)
-    flexibility += wrap_flexibility(d,
-                                    p.model.capabilities().has_clearances,
-                                    d.sprockets[i],
-                                    d.layout.sprockets[i].seats,
-                                    facts.span(true).tension - facts.centrifugal_tension,
-                                    facts.span(false).tension - facts.centrifugal_tension);
-  return std::sqrt(1. / (flexibility * mass)) / (2. * PI);
+  const std::size_t   n          = facts.sprockets.size();
+  const double        pitch_mass = facts.mass_per_metre * facts.loaded_pitch;
+  std::vector<double> mass(n, 0.), to_driver(n + 1, 0.); // kg; m/N
+  for (std::size_t i = n - 1; i > 0; --i)
+    {
+      const double radius = 0.5 * facts.sprockets[i].pitch_diameter;
+      const double links  = facts.spans[i].length / facts.loaded_pitch; // mean over a pitch
+      mass[i]             = facts.sprockets[i].inertia / (radius * radius) +
+                pitch_mass * (d.layout.sprockets[i].seats + links / 3.);
+      const auto on = [&](const std::size_t sprocket, const double tight, const double kept) {
+        return wrap_flexibility(d,
+                                p.model.capabilities().has_clearances,
+                                d.sprockets[sprocket],
+                                d.layout.sprockets[sprocket].seats,
+                                tight - facts.centrifugal_tension,
+                                kept - facts.centrifugal_tension);
+      };
+      double flexibility = links / d.stiffness_per_pitch;
+      if (i == n - 1)
+        flexibility += on(0, facts.spans[i].tension, facts.spans[0].tension);
+      flexibility += on(i, facts.spans[i].tension, facts.spans[i - 1].tension);
+      to_driver[i] = to_driver[i + 1] + flexibility;
+    }
+  std::vector<double> u(n, 1.), next(n, 0.);
+  double              largest = 0.;
+  for (unsigned int step = 0; step < 200; ++step)
+    {
+      double greatest = 0.;
+      for (std::size_t i = 1; i < n; ++i)
+        {
+          next[i] = 0.;
+          for (std::size_t j = 1; j < n; ++j)
+            next[i] += to_driver[std::max(i, j)] * mass[j] * u[j];
+          greatest = std::max(greatest, next[i]);
+        }
+      for (std::size_t i = 1; i < n; ++i)
+        u[i] = next[i] / greatest;
+      const bool found = std::abs(greatest - largest) <= 1e-14 * greatest;
+      largest          = greatest;
+      if (found)
+        break;
+    }
+  return std::sqrt(1. / largest) / (2. * PI);
 }
 } // namespace
 
@@ -223,36 +336,42 @@ double parabola_sag(const double length, const double slack)
   return std::sqrt(0.375 * length * std::max(0., slack)); // slack = 8 sag^2 / (3 length)
 }
 
+std::string in_words(const Facts::Span &span)
+{
+  if (span.label != Facts::Label::none)
+    return text_of_label(span.label) + " span";
+  std::string name = span.name;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return "span from " + name;
+}
+
 std::string mode_in_words(const Facts::Span &span)
 {
   return span.symmetric ? "as a string" : "as a chain that sags, in two half waves";
-}
-
-const Facts::Span &Facts::span(const bool tight) const
-{
-  return *std::find_if(
-      spans.begin(), spans.end(), [tight](const Span &span) { return span.tight == tight; });
 }
 
 Facts make_facts(const Parameters &p, const Drive &d)
 {
   Facts facts;
   set_geometry(facts, p, d);
-  const double z1 = facts.sprockets[0].teeth, z2 = facts.sprockets[1].teeth;
-  const double torque       = facts.sprockets[1].torque;
-  facts.power               = torque * facts.sprockets[1].speed;
-  facts.tooth_frequency     = z1 * facts.sprockets[0].speed / (2. * PI);
+  const double z1 = facts.driver().teeth;
+  facts.power     = 0.;
+  for (const Facts::Sprocket &sprocket : facts.sprockets)
+    facts.power += &sprocket == &facts.driver() ? 0. : sprocket.torque * sprocket.speed;
+  facts.tooth_frequency     = z1 * facts.driver().speed / (2. * PI);
   facts.pitch_time          = facts.tooth_frequency > 0. ? 1. / facts.tooth_frequency : 0.;
   facts.chain_speed         = facts.loaded_pitch * facts.tooth_frequency;
-  facts.effective_tension   = 2. * PI * torque / (z2 * facts.loaded_pitch);
   facts.centrifugal_tension = facts.mass_per_metre * facts.chain_speed * facts.chain_speed;
 
-  const double kept            = kept_tension(facts, p, d, facts.effective_tension);
-  facts.slack_tension_unloaded = kept_tension(facts, p, d, 0.);
-  const double tight           = facts.effective_tension + kept;
-  for (Facts::Span &span : facts.spans)
+  const std::vector<double> effective = tensions_of_loads(facts);
+  facts.effective_tension             = effective.back();
+  const double kept                   = kept_tension(facts, p, d, effective);
+  facts.slack_tension_unloaded =
+      kept_tension(facts, p, d, std::vector<double>(effective.size(), 0.));
+  for (std::size_t i = 0; i < facts.spans.size(); ++i)
     {
-      const double pull      = span.tight ? tight : kept;
+      Facts::Span &span      = facts.spans[i];
+      const double pull      = effective[i] + kept;
       span.tension           = pull + facts.centrifugal_tension;
       const HangingSpan hung = hanging(facts, span, p, d);
       const LowestMode  mode = lowest_mode(hung, pull);
@@ -263,15 +382,22 @@ Facts make_facts(const Parameters &p, const Drive &d)
       span.resonance = string_resonance(wave, facts.mass_per_metre, pull, facts.loaded_pitch) * 2. *
                        PI / (z1 * facts.loaded_pitch);
     }
-  const double tension = facts.span(true).tension;
+  const double tension = facts.tight().tension;
   facts.joint_pressure = tension / facts.bearing_area;
   facts.safety         = tension > 0. ? facts.tensile_strength / tension : 0.;
-  // the spans include the angle by which either wrap differs from half a turn
-  const double between = facts.sprockets[1].wrap - PI;
-  facts.shaft_load = std::sqrt(tight * tight + kept * kept + 2. * tight * kept * std::cos(between));
-  facts.driven_inertia  = p.model.driven_inertia.value_or(d.with(Role::driven).solid.inertia[2][2]);
-  facts.start_tension   = start_tension(facts, p, d);
-  facts.full_speed_from = functions::last_breakpoint(*d.programs.speed, p.time.start);
+  for (std::size_t i = 0; i < facts.sprockets.size(); ++i)
+    {
+      const double out = effective[i] + kept,
+                   in  = effective[(i + effective.size() - 1) % effective.size()] + kept;
+      // the spans include the angle by which the wrap differs from half a turn
+      facts.sprockets[i].load =
+          std::sqrt(out * out + in * in + 2. * out * in * std::cos(facts.sprockets[i].wrap - PI));
+    }
+  facts.shaft_load     = facts.loaded().load;
+  facts.driven_inertia = facts.loaded().inertia;
+  facts.start_tension  = start_tension(facts, p, d);
+  facts.full_speed_from =
+      functions::last_breakpoint(*d.sprockets.front().program.speed, p.time.start);
   facts.driven_frequency = driven_frequency(facts, p, d);
   facts.driven_resonance = 2. * PI * facts.driven_frequency / z1;
   set_limits(facts);
@@ -304,15 +430,24 @@ files::Json to_json(const Facts &facts)
   json["centre_distance"] = facts.centre_distance;
   for (const Facts::Sprocket &sprocket : facts.sprockets)
     json["sprockets"].push_back({{"name", sprocket.name},
+                                 {"title", sprocket.title},
+                                 {"centre", {sprocket.centre[0], sprocket.centre[1]}},
+                                 {"sense", sprocket.sense},
+                                 {"arrival", sprocket.arrival},
                                  {"teeth", sprocket.teeth},
                                  {"pitch_diameter", sprocket.pitch_diameter},
                                  {"wrap", sprocket.wrap},
                                  {"speed", sprocket.speed},
                                  {"torque", sprocket.torque},
                                  {"polygon_effect", sprocket.polygon_effect},
-                                 {"seating_velocity", sprocket.seating_velocity}});
+                                 {"seating_velocity", sprocket.seating_velocity},
+                                 {"inertia", sprocket.inertia},
+                                 {"shaft_load", sprocket.load}});
   for (const Facts::Span &span : facts.spans)
-    json["spans"].push_back({{"name", span.tight ? "tight" : "slack"},
+    json["spans"].push_back({{"name", span.name},
+                             {"label", text_of_label(span.label)},
+                             {"begin", {span.begin[0], span.begin[1]}},
+                             {"end", {span.end[0], span.end[1]}},
                              {"links", span.links},
                              {"length", span.length},
                              {"slack", span.slack},
@@ -351,7 +486,11 @@ std::vector<files::Described> described_facts()
       {"drive/bearing_area", "m2", "pin diameter times length of the bush"},
       {"drive/ratio", "1", "teeth of the driven sprocket over those of the driver"},
       {"drive/centre_distance", "m", "distance of the shafts"},
-      {"drive/sprockets/*/name", "", "driver or driven"},
+      {"drive/sprockets/*/name", "", "its name in histories"},
+      {"drive/sprockets/*/title", "", "what sentences call it"},
+      {"drive/sprockets/*/centre/*", "m", "x and y of its axis"},
+      {"drive/sprockets/*/sense", "1", "of its rotation, 1 is counter-clockwise"},
+      {"drive/sprockets/*/arrival", "rad", "polar angle at which the chain arrives"},
       {"drive/sprockets/*/teeth", "1", "number of teeth"},
       {"drive/sprockets/*/pitch_diameter", "m", "pitch diameter"},
       {"drive/sprockets/*/wrap", "rad", "wrap of the chain around it"},
@@ -359,7 +498,12 @@ std::vector<files::Described> described_facts()
       {"drive/sprockets/*/torque", "N m", "mean torque without losses"},
       {"drive/sprockets/*/polygon_effect", "1", "rise and fall of the chain's speed over it"},
       {"drive/sprockets/*/seating_velocity", "m/s", "speed with which a link meets it"},
-      {"drive/spans/*/name", "", "tight or slack"},
+      {"drive/sprockets/*/inertia", "kg m2", "inertia of all that turns with it"},
+      {"drive/sprockets/*/shaft_load", "N", "resultant of the spans at its two ends on its shaft"},
+      {"drive/spans/*/name", "", "of the sprockets at its ends, in the direction of travel"},
+      {"drive/spans/*/label", "", "tight or slack, by its tension, or nothing"},
+      {"drive/spans/*/begin/*", "m", "x and y of the point where it leaves the first pitch circle"},
+      {"drive/spans/*/end/*", "m", "x and y of the point where it meets the second one"},
       {"drive/spans/*/links", "1", "links between the points where it leaves the pitch circles"},
       {"drive/spans/*/length", "m", "length between these points"},
       {"drive/spans/*/slack", "m", "length less the distance of its ends"},
@@ -376,7 +520,7 @@ std::vector<files::Described> described_facts()
       {"drive/centrifugal_tension", "N", "tension that loads neither teeth nor shafts"},
       {"drive/start_tension", "N", "tension of the tight span while the speed grows"},
       {"drive/joint_pressure", "Pa", "tension of the tight span over the bearing area"},
-      {"drive/shaft_load", "N", "resultant of both spans on either shaft"},
+      {"drive/shaft_load", "N", "resultant of both spans on the driven shaft"},
       {"drive/driven_inertia", "kg m2", "inertia of all that turns with the driven sprocket"},
       {"drive/driven_frequency", "Hz", "frequency of that on the tight span"},
       {"drive/driven_resonance", "rad/s", "driver speed at which the teeth meet this frequency"},
@@ -401,7 +545,7 @@ void print(std::ostream &out, const Facts &facts)
             facts.own_dimensions ? ", strength unknown with dimensions of its own" :
                                    ", strength not listed"));
   for (const Facts::Sprocket &s : facts.sprockets)
-    line(s.name,
+    line(s.title,
          std::to_string(s.teeth) + " teeth, pitch diameter " + mm(s.pitch_diameter) + ", wrap " +
              to_text(s.wrap * 180. / PI, 4) + " deg, " + rpm(s.speed) + ", " +
              to_text(s.torque, 4) + " N m, polygon effect " + to_text(100. * s.polygon_effect, 3) +
@@ -414,7 +558,7 @@ void print(std::ostream &out, const Facts &facts)
            " m/s, tooth frequency " + to_text(facts.tooth_frequency, 5) + " Hz, a pitch every " +
            to_text(facts.pitch_time * 1e3, 4) + " ms");
   for (const Facts::Span &s : facts.spans)
-    line(s.tight ? "tight span" : "slack span",
+    line(in_words(s),
          std::to_string(s.links) + " links over " + mm(s.length) + ", slack " +
              to_text(s.slack * 1e3, 3) + " mm, sag " + to_text(s.sag * 1e3, 3) + " mm, tension " +
              to_text(s.tension, 4) + " N, " + mode_in_words(s) + " " + to_text(s.frequency, 3) +

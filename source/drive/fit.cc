@@ -28,8 +28,15 @@ double bisect(double low, double high, const double width, const Function &exces
 
 std::vector<path::Wheel> Fitter::wheels(const double centre_distance) const
 {
-  return {path::Wheel(driver_teeth, Point<2>(), chain.seats),
-          path::Wheel(driven_teeth, Point<2>(centre_distance, 0.), chain.seats)};
+  std::vector<path::Wheel> at;
+  for (const Wheel &wheel : sprockets)
+    {
+      Point<2> centre = wheel.centre;
+      if (wheel.moves)
+        centre = Point<2>(sprockets[0].centre[0] + centre_distance, sprockets[0].centre[1]);
+      at.emplace_back(wheel.teeth, centre, chain.seats, wheel.turn);
+    }
+  return at;
 }
 
 std::vector<Fit>

@@ -44,11 +44,16 @@ Fitter make_fitter(const parameters::Drive &drive,
 {
   const parameters::Layout &layout = drive.layout;
   Fitter                    fitter;
-  fitter.driver_teeth = drive.sprockets.driver.teeth;
-  fitter.driven_teeth = drive.sprockets.driven.teeth;
-  path::Chain &laid   = fitter.chain;
-  laid.n_links        = drive.n_links;
-  laid.phase          = layout.start_phase;
+  for (const parameters::Sprocket &sprocket : drive.sprockets.list)
+    {
+      const bool at_origin = !sprocket.centre && fitter.sprockets.empty();
+      fitter.sprockets.push_back({sprocket.teeth, sprocket.turn, !sprocket.centre && !at_origin});
+      if (sprocket.centre)
+        fitter.sprockets.back().centre = Point<2>((*sprocket.centre)[0], (*sprocket.centre)[1]);
+    }
+  path::Chain &laid = fitter.chain;
+  laid.n_links      = drive.n_links;
+  laid.phase        = layout.start_phase;
   // the tight span above: the slack one hangs away from it; below: it sags towards it
   laid.bulge = layout.tight_span == parameters::TightSide::lower && !weightless ? -1 : 1;
 
@@ -133,6 +138,7 @@ void mirror(Layout &layout, const std::vector<ToothForm> &forms)
 /// be too near. With clearances a bush may be off its roller's centre by the clearance between
 /// them.
 std::string find_overlap(const Layout                 &layout,
+                         const parameters::Sprockets  &sprockets,
                          const ChainDimensions        &chain,
                          const std::vector<ToothForm> &forms,
                          const bool                    clearances)
@@ -153,8 +159,8 @@ std::string find_overlap(const Layout                 &layout,
               form.closest_point(Point<2>(c * arm[0] + s * arm[1], c * arm[1] - s * arm[0]));
           if (const double gap = nearest.distance - radius; gap < -overlap_tolerance)
             return "roller " + std::to_string(k) + " overlaps gap " +
-                   std::to_string(nearest.tooth_gap) + " of the " +
-                   in_words(static_cast<parameters::Role>(i)) + " by " + in_mm(-gap) +
+                   std::to_string(nearest.tooth_gap) + " of the " + sprockets.list[i].in_words() +
+                   " by " + in_mm(-gap) +
                    " at the start: chain and sprocket do not fit (loaded pitch " +
                    in_mm(chain.loaded_pitch()) + ", bottom diameter " + in_mm(form.root_diameter) +
                    ").";
@@ -184,16 +190,17 @@ void check_slack(const Fit &fit, const Fitter &fitter, const double height, cons
           in_mm(fit.centre_distance) + ", so that the slack span would turn back; at most " +
           advised_links(fitter, (0.5 * PI - 1.) * chord - taut.slack, even) + " links fit.");
     }
-  const path::TautSpan &tight = fit.laid.last();
-  const Tensor<1, 2>    along = (tight.to - tight.from) / tight.from.distance(tight.to);
-  for (const Point<2> &p : path::slack_joints(slack, fitter.chain.slack))
-    {
-      const Tensor<1, 2> from_tight = p - tight.from;
-      if (along[0] * from_tight[1] - along[1] * from_tight[0] < height)
-        throw InputError("Drive/Layout: with " + in_mm(slack.slack) +
-                         " of slack the upper span would hang down onto the tight one; use fewer "
-                         "links, a greater centre distance, or Tight span = upper.");
-    }
+  for (const path::TautSpan &span : fit.laid.taut)
+    for (const Point<2> &p : path::slack_joints(slack, fitter.chain.slack))
+      {
+        const double       length = span.from.distance(span.to);
+        const Tensor<1, 2> along = (span.to - span.from) / length, arm = p - span.from;
+        if (arm * along > 0. && arm * along < length &&
+            along[0] * arm[1] - along[1] * arm[0] < height)
+          throw InputError("Drive/Layout: with " + in_mm(slack.slack) +
+                           " of slack the slack span would hang down onto another one; use fewer "
+                           "links, a greater centre distance, or Tight span = upper.");
+      }
 }
 
 /// Why the chain closes on no route: the entry that decides the centre distance, its value, and up
@@ -242,10 +249,9 @@ std::string no_route(const parameters::Layout &layout,
 }
 } // namespace
 
-const Layout::Span &Layout::span(const bool tight) const
+const Layout::Span &Layout::into(const unsigned int sprocket) const
 {
-  return *std::find_if(
-      spans.begin(), spans.end(), [tight](const Span &span) { return span.tight == tight; });
+  return spans[(sprocket + spans.size() - 1) % spans.size()];
 }
 
 Layout
@@ -355,8 +361,12 @@ Layout make_layout(const parameters::Drive      &drive,
     return make_fitter(
         drive, chain, clearances, stiffness_per_pitch, tight_tension, weightless, in_both);
   };
-  const double least    = 0.5 * (forms[0].outside_diameter + forms[1].outside_diameter);
-  Fitter       fitter   = fitter_with(0.);
+  Fitter       fitter = fitter_with(0.);
+  unsigned int moved  = 1;
+  for (unsigned int i = 1; i < fitter.sprockets.size(); ++i)
+    if (fitter.sprockets[i].moves)
+      moved = i;
+  const double least    = 0.5 * (forms[0].outside_diameter + forms[moved].outside_diameter);
   Proposal     proposal = propose(fitter, drive.layout, least, clearances);
   if (keeps_sag(drive.layout) && drive.layout.sag > 0. && !proposal.fits.empty())
     {
@@ -381,11 +391,12 @@ Layout make_layout(const parameters::Drive      &drive,
       check_slack(
           fit, fitter, std::max(chain.inner_plate_height, chain.outer_plate_height), clearances);
       Layout layout = to_layout(fit.wheels, fitter.chain, fit.laid);
+      layout.moved  = moved;
       if (drive.layout.start == parameters::Start::settled)
         set_in_motion(layout, std::abs(driver_speed));
       if (drive.layout.tight_span == parameters::TightSide::lower)
         mirror(layout, forms);
-      const std::string overlap = find_overlap(layout, chain, forms, clearances);
+      const std::string overlap = find_overlap(layout, drive.sprockets, chain, forms, clearances);
       if (overlap.empty())
         {
           for (Layout::Sprocket &sprocket : layout.sprockets)

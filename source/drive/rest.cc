@@ -75,7 +75,7 @@ public:
   /// alike.
   void move_shaft(const double by)
   {
-    double &shaft = layout_.sprockets[1].centre[0];
+    double &shaft = layout_.sprockets[layout_.moved].centre[0];
     for (Point<2> &p : at_)
       p[0] += std::clamp(p[0] / shaft, 0., 1.) * by;
     shaft += by;
@@ -517,7 +517,7 @@ void bring_to_rest(Layout                          &layout,
                    const std::vector<RestingWheel> &wheels,
                    const double                     tension)
 {
-  const Layout::Span &tight = layout.spans[1];
+  const Layout::Span &tight = layout.tight();
 
   Equilibrium  equilibrium(layout, chain, wheels);
   const double tolerance = 1e-6 * tension + 1e-3;

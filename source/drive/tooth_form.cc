@@ -162,10 +162,10 @@ double diameter_for_land(const std::vector<Segment> &flank,
 ToothForm make_tooth_form(const unsigned int           teeth,
                           const ChainDimensions       &chain,
                           const parameters::Sprockets &sprockets,
-                          const parameters::Role       role)
+                          const unsigned int           number)
 {
-  const parameters::Sprocket &given = sprockets.with(role);
-  const std::string           name  = parameters::in_entries(role);
+  const parameters::Sprocket &given = sprockets.list.at(number);
+  const std::string           name  = given.in_entries();
   if (teeth < 9)
     throw InputError("Drive/" + name + " teeth = " + std::to_string(teeth) +
                      ": the tooth forms of the standards begin at 9 teeth.");

@@ -84,7 +84,7 @@ namespace
 /// Energy that is nearly round-off: of a pitch's spring for each link, J.
 double energy_of_nothing(const scene::Scene &scene)
 {
-  return 0.5 * scene.n_joints * scene.stiffness_per_pitch * no_length * no_length;
+  return 0.5 * scene.drive.n_joints * scene.drive.stiffness_per_pitch * no_length * no_length;
 }
 } // namespace
 
@@ -108,7 +108,7 @@ Guard::Guard(const scene::Scene &scene,
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     mass_.push_back(free_mass(world, b));
   total_mass_                    = std::accumulate(mass_.begin(), mass_.end(), 0.);
-  const double weight_over_pitch = total_mass_ * system.loads.gravity() * scene.pitch;
+  const double weight_over_pitch = total_mass_ * system.loads.gravity() * scene.drive.pitch;
   least_energy_ =
       1e-3 * (std::max(scene.nominal_energy(), world.ledger.initial) + weight_over_pitch) +
       energy_of_nothing(scene);

@@ -38,7 +38,7 @@ scene::Scene at_rest(const scene::Scene &scene)
   without_friction(still.faces);
   without_friction(still.teeth);
   without_friction(still.surfaces);
-  still.programs      = drive::Programs();
+  still.shafts.clear();
   still.loads.gravity = still.loads.drag = 0.;
   still.at_speed                         = false;
   still.prestress                        = std::numeric_limits<double>::infinity();
@@ -286,10 +286,10 @@ Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm, const dou
   const std::vector<HeldBatch> links = links_of(scene, world);
   Shapes                       shapes(scene, world);
 
-  constexpr unsigned int most   = 100; // intervals
-  const Material        &steel  = scene.material;
-  const double           dt     = (shapes.are_there() ? 0.5 : 0.65) * system_.stable_step_limit();
-  const double           wave   = scene.pitch / std::sqrt(steel.youngs_modulus / steel.density);
+  constexpr unsigned int most  = 100; // intervals
+  const Material        &steel = scene.material;
+  const double           dt    = (shapes.are_there() ? 0.5 : 0.65) * system_.stable_step_limit();
+  const double           wave = scene.drive.pitch / std::sqrt(steel.youngs_modulus / steel.density);
   const unsigned int     steps  = static_cast<unsigned int>(5. * wave / dt) + 1;
   double                 before = 0., stored = 0.;
   for (unsigned int interval = 0; interval < most; ++interval)
@@ -370,8 +370,8 @@ Relaxation::JointForces Relaxation::joint_forces()
                            scene_.bodies[record.slave].initial.position) >
            0.;
   };
-  JointForces forces{std::vector<double>(scene_.n_joints, 0.),
-                     std::vector<double>(scene_.n_joints, 0.)};
+  JointForces forces{std::vector<double>(scene_.drive.n_joints, 0.),
+                     std::vector<double>(scene_.drive.n_joints, 0.)};
   for (const auto &family : system_.contacts.families())
     if (family->is_dealt_out()) // elastic bodies
       for (const contact::Record &record : family->records())

@@ -139,15 +139,17 @@ void System::advance(const double dt, const double new_time)
   close_ledger();
 }
 
-Step System::make_step(const double dt, const double new_time) const
+Step System::make_step(const double dt, const double new_time)
 {
-  return {dt,
-          new_time,
-          loads.gravity(),
-          loads.drag(),
-          Step::Program{loads.driver_angle(new_time),
-                        loads.driver_speed(new_time - 0.5 * dt),
-                        loads.driver_speed(new_time)}};
+  programs_.resize(world.hubs.size());
+  for (std::size_t i = 0; i < programs_.size(); ++i)
+    if (world.hubs[i].prescribed)
+      {
+        const unsigned int body   = world.hubs[i].body;
+        const auto [angle, speed] = loads.prescribed(body, new_time);
+        programs_[i] = {angle, loads.prescribed(body, new_time - 0.5 * dt).speed, speed};
+      }
+  return {dt, new_time, loads.gravity(), loads.drag(), programs_.data()};
 }
 
 void System::close_ledger() { world.ledger.kinetic += world.kinetic_energy(); }

@@ -5,12 +5,10 @@
 namespace chaindrive::load
 {
 Loads::Loads(const scene::Scene &scene)
-    : programs_(scene.programs)
-    , start_(scene.start_time)
-    , gravity_(scene.loads.gravity)
-    , drag_(scene.loads.drag)
-    , sense_(scene.sense)
+    : start_(scene.start_time), gravity_(scene.loads.gravity), drag_(scene.loads.drag)
 {
+  for (const scene::Shaft &shaft : scene.shafts)
+    shafts_.push_back({shaft});
 }
 
 void Loads::add_forces(World &world, const double dt)
@@ -39,39 +37,61 @@ void Loads::add_forces(World &world, const double dt)
 
 void Loads::serialize(const Archive &archive)
 {
-  archive("drive torque", drive_torque_);
-  archive("load torque", load_torque_);
-  archive("drive angle", drive_angle_);
-  archive("load angle", load_angle_);
+  for (State &shaft : shafts_)
+    {
+      const Archive part = archive / std::to_string(shaft.given.body);
+      part("torque", shaft.torque);
+      part("angle", shaft.angle);
+    }
   archive("booked", booked_);
+}
+
+Loads::Rotation Loads::prescribed(const unsigned int body, const double time) const
+{
+  const State *shaft = find(body);
+  if (shaft == nullptr || !shaft->given.program.speed)
+    return {0., 0.};
+  const functions::Function &speed = *shaft->given.program.speed;
+  return {shaft->given.sense * speed.integral(start_, time),
+          shaft->given.sense * speed.value(time)};
+}
+
+const Loads::State *Loads::find(const unsigned int body) const
+{
+  for (const State &shaft : shafts_)
+    if (shaft.given.body == body)
+      return &shaft;
+  return nullptr;
+}
+
+double Loads::torque(const unsigned int body) const
+{
+  const State *shaft = find(body);
+  return shaft == nullptr ? 0. : shaft->torque;
 }
 
 void Loads::add_work(World &world)
 {
   // trapezoidal rule over the step that ended now: both torques belong to its two ends
   for (const World::Hub &hub : world.hubs)
-    {
-      double &moment = world.moment.local_element(3 * hub.body + 2);
-      if (hub.prescribed)
+    for (State &shaft : shafts_)
+      if (shaft.given.body == hub.body)
         {
-          const double torque = -moment; // supplied against the contacts
-          if (booked_)
-            world.ledger.drive_work += 0.5 * (drive_torque_ + torque) * (hub.angle - drive_angle_);
-          drive_torque_ = torque;
-          drive_angle_  = hub.angle;
-        }
-      else
-        {
+          double      &moment = world.moment.local_element(3 * hub.body + 2);
+          const double sense  = shaft.given.sense;
           const double torque =
-              -sense_ * programs_.resisting_torque(sense_ * hub.angle, world.time);
-          if (booked_)
-            world.ledger.resisting_work -=
-                0.5 * (load_torque_ + torque) * (hub.angle - load_angle_);
-          load_torque_ = torque;
-          load_angle_  = hub.angle;
-          moment += torque;
+              hub.prescribed ? -moment : // supplied against the contacts
+                  -sense * shaft.given.program.resisting_torque(sense * hub.angle, world.time);
+          const double work = 0.5 * (shaft.torque + torque) * (hub.angle - shaft.angle);
+          if (booked_ && hub.prescribed)
+            world.ledger.drive_work += work;
+          else if (booked_)
+            world.ledger.resisting_work -= work;
+          shaft.torque = torque;
+          shaft.angle  = hub.angle;
+          if (!hub.prescribed)
+            moment += torque;
         }
-    }
   booked_ = true;
 }
 } // namespace chaindrive::load

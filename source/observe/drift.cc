@@ -25,10 +25,10 @@ Drift::Drift(const scene::Scene &scene,
              const Parameters   &parameters,
              const unsigned int  pitches_per_period)
 {
-  const unsigned int teeth = scene.with(parameters::Role::driver).teeth;
-  radius_                  = 0.5 * scene.pitch / std::sin(dealii::numbers::PI / teeth);
-  pitch_time_              = 2. * dealii::numbers::PI / (teeth * parameters.loads.driver_speed);
-  period_                  = pitches_per_period * pitch_time_;
+  radius_ = scene.drive.driver().pitch_radius;
+  pitch_time_ =
+      2. * dealii::numbers::PI / (scene.drive.driver().teeth * parameters.loads.driver_speed);
+  period_ = pitches_per_period * pitch_time_;
   begin(0.);
 }
 
@@ -42,17 +42,15 @@ void Drift::add(const Observation &now)
 {
   if (!now.system.world.is_first_rank() || now.time() <= from_)
     return;
-  const auto &hubs = now.system.world.hubs;
-  const auto  driven =
-      std::find_if(hubs.begin(), hubs.end(), [](const World::Hub &hub) { return !hub.prescribed; });
-  const double first = now.time() - now.dt();
-  const auto   take  = [&](const Signal signal, const double value) {
+  const scene::Sprocket &driver = now.scene.drive.driver(), &driven = now.scene.drive.driven();
+  const double           first = now.time() - now.dt();
+  const auto             take  = [&](const Signal signal, const double value) {
     means_[signal].add(first, now.dt(), value);
   };
-  take(tight_tension, now.spans().tight_tension);
-  take(slack_tension, now.spans().slack_tension);
-  take(driven_speed, now.scene.sense * driven->speed);
-  take(driver_torque, now.system.loads.driver_torque());
+  take(tight_tension, now.spans().tight().tension);
+  take(slack_tension, now.spans().slack().tension);
+  take(driven_speed, driven.sense * now.system.world.frames[driven.body].angular_velocity[2]);
+  take(driver_torque, driver.sense * now.system.loads.torque(driver.body));
 }
 
 void Drift::next_period(const Observation &now)

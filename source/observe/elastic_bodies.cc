@@ -186,9 +186,9 @@ RollerSurfaces::RollerSurfaces(const scene::Scene &scene, const dynamics::System
   for (unsigned int g = 0; g < system.world.n_elastic_groups(); ++g)
     if (kind_of(scene, system, g) == scene::Kind::roller)
       for (const unsigned int body : system.world.copies[g].bodies)
-        nodes_[body] =
-            farthest_node(system.world.copies[g],
-                          transpose(scene.bodies[body].initial.rotation) * scene.span_normal);
+        nodes_[body] = farthest_node(system.world.copies[g],
+                                     transpose(scene.bodies[body].initial.rotation) *
+                                         scene.drive.tight().normal);
 }
 
 dealii::Tensor<1, 3> RollerSurfaces::velocity(const dynamics::System &system,

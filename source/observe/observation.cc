@@ -18,9 +18,11 @@ Observation::Observation(const scene::Scene     &scene,
 {
   if (rollers.empty())
     {
-      rollers.resize(scene.n_joints);
+      rollers.resize(scene.drive.n_joints);
       std::iota(rollers.begin(), rollers.end(), 0U);
     }
+  for (const unsigned int joint : rollers)
+    roller_bodies.push_back(scene.drive.rollers[joint]);
 }
 
 void Observation::next(const double dt)

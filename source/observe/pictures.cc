@@ -102,14 +102,14 @@ Loads loads_of(const scene::Scene       &scene,
     {
       spans.update(system);
       loads.tension = spans.link_tension();
-      loads.roller.resize(scene.n_joints, 0.);
+      loads.roller.resize(scene.drive.n_joints, 0.);
       for (ToothForces &forces : teeth)
         {
           forces.look();
-          for (unsigned int k = 0; k < scene.n_joints; ++k)
+          for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
             loads.roller[k] += forces.roller[k];
-          for (unsigned int s = 0; s < scene.sprockets.size(); ++s)
-            if (scene.sprockets[s].name() == forces.name)
+          for (unsigned int s = 0; s < scene.drive.sprockets.size(); ++s)
+            if (scene.drive.sprockets[s].name == forces.name)
               loads.gaps[s] = forces.in_gap;
         }
     }

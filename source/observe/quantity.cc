@@ -26,16 +26,20 @@ std::map<int, Known> &all_known()
   return known;
 }
 
+files::Channel channel_of(const files::Described &history)
+{
+  const std::size_t slash = history.path.find('/');
+  return {
+      history.path.substr(0, slash), history.path.substr(slash + 1), history.unit, history.meaning};
+}
+
 /// The history @p path as its quantity describes it.
-files::Channel channel_of(const std::string &path)
+files::Described described(const std::string &path)
 {
   for (const auto &[order, known] : all_known())
     for (const files::Described &history : known.contents.histories)
       if (history.path == path)
-        {
-          const std::size_t slash = path.find('/');
-          return {path.substr(0, slash), path.substr(slash + 1), history.unit, history.meaning};
-        }
+        return history;
   AssertThrow(false, dealii::ExcMessage("No quantity describes the history " + path));
   return {};
 }
@@ -74,11 +78,23 @@ std::vector<std::pair<std::optional<parameters::QuantityGroup>, Contents>> all_c
   return all;
 }
 
-void Channels::add(const std::string &path, Fill fill) { add(channel_of(path), std::move(fill)); }
+void Channels::add(const std::string &path, Fill fill) { add(described(path), std::move(fill)); }
+
+void Channels::add(const files::Described &history, Fill fill)
+{
+  add(channel_of(history), std::move(fill));
+}
 
 void Channels::add(const std::string &path, const std::vector<std::string> &labels, Fill fill)
 {
-  files::Channel channel = channel_of(path);
+  add(described(path), labels, std::move(fill));
+}
+
+void Channels::add(const files::Described         &history,
+                   const std::vector<std::string> &labels,
+                   Fill                            fill)
+{
+  files::Channel channel = channel_of(history);
   channel.columns        = static_cast<unsigned int>(labels.size());
   channel.labels         = labels;
   add(std::move(channel), std::move(fill));

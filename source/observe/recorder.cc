@@ -50,6 +50,8 @@ void Recorder::write_histories(const std::string  &directory,
   takes_samples_ = true;
   if (!now_.system.world.is_first_rank())
     return;
+  const scene::Span tight =
+      now_.scene.drive.spans.empty() ? scene::Span{} : now_.scene.drive.tight();
   sampling_.emplace(
       std::make_unique<files::Histories>(
           directory + histories_name,
@@ -57,8 +59,8 @@ void Recorder::write_histories(const std::string  &directory,
               {"program", std::string("chaindrive ") + version},
               {"parameters", parameter_text},
               {"parameter_hash", checksum(parameter_text)},
-              {"span_direction", axis_text(now_.scene.span_direction)},
-              {"span_normal", axis_text(now_.scene.span_normal)},
+              {"span_direction", axis_text(tight.direction)},
+              {"span_normal", axis_text(tight.normal)},
               {"axes", "driver at the origin, driven at (C, 0); z along the shafts; gravity -y"}},
           expected_samples(now_.parameters, n_steps),
           now_.parameters.output.csv),

@@ -13,8 +13,9 @@ std::vector<ToothForces> make_tooth_forces(const scene::Scene     &scene,
   for (const scene::ToothFamily &teeth : scene.teeth)
     if (named.insert(teeth.name).second)
       {
-        const scene::Sprocket &sprocket = scene.sprockets.at(scene.bodies[teeth.sprocket].number);
-        result.emplace_back(sprocket.name(), scene.n_joints, sprocket.teeth);
+        const scene::Sprocket &sprocket =
+            scene.drive.sprockets.at(scene.bodies[teeth.sprocket].number);
+        result.emplace_back(sprocket.name, scene.drive.n_joints, sprocket.teeth);
         for (const contact::Family *family : system.contacts.find(teeth.name))
           result.back().families.push_back(dynamic_cast<const contact::SurfaceContact *>(family));
       }

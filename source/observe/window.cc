@@ -29,7 +29,10 @@ Window::Window(const scene::Scene &scene,
   if (!waits_)
     return;
   drift_.emplace(scene, parameters, pitches_per_period);
-  drift_->begin(scene.programs.last_change(parameters.time.start));
+  double last = parameters.time.start;
+  for (const scene::Shaft &shaft : scene.shafts)
+    last = std::max(last, shaft.program.last_change(parameters.time.start));
+  drift_->begin(last);
   unsigned int pitches = parameters.output.window_pitches;
   if (pitches_per_period > 1)
     pitches = std::max(pitches, judged_pitches());

@@ -17,18 +17,18 @@ WindowStatistics::WindowStatistics(const Observation &now, const std::vector<Sig
   const auto &hubs = now.system.world.hubs;
   const auto  driver =
       std::find_if(hubs.begin(), hubs.end(), [](const World::Hub &hub) { return hub.prescribed; });
-  if (driver != hubs.end() && !now.scene.sprockets.empty())
+  if (driver != hubs.end() && !now.scene.drive.sprockets.empty())
     {
       driver_ = &*driver;
-      teeth_  = now.scene.sense * double(now.scene.with(parameters::Role::driver).teeth);
+      teeth_  = now.scene.drive.driver().sense * double(now.scene.drive.driver().teeth);
     }
   for (const Signal &signal : signals)
     items_.push_back({signal, SignalStatistics(now.window().start(), now.window().end())});
 }
 
-void WindowStatistics::add(const std::initializer_list<double> values)
+void WindowStatistics::add(const double *values, [[maybe_unused]] const std::size_t n)
 {
-  Assert(values.size() == items_.size(), dealii::ExcMessage("One value for each signal"));
+  Assert(n == items_.size(), dealii::ExcMessage("One value for each signal"));
   const Window &window = now_.window();
   const double  begin  = now_.time() - now_.dt();
   if (window.settled()) // since when is not known from the start
@@ -39,9 +39,8 @@ void WindowStatistics::add(const std::initializer_list<double> values)
     }
   const auto &pieces =
       tooth_periods_.next(begin, now_.dt(), driver_ != nullptr ? teeth_ * driver_->angle : 0.);
-  auto item = items_.begin();
-  for (const double value : values)
-    (item++)->statistics.add(begin, now_.dt(), value, pieces);
+  for (Item &item : items_)
+    item.statistics.add(begin, now_.dt(), *values++, pieces);
 }
 
 double WindowStatistics::mean(const std::string &name) const

@@ -19,26 +19,37 @@ constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 constexpr double far = 0.75; // of the way to the next gap, from where a roller does not return
 constexpr double tip = 0.2;  // pitches on either side of the middle of a tooth
 
+/// From the line to the other end of a span to where it touches, in the sense against which the
+/// chain leaves: the line touches @p along [m] it.
+double touching(const scene::Sprocket &sprocket, const double along)
+{
+  return sprocket.sense * std::acos(std::clamp(along / sprocket.pitch_radius, -1., 1.));
+}
+
 /// @p angle between -pi and pi.
 double wrapped(const double angle) { return std::remainder(angle, 2. * PI); }
 } // namespace
 
 Wrap::Wrap(const scene::Scene &scene, const unsigned int sprocket)
     : scene_(scene)
-    , body_(scene.sprockets.at(sprocket).body)
-    , teeth_(scene.sprockets.at(sprocket).teeth)
-    , position_(scene.n_joints, not_there)
+    , body_(scene.drive.sprockets.at(sprocket).body)
+    , teeth_(scene.drive.sprockets.at(sprocket).teeth)
+    , position_(scene.drive.n_joints, not_there)
 {
-  const auto pitch_radius = [&](const unsigned int teeth) {
-    return 0.5 * scene.pitch / std::sin(PI / teeth);
-  };
-  const scene::Sprocket &other = scene.sprockets.at(1 - sprocket);
-  middle_ = scene.bodies[body_].initial.position - scene.bodies[other.body].initial.position;
-  const double distance = middle_.norm();
-  middle_ /= distance;
-  const double pitch = 2. * PI / teeth_;
-  const double wrap =
-      0.5 * PI + std::asin((pitch_radius(teeth_) - pitch_radius(other.teeth)) / distance);
+  const scene::DriveView &drive = scene.drive;
+  const std::size_t       n     = drive.sprockets.size();
+  const scene::Sprocket  &self  = drive.sprockets[sprocket];
+  sense_                        = self.sense;
+  // from where the chain arrives to where it leaves, in the sense of the rotation
+  const auto angle_of       = [](const dealii::Tensor<1, 3> &v) { return std::atan2(v[1], v[0]); };
+  const scene::Span &before = drive.spans[(sprocket + n - 1) % n], &behind = drive.spans[sprocket];
+  const double       in = angle_of(-before.along) + touching(self, before.length - before.end),
+               out      = angle_of(behind.along) - touching(self, behind.begin);
+  double arc            = sense_ * (out - in);
+  arc -= 2. * PI * std::floor(arc / (2. * PI));
+  const double middle = in + 0.5 * sense_ * arc, pitch = 2. * PI / teeth_, wrap = 0.5 * arc;
+  middle_[0]  = std::cos(middle);
+  middle_[1]  = std::sin(middle);
   half_angle_ = std::max(wrap - pitch, std::min(wrap, pitch));
 
   const auto family =
@@ -57,15 +68,16 @@ std::vector<Wrap::Place> Wrap::places(const World &world) const
   const double       turned   = std::atan2(sprocket.rotation[1][0], sprocket.rotation[0][0]);
   const double       middle   = std::atan2(middle_[1], middle_[0]);
   std::vector<Place> found;
-  for (unsigned int k = 0; k < scene_.n_joints; ++k) // rollers are the bodies 0 ... n-1
+  for (unsigned int k = 0; k < scene_.drive.n_joints; ++k)
     {
-      const dealii::Tensor<1, 3> arm    = world.frames[k].position - sprocket.position;
-      const double               radius = std::hypot(arm[0], arm[1]);
-      if (radius > outer_radius_ + 2. * scene_.pitch ||
+      const dealii::Tensor<1, 3> arm =
+          world.frames[scene_.drive.rollers[k]].position - sprocket.position;
+      const double radius = std::hypot(arm[0], arm[1]);
+      if (radius > outer_radius_ + 2. * scene_.drive.pitch ||
           arm * middle_ < radius * std::cos(half_angle_))
         continue;
       const double angle = middle + wrapped(std::atan2(arm[1], arm[0]) - middle);
-      const double gap   = scene_.sense * (angle - turned) * teeth_ / (2. * PI);
+      const double gap   = sense_ * (angle - turned) * teeth_ / (2. * PI);
       found.push_back({k, gap - k, radius, arm[2]});
     }
   return found;
@@ -73,7 +85,7 @@ std::vector<Wrap::Place> Wrap::places(const World &world) const
 
 void Wrap::follow(std::vector<Place> &places)
 {
-  const unsigned int  n = scene_.n_joints;
+  const unsigned int  n = scene_.drive.n_joints;
   std::vector<double> now(n, not_there);
   const auto          move_near = [](double &position, const double expected) {
     position += std::round(expected - position);

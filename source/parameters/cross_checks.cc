@@ -114,29 +114,32 @@ void check_facets(const Parameters &p, Findings &findings)
   const std::string entry = "Drive/Sprockets/Facets per tooth = " + std::to_string(facets);
   findings.contradiction(facets < 12 || facets % 2 == 1,
                          entry + " must be an even number from 12 on, or 0 for smooth teeth.");
-  for (const auto &[role, name] : texts_of<Role>)
+  for (const Sprocket &sprocket : p.drive.sprockets.list)
     {
-      const Decision elastic = elastic_sprocket(p, role);
-      const Switch own = role == Role::driver ? p.effects.elastic_driver : p.effects.elastic_driven;
-      findings.contradiction(elastic.on,
-                             entry + " is for rigid teeth, but those of the " + in_words(role) +
-                                 " are elastic (" + elastic.reason + "); choose " +
-                                 (own == Switch::on ? std::string("Effects/Elastic ") + name :
-                                                      "Model/Elastic sprockets") +
-                                 " = off, or 0.");
-      findings.contradiction(!p.drive.sprockets.with(role).mesh.empty(),
-                             entry + " is for teeth of arcs, but the " + in_words(role) +
+      const Decision elastic = elastic_sprocket(p, sprocket);
+      findings.contradiction(
+          elastic.on,
+          entry + " is for rigid teeth, but those of the " + sprocket.in_words() +
+              " are elastic (" + elastic.reason + "); choose " +
+              (sprocket.elastic == Switch::on ? "Effects/Elastic " + sprocket.name :
+                                                "Model/Elastic sprockets") +
+              " = off, or 0.");
+      findings.contradiction(!sprocket.mesh.empty(),
+                             entry + " is for teeth of arcs, but the " + sprocket.in_words() +
                                  " has the flanks of its mesh; choose 0.");
     }
 }
 
 void check_chain(const Parameters &p, Findings &findings)
 {
-  const Drive     &drive     = p.drive;
-  const Sprockets &sprockets = drive.sprockets;
-  const bool       alternate = p.model.capabilities().has_clearances;
-  const bool       odd       = drive.n_links % 2 != 0;
-  const bool       bottoms   = sprockets.seat_centre == SeatCentre::bottom_diameter;
+  const Drive     &drive      = p.drive;
+  const Sprockets &sprockets  = drive.sprockets;
+  const bool       alternate  = p.model.capabilities().has_clearances;
+  const bool       odd        = drive.n_links % 2 != 0;
+  const bool       bottoms    = sprockets.seat_centre == SeatCentre::bottom_diameter;
+  const auto       has_bottom = [](const Sprocket &sprocket) {
+    return sprocket.bottom_diameter.has_value();
+  };
 
   findings.contradiction(alternate && odd,
                          "Drive/Number of links = " + std::to_string(drive.n_links) +
@@ -150,10 +153,10 @@ void check_chain(const Parameters &p, Findings &findings)
                     "tell from the others.");
 
   findings.contradiction(
-      bottoms && !(sprockets.driver.bottom_diameter && sprockets.driven.bottom_diameter),
+      bottoms && !std::all_of(sprockets.list.begin(), sprockets.list.end(), has_bottom),
       "Drive/Sprockets/Seat centre = bottom diameter needs both Driver bottom diameter in mm and "
       "Driven bottom diameter in mm; give them, or choose iso or pitch.");
-  findings.note(!bottoms && (sprockets.driver.bottom_diameter || sprockets.driven.bottom_diameter),
+  findings.note(!bottoms && std::any_of(sprockets.list.begin(), sprockets.list.end(), has_bottom),
                 "The bottom diameters of Drive/Sprockets have no effect, since Seat centre is " +
                     text_of(sprockets.seat_centre) + ".");
   findings.contradiction(
@@ -175,10 +178,10 @@ void check_chain(const Parameters &p, Findings &findings)
       "Drive/Chain/Pitch set = nominal: the loaded chain is a radial clearance per pitch longer "
       "than its sprockets are cut for, and rides up their flanks like a worn chain.");
 
-  for (const auto &[role, name] : texts_of<Role>)
+  for (const Sprocket &sprocket : sprockets.list)
     findings.note(
-        !sprockets.with(role).mesh.empty(),
-        "The " + in_words(role) +
+        !sprocket.mesh.empty(),
+        "The " + sprocket.in_words() +
             " touches with the flanks of its mesh; Drive/Sprockets/Tooth form serves only to lay "
             "the chain on it.");
 
@@ -281,43 +284,39 @@ void check_elasticity(const Parameters &p, Findings &findings)
   const std::string chosen   = chosen_fidelity(p);
   const bool        elastic  = p.model.capabilities().is_elastic;
   const bool        arriving = p.model.elastic_links == ElasticLinks::arriving;
-  for (const auto &[name, choice] :
-       {std::pair<const char *, Switch>{"Elastic links", effects.elastic_links},
-        {"Elastic rollers", effects.elastic_rollers},
-        {"Elastic driver", effects.elastic_driver},
-        {"Elastic driven", effects.elastic_driven},
-        {"Plate bending", effects.plate_bending},
-        {"Tooth compliance", effects.tooth_compliance}})
+  std::vector<std::pair<std::string, Switch>> rims;
+  for (const Sprocket &sprocket : p.drive.sprockets.list)
+    rims.emplace_back("Effects/Elastic " + sprocket.name, sprocket.elastic);
+  std::vector<std::pair<std::string, Switch>> all = {
+      {"Effects/Elastic links", effects.elastic_links},
+      {"Effects/Elastic rollers", effects.elastic_rollers}};
+  all.insert(all.end(), rims.begin(), rims.end());
+  all.emplace_back("Effects/Plate bending", effects.plate_bending);
+  all.emplace_back("Effects/Tooth compliance", effects.tooth_compliance);
+  for (const auto &[name, choice] : all)
     findings.contradiction(!elastic && choice == Switch::on,
-                           std::string("Effects/") + name + " = on contradicts " + chosen +
+                           name + " = on contradicts " + chosen +
                                ", in which no body is elastic; choose auto or off, or Model/"
                                "Fidelity = full.");
   if (!elastic)
     return;
-  for (const auto &[name, choice] :
-       {std::pair<const char *, Switch>{"Effects/Elastic driver", effects.elastic_driver},
-        {"Effects/Elastic driven", effects.elastic_driven},
-        {"Model/Elastic sprockets", p.model.elastic_sprockets}})
+  rims.emplace_back("Model/Elastic sprockets", p.model.elastic_sprockets);
+  for (const auto &[name, choice] : rims)
     {
       findings.contradiction(arriving && choice == Switch::on,
-                             std::string(name) +
-                                 " = on contradicts Elastic links = arriving, in which both "
-                                 "sprockets are rigid; choose auto or off, or Elastic links = "
-                                 "all.");
+                             name + " = on contradicts Elastic links = arriving, in which all "
+                                    "sprockets are rigid; choose auto or off, or Elastic links = "
+                                    "all.");
       findings.contradiction(choice == Switch::on && effects.elastic_rollers == Switch::off,
-                             std::string(name) +
-                                 " = on needs elastic rollers, whose nodes touch the teeth, but "
-                                 "Effects/Elastic rollers = off; choose auto for one of them.");
+                             name + " = on needs elastic rollers, whose nodes touch the teeth, but "
+                                    "Effects/Elastic rollers = off; choose auto for one of them.");
     }
   if (const Decision reduced = reduced_bodies(p); reduced.on)
     {
       const std::string here = " reduced bodies (" + reduced.reason + ")";
-      for (const auto &[name, choice] :
-           {std::pair<const char *, Switch>{"Effects/Elastic driver", effects.elastic_driver},
-            {"Effects/Elastic driven", effects.elastic_driven},
-            {"Model/Elastic sprockets", p.model.elastic_sprockets}})
+      for (const auto &[name, choice] : rims)
         findings.contradiction(choice == Switch::on,
-                               std::string(name) + " = on is not possible beside" + here +
+                               name + " = on is not possible beside" + here +
                                    "; choose auto or off, or Fidelity = full.");
       findings.contradiction(p.contact.plate_faces == Switch::on,
                              "Contact/Plate faces = on needs plates of finite elements, and not" +
@@ -379,11 +378,12 @@ void check_quantities(const Parameters &p, Findings &findings)
                     ": plates do not bend out of their planes, since Effects/Plate bending = off.");
   if (!elastic || p.model.elastic_links == ElasticLinks::arriving)
     return;
-  for (const auto &[role, name] : texts_of<Role>)
+  for (const Sprocket &sprocket : p.drive.sprockets.list)
     for (const Needs &needs : all_needs)
-      findings.note(needs.sprockets && output.names(needs.group) && !elastic_sprocket(p, role).on,
+      findings.note(needs.sprockets && output.names(needs.group) &&
+                        !elastic_sprocket(p, sprocket).on,
                     asked_for(needs.group) + " would be nearer to the truth with Effects/Elastic " +
-                        name + ", which is off: " + needs.reason + ".");
+                        sprocket.name + ", which is off: " + needs.reason + ".");
 }
 
 /// A run that ends with its noise must have what that is made of.

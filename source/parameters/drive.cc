@@ -2,14 +2,28 @@
 #include <chaindrive/parameters/drive.h>
 #include <chaindrive/parameters/entries.h>
 
+#include <algorithm>
+#include <cctype>
+
 namespace chaindrive::parameters
 {
-std::string in_words(const Role role)
+std::string Sprocket::in_words() const { return role == Role::driver ? name : name + " sprocket"; }
+
+std::string Sprocket::in_entries() const
 {
-  return role == Role::driver ? "driver" : text_of(role) + " sprocket";
+  std::string text = name;
+  text[0]          = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
-std::string in_entries(const Role role) { return role == Role::driver ? "Driver" : "Driven"; }
+Sprocket &Sprockets::driven()
+{
+  return *std::find_if(list.begin(), list.end(), [](const Sprocket &sprocket) {
+    return sprocket.role == Role::driven;
+  });
+}
+
+const Sprocket &Sprockets::driven() const { return const_cast<Sprockets *>(this)->driven(); }
 
 void Chain::declare(Declarations &declarations)
 {
@@ -119,6 +133,11 @@ void Chain::declare(Declarations &declarations)
       "standard rules it.");
 }
 
+namespace
+{
+std::string of(const Sprocket &sprocket) { return sprocket.in_words() + "'s"; }
+} // namespace
+
 void Sprockets::declare(Declarations &declarations)
 {
   const Subsection section(declarations, "Sprockets");
@@ -142,31 +161,32 @@ void Sprockets::declare(Declarations &declarations)
     add(declarations, name, member, unit::milli, between(1e-3, 10000.), meaning);
   };
   const std::string outside = "Diameter over the tips of the ";
-  const std::string tips = " teeth. auto: the middle of the range of ISO 606 as far as the tooth "
-                           "keeps a tip land, or the value of ANSI B29.1. A value that leaves no "
-                           "tip land is refused.";
-  length("Driver outside diameter in mm", driver.outside_diameter, outside + "driver's" + tips);
-  length("Driven outside diameter in mm",
-         driven.outside_diameter,
-         outside + "driven sprocket's" + tips);
+  const std::string tips   = " teeth. auto: the middle of the range of ISO 606 as far as the tooth "
+                             "keeps a tip land, or the value of ANSI B29.1. A value that leaves no "
+                             "tip land is refused.";
   const std::string bottom = ", used with Seat centre = bottom diameter only. Measure it with "
                              "pins, since it decides where the rollers sit.";
-  length("Driver bottom diameter in mm",
-         driver.bottom_diameter,
-         "Diameter at the bottom of the driver's gaps" + bottom);
-  length("Driven bottom diameter in mm",
-         driven.bottom_diameter,
-         "Diameter at the bottom of the driven sprocket's gaps" + bottom);
   const std::string bore =
       " shaft. It counts for the inertia and the pictures only. auto: a third of the root "
       "diameter.";
-  length("Driver bore in mm", driver.bore, "Bore for the driver's" + bore);
-  length("Driven bore in mm", driven.bore, "Bore for the driven sprocket's" + bore);
   const std::string hub = " rigid zone, which the mesh joins to the shaft. auto: six tenths of "
                           "the root diameter.";
-  length("Driver hub diameter in mm", driver.hub_diameter, "Diameter of the driver's" + hub);
-  length(
-      "Driven hub diameter in mm", driven.hub_diameter, "Diameter of the driven sprocket's" + hub);
+  for (Sprocket &sprocket : list)
+    length(sprocket.in_entries() + " outside diameter in mm",
+           sprocket.outside_diameter,
+           outside + of(sprocket) + tips);
+  for (Sprocket &sprocket : list)
+    length(sprocket.in_entries() + " bottom diameter in mm",
+           sprocket.bottom_diameter,
+           "Diameter at the bottom of the " + of(sprocket) + " gaps" + bottom);
+  for (Sprocket &sprocket : list)
+    length(sprocket.in_entries() + " bore in mm",
+           sprocket.bore,
+           "Bore for the " + of(sprocket) + bore);
+  for (Sprocket &sprocket : list)
+    length(sprocket.in_entries() + " hub diameter in mm",
+           sprocket.hub_diameter,
+           "Diameter of the " + of(sprocket) + hub);
   length("Width in mm",
          width,
          "Width of the teeth of both sprockets. auto: 0.93 of the chain's inner width up to a "
@@ -185,16 +205,12 @@ void Sprockets::declare(Declarations &declarations)
       "parameter file's directory, then in the one the program is started in. Give it for teeth "
       "that no form above describes. "
       "Default: the mesh is made from the tooth form.";
-  add_text(declarations,
-           "Driver mesh",
-           driver.mesh,
-           "a file name or nothing",
-           "Mesh of the driver" + meshed);
-  add_text(declarations,
-           "Driven mesh",
-           driven.mesh,
-           "a file name or nothing",
-           "Mesh of the driven sprocket" + meshed);
+  for (Sprocket &sprocket : list)
+    add_text(declarations,
+             sprocket.in_entries() + " mesh",
+             sprocket.mesh,
+             "a file name or nothing",
+             "Mesh of the " + sprocket.in_words() + meshed);
 }
 
 void Layout::declare(Declarations &declarations)
@@ -282,14 +298,14 @@ void Drive::declare(Declarations &declarations)
       "auto");
   add(declarations,
       "Driver teeth",
-      sprockets.driver.teeth,
+      sprockets.driver().teeth,
       9,
       500,
       "Teeth of the sprocket whose speed is prescribed. Below 17 the polygonal motion grows "
       "quickly; the standards' tooth forms end at 9. Default: the drive in prm/paper.");
   add(declarations,
       "Driven teeth",
-      sprockets.driven.teeth,
+      sprockets.driven().teeth,
       9,
       500,
       "Teeth of the sprocket that carries the load torque. Default: the drive in prm/paper.");

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/drive.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/loads.h>
 
 namespace chaindrive::parameters
 {
-void Effects::declare(Declarations &declarations)
+void Effects::declare(Declarations &declarations, Sprockets &sprockets)
 {
   const Subsection section(declarations, "Effects");
   const auto       effect =
@@ -59,8 +60,8 @@ void Effects::declare(Declarations &declarations)
   const std::string rim =
       "Deformation of the rim of the sprocket, from the hub diameter outwards; of an imported "
       "one, of all but its physical volume hub zone. It needs elastic rollers";
-  effect("Elastic driver", elastic_driver, rim + needed + "the sprocket is rigid.");
-  effect("Elastic driven", elastic_driven, rim + needed + "the sprocket is rigid.");
+  for (Sprocket &sprocket : sprockets.list)
+    effect("Elastic " + sprocket.name, sprocket.elastic, rim + needed + "the sprocket is rigid.");
   effect("Tooth compliance",
          tooth_compliance,
          "Rigid sprockets give way under each elastic or reduced roller by Contact/Tooth stiffness "

@@ -4,6 +4,8 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
+
 namespace chaindrive::parameters
 {
 namespace
@@ -37,10 +39,9 @@ bool arrive(const Parameters &p)
   return p.model.capabilities().is_elastic && p.model.elastic_links == ElasticLinks::arriving;
 }
 
-Switch choice_for(const Parameters &p, const Role role)
+Switch choice_for(const Parameters &p, const Sprocket &sprocket)
 {
-  const Switch own = role == Role::driver ? p.effects.elastic_driver : p.effects.elastic_driven;
-  return own != Switch::automatic ? own : p.model.elastic_sprockets;
+  return sprocket.elastic != Switch::automatic ? sprocket.elastic : p.model.elastic_sprockets;
 }
 } // namespace
 
@@ -58,23 +59,22 @@ Decision elastic_rollers(const Parameters &p)
   if (rollers.on && arrive(p))
     rollers.reason = "those that arrive in the window: Model/Elastic links";
   if (!rollers.on && p.effects.elastic_rollers == Switch::automatic)
-    for (const Role role : {Role::driver, Role::driven})
-      if (choice_for(p, role) == Switch::on && p.model.capabilities().is_elastic)
+    for (const Sprocket &sprocket : p.drive.sprockets.list)
+      if (choice_for(p, sprocket) == Switch::on && p.model.capabilities().is_elastic)
         return {true, "an elastic sprocket needs them"};
   return rollers;
 }
 
-Decision elastic_sprocket(const Parameters &p, const Role role)
+Decision elastic_sprocket(const Parameters &p, const Sprocket &sprocket)
 {
-  Decision rim = decide(p, choice_for(p, role), &Needs::sprockets);
+  Decision rim = decide(p, choice_for(p, sprocket), &Needs::sprockets);
   if (rim.on && arrive(p))
     return {false, "rigid beside rigid links: Elastic links = arriving"};
   if (rim.on && p.model.capabilities().is_reduced)
     return {false, "rigid beside reduced rollers"};
   if (rim.on && !elastic_rollers(p).on)
     return {false, "a rigid roller meets rigid teeth, whose compliance is not its own"};
-  const Switch own = role == Role::driver ? p.effects.elastic_driver : p.effects.elastic_driven;
-  if (own == Switch::automatic && p.model.elastic_sprockets != Switch::automatic &&
+  if (sprocket.elastic == Switch::automatic && p.model.elastic_sprockets != Switch::automatic &&
       p.model.capabilities().is_elastic)
     rim.reason = "switched " + text_of(p.model.elastic_sprockets) + " in section Model";
   return rim;
@@ -87,7 +87,10 @@ Decision tooth_compliance(const Parameters &p)
     return {false, "no group of bodies is elastic in this fidelity"};
   if (!elastic_rollers(p).on)
     return {false, "rollers are rigid: their contact with rigid teeth has one stiffness"};
-  if (elastic_sprocket(p, Role::driver).on && elastic_sprocket(p, Role::driven).on)
+  const auto &sprockets = p.drive.sprockets.list;
+  if (std::all_of(sprockets.begin(), sprockets.end(), [&p](const Sprocket &sprocket) {
+        return elastic_sprocket(p, sprocket).on;
+      }))
     return {false, "sprockets are elastic"};
   if (choice != Switch::automatic)
     return {choice == Switch::on, "switched " + text_of(choice) + " in section Effects"};
@@ -108,8 +111,8 @@ Decision half_model(const Parameters &p)
     return {false, "whole bodies: rigid ones are"};
   if (plate_faces(p).on)
     return {false, "whole bodies: plates touch where something pushes them sideways"};
-  for (const auto &[role, name] : texts_of<Role>)
-    if (!p.drive.sprockets.with(role).mesh.empty())
+  for (const Sprocket &sprocket : p.drive.sprockets.list)
+    if (!sprocket.mesh.empty())
       return {false, "whole bodies: an imported mesh may lack symmetry"};
   // pictures show both halves: without any, nobody needs them
   const std::string who = fields(p).on ? who_needs(p, &Needs::both_halves) : "";
@@ -163,7 +166,7 @@ Decision column_mass_scaling(const Parameters &p)
 
 double field_interval(const Parameters &p)
 {
-  const double frequency = p.drive.sprockets.driver.teeth * p.loads.driver_speed;
+  const double frequency = p.drive.sprockets.driver().teeth * p.loads.driver_speed;
   return p.output.field_interval.value_or(
       frequency > 0. ? 0.1 * 2. * dealii::numbers::PI / frequency : 1e-3);
 }

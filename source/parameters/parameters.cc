@@ -12,7 +12,7 @@ void Parameters::declare(parameters::Declarations &declarations)
   elements.declare(declarations);
   reduction.declare(declarations);
   contact.declare(declarations);
-  effects.declare(declarations);
+  effects.declare(declarations, drive.sprockets);
   loads.declare(declarations);
   time.declare(declarations);
   output.declare(declarations);

@@ -179,7 +179,7 @@ public:
             "Loads/Resisting torque in N m in its place.");
       return p.loads.driver_speed == 0. ? 0. :
                                           1e3 * kilowatt / p.loads.driver_speed *
-                                              sprockets.driven.teeth / sprockets.driver.teeth;
+                                              sprockets.driven().teeth / sprockets.driver().teeth;
     });
   }
 

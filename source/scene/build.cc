@@ -2,6 +2,8 @@
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/placement.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -59,6 +61,44 @@ Tensor3 embed(const dealii::Tensor<1, 2> &v)
   result[1] = v[1];
   return result;
 }
+
+/// The drive without its bodies. A straight line touches two pitch circles of the radii r1 and r2,
+/// below zero where the chain runs round them against the sense of the drive, at the distance d
+/// where the line of their centres, measured from the first one, has gone (r1 - r2) r1 / d and
+/// d + (r1 - r2) r2 / d.
+void describe(const drive::Drive &drive, DriveView &view)
+{
+  const drive::Layout &layout = drive.layout;
+  view.n_joints               = static_cast<unsigned int>(layout.joints.size());
+  view.sense                  = layout.sense;
+  view.pitch                  = drive.chain.loaded_pitch();
+  view.stiffness_per_pitch    = drive.stiffness_per_pitch;
+  for (const drive::Layout::Joint &joint : layout.joints)
+    view.seated.push_back(joint.tooth_gap >= 0);
+  const auto n      = static_cast<unsigned int>(drive.sprockets.size());
+  const auto radius = [&](const unsigned int i) {
+    return 0.5 * view.pitch / std::sin(dealii::numbers::PI / drive.sprockets[i].form.teeth);
+  };
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      const unsigned int         j    = (i + 1) % n;
+      const drive::Layout::Span &span = layout.spans[i];
+      const dealii::Tensor<1, 2> line = layout.sprockets[j].centre - layout.sprockets[i].centre;
+      const double               d    = line.norm();
+      const double               r1   = layout.sprockets[i].turn * radius(i),
+                   r2                 = layout.sprockets[j].turn * radius(j);
+      const double sine               = (r1 - r2) / d;
+      view.spans.push_back({drive.sprockets[i].name + "_to_" + drive.sprockets[j].name,
+                            i,
+                            j,
+                            embed(line / d),
+                            d,
+                            r1 * sine,
+                            d + r2 * sine,
+                            embed(span.direction),
+                            embed(span.normal)});
+    }
+}
 } // namespace
 
 ContactLaw make_law(const Parameters           &parameters,
@@ -113,31 +153,22 @@ Scene build_scene(const Parameters               &parameters,
 {
   const drive::Layout &layout = drive.layout;
   Scene                scene;
-  scene.start_time      = parameters.time.start;
-  scene.material        = parameters.material;
-  scene.elements        = parameters.elements;
-  scene.effects         = decide_effects(parameters);
-  scene.loads           = effective_loads(parameters, scene.effects);
-  scene.half            = is_on(scene.effects, EffectKind::half_model);
-  scene.plates_bend     = is_on(scene.effects, EffectKind::plate_bending);
-  scene.sense           = layout.sense;
-  scene.at_speed        = parameters.drive.layout.start == parameters::Start::settled;
-  scene.n_joints        = static_cast<unsigned int>(layout.joints.size());
-  scene.centre_distance = layout.centre_distance();
-  scene.pitch           = drive.chain.loaded_pitch();
-  for (const drive::Layout::Joint &joint : layout.joints)
-    scene.seated.push_back(joint.tooth_gap >= 0);
-  scene.span_direction      = embed(layout.span(true).direction);
-  scene.span_normal         = embed(layout.span(true).normal);
-  scene.stiffness_per_pitch = drive.stiffness_per_pitch;
-  scene.notes               = drive.notes;
+  scene.start_time  = parameters.time.start;
+  scene.material    = parameters.material;
+  scene.elements    = parameters.elements;
+  scene.effects     = decide_effects(parameters);
+  scene.loads       = effective_loads(parameters, scene.effects);
+  scene.half        = is_on(scene.effects, EffectKind::half_model);
+  scene.plates_bend = is_on(scene.effects, EffectKind::plate_bending);
+  scene.at_speed    = parameters.drive.layout.start == parameters::Start::settled;
+  scene.notes       = drive.notes;
   scene.notes.push_back(note_of_quantities(parameters.output));
   scene.effects.push_back({EffectKind::start_up,
                            !scene.at_speed,
                            "Drive/Layout/Start = " + text_of(parameters.drive.layout.start) +
                                (scene.at_speed ? ": at full speed" : ": from rest")});
   scene.prestress = layout.prestress;
-  scene.programs  = drive.programs;
+  describe(drive, scene.drive);
 
   builder_of(parameters.model.fidelity)(parameters, drive, scene);
   add_sprockets(parameters, drive, folders, scene);

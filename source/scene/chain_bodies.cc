@@ -67,7 +67,7 @@ void add_chain_bodies(const Parameters        &parameters,
                       Scene                   &scene)
 {
   const drive::Layout &layout          = drive.layout;
-  const unsigned int   n               = scene.n_joints;
+  const unsigned int   n               = scene.drive.n_joints;
   const double         factor          = link_mass_factor(parameters, drive);
   const bool           elastic_rollers = is_on(scene.effects, EffectKind::elastic_rollers);
   const bool           elastic_links   = is_on(scene.effects, EffectKind::elastic_links);
@@ -79,10 +79,11 @@ void add_chain_bodies(const Parameters        &parameters,
   const auto   motion = [&](const bool effect, const bool arrives) {
     return !effect ? Motion::rigid : arrives ? deforming : others;
   };
-  scene.mass_per_pitch = drive.roller_solid.mass +
-                         0.5 * factor * (drive.inner_link_solid.mass + drive.outer_link_solid.mass);
+  scene.drive.mass_per_pitch =
+      drive.roller_solid.mass +
+      0.5 * factor * (drive.inner_link_solid.mass + drive.outer_link_solid.mass);
   scene.notes.push_back(
-      "Mass per pitch " + to_text(scene.mass_per_pitch * 1e3, 4) + " g (" +
+      "Mass per pitch " + to_text(scene.drive.mass_per_pitch * 1e3, 4) + " g (" +
       (parameters.model.mass_per_pitch ? "given: links scaled by " + to_text(factor, 4) :
                                          std::string("auto: from the parts")) +
       "), of which the roller " + to_text(drive.roller_solid.mass * 1e3, 4) + " g");
@@ -90,6 +91,7 @@ void add_chain_bodies(const Parameters        &parameters,
   for (unsigned int k = 0; k < n; ++k)
     {
       const auto &joint = layout.joints[k];
+      scene.drive.rollers.push_back(static_cast<unsigned int>(scene.bodies.size()));
       scene.bodies.push_back(
           make_body(Kind::roller,
                     k,
@@ -104,6 +106,7 @@ void add_chain_bodies(const Parameters        &parameters,
       const dealii::Tensor<1, 2> velocity =
           0.5 * (layout.joints[k].velocity + layout.joints[(k + 1) % n].velocity);
       const bool arrives = elastic_joint[k] && elastic_joint[(k + 1) % n];
+      scene.drive.links.push_back(static_cast<unsigned int>(scene.bodies.size()));
       scene.bodies.push_back(
           make_body(link.inner ? Kind::inner_link : Kind::outer_link,
                     k,
@@ -114,11 +117,13 @@ void add_chain_bodies(const Parameters        &parameters,
     }
 }
 
-Joint joint_of(const unsigned int k, const drive::Drive &drive, const unsigned int n)
+Joint joint_of(const unsigned int k, const drive::Drive &drive, const DriveView &view)
 {
   const double bush = 0.5 * drive.chain.inner_hole_pitch, pin = 0.5 * drive.chain.outer_hole_pitch;
-  const unsigned int before = n + (k + n - 1) % n, after = n + k; // links follow the n rollers
+  const unsigned int before = view.links[view.next(k, view.n_joints - 1)], after = view.links[k];
   // even links are inner links and start at even joints
-  return k % 2 == 0 ? Joint{after, before, -bush, pin} : Joint{before, after, bush, -pin};
+  const unsigned int roller = view.rollers[k];
+  return k % 2 == 0 ? Joint{roller, after, before, -bush, pin} :
+                      Joint{roller, before, after, bush, -pin};
 }
 } // namespace chaindrive::scene

@@ -12,7 +12,6 @@
 namespace chaindrive::scene
 {
 using parameters::Decision;
-using parameters::Role;
 using parameters::Switch;
 
 namespace
@@ -32,8 +31,7 @@ constexpr EffectText texts[] = {{EffectKind::roller_bush_clearance, "roller-bush
                                 {EffectKind::drag, "drag"},
                                 {EffectKind::elastic_links, "elastic links"},
                                 {EffectKind::elastic_rollers, "elastic rollers"},
-                                {EffectKind::elastic_driver, "elastic driver"},
-                                {EffectKind::elastic_driven, "elastic driven"},
+                                {EffectKind::elastic_sprocket, "elastic"},
                                 {EffectKind::tooth_compliance, "tooth compliance"},
                                 {EffectKind::plate_bending, "plate bending"},
                                 {EffectKind::reduced_bodies, "reduced bodies"},
@@ -116,8 +114,11 @@ std::vector<Effect> decide_effects(const Parameters &p)
                            "coefficient " + to_text(p.loads.drag) + " 1/s"));
   add(EffectKind::elastic_links, parameters::elastic_links(p));
   add(EffectKind::elastic_rollers, parameters::elastic_rollers(p));
-  add(EffectKind::elastic_driver, parameters::elastic_sprocket(p, Role::driver));
-  add(EffectKind::elastic_driven, parameters::elastic_sprocket(p, Role::driven));
+  for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
+    {
+      add(EffectKind::elastic_sprocket, parameters::elastic_sprocket(p, sprocket));
+      effects.back().sprocket = sprocket.name;
+    }
   add(EffectKind::tooth_compliance, parameters::tooth_compliance(p));
   add(EffectKind::plate_bending, parameters::plate_bending(p));
   add(EffectKind::reduced_bodies, parameters::reduced_bodies(p));
@@ -129,24 +130,20 @@ std::vector<Effect> decide_effects(const Parameters &p)
   return effects;
 }
 
-bool is_on(const std::vector<Effect> &effects, const EffectKind kind)
+bool is_on(const std::vector<Effect> &effects, const EffectKind kind, const std::string &sprocket)
 {
   for (const Effect &effect : effects)
-    if (effect.kind == kind)
+    if (effect.kind == kind && effect.sprocket == sprocket)
       return effect.on;
   throw std::logic_error("an effect that nobody decided");
 }
 
 std::string Effect::name() const
 {
-  return std::find_if(std::begin(texts),
-                      std::end(texts),
-                      [this](const EffectText &entry) { return entry.kind == kind; })
-      ->text;
-}
-
-EffectKind elastic_sprocket(const Role role)
-{
-  return role == Role::driver ? EffectKind::elastic_driver : EffectKind::elastic_driven;
+  const std::string text =
+      std::find_if(std::begin(texts), std::end(texts), [this](const EffectText &entry) {
+        return entry.kind == kind;
+      })->text;
+  return sprocket.empty() ? text : text + " " + sprocket;
 }
 } // namespace chaindrive::scene

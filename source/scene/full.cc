@@ -119,13 +119,13 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
   const auto is_elastic = [&scene](const unsigned int body) {
     return deforms(scene.bodies[body].motion);
   };
-  for (unsigned int k = 0; k < scene.n_joints; ++k)
+  for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
     {
-      const Joint joint     = joint_of(k, drive, scene.n_joints);
+      const Joint joint     = joint_of(k, drive, scene.drive);
       const bool  at_first  = joint.bush_x < 0.; // of the inner link's two bushes
       const bool  pin_first = joint.pin_x < 0.;
-      if (is_elastic(k) || is_elastic(joint.inner))
-        rollers.pairs.push_back({k,
+      if (is_elastic(joint.roller) || is_elastic(joint.inner))
+        rollers.pairs.push_back({joint.roller,
                                  dealii::Point<3>(),
                                  0.5 * chain.roller_bore,
                                  {joint.inner, dealii::Point<3>(), 0.5 * chain.bush_diameter, k},
@@ -152,9 +152,9 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
                        mesh::plate_outer_faces,
                        std::nullopt);
       plates.radius = 0.5 * std::min(chain.inner_plate_height, chain.outer_plate_height);
-      for (unsigned int k = 0; k < scene.n_joints; ++k)
+      for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
         {
-          const Joint joint = joint_of(k, drive, scene.n_joints);
+          const Joint joint = joint_of(k, drive, scene.drive);
           if (is_elastic(joint.inner) && is_elastic(joint.outer))
             plates.pairs.push_back({joint.outer,
                                     joint.inner,

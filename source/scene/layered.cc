@@ -15,7 +15,7 @@ double reduced_mass(const double a, const double b) { return a * b / (a + b); }
 
 void add_layered_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
 {
-  add_chain_bodies(parameters, drive, std::vector<char>(scene.n_joints, false), scene);
+  add_chain_bodies(parameters, drive, std::vector<char>(scene.drive.n_joints, false), scene);
   add_rigid_joints(parameters, drive, scene);
   if (is_on(scene.effects, EffectKind::fields))
     {
@@ -27,11 +27,12 @@ void add_layered_chain(const Parameters &parameters, const drive::Drive &drive, 
 
 void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
 {
-  const drive::ChainDimensions &chain = drive.chain;
-  const unsigned int            n     = scene.n_joints;
-  const double inner_mass = scene.bodies[n].mass, outer_mass = scene.bodies[n + 1].mass;
-  const double roller_mass    = scene.bodies.front().mass;
-  const double bush_stiffness = drive.roller_bush_stiffness;
+  const drive::ChainDimensions &chain      = drive.chain;
+  const DriveView              &view       = scene.drive;
+  const double                  inner_mass = scene.bodies[view.links[0]].mass,
+               outer_mass                  = scene.bodies[view.links[1]].mass,
+               roller_mass                 = scene.bodies[view.rollers[0]].mass;
+  const double bush_stiffness              = drive.roller_bush_stiffness;
   // One bush-pin joint per pitch lies in the path of the tension; with rigid links it alone gives
   // the chain its stiffness, so plates and joint contact in series are put there.
   const double pin_stiffness = drive.stiffness_per_pitch;
@@ -51,9 +52,9 @@ void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, S
                       reduced_mass(inner_mass, outer_mass),
                       parameters.contact.bush_pin_friction)
                  .shared_by(2);
-  for (unsigned int k = 0; k < n; ++k)
+  for (unsigned int k = 0; k < view.n_joints; ++k)
     {
-      const Joint joint    = joint_of(k, drive, n);
+      const Joint joint    = joint_of(k, drive, scene.drive);
       const auto  is_rigid = [&scene](const unsigned int body) {
         return !deforms(scene.bodies[body].motion);
       };

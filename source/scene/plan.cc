@@ -25,7 +25,7 @@ std::string name_of(const Scene &scene, const Body &body)
     case Kind::outer_link:
       return "outer links";
     case Kind::sprocket:
-      return scene.sprockets.at(body.number).name() + " sprocket";
+      return scene.drive.sprockets.at(body.number).name + " sprocket";
     }
   return "";
 }

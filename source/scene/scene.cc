@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/scene/scene.h>
 
-#include <deal.II/base/numbers.h>
-
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace chaindrive::scene
 {
-using parameters::Role;
-
 bool Scene::has_elastic_bodies() const
 {
   return std::any_of(
@@ -19,20 +14,18 @@ bool Scene::has_elastic_bodies() const
 
 double Scene::nominal_energy() const
 {
-  if (n_joints == 0 || sprockets.empty())
+  if (drive.n_joints == 0 || drive.sprockets.empty())
     return 0.;
-  const double pitch_radius =
-      0.5 * pitch / std::sin(dealii::numbers::PI / with(Role::driver).teeth);
-  const double speed = pitch_radius * loads.driver_speed;
-  return 0.5 * n_joints * mass_per_pitch * speed * speed;
+  const double speed = drive.driver().pitch_radius * loads.driver_speed;
+  return 0.5 * drive.n_joints * drive.mass_per_pitch * speed * speed;
 }
 
-const Sprocket &Scene::with(const Role role) const
+const Sprocket &DriveView::driven() const
 {
   for (const Sprocket &sprocket : sprockets)
-    if (sprocket.role == role)
+    if (sprocket.role == parameters::Role::driven)
       return sprocket;
-  throw std::logic_error("the scene has no such sprocket");
+  throw std::logic_error("no sprocket of the drive has a load");
 }
 
 std::string Scene::name_of(const unsigned int b) const
@@ -47,7 +40,7 @@ std::string Scene::name_of(const unsigned int b) const
     case Kind::outer_link:
       return "outer link " + number;
     case Kind::sprocket:
-      return in_words(sprockets.at(bodies[b].number).role);
+      return drive.sprockets.at(bodies[b].number).title;
     }
   return "";
 }

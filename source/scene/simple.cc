@@ -10,8 +10,8 @@ namespace chaindrive::scene
 {
 void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
 {
-  const double mass    = parameters.model.mass_per_pitch.value_or(drive.mass_per_pitch);
-  scene.mass_per_pitch = mass;
+  const double mass          = parameters.model.mass_per_pitch.value_or(drive.mass_per_pitch);
+  scene.drive.mass_per_pitch = mass;
   scene.notes.push_back("Mass per pitch " + to_text(mass * 1e3, 4) + " g (" +
                         (parameters.model.mass_per_pitch ? "given" : "auto: from the parts") +
                         "), lumped at the rollers");
@@ -20,7 +20,7 @@ void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, S
   const drive::MassProperties &ring    = drive.roller_solid;
   const bool                   spins   = is_on(scene.effects, EffectKind::friction);
   const double                 inertia = ring.inertia[2][2] * std::min(1., mass / ring.mass);
-  for (unsigned int k = 0; k < scene.n_joints; ++k)
+  for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
     {
       const drive::Layout::Joint &joint = drive.layout.joints[k];
       Body                        roller;
@@ -33,6 +33,7 @@ void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, S
           placed(joint.roller, 0., joint.velocity, spins ? roller_spin(drive.layout, k) : 0.);
       if (spins)
         roller.inertia[2] = inertia;
+      scene.drive.rollers.push_back(static_cast<unsigned int>(scene.bodies.size()));
       scene.bodies.push_back(roller);
     }
   if (is_on(scene.effects, EffectKind::fields))
@@ -42,7 +43,11 @@ void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, S
   double       damping = 0.;
   if (is_on(scene.effects, EffectKind::chain_damping)) // of two lumps on one bar: reduced mass m/2
     damping = 2. * parameters.model.chain_damping_ratio * std::sqrt(k * 0.5 * mass);
-  for (unsigned int i = 0; i < scene.n_joints; ++i)
-    scene.bars.push_back({i, (i + 1) % scene.n_joints, drive.chain.loaded_pitch(), k, damping});
+  for (unsigned int i = 0; i < scene.drive.n_joints; ++i)
+    scene.bars.push_back({scene.drive.rollers[i],
+                          scene.drive.rollers[scene.drive.next(i)],
+                          drive.chain.loaded_pitch(),
+                          k,
+                          damping});
 }
 } // namespace chaindrive::scene

@@ -9,6 +9,8 @@
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +27,7 @@ std::shared_ptr<const mesh::Part> sprocket_part(const Parameters               &
                                                 const std::vector<std::string> &folders,
                                                 const Scene                    &scene)
 {
-  const bool         elastic = is_on(scene.effects, elastic_sprocket(sprocket.role));
+  const bool         elastic = is_on(scene.effects, EffectKind::elastic_sprocket, sprocket.name);
   const std::string &file    = sprocket.mesh;
   if (!file.empty())
     {
@@ -36,7 +38,7 @@ std::shared_ptr<const mesh::Part> sprocket_part(const Parameters               &
                                                                    scene.half && elastic));
       if (const double width = mesh::flank_width(*part); width >= drive.chain.inner_width)
         throw InputError(
-            "Drive/Sprockets/" + in_entries(sprocket.role) + " mesh = " + file + " has teeth " +
+            "Drive/Sprockets/" + sprocket.in_entries + " mesh = " + file + " has teeth " +
             to_text(width * 1e3, 4) + " mm wide; they must be narrower than the " +
             to_text(drive.chain.inner_width * 1e3, 4) + " mm between the inner plates.");
       return part;
@@ -56,7 +58,7 @@ Body sprocket_body(const Parameters   &parameters,
   const drive::Sprocket         &sprocket = drive.sprockets[i];
   const drive::Layout::Sprocket &start    = drive.layout.sprockets[i];
   const drive::MassProperties   &solid    = sprocket.mesh.empty() ? sprocket.solid : part->meshed;
-  const bool                     rim      = is_on(scene.effects, elastic_sprocket(sprocket.role));
+  const bool rim = is_on(scene.effects, EffectKind::elastic_sprocket, sprocket.name);
 
   Body body;
   body.kind    = Kind::sprocket;
@@ -77,12 +79,13 @@ Body sprocket_body(const Parameters   &parameters,
   return body;
 }
 
-/// The outward side on which the chain arrives at sprocket number @p i: where a slack span does, it
-/// is opposite the tight one's.
-Tensor3 entry_normal(const drive::Layout &layout, const unsigned int i, const Scene &scene)
+/// The outward side on which the chain arrives at sprocket number @p i. Where the slack span does,
+/// which hangs, it is opposite the side on which the chain leaves.
+Tensor3 entry_normal(const drive::Layout &layout, const unsigned int i, const DriveView &drive)
 {
-  const std::size_t n = layout.spans.size();
-  return layout.spans[(i + n - 1) % n].tight ? scene.span_normal : -scene.span_normal;
+  const std::size_t before = (i + layout.spans.size() - 1) % layout.spans.size();
+  return layout.sprockets[i].turn *
+         (layout.spans[before].straight ? drive.spans[before].normal : -drive.spans[i].normal);
 }
 
 /// The flanks of @p sprocket, which is in the scene as @p body with its mesh in @p part if it has
@@ -97,7 +100,7 @@ ToothFamily make_flanks(const Parameters      &parameters,
   const bool         imported = !sprocket.mesh.empty();
   const unsigned int facets   = parameters.drive.sprockets.facets;
   ToothFamily        teeth;
-  teeth.name     = "roller-" + text_of(sprocket.role);
+  teeth.name     = "roller-" + sprocket.name;
   teeth.sprocket = body;
   teeth.form = std::make_shared<const drive::ToothForm>(facets > 0 ? sprocket.form.faceted(facets) :
                                                                      sprocket.form);
@@ -157,9 +160,9 @@ ToothFamily with_elastic_rollers(const Parameters   &parameters,
         teeth.tooth_stiffness *= 0.5;
     }
   teeth.slave_surface = mesh::roller_outside;
-  for (unsigned int k = 0; k < scene.n_joints; ++k)
-    if (scene.bodies[k].motion == motion)
-      teeth.slaves.push_back({k, dealii::Point<3>(), radius, k});
+  for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
+    if (const unsigned int roller = scene.drive.rollers[k]; scene.bodies[roller].motion == motion)
+      teeth.slaves.push_back({roller, dealii::Point<3>(), radius, k});
   return teeth;
 }
 
@@ -171,7 +174,7 @@ ToothFamily with_rigid_rollers(const Parameters   &parameters,
                                const Scene        &scene,
                                const ToothFamily  &flanks)
 {
-  const Body &roller = scene.bodies.front();
+  const Body &roller = scene.bodies[scene.drive.rollers.front()];
   // A lumped roller touches in its middle plane. A rigid one touches at two points that give its
   // line of contact the same moment of resistance against tilting.
   const std::vector<double> stations =
@@ -185,11 +188,11 @@ ToothFamily with_rigid_rollers(const Parameters   &parameters,
                        roller.mass,
                        parameters.contact.roller_tooth_friction)
                   .shared_by(roller.motion == Motion::lumped ? 1 : 2);
-  for (unsigned int k = 0; k < scene.n_joints; ++k)
+  for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
     for (const double z : stations)
-      if (!deforms(scene.bodies[k].motion))
+      if (const unsigned int number = scene.drive.rollers[k]; !deforms(scene.bodies[number].motion))
         teeth.slaves.push_back(
-            {k, dealii::Point<3>(0., 0., z), 0.5 * drive.chain.roller_diameter, k});
+            {number, dealii::Point<3>(0., 0., z), 0.5 * drive.chain.roller_diameter, k});
   return teeth;
 }
 } // namespace
@@ -215,7 +218,9 @@ void add_sprockets(const Parameters               &parameters,
 {
   const double stiffness  = drive.roller_tooth_stiffness;
   const auto   any_roller = [&scene](const auto &is_so) {
-    return std::any_of(scene.bodies.begin(), scene.bodies.begin() + scene.n_joints, is_so);
+    return std::any_of(scene.drive.rollers.begin(),
+                       scene.drive.rollers.end(),
+                       [&](const unsigned int roller) { return is_so(scene.bodies[roller]); });
   };
   const bool any_rigid = any_roller([](const Body &roller) { return !deforms(roller.motion); });
   if (any_rigid)
@@ -231,8 +236,17 @@ void add_sprockets(const Parameters               &parameters,
       const Body             body     = sprocket_body(parameters, drive, i, part.get(), scene);
       const auto             number   = static_cast<unsigned int>(scene.bodies.size());
       scene.bodies.push_back(body);
-      scene.sprockets.push_back(
-          {sprocket.role, number, sprocket.form.teeth, entry_normal(drive.layout, i, scene)});
+      const int sense = drive.layout.sense * drive.layout.sprockets[i].turn;
+      scene.drive.sprockets.push_back(
+          {sprocket.name,
+           sprocket.title,
+           sprocket.role,
+           number,
+           sprocket.form.teeth,
+           sense,
+           0.5 * scene.drive.pitch / std::sin(dealii::numbers::PI / sprocket.form.teeth),
+           entry_normal(drive.layout, i, scene.drive)});
+      scene.shafts.push_back({number, sense, sprocket.program});
       if (part)
         scene.parts[body.part()] = part;
       if (body.motion == Motion::elastic)

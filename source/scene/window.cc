@@ -21,16 +21,17 @@ constexpr int margin = 2; // links beside those that arrive: plates on both side
 std::vector<char>
 elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
 {
-  const int n = static_cast<int>(scene.n_joints);
+  const int n = static_cast<int>(scene.drive.n_joints);
   if (parameters.model.elastic_links == parameters::ElasticLinks::all)
     return std::vector<char>(n, true);
 
   // joint 0 sits where the chain comes in; with every pitch that the driver turns joint n-1, n-2,
   // ... comes after it
   const auto turned = [&drive, &scene](const double time) {
-    return drive.programs.speed->integral(scene.start_time, std::max(time, scene.start_time));
+    return drive.driver().program.speed->integral(scene.start_time,
+                                                  std::max(time, scene.start_time));
   };
-  const double per_angle = drive.with(parameters::Role::driver).form.teeth / (2. * PI);
+  const double per_angle = drive.driver().form.teeth / (2. * PI);
   const double from      = parameters.output.window_start.value(),
                to        = parameters.output.window_end.value_or(parameters.time.end);
   int first              = n - static_cast<int>(std::ceil(per_angle * turned(to))) - margin;

@@ -166,7 +166,7 @@ scene::Scene seated_rollers(std::shared_ptr<const mesh::Part> roller,
 {
   scene::Scene scene;
   const auto   form = std::make_shared<const drive::ToothForm>(
-      drive::make_tooth_form(teeth, chain, parameters::Sprockets(), parameters::Role::driver));
+      drive::make_tooth_form(teeth, chain, parameters::Sprockets(), 0));
   scene::ToothFamily family;
   family.name          = "teeth";
   family.sprocket      = teeth;

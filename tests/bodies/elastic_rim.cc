@@ -24,9 +24,8 @@ scene::Scene make_scene(const scene::Support support, const element::Formulation
   scene::Scene scene         = empty_scene();
   scene.elements.formulation = static_cast<parameters::Formulation>(formulation);
   const auto chain           = drive::make_chain(parameters::Chain());
-  const auto form =
-      drive::make_tooth_form(teeth, chain, parameters::Sprockets(), parameters::Role::driver);
-  const auto whole = std::make_shared<const mesh::Part>(mesh::make_sprocket(
+  const auto form            = drive::make_tooth_form(teeth, chain, parameters::Sprockets(), 0);
+  const auto whole           = std::make_shared<const mesh::Part>(mesh::make_sprocket(
       form, {15e-3, 0.6 * form.root_diameter, 7e-3}, scene.material.density, 1));
 
   scene.parts[scene::Kind::sprocket]   = whole;

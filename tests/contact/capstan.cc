@@ -15,9 +15,7 @@ int main()
                r = 1e-4;
 
   scene::Scene scene = empty_scene();
-  // clockwise or counter-clockwise alike
-  scene.programs.speed = std::make_shared<functions::Ramp>(0.5, 0., 0.01);
-  scene.loads.drag     = 200.;
+  scene.loads.drag   = 200.;
   std::vector<scene::SlavePoint> slaves;
   const double                   seat = radius + r + 1e-12;
   for (unsigned int i = 0; i < n; ++i)
@@ -33,6 +31,7 @@ int main()
   scene.bodies.push_back(ground());
   scene.bodies[anchor].initial.position = vector(seat, -0.1);  // holds the end at angle 0
   scene.bodies[far].initial.position    = vector(-seat, -1e3); // soft and long: a constant force
+  turn(scene, drum, std::make_shared<functions::Ramp>(0.5, 0., 0.01));
   scene.bars.push_back({anchor, 0, 0.1, k_bar, 2.});
   scene.bars.push_back({n - 1, far, 0.5e3, force / 0.5e3, 0.});
   scene.surfaces.push_back(on_surface(std::make_shared<const contact::Drum>(drum, radius),
@@ -41,7 +40,7 @@ int main()
 
   for (const int sense : {1, -1})
     {
-      scene.sense = sense;
+      scene.shafts[0].sense = sense;
       dynamics::System system(scene, false);
       const double     dt  = 0.5 * system.stable_step_limit();
       double           sum = 0., samples = 0.;

@@ -20,8 +20,8 @@ scene::Scene pulled(const Parameters &p, const drive::Drive &drive, const double
 {
   scene::Scene scene    = empty_scene();
   scene.half            = p.model.half == parameters::HalfModel::yes;
-  scene.pitch           = drive.chain.pitch;
-  scene.n_joints        = 2;
+  scene.drive.pitch     = drive.chain.pitch;
+  scene.drive.n_joints  = 2;
   scene.material        = p.material;
   scene.elements        = p.elements;
   scene.prestress       = 1e4;

@@ -11,8 +11,7 @@ int main()
   scene::Scene scene  = empty_scene();
   scene.loads.gravity = g;
   scene.loads.drag    = 100.; // lets the swinging about the bottom of the bore die out
-  scene.programs.speed =
-      std::make_shared<functions::Ramp>(120.74, 0., 20e-3, functions::Rise::cosine);
+  turn(scene, 1, std::make_shared<functions::Ramp>(120.74, 0., 20e-3, functions::Rise::cosine));
   scene.bodies = {body(scene::Motion::rigid,
                        scene::Support::none,
                        m,

@@ -10,10 +10,10 @@ int main()
   for (const double mu : {0.1, 0.2})
     {
       const double m = 0.1, k = 1e6, g = 9.81, r = 0.05, full = 8., ramp = 16.;
-      scene::Scene scene   = empty_scene();
-      scene.programs.speed = std::make_shared<functions::Ramp>(full, 0., ramp);
-      const double sunk    = m * g / k;
-      scene.bodies         = {lump(m, vector(r, 0., 1e-3 - 0.9e-9)), ground(), ground()};
+      scene::Scene scene = empty_scene();
+      turn(scene, 1, std::make_shared<functions::Ramp>(full, 0., ramp));
+      const double sunk = m * g / k;
+      scene.bodies      = {lump(m, vector(r, 0., 1e-3 - 0.9e-9)), ground(), ground()};
       scene.bodies[2].initial.position = vector(r, 0., -1000.);
       scene.bars                       = {{0, 2, 999., m * g / 1.001, 0.}};
       scene.surfaces.push_back(on_surface(plane(1, vector(0., 0., 1.)),

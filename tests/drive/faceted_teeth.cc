@@ -19,8 +19,7 @@ drive::ToothForm make_form(const parameters::StandardForm standard)
 {
   parameters::Sprockets sprockets;
   sprockets.tooth_form = standard;
-  return drive::make_tooth_form(
-      15, drive::make_chain(parameters::Chain()), sprockets, parameters::Role::driver);
+  return drive::make_tooth_form(15, drive::make_chain(parameters::Chain()), sprockets, 0);
 }
 
 /// A roller of radius R in the seat, radius r, half angle A, of m chords of the angle a = 2 A / m.

@@ -133,10 +133,10 @@ int main()
   compare("wrap, deg", f.sprockets[0].wrap * 180. / M_PI, 167.857, 1);
   compare(
       "wraps together, deg", (f.sprockets[0].wrap + f.sprockets[1].wrap) * 180. / M_PI, 360., 9);
-  compare("links in all", f.span(true).links + f.span(false).links + 6. + 22., f.links, 0);
+  compare("links in all", f.tight().links + f.slack().links + 6. + 22., f.links, 0);
   compare("sag, mm",
-          f.span(false).sag * 1e3,
-          drive::parabola_sag(f.span(false).length, f.span(false).slack) * 1e3,
+          f.slack().sag * 1e3,
+          drive::parabola_sag(f.slack().length, f.slack().slack) * 1e3,
           0);
   compare("torque on the driven shaft from its pull, N m",
           f.effective_tension * f.loaded_pitch * 42. / (2. * M_PI),
@@ -156,15 +156,15 @@ int main()
   test_check(
       "wrap",
       [](Parameters &p, const double x) {
-        p.drive.sprockets.driven.teeth = 90;
-        p.drive.n_links                = static_cast<unsigned int>(x);
+        p.drive.sprockets.driven().teeth = 90;
+        p.drive.n_links                  = static_cast<unsigned int>(x);
       },
       110.,
       104.);
   test_check(
       "teeth",
       [](Parameters &p, const double x) {
-        p.drive.sprockets.driver.teeth = static_cast<unsigned int>(x);
+        p.drive.sprockets.driver().teeth = static_cast<unsigned int>(x);
       },
       13.,
       12.);
@@ -174,14 +174,14 @@ int main()
       [](Parameters &p, const double x) { p.loads.driver_speed = x; },
       1.15 * w,
       1.02 * w);
-  const double tight = f.span(true).resonance;
+  const double tight = f.tight().resonance;
   test_check(
       "span_resonance",
       [](Parameters &p, const double x) { p.loads.driver_speed = x; },
       1.3 * tight,
       tight);
   // the sagging span does not swing as a string of its tension would: in two half waves
-  const drive::Facts::Span &slack = f.span(false);
+  const drive::Facts::Span &slack = f.slack();
   std::cout << "slack span " << mode_in_words(slack) << '\n';
   const double string = slack.resonance *
                         drive::string_resonance(slack.length, 1., 1., f.loaded_pitch) /
@@ -208,8 +208,8 @@ int main()
       "wear",
       [&](Parameters &p, const double x) {
         wear(p, 0.0175);
-        p.drive.sprockets.driven.teeth = static_cast<unsigned int>(x);
-        p.drive.n_links                = 190;
+        p.drive.sprockets.driven().teeth = static_cast<unsigned int>(x);
+        p.drive.n_links                  = 190;
       },
       112.,
       116.);
@@ -270,8 +270,8 @@ int main()
         p.drive.layout.start = parameters::Start::settled;
       const drive::Facts none = facts_of(p);
       verdict(text_of(from) + " 0: tension of the slack span below a tenth of the load's",
-              none.span(false).tension < 0.1 * none.effective_tension + none.centrifugal_tension &&
-                  none.span(false).tension > none.centrifugal_tension);
+              none.slack().tension < 0.1 * none.effective_tension + none.centrifugal_tension &&
+                  none.slack().tension > none.centrifugal_tension);
       verdict("  its stretch keeps the design sound", drive::check_design(p, none).empty());
     }
   test_check(

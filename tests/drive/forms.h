@@ -12,8 +12,8 @@ forms_of(const chaindrive::parameters::Drive      &drive,
          const chaindrive::drive::ChainDimensions &chain)
 {
   std::vector<chaindrive::drive::ToothForm> forms;
-  for (const auto &[role, name] : chaindrive::parameters::texts_of<chaindrive::parameters::Role>)
+  for (unsigned int i = 0; i < drive.sprockets.list.size(); ++i)
     forms.push_back(chaindrive::drive::make_tooth_form(
-        drive.sprockets.with(role).teeth, chain, drive.sprockets, role));
+        drive.sprockets.list[i].teeth, chain, drive.sprockets, i));
   return forms;
 }

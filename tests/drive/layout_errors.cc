@@ -45,18 +45,18 @@ int main()
   d.layout.slack = 0.12;
   refuse("more slack than a span can hang through", d);
 
-  d                                  = Drive();
-  d.sprockets.seat_centre            = parameters::SeatCentre::bottom_diameter;
-  d.sprockets.driver.bottom_diameter = 66.28e-3;
-  d.sprockets.driven.bottom_diameter = 202.82e-3;
+  d                                    = Drive();
+  d.sprockets.seat_centre              = parameters::SeatCentre::bottom_diameter;
+  d.sprockets.driver().bottom_diameter = 66.28e-3;
+  d.sprockets.driven().bottom_diameter = 202.82e-3;
   refuse("bottom diameters too large for the chain", d);
   refuse("bottom diameters too large for the chain, clearances", d, true);
 
-  d                        = Drive();
-  d.sprockets.driver.teeth = d.sprockets.driven.teeth = 9;
-  d.layout.tight_span                                 = parameters::TightSide::lower;
-  d.layout.centre_distance_from                       = parameters::CentreDistanceFrom::sag;
-  d.layout.sag                                        = 0.1;
+  d                          = Drive();
+  d.sprockets.driver().teeth = d.sprockets.driven().teeth = 9;
+  d.layout.tight_span                                     = parameters::TightSide::lower;
+  d.layout.centre_distance_from                           = parameters::CentreDistanceFrom::sag;
+  d.layout.sag                                            = 0.1;
   refuse("slack span that would lie on the tight one", d);
   d                             = Drive();
   d.layout.start                = parameters::Start::concentric;

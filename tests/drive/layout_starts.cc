@@ -26,16 +26,16 @@ int main()
 {
   parameters::Drive drive;
   const auto        upper = make(drive, true);
-  std::cout << "links: tight " << upper.span(true).links << ", slack " << upper.span(false).links
+  std::cout << "links: tight " << upper.tight().links << ", slack " << upper.slack().links
             << "; seats: driver " << upper.sprockets[0].seats << ", driven "
             << upper.sprockets[1].seats << '\n';
   compare("direction of the tight span, x",
-          upper.span(true).direction[0],
+          upper.tight().direction[0],
           -std::cos(6.0714 / 57.29578),
           3);
   verdict("its normal is outward, to the right of the travel",
-          upper.span(true).normal[1] > 0.99 &&
-              std::abs(upper.span(true).normal * upper.span(true).direction) < 1e-15);
+          upper.tight().normal[1] > 0.99 &&
+              std::abs(upper.tight().normal * upper.tight().direction) < 1e-15);
   verdict("even links are inner links", upper.links[0].inner && !upper.links[1].inner);
   verdict("nothing moves", upper.sprockets[0].speed == 0. && upper.joints[3].velocity.norm() == 0.);
 
@@ -51,8 +51,8 @@ int main()
                               std::abs(lower.joints[k].bush[1] + straight.joints[k].bush[1]));
   verdict("joints mirrored to 1e-8 m", difference < 1e-8);
   verdict("clockwise, travel of the tight span to the driver",
-          lower.sense == -1 && lower.span(true).direction[0] < -0.99 &&
-              lower.span(true).normal[1] < -0.99);
+          lower.sense == -1 && lower.tight().direction[0] < -0.99 &&
+              lower.tight().normal[1] < -0.99);
   verdict("both spans: outward normals stand on the directions of travel", [&] {
     double worst = 0.;
     for (const auto &layout : {upper, lower})
@@ -77,12 +77,12 @@ int main()
     {
       drive.layout.tight_span = tight;
       const auto         l    = make(drive, true);
-      const unsigned int a = l.span(false).first, n = l.span(false).links;
+      const unsigned int a = l.slack().first, n = l.slack().links;
       const auto        &first = l.joints[a].bush, &last = l.joints[a + n].bush;
       const auto        &middle = l.joints[a + n / 2].bush;
       const double       t      = (middle[0] - first[0]) / (last[0] - first[0]);
       compare(text_of(tight) + ": middle below the chord, over the sag",
-              (first[1] + t * (last[1] - first[1]) - middle[1]) / l.span(false).sag,
+              (first[1] + t * (last[1] - first[1]) - middle[1]) / l.slack().sag,
               1.,
               1);
     }
@@ -100,16 +100,16 @@ int main()
               1.,
               3);
       const auto        &j = settled.joints;
-      const unsigned int n = drive.n_links, exit = settled.span(true).first;
+      const unsigned int n = drive.n_links, exit = settled.tight().first;
       compare("both ends of the tight span move alike along it, m/s",
-              j[exit].velocity * settled.span(true).direction,
-              j[0].velocity * settled.span(true).direction,
+              j[exit].velocity * settled.tight().direction,
+              j[0].velocity * settled.tight().direction,
               3);
       double jump = 0.;
       for (unsigned int k = 0; k < n; ++k)
         jump = std::max(jump, (j[k].velocity - j[(k + 1) % n].velocity).norm());
       verdict("neighbours differ by no more than p w1", jump < 15.9e-3 * 120.74);
-      const auto &mid = j[exit + settled.span(true).links / 2];
+      const auto &mid = j[exit + settled.tight().links / 2];
       compare(
           "chain speed within the polygon's range 4.509 ... 4.610", mid.velocity.norm(), 4.56, 1);
     }

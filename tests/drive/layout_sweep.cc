@@ -33,7 +33,7 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
   catch (const InputError &error)
     {
       if (++worst.refused <= 3)
-        std::cout << drive.sprockets.driver.teeth << '/' << drive.sprockets.driven.teeth << ' '
+        std::cout << drive.sprockets.driver().teeth << '/' << drive.sprockets.driven().teeth << ' '
                   << drive.n_links << ' ' << text_of(drive.layout.centre_distance_from) << ' '
                   << drive.layout.start_phase << ": " << error.what() << '\n';
       return;
@@ -41,8 +41,8 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
   const auto        &joints = layout.joints;
   const unsigned int n      = drive.n_links;
   if (joints.size() != n || layout.links.size() != n ||
-      layout.sprockets[0].seats + layout.sprockets[1].seats + layout.span(true).links +
-              layout.span(false).links !=
+      layout.sprockets[0].seats + layout.sprockets[1].seats + layout.tight().links +
+              layout.slack().links !=
           n + 2)
     ++worst.disordered;
 
@@ -53,13 +53,13 @@ void check(const parameters::Drive &drive, const bool clearances, Worst &worst)
     {
       const auto &a = joints[k], &b = joints[(k + 1) % n];
       // sprocket 0, span 0, sprocket 1, span 1
-      const int place = a.sprocket >= 0 ? 2 * a.sprocket : k < layout.span(true).first ? 1 : 3;
+      const int place = a.sprocket >= 0 ? 2 * a.sprocket : k < layout.tight().first ? 1 : 3;
       if (place < region)
         ++worst.disordered;
       region = place;
 
       const bool seated   = a.tooth_gap >= 0 && b.tooth_gap >= 0 && a.sprocket == b.sprocket;
-      const bool in_tight = k >= layout.span(true).first;
+      const bool in_tight = k >= layout.tight().first;
       double     expected = chain.loaded_pitch();
       if (clearances)
         expected = k % 2 == 0 ? chain.loaded_inner_pitch() : chain.loaded_outer_pitch();
@@ -141,8 +141,8 @@ int main()
                     if (spans < 30 && z1 + z2 > 2 * spans)
                       continue;
                     parameters::Drive drive;
-                    drive.sprockets.driver.teeth      = z1;
-                    drive.sprockets.driven.teeth      = z2;
+                    drive.sprockets.driver().teeth    = z1;
+                    drive.sprockets.driven().teeth    = z2;
                     drive.n_links                     = links(z1, z2, spans);
                     drive.layout.centre_distance_from = from;
                     drive.layout.slack                = 1e-3;
@@ -170,11 +170,11 @@ int main()
   for (int i = 0; i < 50; ++i)
     {
       parameters::Drive drive;
-      drive.chain.pitch_set                  = parameters::PitchSet::paper_literal;
-      drive.sprockets.seat_centre            = parameters::SeatCentre::bottom_diameter;
-      drive.sprockets.driver.bottom_diameter = 66.28e-3;
-      drive.sprockets.driven.bottom_diameter = 202.82e-3;
-      drive.layout.start_phase               = 0.02 * i;
+      drive.chain.pitch_set                    = parameters::PitchSet::paper_literal;
+      drive.sprockets.seat_centre              = parameters::SeatCentre::bottom_diameter;
+      drive.sprockets.driver().bottom_diameter = 66.28e-3;
+      drive.sprockets.driven().bottom_diameter = 202.82e-3;
+      drive.layout.start_phase                 = 0.02 * i;
       check(drive, i % 2 == 0, worst);
     }
   report("paper literal", worst);
@@ -183,9 +183,9 @@ int main()
   for (const unsigned int n : {20u, 21u, 75u, 111u, 600u})
     {
       parameters::Drive drive;
-      drive.sprockets.driver.teeth = n < 50 ? 9 : 17;
-      drive.sprockets.driven.teeth = n < 50 ? 9 : 21;
-      drive.n_links                = n;
+      drive.sprockets.driver().teeth = n < 50 ? 9 : 17;
+      drive.sprockets.driven().teeth = n < 50 ? 9 : 21;
+      drive.n_links                  = n;
       check(drive, false, worst);
     }
   report("odd and extreme numbers of links", worst);

@@ -14,7 +14,7 @@ namespace
 /// Depth of the slack span's lowest joint below the straight line between its ends.
 double depth(const drive::Layout &layout)
 {
-  const drive::Layout::Span &span = layout.span(false);
+  const drive::Layout::Span &span = layout.slack();
   const unsigned int         n    = layout.joints.size();
   const auto                &from = layout.joints[span.first].bush;
   double                     most = 0.;
@@ -27,7 +27,7 @@ double depth(const drive::Layout &layout)
 /// Of the bar in the middle of that span.
 double tension(const drive::Drive &d)
 {
-  const drive::Layout::Span &span   = d.layout.span(false);
+  const drive::Layout::Span &span   = d.layout.slack();
   const unsigned int         middle = span.first + span.links / 2;
   const double length = d.layout.joints[middle].bush.distance(d.layout.joints[middle + 1].bush);
   return d.stiffness_per_pitch * (length - d.chain.loaded_pitch());
@@ -37,7 +37,7 @@ void test(const std::string &name, const Parameters &p)
 {
   const drive::Drive d       = drive::make_drive(p);
   const drive::Facts facts   = make_facts(p, d);
-  const auto        &slack   = facts.span(false);
+  const auto        &slack   = facts.slack();
   const bool         is_kept = p.drive.layout.sag > 0.;
   std::cout << name << '\n';
   if (is_kept)
@@ -54,8 +54,8 @@ int main()
 {
   Parameters p;
   p.drive.chain.designation           = "12B";
-  p.drive.sprockets.driver.teeth      = 21;
-  p.drive.sprockets.driven.teeth      = 21;
+  p.drive.sprockets.driver().teeth    = 21;
+  p.drive.sprockets.driven().teeth    = 21;
   p.drive.n_links                     = 650;
   p.drive.layout.start                = parameters::Start::settled;
   p.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::sag;
@@ -95,8 +95,8 @@ int main()
 
   std::cout << "== refusals name what may be too much\n";
   p.drive.chain.designation           = "08B";
-  p.drive.sprockets.driver.teeth      = 15;
-  p.drive.sprockets.driven.teeth      = 114;
+  p.drive.sprockets.driver().teeth    = 15;
+  p.drive.sprockets.driven().teeth    = 114;
   p.drive.n_links                     = 194;
   p.drive.chain.elongation            = 0.05;
   p.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::sag;

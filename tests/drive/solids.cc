@@ -76,10 +76,9 @@ int main()
 
   std::cout << "== sprockets\n";
   parameters::Sprockets sprockets;
-  sprockets.driven.outside_diameter = 219e-3;
-  const drive::ToothForm form =
-      drive::make_tooth_form(42, chain, sprockets, parameters::Role::driven);
-  const auto wheel = drive::sprocket_solid(form, 25e-3, 7.2e-3, density);
+  sprockets.driven().outside_diameter = 219e-3;
+  const drive::ToothForm form         = drive::make_tooth_form(42, chain, sprockets, 1);
+  const auto             wheel        = drive::sprocket_solid(form, 25e-3, 7.2e-3, density);
   compare("mass, kg", wheel.mass, (34250.0166 - 490.8739) * 7.2 * 7.6e-6, 6);
   compare("J, 1e-2 kg m2", wheel.inertia[2][2] * 1e2, 1.025, 3);
 

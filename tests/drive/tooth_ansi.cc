@@ -48,9 +48,8 @@ int main()
                                      202.1442,
                                      221.3622}})
     {
-      const drive::ToothForm f =
-          drive::make_tooth_form(e.z, chain, sprockets, parameters::Role::driver);
-      const drive::Segment &seat = f.half_profile[0], &work = f.half_profile[1],
+      const drive::ToothForm f    = drive::make_tooth_form(e.z, chain, sprockets, 0);
+      const drive::Segment  &seat = f.half_profile[0], &work = f.half_profile[1],
                            &straight = f.half_profile[2], &top = f.half_profile[3];
       const double a = seat.centre[0]; // the standard's origin, its y axis along our x, its x to -y
       const double half = dealii::numbers::PI / e.z, p = chain.pitch;
@@ -85,9 +84,9 @@ int main()
     }
 
   std::cout << "== bottom diameter given: the gullet moves as a whole\n";
-  sprockets.seat_centre            = parameters::SeatCentre::bottom_diameter;
-  sprockets.driver.bottom_diameter = 66.2e-3;
-  const drive::ToothForm f = drive::make_tooth_form(15, chain, sprockets, parameters::Role::driver);
+  sprockets.seat_centre              = parameters::SeatCentre::bottom_diameter;
+  sprockets.driver().bottom_diameter = 66.2e-3;
+  const drive::ToothForm f           = drive::make_tooth_form(15, chain, sprockets, 0);
   compare("bottom diameter", f.root_diameter * 1e3, 66.2, 4);
   compare("lowest point", 2e3 * f.half_profile.front().begin.norm(), 66.2, 4);
 }

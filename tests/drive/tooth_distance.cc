@@ -39,11 +39,10 @@ void check(const parameters::StandardForm form,
            const unsigned int             facets = 0)
 {
   parameters::Sprockets sprockets;
-  sprockets.tooth_form = form;
-  const drive::ToothForm smooth =
-      drive::make_tooth_form(z, chain, sprockets, parameters::Role::driver);
-  const drive::ToothForm      f     = facets > 0 ? smooth.faceted(facets) : smooth;
-  const std::vector<Point<2>> line  = f.polyline(facets > 0 ? 1 : 60);
+  sprockets.tooth_form               = form;
+  const drive::ToothForm      smooth = drive::make_tooth_form(z, chain, sprockets, 0);
+  const drive::ToothForm      f      = facets > 0 ? smooth.faceted(facets) : smooth;
+  const std::vector<Point<2>> line   = f.polyline(facets > 0 ? 1 : 60);
   const double                outer = 0.5 * f.outside_diameter, root = 0.5 * f.root_diameter;
 
   std::mt19937                           random(7);

@@ -22,12 +22,12 @@ constexpr double degree = dealii::numbers::PI / 180.;
 parameters::Sprockets sprockets(const StandardForm form, const SeatCentre centre)
 {
   parameters::Sprockets s;
-  s.tooth_form              = form;
-  s.seat_centre             = centre;
-  s.driver.outside_diameter = 81.8e-3;
-  s.driven.outside_diameter = 219.0e-3;
-  s.driver.bottom_diameter  = 66.28e-3;
-  s.driven.bottom_diameter  = 202.82e-3;
+  s.tooth_form                = form;
+  s.seat_centre               = centre;
+  s.driver().outside_diameter = 81.8e-3;
+  s.driven().outside_diameter = 219.0e-3;
+  s.driver().bottom_diameter  = 66.28e-3;
+  s.driven().bottom_diameter  = 202.82e-3;
   return s;
 }
 
@@ -42,11 +42,8 @@ struct Expected
 
 void check_values(const drive::ChainDimensions &chain, const Expected &e)
 {
-  const drive::ToothForm f =
-      drive::make_tooth_form(e.teeth,
-                             chain,
-                             sprockets(StandardForm::iso_min, e.centre),
-                             e.teeth == 15 ? parameters::Role::driver : parameters::Role::driven);
+  const drive::ToothForm f = drive::make_tooth_form(
+      e.teeth, chain, sprockets(StandardForm::iso_min, e.centre), e.teeth == 15 ? 0 : 1);
   const drive::Segment &seat = f.half_profile[0], &flank = f.half_profile[1];
   std::cout << "== " << e.teeth << " teeth, seat centre " << text_of(e.centre)
             << ", mm, deg, mm2\n";
@@ -191,9 +188,9 @@ int main()
     check_values(chain, e);
 
   std::cout << "== maximum form, seat centre pitch, 15 and 42 teeth\n";
-  const parameters::Sprockets most = sprockets(StandardForm::iso_max, SeatCentre::pitch);
-  const auto max15 = drive::make_tooth_form(15, chain, most, parameters::Role::driver);
-  const auto max42 = drive::make_tooth_form(42, chain, most, parameters::Role::driven);
+  const parameters::Sprockets most  = sprockets(StandardForm::iso_max, SeatCentre::pitch);
+  const auto                  max15 = drive::make_tooth_form(15, chain, most, 0);
+  const auto                  max42 = drive::make_tooth_form(42, chain, most, 1);
   compare("seat radius", max15.seat_radius * 1e3, 5.28024, 5);
   compare("flank radius 15", max15.flank_radius * 1e3, 32.9184, 4);
   compare("flank radius 42", max42.flank_radius * 1e3, 158.0083, 4);
@@ -203,10 +200,10 @@ int main()
   compare("pressure angle 42", max42.seat_end_pressure_angle() / degree, 26.786, 3);
 
   std::cout << "== mid form: means of minimum and maximum form\n";
-  const auto min15 = drive::make_tooth_form(
-      15, chain, sprockets(StandardForm::iso_min, SeatCentre::iso), parameters::Role::driver);
-  const auto mid15 = drive::make_tooth_form(
-      15, chain, sprockets(StandardForm::iso_mid, SeatCentre::iso), parameters::Role::driver);
+  const auto min15 =
+      drive::make_tooth_form(15, chain, sprockets(StandardForm::iso_min, SeatCentre::iso), 0);
+  const auto mid15 =
+      drive::make_tooth_form(15, chain, sprockets(StandardForm::iso_mid, SeatCentre::iso), 0);
   compare("seat radius", mid15.seat_radius * 1e3, 0.5 * (5.130800 + 5.280242), 5);
   compare("flank radius", mid15.flank_radius * 1e3, 0.5 * (20.7264 + 32.9184), 4);
   compare("seating angle", 2. * mid15.seat_half_angle / degree, 124., 4);
@@ -220,15 +217,15 @@ int main()
         parameters::Sprockets s;
         s.tooth_form = form;
         check_smooth(text_of(form) + ", " + std::to_string(z) + " teeth",
-                     drive::make_tooth_form(z, chain, s, parameters::Role::driver));
+                     drive::make_tooth_form(z, chain, s, 0));
       }
 
   std::cout << "== default outside diameters, mm\n";
   parameters::Sprockets automatic;
-  const auto free15 = drive::make_tooth_form(15, chain, automatic, parameters::Role::driver);
+  const auto            free15 = drive::make_tooth_form(15, chain, automatic, 0);
   compare("midway between 80.3762 and 86.0383", free15.outside_diameter * 1e3, 83.20725, 4);
   automatic.tooth_form = StandardForm::iso_max;
-  const auto clipped   = drive::make_tooth_form(15, chain, automatic, parameters::Role::driver);
+  const auto clipped   = drive::make_tooth_form(15, chain, automatic, 0);
   compare("tip land of the maximum form over the pitch", clipped.tip_land() / chain.pitch, 0.05, 6);
 
   // ISO 606 allows d + p (1 - 1.6 / z) - d1 to d + 1.25 p - d1
@@ -241,7 +238,7 @@ int main()
           size.designation     = name;
           automatic.tooth_form = form;
           const auto   c       = drive::make_chain(size);
-          const auto   f       = drive::make_tooth_form(z, c, automatic, parameters::Role::driver);
+          const auto   f       = drive::make_tooth_form(z, c, automatic, 0);
           const double least   = f.pitch_diameter + c.pitch * (1. - 1.6 / z) - c.roller_diameter;
           const bool   below   = f.outside_diameter < least * (1. - 1e-12);
           const bool   said    = f.derived.front().find("below the limits") != std::string::npos;
@@ -254,28 +251,26 @@ int main()
   parameters::Chain eight;
   eight.designation    = "08B";
   automatic.tooth_form = StandardForm::iso_max;
-  const auto tight =
-      drive::make_tooth_form(57, drive::make_chain(eight), automatic, parameters::Role::driver);
+  const auto tight     = drive::make_tooth_form(57, drive::make_chain(eight), automatic, 0);
   compare(
       "08B, 57 teeth, maximum form: the least of ISO 606", tight.outside_diameter * 1e3, 234.37, 2);
   std::cout << tight.derived.front() << '\n';
 
   std::cout << "== refused\n";
-  expect_refusal("8 teeth",
-                 [&] { drive::make_tooth_form(8, chain, automatic, parameters::Role::driver); });
+  expect_refusal("8 teeth", [&] { drive::make_tooth_form(8, chain, automatic, 0); });
   expect_refusal("maximum form with 82.9 mm", [&] {
-    auto s                    = sprockets(StandardForm::iso_max, SeatCentre::pitch);
-    s.driver.outside_diameter = 82.9e-3;
-    drive::make_tooth_form(15, chain, s, parameters::Role::driver);
+    auto s                      = sprockets(StandardForm::iso_max, SeatCentre::pitch);
+    s.driver().outside_diameter = 82.9e-3;
+    drive::make_tooth_form(15, chain, s, 0);
   });
   expect_refusal("outside diameter within the seats", [&] {
-    auto s                    = sprockets(StandardForm::iso_min, SeatCentre::iso);
-    s.driver.outside_diameter = 70e-3;
-    drive::make_tooth_form(15, chain, s, parameters::Role::driver);
+    auto s                      = sprockets(StandardForm::iso_min, SeatCentre::iso);
+    s.driver().outside_diameter = 70e-3;
+    drive::make_tooth_form(15, chain, s, 0);
   });
   expect_refusal("no bottom diameter", [&] {
     auto s = sprockets(StandardForm::iso_min, SeatCentre::bottom_diameter);
-    s.driven.bottom_diameter.reset();
-    drive::make_tooth_form(42, chain, s, parameters::Role::driven);
+    s.driven().bottom_diameter.reset();
+    drive::make_tooth_form(42, chain, s, 1);
   });
 }

@@ -53,7 +53,7 @@ void examine(const std::string &name, const std::vector<Wheel> &given, const Cha
       if (w.teeth > 0)
         {
           wheels.emplace_back(w.teeth, centre, lengths, w.turn);
-          forms[i] = make_tooth_form(w.teeth, size, {}, parameters::Role::driver);
+          forms[i] = make_tooth_form(w.teeth, size, {}, 0);
         }
       else
         wheels.push_back(path::Wheel::flat(30e-3, centre, lengths, w.turn));

@@ -56,11 +56,11 @@ int main()
     for (const auto fidelity : {parameters::Fidelity::simple, parameters::Fidelity::layered})
       {
         Parameters p;
-        p.drive.chain.designation      = name;
-        p.drive.sprockets.driver.teeth = z1;
-        p.drive.sprockets.driven.teeth = z2;
-        p.drive.n_links                = n;
-        p.model.fidelity               = fidelity;
+        p.drive.chain.designation        = name;
+        p.drive.sprockets.driver().teeth = z1;
+        p.drive.sprockets.driven().teeth = z2;
+        p.drive.n_links                  = n;
+        p.model.fidelity                 = fidelity;
         if (n == 90) // the default load would press its rollers through the teeth
           p.loads.resisting_torque = 5.;
         const drive::Drive other = drive::make_drive(p);
@@ -77,8 +77,8 @@ int main()
   });
   expect_refusal("bore larger than the hub", [] {
     Parameters p;
-    p.drive.sprockets.driver.bore         = 40e-3;
-    p.drive.sprockets.driver.hub_diameter = 33e-3;
+    p.drive.sprockets.driver().bore         = 40e-3;
+    p.drive.sprockets.driver().hub_diameter = 33e-3;
     drive::make_drive(p);
   });
 }

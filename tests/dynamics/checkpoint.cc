@@ -81,12 +81,12 @@ void compare(const std::string &name, const scene::Scene &scene, const double st
 int main()
 {
   Parameters parameters;
-  parameters.drive.n_links                = 22;
-  parameters.drive.sprockets.driver.teeth = parameters.drive.sprockets.driven.teeth = 9;
-  parameters.drive.layout.slack                                                     = 1e-4;
-  parameters.model.driven_inertia                                                   = 1e-4;
-  parameters.loads.resisting_torque                                                 = 20.;
-  const auto build                                                                  = [&] {
+  parameters.drive.n_links                  = 22;
+  parameters.drive.sprockets.driver().teeth = parameters.drive.sprockets.driven().teeth = 9;
+  parameters.drive.layout.slack                                                         = 1e-4;
+  parameters.model.driven_inertia                                                       = 1e-4;
+  parameters.loads.resisting_torque                                                     = 20.;
+  const auto build                                                                      = [&] {
     return scene::build_scene(parameters, drive::make_drive(parameters), {"."});
   };
   parameters.drive.layout.start = parameters::Start::settled;

@@ -38,7 +38,7 @@ int main(int argc, char **argv)
       drive_scene("prm/paper/layered-auto.prm",
                   small_full_drive_with({"Loads/Ramp time in ms=0.002", "Mesh/Refinement=0"}));
   const auto         sound      = [&scene]() { return Drive(scene, 200, 0.9, MPI_COMM_WORLD); };
-  const unsigned int first_link = scene.n_joints; // bodies: rollers, then links
+  const unsigned int first_link = scene.drive.n_joints; // bodies: rollers, then links
 
   // 1 kN, as in the tight span
   sound().expect_stop("a force on a roller without its reaction",

@@ -32,7 +32,7 @@ int main()
     {
       const std::string at = " (bar " + std::to_string(bar) + ")";
       const std::string name =
-          "bar between " + roller(bar) + " and " + roller((bar + 1) % scene.n_joints);
+          "bar between " + roller(bar) + " and " + roller((bar + 1) % scene.drive.n_joints);
       sound().expect_stop("bar pulls at one end only" + at,
                           {momentum, roller(bar) + ":", lost + name},
                           [bar](System &s) { push(s, s.bars.bars()[bar].first, -pull(s, bar)); });

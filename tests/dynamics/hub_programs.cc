@@ -27,14 +27,16 @@ int main()
   for (const int sense : {1, -1})
     for (const auto shape : {parameters::SpeedRamp::linear, parameters::SpeedRamp::cosine})
       {
-        scene::Scene scene   = empty_scene();
-        scene.sense          = sense;
-        scene.programs.speed = std::make_shared<functions::Ramp>(
-            full,
-            0.,
-            ramp,
-            shape == parameters::SpeedRamp::cosine ? functions::Rise::cosine :
-                                                     functions::Rise::linear);
+        scene::Scene scene = empty_scene();
+        turn(scene,
+             0,
+             std::make_shared<functions::Ramp>(full,
+                                               0.,
+                                               ramp,
+                                               shape == parameters::SpeedRamp::cosine ?
+                                                   functions::Rise::cosine :
+                                                   functions::Rise::linear),
+             sense);
         scene.bodies = {ground()};
         dynamics::System system(scene, false);
         double           worst_angle = 0., worst_speed = 0.;
@@ -62,9 +64,9 @@ int main()
       }
 
   // What is defined above turns the driver to and fro as any other function.
-  scene::Scene to_and_fro   = empty_scene();
-  to_and_fro.programs.speed = std::make_shared<Sine>();
-  to_and_fro.bodies         = {ground()};
+  scene::Scene to_and_fro = empty_scene();
+  turn(to_and_fro, 0, std::make_shared<Sine>());
+  to_and_fro.bodies = {ground()};
   dynamics::System swinging(to_and_fro, false);
   double           worst_swing = 0.;
   advance(swinging, 20000, 1e-6, [&]() {
@@ -76,11 +78,11 @@ int main()
   // Load torque growing linearly over the angle is a torsion spring until 0.03 rad.
   scene::Scene      scene = empty_scene();
   parameters::Loads loads;
-  loads.driver_speed                          = 0.;
-  loads.resisting_torque                      = 150.;
-  loads.torque_ramp_angle                     = 0.03;
-  scene.programs                              = drive::make_programs(loads, 0., false);
-  scene.bodies                                = {ground()};
+  loads.driver_speed      = 0.;
+  loads.resisting_torque  = 150.;
+  loads.torque_ramp_angle = 0.03;
+  scene.shafts = {{0, 1, drive::make_program(parameters::Role::driven, loads, 0., false)}};
+  scene.bodies = {ground()};
   scene.bodies[0].support                     = scene::Support::loaded_hub;
   scene.bodies[0].inertia                     = vector(1., 1., 9.88e-3);
   const double w                              = std::sqrt(150. / 0.03 / 9.88e-3);
@@ -89,22 +91,22 @@ int main()
   const double     quarter = 0.5 * dealii::numbers::PI / w;
   advance(system, 4000, quarter / 4000, []() {});
   ratio("swing of the loaded hub", system.world.hubs[0].angle, 0.02);
-  ratio("torque there", system.loads.load_torque(), 100.);
+  ratio("torque there", -system.loads.torque(0), 100.);
   ratio("work against the torque",
         system.world.ledger.resisting_work,
         0.5 * 150. / 0.03 * 0.02 * 0.02);
   double worst = 0.;
   for (double angle = -0.01; angle < 0.1; angle += 1e-4)
     worst = std::max(worst,
-                     std::abs(scene.programs.resisting_torque(angle, 0.) -
+                     std::abs(scene.shafts[0].program.resisting_torque(angle, 0.) -
                               150. * std::min(std::max(angle / 0.03, 0.), 1.)));
   verdict("curve as prescribed to 1e-9", worst < 1e-9 * 150.);
 
   // 150 N m against the hub for 1 ms, then 300 N m with it: one constant torque after the other.
-  loads.torque_ramp_angle                     = 0.;
-  loads.torque_step_time                      = 1e-3;
-  loads.torque_after_step                     = -300.;
-  scene.programs                              = drive::make_programs(loads, 0., false);
+  loads.torque_ramp_angle = 0.;
+  loads.torque_step_time  = 1e-3;
+  loads.torque_after_step = -300.;
+  scene.shafts = {{0, 1, drive::make_program(parameters::Role::driven, loads, 0., false)}};
   scene.bodies[0].initial.angular_velocity[2] = 20.;
   const double     inertia                    = scene.bodies[0].inertia[2];
   dynamics::System reversed(scene, false);

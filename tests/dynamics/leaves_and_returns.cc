@@ -20,7 +20,7 @@ scene::Scene make_scene(const bool elastic)
   scene.loads.gravity = gravity;
   const auto chain    = drive::make_chain(parameters::Chain());
   const auto form     = std::make_shared<const drive::ToothForm>(
-      drive::make_tooth_form(15, chain, parameters::Sprockets(), parameters::Role::driver));
+      drive::make_tooth_form(15, chain, parameters::Sprockets(), 0));
   const auto part = std::make_shared<const mesh::Part>(
       mesh::make_roller(chain, scene.material.density, mesh::RollerGrid(1, 16, 2)));
   scene.parts[scene::Kind::roller] = part;

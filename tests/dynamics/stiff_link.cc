@@ -31,7 +31,7 @@ scene::Scene make_scene(const bool layered, const bool stiff_link)
     parameters.drive.layout.start = parameters::Start::settled;
   scene::Scene scene = scene::build_scene(parameters, drive::make_drive(parameters), {"."});
   if (stiff_link && !layered)
-    scene.bars[stiff(scene.n_joints)].stiffness *= 1e3;
+    scene.bars[stiff(scene.drive.n_joints)].stiffness *= 1e3;
   if (stiff_link && layered)
     for (std::size_t f = 0; f < scene.bores.size(); ++f)
       if (scene.bores[f].name == "bush-pin")
@@ -40,7 +40,7 @@ scene::Scene make_scene(const bool layered, const bool stiff_link)
           own.pairs.clear();
           std::vector<scene::BorePair> others;
           for (const scene::BorePair &pair : scene.bores[f].pairs)
-            (pair.slave.joint == stiff(scene.n_joints) ? own.pairs : others).push_back(pair);
+            (pair.slave.joint == stiff(scene.drive.n_joints) ? own.pairs : others).push_back(pair);
           own.law.friction     = 50.;
           scene.bores[f].pairs = others;
           scene.bores.push_back(own);
@@ -102,7 +102,7 @@ int main(int argc, char **argv)
       if (!layered)
         {
           const scene::Scene scene = make_scene(false, true);
-          const unsigned int k     = stiff(scene.n_joints);
+          const unsigned int k     = stiff(scene.drive.n_joints);
           const double       alone =
               2. / std::sqrt(2. * scene.bars[k].stiffness / scene.bodies[scene.bars[k].first].mass);
           verdict("  stable step that of its two lumps alone to 1 %",

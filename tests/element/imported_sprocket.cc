@@ -85,8 +85,8 @@ int main()
 {
   const auto            chain = drive::make_chain(parameters::Chain());
   parameters::Sprockets sprockets;
-  sprockets.driver.outside_diameter = 81.8e-3;
-  const auto form = drive::make_tooth_form(15, chain, sprockets, parameters::Role::driver);
+  sprockets.driver().outside_diameter = 81.8e-3;
+  const auto form                     = drive::make_tooth_form(15, chain, sprockets, 0);
 
   const double imported = compliance(
       mesh::import_sprocket(SOURCE_DIR "/../../meshes/sprocket-15.msh", form, 7600.), form);

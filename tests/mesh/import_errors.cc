@@ -60,9 +60,9 @@ int main()
 {
   const auto            chain = drive::make_chain(parameters::Chain());
   parameters::Sprockets sprockets;
-  sprockets.driver.outside_diameter = 81.8e-3;
-  const auto        form = drive::make_tooth_form(15, chain, sprockets, parameters::Role::driver);
-  const std::string good = read(SOURCE_DIR "/../../meshes/sprocket-15.msh");
+  sprockets.driver().outside_diameter = 81.8e-3;
+  const auto        form              = drive::make_tooth_form(15, chain, sprockets, 0);
+  const std::string good              = read(SOURCE_DIR "/../../meshes/sprocket-15.msh");
 
   const auto import = [&form](const std::string &text, const drive::ToothForm &teeth) {
     std::ofstream("mesh.msh") << text;
@@ -127,8 +127,7 @@ int main()
          replaced(cubes("2\n" + first + side), "$EndElements\n", "$EndElement\n"));
 
   expect_error("other number of teeth", [&] {
-    import(good,
-           drive::make_tooth_form(16, chain, parameters::Sprockets(), parameters::Role::driver));
+    import(good, drive::make_tooth_form(16, chain, parameters::Sprockets(), 0));
   });
 
   // every second face of the flanks without a name, or those of one side of the middle plane

@@ -64,8 +64,7 @@ int main()
   compare(mesh::make_inner_link(chain, 7600., {64, 1, 4, 1, 2}), link(true));
   compare(mesh::make_outer_link(chain, 7600., {64, 1, 4, 1, 2}), link(false));
 
-  const auto form =
-      drive::make_tooth_form(15, chain, parameters::Sprockets(), parameters::Role::driver);
+  const auto   form = drive::make_tooth_form(15, chain, parameters::Sprockets(), 0);
   const double bore = 25e-3, width = 7.2e-3;
   double       perimeter = 0.;
   for (const drive::Segment &segment : form.half_profile)

@@ -42,9 +42,8 @@ int main()
                     << worst(mesh::make_outer_link(chain, 7600., mesh::outer_link_grid(level)));
           for (const unsigned int z : {9, 31})
             {
-              const auto form =
-                  drive::make_tooth_form(z, chain, sprockets, parameters::Role::driver);
-              const double hub = 0.7 * form.root_diameter;
+              const auto   form = drive::make_tooth_form(z, chain, sprockets, 0);
+              const double hub  = 0.7 * form.root_diameter;
               std::cout << ' '
                         << worst(mesh::make_sprocket(
                                form, {0.8 * hub, hub, 0.4 * chain.pitch}, 7600., level));

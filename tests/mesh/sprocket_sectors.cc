@@ -59,8 +59,8 @@ int main()
       {
         parameters::Sprockets sprockets;
         sprockets.tooth_form = form_name;
-        const auto   form = drive::make_tooth_form(z, chain, sprockets, parameters::Role::driver);
-        const double hub  = 0.6 * form.root_diameter;
+        const auto   form    = drive::make_tooth_form(z, chain, sprockets, 0);
+        const double hub     = 0.6 * form.root_diameter;
         std::cout << text_of(form_name) << ", z = " << z << ": error of the volume in ppm";
         double profile_error = 0., cyclic_error = 0., mass_error = 0.;
         for (const unsigned int level : {0, 2})

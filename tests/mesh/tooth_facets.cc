@@ -67,8 +67,8 @@ int main()
 {
   const auto            chain = drive::make_chain(parameters::Chain());
   parameters::Sprockets sprockets;
-  sprockets.driver.outside_diameter = 81.8e-3;
-  const auto form = drive::make_tooth_form(15, chain, sprockets, parameters::Role::driver);
+  sprockets.driver().outside_diameter = 81.8e-3;
+  const auto form                     = drive::make_tooth_form(15, chain, sprockets, 0);
 
   const auto imported =
       mesh::import_sprocket(SOURCE_DIR "/../../meshes/sprocket-15.msh", form, 7600.);
@@ -80,7 +80,7 @@ int main()
   compare(mesh::make_sprocket(form, {25e-3, 33e-3, 7.2e-3}, 7600., 0), form);
 
   sprockets.tooth_form = parameters::StandardForm::ansi;
-  sprockets.driver.outside_diameter.reset();
-  const auto ansi = drive::make_tooth_form(15, chain, sprockets, parameters::Role::driver);
+  sprockets.driver().outside_diameter.reset();
+  const auto ansi = drive::make_tooth_form(15, chain, sprockets, 0);
   compare(mesh::make_sprocket(ansi, {25e-3, 33e-3, 7.2e-3}, 7600., 2), ansi);
 }

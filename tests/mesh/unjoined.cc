@@ -94,9 +94,9 @@ int main()
 {
   const auto            chain = drive::make_chain(parameters::Chain());
   parameters::Sprockets sprockets;
-  sprockets.driver.outside_diameter = 81.8e-3;
-  const auto       form = drive::make_tooth_form(teeth, chain, sprockets, parameters::Role::driver);
-  const GmshFile   good = mesh::read_gmsh(SOURCE_DIR "/../../meshes/sprocket-15.msh");
+  sprockets.driver().outside_diameter = 81.8e-3;
+  const auto       form               = drive::make_tooth_form(teeth, chain, sprockets, 0);
+  const GmshFile   good               = mesh::read_gmsh(SOURCE_DIR "/../../meshes/sprocket-15.msh");
   const mesh::Part part =
       mesh::import_sprocket(SOURCE_DIR "/../../meshes/sprocket-15.msh", form, 7600.);
 

@@ -26,7 +26,7 @@ double power_of(const dynamics::System &system)
   double power = 0.;
   for (const World::Hub &hub : system.world.hubs)
     if (!hub.prescribed)
-      power += std::abs(system.loads.load_torque() * hub.speed);
+      power += std::abs(system.loads.torque(hub.body) * hub.speed);
   return power;
 }
 

@@ -24,7 +24,9 @@ scene::Scene make_scene()
       mesh::make_inner_link(chain, 7600., mesh::inner_link_grid(1)));
   scene.parts[scene::Kind::outer_link] = std::make_shared<const mesh::Part>(
       mesh::make_outer_link(chain, 7600., mesh::outer_link_grid(1)));
-  scene.span_normal = vector(0.6, 0.8, 0.);
+  scene::Span tight;
+  tight.normal      = vector(0.6, 0.8, 0.);
+  scene.drive.spans = {tight};
   for (unsigned int k = 0; k < n_bodies; ++k)
     {
       scene::Body flying              = body(scene::Motion::elastic,
@@ -70,7 +72,7 @@ int main()
       const Vector3 arm = cross_product_3d(v, vector(0., 0., 1.)) / frame.angular_velocity[2];
       speed             = std::max(speed, std::abs(arm.norm() / radius - 1.));
       across            = std::max(across, std::abs(v[2]));
-      angle             = std::max(angle, std::acos(arm * scene.span_normal / arm.norm()));
+      angle             = std::max(angle, std::acos(arm * scene.drive.tight().normal / arm.norm()));
     }
   verdict("surface nodes are on the outside", speed < 1e-9 && across < 1e-12);
   verdict("and at most half a column from the normal", angle < dealii::numbers::PI / 24. + 1e-9);

@@ -62,22 +62,22 @@ events_of(const parameters::TightSide side, const Motion &motion, const double a
                      })->quantity);
   };
   auto               events = make();
-  const unsigned int teeth = scene.sprockets[0].teeth, body = scene.sprockets[0].body;
-  const double       pitch = 2. * PI / teeth, radius = 0.5 * scene.pitch / std::sin(PI / teeth);
-  const double       start = drive.layout.sprockets[0].angle;
+  const unsigned int teeth = scene.drive.sprockets[0].teeth, body = scene.drive.sprockets[0].body;
+  const double pitch = 2. * PI / teeth, radius = 0.5 * scene.drive.pitch / std::sin(PI / teeth);
+  const double start = drive.layout.sprockets[0].angle;
   for (unsigned int step = 0; step <= 2000; ++step)
     {
-      const double time = step * 10e-6, turned = scene.sense * p.loads.driver_speed * time;
+      const double time = step * 10e-6, turned = scene.drive.sense * p.loads.driver_speed * time;
       system.world.time                  = time;
       system.world.frames[body].rotation = to_matrix(rotation_about_z(start + turned));
       // joint 0 arrives first; one after the other take the places of a whole turn of the driver
       const double passed = p.loads.driver_speed * time / pitch + motion.ahead(time);
-      for (unsigned int k = 0; k < scene.n_joints; ++k)
+      for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
         {
           const double place = // of the joint, pitches ahead of the middle of the arc
-              std::remainder(k + passed, static_cast<double>(scene.n_joints));
+              std::remainder(k + passed, static_cast<double>(scene.drive.n_joints));
           const double angle =
-              PI + scene.sense * pitch * (place - 3.) + std::remainder(start - PI, pitch);
+              PI + scene.drive.sense * pitch * (place - 3.) + std::remainder(start - PI, pitch);
           Vector3 &position = system.world.frames[k].position;
           if (std::abs(place - 3.) * pitch < 0.5 * PI)
             position = vector((radius + motion.out) * std::cos(angle),

@@ -27,13 +27,13 @@ void rest(const Parameters &p, Found &found)
   const auto         look = [&] {
     spans.update(system);
     const double mean =
-        0.5 * (spans.tight_tension + spans.slack_tension) / p.drive.layout.pretension;
+        0.5 * (spans.tight().tension + spans.slack().tension) / p.drive.layout.pretension;
     found.least = std::min(found.least, mean);
     found.most  = std::max(found.most, mean);
     // lumped rollers or links: single rollers beside a tooth fall through what is left of their
     // clearance
-    const unsigned int first = scene.bars.empty() ? scene.n_joints : 0;
-    for (unsigned int k = first; k < first + scene.n_joints; ++k)
+    const unsigned int first = scene.bars.empty() ? scene.drive.n_joints : 0;
+    for (unsigned int k = first; k < first + scene.drive.n_joints; ++k)
       found.speed = std::max(found.speed, system.world.frames[k].velocity.norm());
   };
   look();
@@ -86,11 +86,11 @@ int main()
             }
           report(text_of(fidelity) + ", " + name, phases);
         }
-      Parameters small                   = p;
-      small.drive.sprockets.driver.teeth = 19;
-      small.drive.sprockets.driven.teeth = 11;
-      small.drive.n_links                = 60;
-      small.drive.layout.tight_span      = parameters::TightSide::upper;
+      Parameters small                     = p;
+      small.drive.sprockets.driver().teeth = 19;
+      small.drive.sprockets.driven().teeth = 11;
+      small.drive.n_links                  = 60;
+      small.drive.layout.tight_span        = parameters::TightSide::upper;
       report(text_of(fidelity) + ", 19/11", {small});
       Parameters settled             = p;
       settled.drive.layout.start     = parameters::Start::settled;

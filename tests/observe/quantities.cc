@@ -17,12 +17,12 @@ namespace
 Parameters small_drive(const parameters::Fidelity fidelity)
 {
   Parameters parameters;
-  parameters.drive.n_links                = 22;
-  parameters.drive.sprockets.driver.teeth = parameters.drive.sprockets.driven.teeth = 9;
-  parameters.drive.layout.slack                                                     = 1e-4;
-  parameters.model.driven_inertia                                                   = 1e-4;
-  parameters.loads.resisting_torque                                                 = 20.;
-  parameters.model.fidelity                                                         = fidelity;
+  parameters.drive.n_links                  = 22;
+  parameters.drive.sprockets.driver().teeth = parameters.drive.sprockets.driven().teeth = 9;
+  parameters.drive.layout.slack                                                         = 1e-4;
+  parameters.model.driven_inertia                                                       = 1e-4;
+  parameters.loads.resisting_torque                                                     = 20.;
+  parameters.model.fidelity                                                             = fidelity;
   return parameters;
 }
 
@@ -43,8 +43,7 @@ Sizes show(const std::string &what, const Parameters &parameters)
   for (const scene::Effect &effect : scene.effects)
     for (const scene::EffectKind asked : {scene::EffectKind::elastic_links,
                                           scene::EffectKind::elastic_rollers,
-                                          scene::EffectKind::elastic_driver,
-                                          scene::EffectKind::elastic_driven,
+                                          scene::EffectKind::elastic_sprocket,
                                           scene::EffectKind::half_model,
                                           scene::EffectKind::fields})
       if (effect.kind == asked && effect.on)
@@ -77,12 +76,12 @@ int main()
       show("full, engagements, arriving links", p);
 
       // what auto leaves out is as if it were switched off
-      p                         = small_drive(fidelity);
-      p.effects.elastic_rollers = p.effects.elastic_driver = p.effects.elastic_driven =
-          parameters::Switch::off;
-      p.output.field_interval = 0.;
-      const Sizes off         = show("full, all, switched off", p);
-      const Sizes tensions    = sizes[QuantityGroup::tensions];
+      p                                      = small_drive(fidelity);
+      p.effects.elastic_rollers              = p.drive.sprockets.driver().elastic =
+          p.drive.sprockets.driven().elastic = parameters::Switch::off;
+      p.output.field_interval                = 0.;
+      const Sizes off                        = show("full, all, switched off", p);
+      const Sizes tensions                   = sizes[QuantityGroup::tensions];
       verdict("tensions need less memory than all", tensions.memory < all.memory);
       verdict("and as much as if the rest were switched off",
               tensions.memory == off.memory && tensions.contacts == off.contacts);

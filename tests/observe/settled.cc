@@ -80,12 +80,12 @@ void report(const std::string              &what,
           std::string(SOURCE_DIR) + "/../../prm/paper/layered-auto.prm", all);
       Simulation         simulation(input.parameters, {"."}, MPI_COMM_SELF);
       dynamics::System  &system = simulation.system();
-      const unsigned int driven = simulation.scene.with(parameters::Role::driven).body;
+      const unsigned int driven = simulation.scene.drive.driven().body;
       const double       load   = input.parameters.loads.resisting_torque;
       observe::Spans     spans(simulation.scene, system);
       spans.update(system);
-      const double start = spans.tight_tension;
-      pull.add((start - spans.slack_tension) / simulation.drive.nominal_tension);
+      const double start = spans.tight().tension;
+      pull.add((start - spans.slack().tension) / simulation.drive.nominal_tension);
       left_over.add(system.world.moment.local_element(3 * driven + 2) / load);
       for (unsigned int k = 0; k + 2 < simulation.drive.layout.sprockets[0].seats; ++k)
         rise.add((spans.link_tension()[k + 1] - spans.link_tension()[k]) / start);
@@ -97,7 +97,7 @@ void report(const std::string              &what,
       const double  dt     = simulation.step.step;
       advance(system, static_cast<unsigned long>(1e-4 / dt), dt, [&] {
         spans.update(system);
-        tension.add(spans.tight_tension / start);
+        tension.add(spans.tight().tension / start);
         vibration.add((ledger.stored() - ledger.kinetic - ledger.potential) / first);
         imbalance.add(std::abs(ledger.imbalance()) / first);
       });

@@ -31,13 +31,13 @@ int main()
           for (double phase = 0.05; phase < 1.; phase += 0.1)
             {
               Parameters p;
-              p.drive.sprockets.driver.teeth = driver;
-              p.drive.sprockets.driven.teeth = driven;
-              p.drive.n_links                = links;
-              p.drive.layout.tight_span      = side;
-              p.drive.layout.start           = parameters::Start::settled;
-              p.drive.layout.start_phase     = phase;
-              p.drive.layout.slack           = 0.;
+              p.drive.sprockets.driver().teeth = driver;
+              p.drive.sprockets.driven().teeth = driven;
+              p.drive.n_links                  = links;
+              p.drive.layout.tight_span        = side;
+              p.drive.layout.start             = parameters::Start::settled;
+              p.drive.layout.start_phase       = phase;
+              p.drive.layout.slack             = 0.;
               // has room for a chain that is laid taut
               p.drive.sprockets.tooth_form = parameters::StandardForm::iso_mid;
               p.loads.resisting_torque     = 20.;
@@ -54,11 +54,12 @@ int main()
 
               const double tension = drive.nominal_tension;
               const double radius  = 0.5 * drive.sprockets[0].form.pitch_diameter;
-              const double note[5] = {(spans.tight_tension - spans.slack_tension) / tension - 1.,
-                                      spans.slack_tension / tension,
-                                      spans.tight_speed / (30. * radius) - 1.,
-                                      spans.tight_offset / radius - 1.,
-                                      -spans.slack_offset / radius - 1.};
+              const double note[5] = {(spans.tight().tension - spans.slack().tension) / tension -
+                                          1.,
+                                      spans.slack().tension / tension,
+                                      spans.tight().speed / (30. * radius) - 1.,
+                                      spans.tight().offset / radius - 1.,
+                                      -spans.slack().inward / radius - 1.};
               for (unsigned int i = 0; i < 5; ++i)
                 if (std::abs(note[i]) > std::abs(worst[i]))
                   worst[i] = note[i];

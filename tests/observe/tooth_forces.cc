@@ -14,7 +14,7 @@ int main()
   scene::Scene scene = empty_scene();
   const auto   chain = drive::make_chain(parameters::Chain());
   const auto   form  = std::make_shared<const drive::ToothForm>(
-      drive::make_tooth_form(15, chain, parameters::Sprockets(), parameters::Role::driver));
+      drive::make_tooth_form(15, chain, parameters::Sprockets(), 0));
   const double radius = 0.5 * chain.roller_diameter, depth = 1e-6,
                seated = 0.5 * form->root_diameter + radius - depth;
   scene.bodies        = {lump(0.01, vector(seated, 0.)), ground()};

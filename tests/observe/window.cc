@@ -18,13 +18,13 @@ int main(int argc, char **argv)
   const MPI_Comm                                 comm = MPI_COMM_WORLD;
 
   Parameters p;
-  p.drive.n_links                = 22;
-  p.drive.sprockets.driver.teeth = p.drive.sprockets.driven.teeth = 9;
-  p.drive.layout.slack                                            = 1e-4;
-  p.model.driven_inertia                                          = 1e-4;
-  p.loads.resisting_torque                                        = 20.;
-  p.loads.ramp_time                                               = 2e-3;
-  p.time.end                                                      = 0.4;
+  p.drive.n_links                  = 22;
+  p.drive.sprockets.driver().teeth = p.drive.sprockets.driven().teeth = 9;
+  p.drive.layout.slack                                                = 1e-4;
+  p.model.driven_inertia                                              = 1e-4;
+  p.loads.resisting_torque                                            = 20.;
+  p.loads.ramp_time                                                   = 2e-3;
+  p.time.end                                                          = 0.4;
   p.output.window_start.reset();
   p.output.window_pitches  = 2;
   const scene::Scene scene = scene::build_scene(p, drive::make_drive(p), {"."});

@@ -50,16 +50,16 @@ int main()
   });
   check([](Parameters &p) { p.drive.n_links = 111; });
   check([](Parameters &p) {
-    p.drive.sprockets.seat_centre            = SeatCentre::bottom_diameter;
-    p.drive.sprockets.driver.bottom_diameter = 66.28e-3;
+    p.drive.sprockets.seat_centre              = SeatCentre::bottom_diameter;
+    p.drive.sprockets.driver().bottom_diameter = 66.28e-3;
   });
-  check([](Parameters &p) { p.drive.sprockets.driven.bottom_diameter = 202.82e-3; });
+  check([](Parameters &p) { p.drive.sprockets.driven().bottom_diameter = 202.82e-3; });
   check([](Parameters &p) { p.drive.chain.pitch_set = PitchSet::paper_literal; });
   check([](Parameters &p) {
-    p.drive.chain.pitch_set                  = PitchSet::paper_literal;
-    p.drive.sprockets.seat_centre            = SeatCentre::bottom_diameter;
-    p.drive.sprockets.driver.bottom_diameter = 66.28e-3;
-    p.drive.sprockets.driven.bottom_diameter = 202.82e-3;
+    p.drive.chain.pitch_set                    = PitchSet::paper_literal;
+    p.drive.sprockets.seat_centre              = SeatCentre::bottom_diameter;
+    p.drive.sprockets.driver().bottom_diameter = 66.28e-3;
+    p.drive.sprockets.driven().bottom_diameter = 202.82e-3;
   });
   check([](Parameters &p) { p.drive.chain.pitch_set = PitchSet::nominal; });
   check([](Parameters &p) {
@@ -67,15 +67,15 @@ int main()
     p.model.fidelity             = Fidelity::layered;
     p.effects.bush_pin_clearance = Switch::off;
   });
-  check([](Parameters &p) { p.drive.sprockets.driver.mesh = "driver.msh"; });
+  check([](Parameters &p) { p.drive.sprockets.driver().mesh = "driver.msh"; });
   check([](Parameters &p) { p.output.rollers = {0, 109, 110}; });
   check([](Parameters &p) { p.drive.sprockets.facets = 24; });
   check([](Parameters &p) { p.drive.sprockets.facets = 10; });
   check([](Parameters &p) {
-    p.drive.sprockets.facets      = 25;
-    p.drive.sprockets.driven.mesh = "driven.msh";
-    p.model.fidelity              = Fidelity::full;
-    p.effects.elastic_driven      = Switch::off;
+    p.drive.sprockets.facets           = 25;
+    p.drive.sprockets.driven().mesh    = "driven.msh";
+    p.model.fidelity                   = Fidelity::full;
+    p.drive.sprockets.driven().elastic = Switch::off;
   });
 
   std::cout << "fidelity and start" << std::endl;
@@ -141,7 +141,7 @@ int main()
   check([](Parameters &p) { p.effects.drag = Switch::off; });
   check([](Parameters &p) {
     p.effects.roller_bush_clearance = p.effects.bush_pin_clearance = p.effects.elastic_links =
-        p.effects.elastic_driven = p.effects.plate_bending = Switch::on;
+        p.drive.sprockets.driven().elastic = p.effects.plate_bending = Switch::on;
   });
 
   std::cout << "elasticity" << std::endl;
@@ -152,8 +152,8 @@ int main()
     });
   };
   full([](Parameters &p) {
-    p.effects.elastic_rollers = Switch::off;
-    p.effects.elastic_driver  = Switch::on;
+    p.effects.elastic_rollers          = Switch::off;
+    p.drive.sprockets.driver().elastic = Switch::on;
   });
   full([](Parameters &p) {
     p.effects.elastic_links = Switch::off;
@@ -170,8 +170,8 @@ int main()
     p.effects.elastic_rollers  = Switch::off;
   });
   full([](Parameters &p) { // which is possible
-    p.effects.tooth_compliance = Switch::on;
-    p.effects.elastic_driven   = Switch::off;
+    p.effects.tooth_compliance         = Switch::on;
+    p.drive.sprockets.driven().elastic = Switch::off;
   });
 
   std::cout << "reduction" << std::endl;
@@ -211,8 +211,8 @@ int main()
     p.effects.elastic_rollers = Switch::off;
   });
   full([](Parameters &p) {
-    p.output.quantities      = {QuantityGroup::tensions, QuantityGroup::engagements};
-    p.effects.elastic_driven = Switch::off;
+    p.output.quantities                = {QuantityGroup::tensions, QuantityGroup::engagements};
+    p.drive.sprockets.driven().elastic = Switch::off;
   });
   full([](Parameters &p) {
     p.output.quantities     = {QuantityGroup::plate_stress};

@@ -36,7 +36,7 @@ int main()
   const Input again = read_parameters("resolved.prm");
   std::cout << "file of all values gives the same values: " << (again.resolved == given.resolved)
             << std::endl;
-  std::cout << "teeth " << again.parameters.drive.sprockets.driver.teeth << ", damping ratio "
+  std::cout << "teeth " << again.parameters.drive.sprockets.driver().teeth << ", damping ratio "
             << again.parameters.contact.damping_ratio << ", rollers";
   for (const unsigned int roller : again.parameters.output.rollers)
     std::cout << ' ' << roller;

@@ -74,7 +74,7 @@ end)"; // without a line break at the end
   const Parameters p = parameters::read_parameters("values.prm").parameters;
   std::cout << std::boolalpha;
   std::cout << "number of links, teeth: "
-            << (p.drive.n_links == 112 && p.drive.sprockets.driver.teeth == 17) << std::endl;
+            << (p.drive.n_links == 112 && p.drive.sprockets.driver().teeth == 17) << std::endl;
   std::cout << "chain: "
             << (p.drive.chain.designation == "08B" && p.drive.chain.elongation == 0.015 &&
                 p.drive.chain.pitch == 0.0127 && p.drive.chain.waist_ratio == 0.8 &&
@@ -82,8 +82,8 @@ end)"; // without a line break at the end
             << std::endl;
   std::cout << "sprockets: "
             << (p.drive.sprockets.tooth_form == parameters::StandardForm::iso_max &&
-                p.drive.sprockets.driver.mesh == "meshes/a b.msh" &&
-                p.drive.sprockets.driven.mesh.empty())
+                p.drive.sprockets.driver().mesh == "meshes/a b.msh" &&
+                p.drive.sprockets.driven().mesh.empty())
             << std::endl;
   std::cout << "layout: "
             << (p.drive.layout.centre_distance_from == parameters::CentreDistanceFrom::sag &&

@@ -49,7 +49,7 @@ def layout():
         yield (rf"the chain closes on no route around these sprockets; choose at most {NUMBER}\.",
                {FROM: "slack", L + "Slack in mm": slack}, [{L + "Slack in mm": r"\1"}])
     lower = {D + "Driver teeth": 9, D + "Driven teeth": 9, L + "Tight span": "lower", FROM: "sag", L + "Sag in percent": 10}
-    yield ("hang down onto the tight one; use fewer links, a greater centre distance, or Tight span = upper",
+    yield ("hang down onto another one; use fewer links, a greater centre distance, or Tight span = upper",
            {**lower}, [{LINKS: 40}, {L + "Tight span": "upper"}])
     odd = {**LAYERED, LINKS: 31}
     yield ("use one link more or less, auto, or for a chain with an offset link Model/Fidelity = simple", odd,

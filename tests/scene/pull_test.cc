@@ -13,7 +13,7 @@ namespace
 /// [m].
 double pulled(const scene::Scene &drive, const unsigned int first, const double force)
 {
-  const unsigned int n = 10, rollers = drive.n_joints;
+  const unsigned int n = 10, rollers = drive.drive.n_joints;
   scene::Scene       scene = empty_scene();
   scene.loads.drag         = 3e4;
   for (unsigned int i = 0; i < n; ++i)
@@ -52,8 +52,9 @@ int main()
   const scene::Scene scene = scene::build_scene(parameters, drive::make_drive(parameters), {"."});
 
   unsigned int first = 0; // an inner link with ten links of the tight span from it on
-  for (unsigned int k = 0; k + 11 < scene.n_joints; k += 2)
-    if (!scene.seated[k] && !scene.seated[k + 11] && scene.bodies[k].initial.position[1] > 0.)
+  for (unsigned int k = 0; k + 11 < scene.drive.n_joints; k += 2)
+    if (!scene.drive.seated[k] && !scene.drive.seated[k + 11] &&
+        scene.bodies[k].initial.position[1] > 0.)
       first = k;
   const double stretch = pulled(scene, first, 2000.) - pulled(scene, first, 1000.);
   ratio("stiffness per pitch, 9 joints", 9. * 1000. / stretch, 3e8, 5);

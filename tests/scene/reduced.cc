@@ -108,10 +108,10 @@ void check_teeth()
   p.model.elastic_links      = parameters::ElasticLinks::arriving;
   p.output.window_start      = 28e-3;
   show_teeth("reduced rollers, then rigid ones", p);
-  p.model.elastic_links    = parameters::ElasticLinks::all;
-  p.model.fidelity         = Fidelity::full;
-  p.effects.elastic_driven = Switch::off;
-  p.model.half             = parameters::HalfModel::no;
+  p.model.elastic_links              = parameters::ElasticLinks::all;
+  p.model.fidelity                   = Fidelity::full;
+  p.drive.sprockets.driven().elastic = Switch::off;
+  p.model.half                       = parameters::HalfModel::no;
   show_teeth("full, rigid driven sprocket", p);
   p.effects.tooth_compliance = Switch::on;
   show_teeth("switched on", p);

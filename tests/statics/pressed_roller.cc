@@ -41,8 +41,8 @@ scene::Scene bodies_of(const drive::Drive &drive, Grids grids, const std::vector
   scene::Scene                  scene    = empty_scene();
   const double                  density  = scene.material.density;
   scene.half = grids.roller.half = grids.link.half = true;
-  scene.n_joints                                   = 2;
-  scene.pitch                                      = chain.pitch;
+  scene.drive.n_joints                             = 2;
+  scene.drive.pitch                                = chain.pitch;
 
   const auto share = [](mesh::Part &&part) {
     return std::make_shared<const mesh::Part>(std::move(part));

@@ -68,6 +68,17 @@ inline scene::Body ground()
       scene::Motion::rigid, scene::Support::prescribed_hub, 1., vector(1., 1., 1.), Vector3());
 }
 
+/// Turns @p body, which is on a hub, by @p speed [rad/s] over time, in the sense of @p sense.
+inline void turn(scene::Scene             &scene,
+                 const unsigned int        body,
+                 const functions::Pointer &speed,
+                 const int                 sense = 1)
+{
+  drive::ShaftProgram program;
+  program.speed = speed;
+  scene.shafts.push_back({body, sense, program});
+}
+
 /// The plane through the origin of @p body with the @p normal out of its material.
 inline std::shared_ptr<const contact::Surface> plane(const unsigned int body, const Vector3 &normal)
 {

@@ -40,8 +40,8 @@ struct Tooth
 inline drive::ToothForm tooth_form(const drive::ChainDimensions &chain)
 {
   parameters::Sprockets sprockets;
-  sprockets.driver.outside_diameter = 81.8e-3;
-  return drive::make_tooth_form(15, chain, sprockets, parameters::Role::driver);
+  sprockets.driver().outside_diameter = 81.8e-3;
+  return drive::make_tooth_form(15, chain, sprockets, 0);
 }
 
 /// Mesh of the sprocket, its sector and the facets of an imported one; each made once.

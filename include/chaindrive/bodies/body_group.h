@@ -27,14 +27,14 @@ struct Step
   double gravity = 0.; ///< along -y, m/s2, on nodes of elastic bodies
   double drag    = 0.; ///< 1/s, likewise
 
-  /// Motion of the prescribed hub.
+  /// Motion of a prescribed hub.
   struct Program
   {
     double angle;      ///< at the end of the step, rad
     double mean_speed; ///< in its middle, rad/s
     double speed;      ///< at its end, rad/s
   };
-  std::optional<Program> program; ///< without one it goes on as it moves
+  const Program *programs = nullptr; ///< of each of World::hubs; null: they go on as they move
 };
 
 /// Where the time for internal forces is counted.

@@ -18,12 +18,17 @@ namespace chaindrive::drive
 /// A sprocket of the drive.
 struct Sprocket
 {
+  std::string      name;       ///< of histories and entries
+  std::string      title;      ///< what sentences call it
+  std::string      in_entries; ///< what names of entries begin with
   parameters::Role role;
   ToothForm        form;
   double           bore;         ///< diameter
   double           hub_diameter; ///< of the rigid zone
   MassProperties   solid;
-  std::string      mesh; ///< a Gmsh file that takes the place of the form; empty: none
+  std::string      mesh;         ///< a Gmsh file that takes the place of the form; empty: none
+  ShaftProgram     program;      ///< of its shaft
+  double           inertia = 0.; ///< of all that turns with it, kg m2
 
   double tooth_stiffness = 0.; ///< of tooth and rim under a roller, given or auto, N/m
 };
@@ -35,7 +40,6 @@ struct Drive
   std::vector<Sprocket> sprockets; ///< in the order in which the chain runs over them
   double                sprocket_width;
   Layout                layout;
-  Programs              programs; ///< of its shafts
 
   MassProperties roller_solid, inner_link_solid, outer_link_solid;
   double         mass_per_pitch; ///< of the solids: a roller and half of either link, kg
@@ -45,11 +49,11 @@ struct Drive
                                  ///< rollers are bodies of their own, else up to the link's, N/m
   double roller_bush_stiffness;  ///< of the contact, given or auto, N/m
   double reference_load;         ///< at which those are taken that are auto, N
-  double nominal_tension;        ///< of the tight span: resisting torque / driven pitch radius, N
+  double nominal_tension;        ///< of the tight span: sum of resisting torque / pitch radius, N
 
   std::vector<std::string> notes; ///< sentences for the log: choices made and values derived
 
-  const Sprocket &with(parameters::Role role) const;
+  const Sprocket &driver() const { return sprockets.front(); }
 };
 
 /// Tells the stiffness of the parts of a drive, which has all but its layout, at a load [N].

@@ -5,7 +5,6 @@
 #include <chaindrive/files/described.h>
 #include <chaindrive/files/json.h>
 
-#include <array>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -18,26 +17,43 @@ struct Facts
 {
   struct Sprocket
   {
-    std::string  name;
-    unsigned int teeth;
-    double       pitch_diameter;
-    double       wrap;             ///< of the chain around it
-    double       speed;            ///< mean, rad/s
-    double       torque;           ///< mean without losses, N m
-    double       polygon_effect;   ///< 1 - cos(pi / z): rise and fall of the chain's speed over it
-    double       seating_velocity; ///< pitch times speed: with which a link meets the sprocket, m/s
+    std::string      name;  ///< of histories
+    std::string      title; ///< what sentences call it
+    dealii::Point<2> centre;
+    int              sense;   ///< of its rotation, +1: counter-clockwise
+    double           arrival; ///< polar angle about the centre at which the chain arrives
+    unsigned int     teeth;
+    double           pitch_diameter;
+    double           wrap;   ///< of the chain around it
+    double           speed;  ///< mean, rad/s
+    double           torque; ///< mean without losses, N m
+    double polygon_effect;   ///< 1 - cos(pi / z): rise and fall of the chain's speed over it
+    double seating_velocity; ///< pitch times speed: with which a link meets the sprocket, m/s
+    double inertia;          ///< of all that turns with it, kg m2
+    bool   idle;             ///< neither driven nor loaded by its shaft
+    double load = 0.;        ///< resultant of the spans at its two ends on its shaft, N
+  };
+
+  /// What a span is called for the force in it.
+  enum class Label
+  {
+    none,
+    tight, ///< none has a greater tension
+    slack  ///< none has a smaller one
   };
 
   struct Span
   {
-    bool         tight;
-    unsigned int links;
-    double       length;     ///< between the points where it leaves the pitch circles
-    double       slack, sag; ///< at the start; of a settled one the sag with all stretch
-    double       tension;    ///< mean, with the centrifugal one
-    double       frequency;  ///< lowest in the plane, of a string or hanging chain that moves
-    double       resonance;  ///< driver speed at which the tooth frequency is that, rad/s
-    bool         symmetric;  ///< its mode; one of a chain that sags may be antisymmetric
+    std::string      name; ///< of the sprockets between which it is, in the direction of travel
+    Label            label = Label::none;
+    unsigned int     links;
+    double           length;     ///< between the points where it leaves the pitch circles
+    double           slack, sag; ///< at the start; of a settled one the sag with all stretch
+    double           tension;    ///< mean, with the centrifugal one
+    double           frequency;  ///< lowest in the plane, of a string or hanging chain that moves
+    double           resonance;  ///< driver speed at which the tooth frequency is that, rad/s
+    bool             symmetric;  ///< its mode; one of a chain that sags may be antisymmetric
+    dealii::Point<2> begin, end; ///< where its straight line touches the pitch circles
   };
 
   std::string  chain;
@@ -50,10 +66,11 @@ struct Facts
   bool   own_dimensions;         ///< in pitch, plates, pins, bushes or rollers
   double bearing_area;           ///< of a joint: pin diameter times length of the bush
 
-  std::array<Sprocket, 2> sprockets; ///< driver and driven one
-  double                  ratio;     ///< teeth of the driven one over those of the driver
-  double                  centre_distance;
-  std::vector<Span>       spans;
+  std::vector<Sprocket> sprockets; ///< in the order in which the chain runs over them: the driver,
+  unsigned int          driven;    ///< ... and the number of the first one with a load
+  double                ratio;     ///< teeth of that one over those of the driver
+  double                centre_distance;
+  std::vector<Span>     spans; ///< span i leads from sprocket i to the next one
 
   double power;
   double chain_speed;
@@ -67,7 +84,7 @@ struct Facts
   double full_speed_from;        ///< time from which the driver's speed is steady, s
   double joint_pressure;         ///< of the tight span's tension on the bearing area, Pa
   double safety;                 ///< tensile strength over the tight span's tension; 0: unknown
-  double shaft_load;             ///< resultant of both spans on either shaft
+  double shaft_load;             ///< resultant of both spans on the driven shaft
 
   double driven_inertia;   ///< of all that turns with the driven sprocket, kg m2
   double driven_frequency; ///< of that on the tight span, the driver held, Hz
@@ -76,7 +93,12 @@ struct Facts
   double rated_power;   ///< usual limit for this size, teeth and speed
   double highest_speed; ///< usual limit of the driver, rad/s
 
-  const Span &span(bool tight) const;
+  /// The span that the driver pulls in, and the one that it lets out.
+  const Span &tight() const { return spans.back(); }
+  const Span &slack() const { return spans.front(); }
+
+  const Sprocket &driver() const { return sprockets.front(); }
+  const Sprocket &loaded() const { return sprockets[driven]; } ///< the first one with a load
 };
 
 Facts make_facts(const Parameters &parameters, const Drive &drive);
@@ -104,6 +126,9 @@ double string_resonance(double length, double mass, double tension, double pitch
 
 /// Sag [m] of a span of this @p length with this @p slack [m], a flat parabola.
 double parabola_sag(double length, double slack);
+
+/// What sentences call a span, such as "tight span".
+std::string in_words(const Facts::Span &span);
 
 /// Of a span's lowest mode, in words.
 std::string mode_in_words(const Facts::Span &span);

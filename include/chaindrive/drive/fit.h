@@ -19,8 +19,16 @@ struct Fit
 /// Finds routes and centre distances for a chain of given link lengths. Lengths in m.
 struct Fitter
 {
-  unsigned int driver_teeth, driven_teeth;
-  path::Chain  chain;
+  /// A sprocket, as the chain is laid on it.
+  struct Wheel
+  {
+    unsigned int     teeth;
+    int              turn   = 1;     ///< see path::Wheel
+    bool             moves  = false; ///< it is at the centre distance from wheel 0 along x
+    dealii::Point<2> centre = {};    ///< of one that does not move
+  };
+  std::vector<Wheel> sprockets; ///< in the order in which the chain runs over them
+  path::Chain        chain;
 
   /// What a centre distance is solved for: the part of the slack span that is excess, as a length
   /// or through its sag.
@@ -35,7 +43,7 @@ struct Fitter
     double value;
   };
 
-  /// The driver at the origin and the driven sprocket at this distance along x.
+  /// The wheels, those that move at this distance from wheel 0.
   std::vector<path::Wheel> wheels(double centre_distance) const;
 
   /// Routes at this centre distance, the best first; at least one unless the sprockets are within

@@ -16,9 +16,9 @@ namespace chaindrive::drive
 /// Where everything is at the start. The chain's path leads round the sprockets in turn: span i
 /// leads from sprocket i to the next one, the last span back to sprocket 0.
 ///
-/// Today there are two: the driver (0) with its axis at the origin, and the driven sprocket (1) at
-/// (centre distance, 0). Upper span tight: both turn counter-clockwise. Lower span tight: the
-/// mirror image, both turn clockwise. SI units.
+/// Sprocket 0 is the driver. Without a centre of its own its axis is at the origin, and that of
+/// another one at (centre distance, 0). Upper span tight: the drive turns counter-clockwise. Lower
+/// span tight: the mirror image, clockwise. SI units.
 struct Layout
 {
   struct Sprocket
@@ -32,8 +32,8 @@ struct Layout
 
   struct Span
   {
-    bool         tight;
-    unsigned int first; ///< joint at which it begins: the last seat of the sprocket before it
+    bool         straight; ///< at the start, but for what has settled
+    unsigned int first;    ///< joint at which it begins: the last seat of the sprocket before it
     unsigned int links;
     double       slack;             ///< length of its links less the distance that they bridge, m
     double       sag;               ///< from the straight line between its ends, m; settled if so
@@ -67,11 +67,18 @@ struct Layout
   std::vector<Link>     links;
   double                prestress = 0.; ///< largest force that joints and teeth are placed for, N
 
-  /// The tight span, and the slack one.
-  const Span &span(bool tight) const;
+  /// The span that leads to a sprocket; span i leads from sprocket i.
+  const Span &into(unsigned int sprocket) const;
 
-  /// Of sprockets 0 and 1, m.
-  double centre_distance() const { return sprockets[0].centre.distance(sprockets[1].centre); }
+  /// While the driver drives, the span that it pulls in is the tightest one, and the one that it
+  /// lets out has all the slack.
+  const Span &tight() const { return into(0); }
+  const Span &slack() const { return spans.front(); }
+
+  unsigned int moved = 1; ///< the sprocket whose distance from sprocket 0 the layout decides
+
+  /// Of these two, m.
+  double centre_distance() const { return sprockets[0].centre.distance(sprockets[moved].centre); }
 };
 
 /// By how much further the surfaces of single joints must come together than those of all others

@@ -6,19 +6,19 @@
 
 namespace chaindrive::drive
 {
-/// What is prescribed to the shafts, in the sense of the drive: the speed of the driver, and the
-/// torque that resists the driven sprocket, a function of its angle times one of time plus another
-/// of time. Without anything else the drive stands still and no torque acts.
-struct Programs
+/// What a shaft is given, in the sense in which its sprocket turns in operation: a speed, or a
+/// torque that resists it, a function of its angle times one of time plus another of time. Without
+/// anything else it turns freely.
+struct ShaftProgram
 {
-  functions::Pointer speed;        ///< of the driver over time [s], rad/s
+  functions::Pointer speed;        ///< over time [s], rad/s; null: it turns as it is made to
   functions::Pointer torque;       ///< over the angle turned since the start [rad], N m
   functions::Pointer torque_share; ///< over time [s], by which #torque is multiplied
   functions::Pointer torque_added; ///< over time [s], N m
 
-  Programs();
+  ShaftProgram();
 
-  /// N m, after the driven sprocket has @p turned [rad] since the start, at @p time [s].
+  /// N m, after it has @p turned [rad] since the start, at @p time [s].
   double resisting_torque(const double turned, const double time) const
   {
     return torque->value(turned) * torque_share->value(time) + torque_added->value(time);
@@ -28,8 +28,9 @@ struct Programs
   double last_change(double start) const;
 };
 
-/// Those of @p loads from the time @p start [s] on. With @p settled the driver has its full speed
-/// from the start, and all of the torque acts whichever way the driven sprocket turns; else the
-/// speed grows over the ramp's time, and the torque over the ramp's angle.
-Programs make_programs(const parameters::Loads &loads, double start, bool settled);
+/// That of a sprocket of this @p role from the time @p start [s] on. With @p settled the driver has
+/// its full speed from the start, and all of the torque acts whichever way the driven sprocket
+/// turns; else the speed grows over the ramp's time, and the torque over the ramp's angle.
+ShaftProgram
+make_program(parameters::Role role, const parameters::Loads &loads, double start, bool settled);
 } // namespace chaindrive::drive

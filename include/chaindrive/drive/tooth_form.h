@@ -95,7 +95,8 @@ struct ToothForm
   std::vector<dealii::Tensor<1, 2>> rotations;
 };
 
-/// The profile of the sprocket of this @p role with @p teeth teeth for @p chain.
+/// The profile of a sprocket with @p teeth teeth for @p chain, whose diameters are those of
+/// sprocket number @p number of @p sprockets.
 ///
 /// ISO 606 forms min, mid and max: seat radius 0.505 d1 ... 0.505 d1 + 0.069 d1^(1/3) (d1 in mm),
 /// seating angle 140 deg - 90 deg/z ... 120 deg - 90 deg/z, flank radius 0.12 d1 (z + 2) ...
@@ -114,5 +115,5 @@ struct ToothForm
 ToothForm make_tooth_form(unsigned int                 teeth,
                           const ChainDimensions       &chain,
                           const parameters::Sprockets &sprockets,
-                          parameters::Role             role);
+                          unsigned int                 number);
 } // namespace chaindrive::drive

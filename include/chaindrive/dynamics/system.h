@@ -30,8 +30,8 @@ public:
   /// One Newmark step of @p dt to the time @p new_time.
   void advance(double dt, double new_time);
 
-  /// The step that advance() makes.
-  Step make_step(double dt, double new_time) const;
+  /// The step that advance() makes; valid until the next call.
+  Step make_step(double dt, double new_time);
 
   /// The stable step of each kind of spring alone and of all together.
   std::vector<StepLimit> step_limits() const;
@@ -52,7 +52,8 @@ private:
   /// Books the kinetic energy of rigid and lumped bodies at full steps.
   void close_ledger();
 
-  bool started_ = false; ///< BodyGroup::start() has been called
+  std::vector<Step::Program> programs_;        ///< of each hub, of the last step made
+  bool                       started_ = false; ///< BodyGroup::start() has been called
 
   PhaseTimer::Phase internal_force_ = PhaseTimer::rest, integration_ = PhaseTimer::rest,
                     contact_ = PhaseTimer::rest;

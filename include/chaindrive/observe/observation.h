@@ -30,7 +30,7 @@ public:
   double time() const { return system.world.time; } ///< s
   double dt() const { return dt_; }                 ///< the step that led here, 0 at the start, s
 
-  /// Tensions of links and the state of the two spans. First rank only, which has all records of
+  /// Tensions of links and the state of the spans. First rank only, which has all records of
   /// contacts.
   const Spans &spans() const;
 
@@ -43,7 +43,8 @@ public:
   const scene::Scene       &scene;
   const Parameters         &parameters;
   const dynamics::System   &system;
-  std::vector<unsigned int> rollers; ///< that histories are asked for: joints, and bodies
+  std::vector<unsigned int> rollers;       ///< joints whose rollers histories are asked for
+  std::vector<unsigned int> roller_bodies; ///< their bodies
 
 private:
   double        dt_ = 0.;

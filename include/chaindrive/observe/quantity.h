@@ -34,8 +34,12 @@ public:
   /// of files::is_history_group(). Rows begin as NaN.
   void add(const std::string &path, Fill fill);
 
+  /// One of a sprocket or span whose name is known to the drive alone, as @p history describes it.
+  void add(const files::Described &history, Fill fill);
+
   /// One with a column for each of @p labels.
   void add(const std::string &path, const std::vector<std::string> &labels, Fill fill);
+  void add(const files::Described &history, const std::vector<std::string> &labels, Fill fill);
 
   /// Writes a sample at @p time [s].
   void sample(double time);

@@ -8,13 +8,14 @@
 
 namespace chaindrive::observe
 {
-/// Tension of every link and the state of the two spans at the last update().
+/// Tension of every link and the state of all spans at the last update().
 ///
 /// A link's tension is its bar's (simple fidelity) or half the difference of the joint forces on
-/// its two ends along its axis (layered). A span is made of the links whose middle lies, along the
-/// line of centres, between 35 % and 65 % of the way from tangent point to tangent point of the
-/// pitch circles, or within half a pitch of its middle where that is more; the tight one of those
-/// that lead to the driver.
+/// its two ends along its axis (layered). A span is made of the links that travel along it and
+/// whose middle lies, along the line of centres of its sprockets, between 35 % and 65 % of the way
+/// from tangent point to tangent point of the pitch circles, or within half a pitch of its middle
+/// where that is more; a link that might be of several is of the one whose straight line is
+/// nearest.
 class Spans
 {
 public:
@@ -24,22 +25,35 @@ public:
 
   const std::vector<double> &link_tension() const { return tension_; } ///< N, positive: pulled
 
-  double tight_tension = 0.; ///< mean over the span's links, N
-  double slack_tension = 0.; ///< N
-  double tight_speed   = 0.; ///< mean velocity of its rollers in the span direction, m/s
-  double tight_offset  = 0.; ///< mean displacement of its rollers' line along the normal, m
-  double slack_offset  = 0.; ///< likewise of the slack span (away from the tight span negative), m
+  /// Means over the links of a span.
+  struct Span
+  {
+    double tension = 0.; ///< N
+    double speed   = 0.; ///< of rollers along the direction of travel at the start, m/s
+    double offset  = 0.; ///< of rollers from the driver's axis along the outward normal, m
+    double inward  = 0.; ///< likewise along the mirror image of the tight span's normal, m
+  };
+
+  const Span &of(const unsigned int span) const { return spans_[span]; }
+
+  /// The span that the driver pulls in, and the one that it lets out.
+  const Span &tight() const { return spans_.back(); }
+  const Span &slack() const { return spans_.front(); }
 
 private:
   void joint_forces(const dynamics::System &system);
 
+  /// The span of the link from @p first to @p second, or none, which is the number of spans.
+  unsigned int span_of(const Frame &first, const Frame &second) const;
+
   const scene::Scene  &scene_;
-  double               middle_;       ///< of both spans along x, m
-  double               half_length_;  ///< of what counts, along x, m
-  dealii::Tensor<1, 3> slack_normal_; ///< of the straight slack span, towards the tight one
+  dealii::Tensor<1, 3> driver_; ///< centre of the driver, m
+  dealii::Tensor<1, 3>
+                    mirrored_; ///< mirror image of the tight span's normal in its line of centres
+  std::vector<Span> spans_;
   std::vector<const contact::Family *> joints_;    ///< bush-pin; none in simple fidelity
-  std::vector<unsigned int>            links_;     ///< body of each link; none in simple fidelity
   std::vector<dealii::Tensor<1, 3>>    pin_force_; ///< on the pin of each joint, N
   std::vector<double>                  tension_;
+  std::vector<unsigned int>            n_links_; ///< of each span, at the last update
 };
 } // namespace chaindrive::observe

@@ -32,7 +32,8 @@ public:
   WindowStatistics(const Observation &now, const std::vector<Signal> &signals);
 
   /// Their @p values at the end of a step, in the same order.
-  void add(std::initializer_list<double> values);
+  void add(const std::vector<double> &values) { add(values.data(), values.size()); }
+  void add(const std::initializer_list<double> values) { add(values.begin(), values.size()); }
 
   /// The mean of a signal; not a number when nothing fell into the window.
   double mean(const std::string &name) const;
@@ -44,6 +45,8 @@ public:
   void serialize(const Archive &archive);
 
 private:
+  void add(const double *values, std::size_t n);
+
   struct Item
   {
     Signal           signal;

@@ -13,14 +13,14 @@ namespace chaindrive::observe
 ///
 /// Of roller k at the polar angle phi about a sprocket that has turned to the angle psi and has z
 /// teeth, s z (phi - psi) / (2 pi) - k keeps its value as long as the chain moves with the teeth,
-/// s = 1 for a counter-clockwise drive and -1 for a clockwise one, and is a whole number where the
-/// roller is in the middle of a gap. It is followed, for rollers that are on the sprocket, from
-/// roller to roller; its median is the slip. Rollers count that are on the arc between the tangent
-/// points of the pitch circles, but for a pitch at either end.
+/// s = 1 for a sprocket that turns counter-clockwise and -1 for the others, and is a whole number
+/// where the roller is in the middle of a gap. It is followed, for rollers that are on the
+/// sprocket, from roller to roller; its median is the slip. Rollers count that are on the arc
+/// between the tangent points of the pitch circles, but for a pitch at either end.
 class Wrap
 {
 public:
-  /// Of the rollers of @p scene on its sprocket number @p sprocket, one of two.
+  /// Of the rollers of @p scene on its sprocket number @p sprocket.
   Wrap(const scene::Scene &scene, unsigned int sprocket);
 
   /// Looks at the chain. It must not have slipped by half a pitch since the last call.
@@ -62,6 +62,7 @@ private:
 
   const scene::Scene       &scene_;
   unsigned int              body_, teeth_;
+  int                       sense_;      ///< of its rotation
   dealii::Tensor<1, 3>      middle_;     ///< of the arc, from the axis, unit
   double                    half_angle_; ///< of the arc that is looked at, rad
   double                    outer_radius_, half_width_, roller_radius_; ///< m

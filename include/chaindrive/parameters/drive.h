@@ -3,8 +3,10 @@
 
 #include <chaindrive/parameters/choice.h>
 
+#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace chaindrive::parameters
 {
@@ -120,32 +122,32 @@ struct Chain
   void declare(Declarations &declarations);
 };
 
-/// What a sprocket does; in the order in which the chain runs over them.
+/// What a sprocket does.
 enum class Role
 {
   driver, ///< turns as the speed program says
-  driven  ///< turns as the chain pulls it against the load
+  driven, ///< turns as the chain pulls it against the load
+  idler   ///< turns as the chain pulls it, without a load
 };
-
-template <>
-inline constexpr Texts<Role, 2> texts_of<Role>{
-    {{Role::driver, "driver"}, {Role::driven, "driven"}}};
-
-/// What sentences call the sprocket of this role.
-std::string in_words(Role role);
-
-/// What names of entries call it.
-std::string in_entries(Role role);
 
 /// What the user says of one sprocket.
 struct Sprocket
 {
+  std::string           name; ///< of histories and entries, in small letters
+  Role                  role;
   unsigned int          teeth;
-  std::optional<double> outside_diameter; ///< m
-  std::optional<double> bottom_diameter;  ///< m, for SeatCentre::bottom_diameter
-  std::optional<double> bore;             ///< m
-  std::optional<double> hub_diameter;     ///< m, of the rigid zone
-  std::string           mesh;             ///< a Gmsh file; empty: generated
+  std::optional<double> outside_diameter = {};       ///< m
+  std::optional<double> bottom_diameter  = {};       ///< m, for SeatCentre::bottom_diameter
+  std::optional<double> bore             = {};       ///< m
+  std::optional<double> hub_diameter     = {};       ///< m, of the rigid zone
+  std::string           mesh             = {};       ///< a Gmsh file; empty: generated
+  Switch                elastic = Switch::automatic; ///< its rim; automatic: where it is needed
+  int                   turn    = 1; ///< +1: the chain runs round it in the sense of the drive
+  /// Of its axis, m; empty: of the first one the origin, of one other what the layout finds.
+  std::optional<std::array<double, 2>> centre = {};
+
+  std::string in_words() const;   ///< what sentences call it
+  std::string in_entries() const; ///< what names of entries begin with
 };
 
 /// Section `Drive/Sprockets`.
@@ -155,12 +157,17 @@ struct Sprockets
   SeatCentre            seat_centre = SeatCentre::iso;
   std::optional<double> width;      ///< m
   unsigned int          facets = 0; ///< chords of a rigid tooth, even; 0: smooth
-  Sprocket              driver{15, {}, {}, {}, {}, {}}, driven{42, {}, {}, {}, {}, {}};
+  /// In the order in which the chain runs over them; the first one is the driver, from which the
+  /// slack span leads to the second one.
+  std::vector<Sprocket> list{{"driver", Role::driver, 15}, {"driven", Role::driven, 42}};
 
-  const Sprocket &with(const Role role) const { return role == Role::driver ? driver : driven; }
+  Sprocket       &driver() { return list.front(); }
+  const Sprocket &driver() const { return list.front(); }
+  Sprocket       &driven(); ///< the first one with a load
+  const Sprocket &driven() const;
 
-  /// Declares an entry for each member but the numbers of teeth, which takes every value that is
-  /// set. The object must outlive @p declarations.
+  /// Declares an entry for each member but the numbers of teeth and what is elastic, which takes
+  /// every value that is set. The object, and its list, must outlive @p declarations.
   void declare(Declarations &declarations);
 };
 

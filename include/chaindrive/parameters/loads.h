@@ -8,6 +8,7 @@
 namespace chaindrive::parameters
 {
 class Declarations;
+struct Sprockets;
 
 /// How the driver's speed grows from zero.
 enum class SpeedRamp
@@ -38,7 +39,8 @@ struct Loads
   void declare(Declarations &declarations);
 };
 
-/// Section `Effects`: a switch for each piece of physics that a scene may do without.
+/// Section `Effects`: a switch for each piece of physics that a scene may do without. Whether
+/// sprockets are elastic stands with each of them (Sprocket::elastic).
 struct Effects
 {
   Switch friction = Switch::automatic; ///< automatic: on when a friction coefficient is not zero
@@ -51,13 +53,11 @@ struct Effects
   Switch bush_pin_clearance    = Switch::automatic;
   Switch elastic_links    = Switch::automatic; ///< of these automatic: on where what is asked for
   Switch elastic_rollers  = Switch::automatic; ///< needs them, see needs.h
-  Switch elastic_driver   = Switch::automatic;
-  Switch elastic_driven   = Switch::automatic;
   Switch plate_bending    = Switch::automatic; ///< automatic: on in elastic links
   Switch tooth_compliance = Switch::automatic; ///< automatic: on under reduced rollers
 
-  /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p declarations.
-  void declare(Declarations &declarations);
+  /// Declares an entry for each member and for Sprocket::elastic of each of @p sprockets, which
+  /// takes every value that is set. The objects must outlive @p declarations.
+  void declare(Declarations &declarations, Sprockets &sprockets);
 };
 } // namespace chaindrive::parameters

@@ -74,10 +74,10 @@ struct Decision
   std::string reason; ///< a phrase: why
 };
 
-/// Whether inner and outer links, rollers, and the rim of the sprocket of a role are elastic.
+/// Whether inner and outer links, rollers, and the rim of a sprocket of the drive are elastic.
 Decision elastic_links(const Parameters &p);
 Decision elastic_rollers(const Parameters &p);
-Decision elastic_sprocket(const Parameters &p, Role role);
+Decision elastic_sprocket(const Parameters &p, const Sprocket &sprocket);
 
 /// Whether rigid sprockets give way under elastic rollers.
 Decision tooth_compliance(const Parameters &p);

@@ -61,15 +61,16 @@ void add_chain_bodies(const Parameters        &parameters,
 /// where there are none.
 void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
 
-/// At joint k meet the inner link whose bush it is and the outer link whose pin it is.
+/// At joint k meet its roller, the inner link whose bush it is and the outer link whose pin it is.
 struct Joint
 {
+  unsigned int roller;        ///< body
   unsigned int inner, outer;  ///< bodies
   double       bush_x, pin_x; ///< of the bush's and the pin's axis in their links' frames, m
 };
 
-/// Joint @p k of a chain of @p n whose bodies are those of add_chain_bodies().
-Joint joint_of(unsigned int k, const drive::Drive &drive, unsigned int n);
+/// Joint @p k of the chain of @p view, whose bodies are those of add_chain_bodies().
+Joint joint_of(unsigned int k, const drive::Drive &drive, const DriveView &view);
 
 /// The sprockets and the interfaces of the rollers, which must be there, with their teeth.
 void add_sprockets(const Parameters               &parameters,

@@ -26,8 +26,7 @@ enum class EffectKind
   drag,
   elastic_links,
   elastic_rollers,
-  elastic_driver,
-  elastic_driven,
+  elastic_sprocket,
   tooth_compliance,
   plate_bending,
   reduced_bodies,
@@ -44,17 +43,16 @@ struct Effect
 {
   EffectKind  kind;
   bool        on;
-  std::string reason; ///< a phrase: why it is on or off
+  std::string reason;        ///< a phrase: why it is on or off
+  std::string sprocket = {}; ///< of which it is, for what each sprocket has of its own
 
   std::string name() const; ///< in words
 };
 
-/// That the sprocket of this @p role is elastic.
-EffectKind elastic_sprocket(parameters::Role role);
-
 /// Decides each effect from its `auto | on | off` entry and the coefficients behind it.
 std::vector<Effect> decide_effects(const Parameters &parameters);
 
-/// Whether the effect @p kind is on; throws std::logic_error for one that nobody decided.
-bool is_on(const std::vector<Effect> &effects, EffectKind kind);
+/// Whether the effect @p kind is on, of the @p sprocket of this name if each has its own; throws
+/// std::logic_error for one that nobody decided.
+bool is_on(const std::vector<Effect> &effects, EffectKind kind, const std::string &sprocket = {});
 } // namespace chaindrive::scene

@@ -3,6 +3,7 @@
 
 #include <chaindrive/drive/programs.h>
 #include <chaindrive/parameters/parameters.h>
+#include <chaindrive/scene/drive_view.h>
 #include <chaindrive/scene/effects.h>
 #include <chaindrive/scene/interface.h>
 #include <chaindrive/utilities/rotation.h>
@@ -93,15 +94,12 @@ struct Body
   }
 };
 
-/// A sprocket, in the order in which the chain runs over them.
-struct Sprocket
+/// What a shaft gives to a body on a hub.
+struct Shaft
 {
-  parameters::Role     role;
-  unsigned int         body;
-  unsigned int         teeth;
-  dealii::Tensor<1, 3> entry_normal; ///< unit, outward, of the side on which the chain arrives
-
-  std::string name() const { return text_of(role); }
+  unsigned int        body;
+  int                 sense; ///< of its rotation in operation, +1: about +z
+  drive::ShaftProgram program;
 };
 
 /// Who is there, what touches what, what pulls: a pure description, from which a World is made.
@@ -113,14 +111,13 @@ struct Scene
   std::vector<FaceFamily>    faces;
   std::vector<ToothFamily>   teeth;
   std::vector<SurfaceFamily> surfaces;
-  parameters::Loads          loads; ///< with the coefficients of effects that are off set to zero
-  drive::Programs            programs;        ///< what is prescribed to the shafts
+  parameters::Loads          loads;  ///< with the coefficients of effects that are off set to zero
+  std::vector<Shaft>         shafts; ///< a hub without one stands still or turns freely
   double                     start_time = 0.; ///< s
   double                     prestress  = 0.; ///< N, in the spans at the start
   bool                       half = false;    ///< elastic bodies are halves, see mesh::Part::half
   bool                       plates_bend = true;  ///< of elastic links, out of their planes
   bool                       at_speed    = false; ///< the drive starts at full speed
-  int                        sense       = 1;     ///< +1: counter-clockwise drive
   std::map<PartOf, std::shared_ptr<const mesh::Part>>       parts;   ///< those that somebody needs
   std::map<PartOf, std::shared_ptr<const mesh::Sector>>     sectors; ///< of elastic sprockets
   std::map<PartOf, std::shared_ptr<const reduction::Basis>> bases;   ///< of reduced bodies
@@ -129,20 +126,9 @@ struct Scene
   std::vector<Effect>                                       effects;
   std::vector<std::string> notes; ///< what the log must say about choices made
 
-  std::vector<char>     seated; ///< per joint: it starts on a sprocket, not in a span
-  unsigned int          n_joints = 0;
-  std::vector<Sprocket> sprockets;
-  double                centre_distance = 0.;     ///< of the first two sprockets, m
-  double                pitch           = 0.;     ///< loaded, mean, m
-  dealii::Tensor<1, 3>  span_direction;           ///< of travel of the tight span, unit
-  dealii::Tensor<1, 3>  span_normal;              ///< outward, unit
-  double                mass_per_pitch      = 0.; ///< kg
-  double                stiffness_per_pitch = 0.; ///< N/m
+  DriveView drive; ///< empty in a scene without a chain
 
   bool has_elastic_bodies() const;
-
-  /// The sprocket of this role, which must be there.
-  const Sprocket &with(parameters::Role role) const;
 
   /// What sentences call body @p b, such as "roller 5".
   std::string name_of(unsigned int b) const;

@@ -21,7 +21,7 @@ namespace
 /// The first touch of a roller that arrives at a sprocket from the span.
 struct Engagement
 {
-  std::string  sprocket;        ///< driver | driven
+  std::string  sprocket;        ///< its name
   unsigned int roller;          ///< joint number
   double       time;            ///< of the first touch, s
   double       relative_speed;  ///< of the roller's centre and the sprocket's material there, m/s
@@ -53,29 +53,22 @@ public:
     const scene::Scene     &scene  = now.scene;
     const dynamics::System &system = now.system;
     std::vector<char>       not_seated; // at the start: these will arrive from a span
-    for (const char seated : scene.seated)
+    for (const char seated : scene.drive.seated)
       not_seated.push_back(!seated);
 
-    const auto add = [&](const std::string          &name,
-                         const unsigned int          body,
-                         const unsigned int          teeth,
-                         const dealii::Tensor<1, 3> &entry_side) {
-      const double pitch_radius = 0.5 * scene.pitch / std::sin(dealii::numbers::PI / teeth);
+    for (const scene::Sprocket &sprocket : scene.drive.sprockets)
       for (const auto &family : system.contacts.families())
         if (const auto *found = dynamic_cast<const contact::SurfaceContact *>(family.get());
-            found != nullptr && found->master() == body)
+            found != nullptr && found->master() == sprocket.body)
           sprockets_.push_back(
-              {name,
+              {sprocket.name,
                found,
-               pitch_radius + 0.15 * scene.pitch,
-               entry_side,
-               std::vector<double>(scene.n_joints, -std::numeric_limits<double>::infinity()),
+               sprocket.pitch_radius + 0.15 * scene.drive.pitch,
+               sprocket.entry_normal,
+               std::vector<double>(scene.drive.n_joints, -std::numeric_limits<double>::infinity()),
                not_seated,
-               std::vector<int>(scene.n_joints, -1),
-               std::vector<double>(scene.n_joints, 0.)});
-    };
-    for (const scene::Sprocket &sprocket : scene.sprockets)
-      add(sprocket.name(), sprocket.body, sprocket.teeth, sprocket.entry_normal);
+               std::vector<int>(scene.drive.n_joints, -1),
+               std::vector<double>(scene.drive.n_joints, 0.)});
   }
 
   static bool exists(const Observation &start) { return !start.scene.teeth.empty(); }
@@ -84,7 +77,7 @@ public:
   {
     Contents contents;
     contents.summary = {{"pitch_time_mean", "s", "time from engagement to engagement, mean"},
-                        {"engagements/*/sprocket", "", "driver or driven"},
+                        {"engagements/*/sprocket", "", "name of the sprocket"},
                         {"engagements/*/roller", "", "number of the joint"},
                         {"engagements/*/time", "s", "first touch"},
                         {"engagements/*/relative_speed", "m/s", "speed of roller against tooth"},
@@ -258,7 +251,7 @@ private:
   /// number with fewer than two.
   double mean_pitch_time() const
   {
-    const std::string driver = text_of(parameters::Role::driver);
+    const std::string driver = now_.scene.drive.driver().name;
     double            first = 0., last = 0.;
     unsigned int      n = 0;
     for (const Engagement &engagement : found_)

@@ -63,20 +63,31 @@ struct OfPitch
 
 std::string at(const double time) { return to_text(time * 1e3, 4) + " ms"; }
 
+/// From when on no speed that is prescribed changes its course, s.
+double last_change_of_speeds(const Observation &now)
+{
+  double last = now.parameters.time.start;
+  for (const scene::Shaft &shaft : now.scene.shafts)
+    if (shaft.program.speed)
+      last = std::max(last,
+                      functions::last_breakpoint(*shaft.program.speed, now.parameters.time.start));
+  return last;
+}
+
 class Events : public Quantity
 {
 public:
   explicit Events(const Observation &now)
       : Quantity(now)
-      , pitch_time_(std::min(2. * dealii::numbers::PI /
-                                 (now.scene.sprockets[0].teeth * now.parameters.loads.driver_speed),
-                             longest_pitch))
-      , started_(functions::last_breakpoint(*now.scene.programs.speed, now.parameters.time.start) +
-                 pitch_time_)
+      , pitch_time_(
+            std::min(2. * dealii::numbers::PI /
+                         (now.scene.drive.driver().teeth * now.parameters.loads.driver_speed),
+                     longest_pitch))
+      , started_(last_change_of_speeds(now) + pitch_time_)
       , looks_(now.parameters.time.start, std::min(look_interval, pitch_time_ / looks_a_pitch))
       , knows_tensions_(now.parameters.output.asks_for(parameters::QuantityGroup::tensions))
   {
-    for (unsigned int i = 0; i < now.scene.sprockets.size(); ++i)
+    for (unsigned int i = 0; i < now.scene.drive.sprockets.size(); ++i)
       sprockets_.emplace_back(now.scene, i);
     const auto *row = drive::find_chain(now.parameters.drive.chain.designation);
     if (row != nullptr)
@@ -86,12 +97,15 @@ public:
   static bool exists(const Observation &start)
   {
     const scene::Scene &scene = start.scene;
-    return scene.n_joints > 0 && scene.sprockets.size() == 2 &&
-           std::all_of(scene.sprockets.begin(), scene.sprockets.end(), [&](const auto &sprocket) {
-             return std::any_of(scene.teeth.begin(), scene.teeth.end(), [&](const auto &teeth) {
-               return teeth.sprocket == sprocket.body;
-             });
-           });
+    return scene.drive.n_joints > 0 && !scene.drive.sprockets.empty() &&
+           std::all_of(scene.drive.sprockets.begin(),
+                       scene.drive.sprockets.end(),
+                       [&](const auto &sprocket) {
+                         return std::any_of(
+                             scene.teeth.begin(), scene.teeth.end(), [&](const auto &teeth) {
+                               return teeth.sprocket == sprocket.body;
+                             });
+                       });
   }
 
   /// Tensions are known where they are asked for anyway.
@@ -104,7 +118,7 @@ public:
               "",
               "jumped, chain off, roller on a tip, tight span slack or above breaking"},
              {"events/*/time", "s", "of the first one"},
-             {"events/*/sprocket", "", "driver or driven, of what happens at one"},
+             {"events/*/sprocket", "", "name, of what happens at one"},
              {"events/*/roller", "", "number of the joint, of a roller on a tip"},
              {"events/*/span", "", "of a span that is slack"},
              {"events/*/link", "", "number of the link, of one above breaking"},
@@ -131,7 +145,7 @@ public:
   {
     files::Json list = files::Json::array();
     for (unsigned int i = 0; i < sprockets_.size(); ++i)
-      add_sprocket(list, sprockets_[i], now_.scene.sprockets[i].role);
+      add_sprocket(list, sprockets_[i], now_.scene.drive.sprockets[i]);
     if (slack_.happened())
       list.push_back(json("tight span slack",
                           slack_,
@@ -175,7 +189,7 @@ private:
   struct OnSprocket
   {
     OnSprocket(const scene::Scene &scene, const unsigned int i)
-        : wrap(scene, i), tip_since(scene.n_joints)
+        : wrap(scene, i), tip_since(scene.drive.n_joints)
     {
     }
 
@@ -233,10 +247,10 @@ private:
   void look_for_slack()
   {
     const double time = now_.time();
-    const double radius =
-        0.5 * now_.scene.pitch /
-        std::sin(dealii::numbers::PI / now_.scene.with(parameters::Role::driven).teeth);
-    const double pull = now_.system.loads.load_torque() / radius;
+    double       pull = 0.;
+    for (const scene::Sprocket &sprocket : now_.scene.drive.sprockets)
+      if (sprocket.role == parameters::Role::driven)
+        pull -= sprocket.sense * now_.system.loads.torque(sprocket.body) / sprocket.pitch_radius;
     if (time < std::max(started_, now_.window().start()) || time > now_.window().end() ||
         pull <= 0.)
       {
@@ -248,8 +262,9 @@ private:
       pitch_.begin = time;
     // what the chain's own motion needs pulls at no sprocket
     const Spans &spans = now_.spans();
-    pitch_.tension += spans.tight_tension - now_.scene.mass_per_pitch / now_.scene.pitch *
-                                                spans.tight_speed * spans.tight_speed;
+    pitch_.tension += spans.tight().tension - now_.scene.drive.mass_per_pitch /
+                                                  now_.scene.drive.pitch * spans.tight().speed *
+                                                  spans.tight().speed;
     pitch_.pull += pull;
     if (time < pitch_.begin + pitch_time_)
       return;
@@ -274,10 +289,11 @@ private:
             {"sentence", sentence}};
   }
 
-  static void add_sprocket(files::Json &list, const OnSprocket &found, const parameters::Role role)
+  static void
+  add_sprocket(files::Json &list, const OnSprocket &found, const scene::Sprocket &sprocket)
   {
-    const std::pair<const char *, files::Json> place = {"sprocket", text_of(role)};
-    const std::string                          name  = in_words(role);
+    const std::pair<const char *, files::Json> place = {"sprocket", sprocket.name};
+    const std::string                          name  = sprocket.title;
     if (found.jumped.happened())
       {
         const int   teeth = static_cast<int>(std::lround(found.jumped.amount));

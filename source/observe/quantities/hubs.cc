@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-// How the two hubs turn, and the torques on them.
+// How the hubs turn, and the torques on them.
 
 namespace chaindrive::observe
 {
@@ -15,27 +15,16 @@ class Hubs : public Quantity
 public:
   explicit Hubs(const Observation &now) : Quantity(now), statistics_(now, signals()) {}
 
-  static bool exists(const Observation &start) { return !start.scene.sprockets.empty(); }
+  static bool exists(const Observation &start) { return !start.scene.drive.sprockets.empty(); }
 
   static Contents contents()
   {
     Contents contents;
-    for (const char *name : {"driver", "driven"})
-      {
-        const std::string path = std::string("hubs/") + name;
-        contents.histories.push_back(
-            {path + "_angle",
-             "rad",
-             "Rotation since the start, positive in the sense of the drive"});
-        contents.histories.push_back(
-            {path + "_speed", "rad/s", "Angular velocity in the sense of the drive"});
-      }
+    for (const parameters::Sprocket &sprocket : parameters::Sprockets().list)
+      for (const files::Described &history : histories_of(sprocket.name, sprocket.role))
+        contents.histories.push_back(history);
     contents.histories.push_back(
-        {"hubs/driver_torque",
-         "N m",
-         "Torque that the drive supplies, the driver's own inertia excluded"});
-    contents.histories.push_back(
-        {"hubs/load_torque", "N m", "Torque of the load against the driven hub"});
+        {"hubs/load_torque", "N m", "The same as driven_torque, which it was called before"});
     contents.summary = WindowStatistics::members(signals());
     contents.summary.insert(contents.summary.end(),
                             {{"driven_angle_end", "rad", "angle of the driven sprocket at the end"},
@@ -48,36 +37,33 @@ public:
 
   void add_channels(Channels &channels) override
   {
-    for (const scene::Sprocket &sprocket : now_.scene.sprockets)
+    for (const scene::Sprocket &sprocket : now_.scene.drive.sprockets)
       {
-        const std::string  name  = sprocket.name();
-        const unsigned int body  = sprocket.body;
-        const int          sense = now_.scene.sense;
-        channels.add("hubs/" + name + "_angle", [this, body, sense](const Channels::Row row) {
-          row[0] = sense * hub_of(body).angle;
+        const auto histories = histories_of(sprocket.name, sprocket.role);
+        channels.add(histories[0], [this, &sprocket](const Channels::Row row) {
+          row[0] = sprocket.sense * hub_of(sprocket).angle;
         });
-        channels.add("hubs/" + name + "_speed", [this, body, sense](const Channels::Row row) {
-          row[0] = sense * hub_of(body).speed;
+        channels.add(histories[1], [this, &sprocket](const Channels::Row row) {
+          row[0] = sprocket.sense * hub_of(sprocket).speed;
         });
+        if (histories.size() > 2)
+          channels.add(histories[2],
+                       [this, &sprocket](const Channels::Row row) { row[0] = torque(sprocket); });
       }
-    const load::Loads &loads = now_.system.loads;
-    channels.add("hubs/driver_torque",
-                 [&loads](const Channels::Row row) { row[0] = loads.driver_torque(); });
     channels.add("hubs/load_torque",
-                 [&loads](const Channels::Row row) { row[0] = loads.load_torque(); });
+                 [this](const Channels::Row row) { row[0] = torque(now_.scene.drive.driven()); });
   }
 
   void update() override
   {
-    statistics_.add(
-        {now_.scene.sense * hub_of(now_.scene.with(parameters::Role::driven).body).speed,
-         now_.system.loads.driver_torque()});
+    const scene::DriveView &drive = now_.scene.drive;
+    statistics_.add({drive.driven().sense * hub_of(drive.driven()).speed, torque(drive.driver())});
   }
 
   void summarize(files::Json &summary) const override
   {
-    summary["driven_angle_end"] =
-        now_.scene.sense * hub_of(now_.scene.with(parameters::Role::driven).body).angle;
+    const scene::Sprocket &driven = now_.scene.drive.driven();
+    summary["driven_angle_end"]   = driven.sense * hub_of(driven).angle;
     summary["driven_speed_mean"]  = statistics_.mean("driven_speed");
     summary["driver_torque_mean"] = statistics_.mean("driver_torque");
     statistics_.summarize(summary);
@@ -91,11 +77,38 @@ private:
     return {{"driven_speed", "rad/s", "driven speed"}, {"driver_torque", "N m", "driver torque"}};
   }
 
-  const World::Hub &hub_of(const unsigned int body) const
+  /// Of a sprocket: its angle, its speed and, if its shaft has one, its torque.
+  static std::vector<files::Described> histories_of(const std::string     &name,
+                                                    const parameters::Role role)
+  {
+    std::vector<files::Described> histories = {
+        {"hubs/" + name + "_angle",
+         "rad",
+         "Rotation since the start, positive in the sense of its motion in operation"},
+        {"hubs/" + name + "_speed", "rad/s", "Angular velocity in that sense"}};
+    if (role == parameters::Role::driver)
+      histories.push_back(
+          {"hubs/" + name + "_torque",
+           "N m",
+           "Torque that the drive supplies, the " + name + "'s own inertia excluded"});
+    else if (role == parameters::Role::driven)
+      histories.push_back(
+          {"hubs/" + name + "_torque", "N m", "Torque of the load against the " + name + " hub"});
+    return histories;
+  }
+
+  /// What the shaft supplies, or with what it resists.
+  double torque(const scene::Sprocket &sprocket) const
+  {
+    const double given = sprocket.sense * now_.system.loads.torque(sprocket.body);
+    return sprocket.role == parameters::Role::driver ? given : -given;
+  }
+
+  const World::Hub &hub_of(const scene::Sprocket &sprocket) const
   {
     return *std::find_if(now_.system.world.hubs.begin(),
                          now_.system.world.hubs.end(),
-                         [body](const World::Hub &hub) { return hub.body == body; });
+                         [&sprocket](const World::Hub &hub) { return hub.body == sprocket.body; });
   }
 
   WindowStatistics statistics_;

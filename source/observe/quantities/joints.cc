@@ -21,8 +21,8 @@ public:
       if (named.insert(bores.name).second)
         kinds_.push_back({bores.name,
                           now.system.contacts.find(bores.name),
-                          std::vector<double>(now.scene.n_joints, 0.),
-                          std::vector<double>(now.scene.n_joints, 0.)});
+                          std::vector<double>(now.scene.drive.n_joints, 0.),
+                          std::vector<double>(now.scene.drive.n_joints, 0.)});
   }
 
   static bool exists(const Observation &start) { return !start.scene.bores.empty(); }
@@ -47,7 +47,7 @@ public:
 
   void add_channels(Channels &channels) override
   {
-    const unsigned int n = now_.scene.n_joints;
+    const unsigned int n = now_.scene.drive.n_joints;
     for (const Kind &kind : kinds_)
       {
         std::string name = kind.name;

@@ -14,9 +14,9 @@ namespace
 class Links : public Quantity
 {
 public:
-  explicit Links(const Observation &now) : Quantity(now), peak_(now.scene.n_joints, 0.) {}
+  explicit Links(const Observation &now) : Quantity(now), peak_(now.scene.drive.n_joints, 0.) {}
 
-  static bool exists(const Observation &start) { return start.scene.n_joints > 0; }
+  static bool exists(const Observation &start) { return start.scene.drive.n_joints > 0; }
 
   static Contents contents()
   {
@@ -27,7 +27,7 @@ public:
 
   void add_channels(Channels &channels) override
   {
-    const unsigned int n = now_.scene.n_joints;
+    const unsigned int n = now_.scene.drive.n_joints;
     channels.add("links/tension", labels_up_to(n), [this](const Channels::Row row) {
       const std::vector<double> &tension = now_.spans().link_tension();
       std::copy(tension.begin(), tension.end(), row.begin());

@@ -24,7 +24,7 @@ class PlateStressQuantity : public Quantity
 {
 public:
   explicit PlateStressQuantity(const Observation &now)
-      : Quantity(now), waists_(now.scene, now.system), stress_(now.scene.n_joints)
+      : Quantity(now), waists_(now.scene, now.system), stress_(now.scene.drive.n_joints)
   {
   }
 
@@ -56,7 +56,7 @@ public:
 
   void add_channels(Channels &channels) override
   {
-    const unsigned int n   = now_.scene.n_joints;
+    const unsigned int n   = now_.scene.drive.n_joints;
     const auto         add = [&](const std::string &name,
                          double WaistStress::*value,
                          const double         sign = 1.) {
@@ -66,7 +66,7 @@ public:
       });
     };
     add("axial_stress", &WaistStress::axial);
-    add("bending_in_plane", &WaistStress::in_plane, now_.scene.sense);
+    add("bending_in_plane", &WaistStress::in_plane, now_.scene.drive.sense);
     add("bending_out_of_plane", &WaistStress::out_of_plane);
     add("principal_1", &WaistStress::principal_1);
     add("principal_2", &WaistStress::principal_2);

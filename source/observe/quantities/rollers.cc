@@ -20,7 +20,7 @@ class Rollers : public Quantity
 public:
   using Quantity::Quantity;
 
-  static bool exists(const Observation &start) { return start.scene.n_joints > 0; }
+  static bool exists(const Observation &start) { return start.scene.drive.n_joints > 0; }
 
   static Contents contents()
   {
@@ -44,7 +44,8 @@ public:
     const auto add = [&](const std::string &name, const auto &value_of) {
       channels.add(
           "rollers/" + name, labels_of(now_.rollers), [this, value_of](const Channels::Row row) {
-            std::transform(now_.rollers.begin(), now_.rollers.end(), row.begin(), value_of);
+            std::transform(
+                now_.roller_bodies.begin(), now_.roller_bodies.end(), row.begin(), value_of);
           });
     };
     const std::vector<Frame> &frames = now_.system.world.frames;
@@ -58,9 +59,9 @@ public:
         add("acceleration_" + axis,
             [this, d](const unsigned int k) { return acceleration_[3 * k + d]; });
       }
-    if (std::all_of(now_.rollers.begin(), now_.rollers.end(), [this](const unsigned int k) {
-          return turns(now_.scene.bodies[k]);
-        }))
+    if (std::all_of(now_.roller_bodies.begin(),
+                    now_.roller_bodies.end(),
+                    [this](const unsigned int k) { return turns(now_.scene.bodies[k]); }))
       add("spin", [this, &frames](const unsigned int k) {
         return now_.system.world.moves_by_nodes(k) ? spin_of_nodes_[k] :
                                                      frames[k].angular_velocity[2];
@@ -72,12 +73,12 @@ public:
   {
     const World &world = now_.system.world;
     dynamics::accelerations(world, acceleration_);
-    if (std::none_of(now_.rollers.begin(), now_.rollers.end(), [&world](const unsigned int k) {
-          return world.moves_by_nodes(k);
-        }))
+    if (std::none_of(now_.roller_bodies.begin(),
+                     now_.roller_bodies.end(),
+                     [&world](const unsigned int k) { return world.moves_by_nodes(k); }))
       return;
-    spin_of_nodes_.assign(now_.scene.n_joints, 0.);
-    for (const unsigned int k : now_.rollers)
+    spin_of_nodes_.assign(world.n_bodies(), 0.);
+    for (const unsigned int k : now_.roller_bodies)
       if (world.moves_by_nodes(k) && world.owns(k))
         spin_of_nodes_[k] = spin_of_nodes(now_.system, k);
     dealii::Utilities::MPI::sum(spin_of_nodes_, world.communicator(), spin_of_nodes_);

@@ -20,7 +20,7 @@ public:
 
   static bool exists(const Observation &start)
   {
-    return !start.scene.sprockets.empty() && start.scene.n_joints > 0 &&
+    return !start.scene.drive.sprockets.empty() && start.scene.drive.n_joints > 0 &&
            start.parameters.loads.driver_speed > 0.;
   }
 

@@ -5,9 +5,10 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
-// What the chain does to the two shafts: the resultant of all contact forces on a sprocket.
+// What the chain does to the shafts: the resultant of all contact forces on a sprocket.
 
 namespace chaindrive::observe
 {
@@ -16,24 +17,26 @@ namespace
 class Shafts : public Quantity
 {
 public:
-  explicit Shafts(const Observation &now)
-      : Quantity(now)
-      , statistics_(now, signals())
-      , shafts_({Shaft(now, parameters::Role::driver), Shaft(now, parameters::Role::driven)})
+  explicit Shafts(const Observation &now) : Quantity(now), statistics_(now, signals(titles_of(now)))
   {
+    for (unsigned int i = 0; i < now.scene.drive.sprockets.size(); ++i)
+      shafts_.emplace_back(now, i);
+    values_.resize(2 * shafts_.size());
   }
 
   static bool exists(const Observation &start) { return !start.scene.teeth.empty(); }
 
   static Contents contents()
   {
-    Contents contents;
-    for (const std::string name : {"driver", "driven"})
-      for (const char *axis : {"x", "y"})
-        contents.histories.push_back({"hubs/" + name + "_load_" + axis,
-                                      "N",
-                                      "Force of the chain on the " + name + " shaft"});
-    contents.summary = WindowStatistics::members(signals());
+    Contents                                         contents;
+    std::vector<std::pair<std::string, std::string>> titles;
+    for (const parameters::Sprocket &sprocket : parameters::Sprockets().list)
+      {
+        titles.emplace_back(sprocket.name, title_of(sprocket.name, sprocket.role));
+        for (const unsigned int d : {0U, 1U})
+          contents.histories.push_back(load_of(sprocket.name, d));
+      }
+    contents.summary = WindowStatistics::members(signals(titles));
     return contents;
   }
 
@@ -41,18 +44,19 @@ public:
   {
     for (const Shaft &shaft : shafts_)
       for (const unsigned int d : {0U, 1U})
-        channels.add("hubs/" + shaft.name + (d == 0 ? "_load_x" : "_load_y"),
+        channels.add(load_of(shaft.name, d),
                      [&shaft, d](const Channels::Row row) { row[0] = shaft.load[d]; });
   }
 
   void update() override
   {
-    for (Shaft &shaft : shafts_)
-      shaft.look();
-    statistics_.add({shafts_[0].load.norm(),
-                     direction_of(shafts_[0], 1.),
-                     shafts_[1].load.norm(),
-                     direction_of(shafts_[1], -1.)});
+    for (std::size_t i = 0; i < shafts_.size(); ++i)
+      {
+        shafts_[i].look();
+        values_[2 * i]     = shafts_[i].load.norm();
+        values_[2 * i + 1] = shafts_[i].direction();
+      }
+    statistics_.add(values_);
   }
 
   void summarize(files::Json &summary) const override { statistics_.summarize(summary); }
@@ -65,24 +69,59 @@ public:
   }
 
 private:
-  static std::vector<WindowStatistics::Signal> signals()
+  /// Name and title of each shaft.
+  using Titles = std::vector<std::pair<std::string, std::string>>;
+
+  static std::string title_of(const std::string &name, const parameters::Role role)
   {
-    return {{"driver_load", "N", "load of the driver's shaft"},
-            {"driver_load_direction", "rad", "direction of the load of the driver's shaft"},
-            {"driven_load", "N", "load of the driven shaft"},
-            {"driven_load_direction", "rad", "direction of the load of the driven shaft"}};
+    return role == parameters::Role::driver ? name + "'s shaft" : name + " shaft";
+  }
+
+  static Titles titles_of(const Observation &now)
+  {
+    Titles titles;
+    for (const scene::Sprocket &sprocket : now.scene.drive.sprockets)
+      titles.emplace_back(sprocket.name, title_of(sprocket.name, sprocket.role));
+    return titles;
+  }
+
+  static std::vector<WindowStatistics::Signal> signals(const Titles &titles)
+  {
+    std::vector<WindowStatistics::Signal> signals;
+    for (const auto &[name, title] : titles)
+      {
+        signals.push_back({name + "_load", "N", "load of the " + title});
+        signals.push_back(
+            {name + "_load_direction", "rad", "direction of the load of the " + title});
+      }
+    return signals;
+  }
+
+  static files::Described load_of(const std::string &name, const unsigned int d)
+  {
+    return {"hubs/" + name + (d == 0 ? "_load_x" : "_load_y"),
+            "N",
+            "Force of the chain on the " + name + " shaft"};
   }
 
   struct Shaft
   {
-    Shaft(const Observation &now, const parameters::Role role) : name(text_of(role))
+    Shaft(const Observation &now, const unsigned int i) : name(now.scene.drive.sprockets[i].name)
     {
-      const unsigned int body = now.scene.with(role).body;
+      const scene::DriveView &drive = now.scene.drive;
       for (const auto &family : now.system.contacts.families())
         if (const auto *found = dynamic_cast<const contact::SurfaceContact *>(family.get());
-            found != nullptr && found->master() == body)
+            found != nullptr && found->master() == drive.sprockets[i].body)
           teeth.push_back(found);
+      // the driver pulls in the span before it, the others are pulled by the one behind them
+      const scene::Span &span = i == 0 ? drive.tight() : drive.spans[i];
+      along                   = i == 0 ? -span.along : span.along;
+      up                      = span.normal - (span.normal * along) * along;
+      up /= up.norm();
     }
+
+    /// Of the load, from the line to the other end of the span that pulls most, towards it, rad.
+    double direction() const { return std::atan2(load * up, load * along); }
 
     void look()
     {
@@ -92,20 +131,15 @@ private:
           load -= family->records()[i].force;
     }
 
-    std::string                                  name; ///< driver | driven
+    std::string                                  name;
     std::vector<const contact::SurfaceContact *> teeth;
-    dealii::Tensor<1, 3>                         load; ///< N
+    dealii::Tensor<1, 3>                         along, up; ///< unit
+    dealii::Tensor<1, 3>                         load;      ///< N
   };
 
-  /// From the line to the other shaft, which lies @p side along x, towards the tight span, rad.
-  double direction_of(const Shaft &shaft, const double side) const
-  {
-    const double up = now_.scene.span_normal[1] < 0. ? -1. : 1.;
-    return std::atan2(up * shaft.load[1], side * shaft.load[0]);
-  }
-
-  WindowStatistics   statistics_;
-  std::vector<Shaft> shafts_; ///< driver first
+  WindowStatistics    statistics_;
+  std::vector<Shaft>  shafts_; ///< driver first
+  std::vector<double> values_; ///< of the signals
 };
 
 const Registered<Shafts> registered_shafts("shafts", 15, parameters::QuantityGroup::tooth_forces);

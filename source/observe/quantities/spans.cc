@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/known_names.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/window_statistics.h>
+#include <chaindrive/utilities/statistics.h>
 
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
-// The two spans between the sprockets: what they pull, how fast they run, where they lie.
+// The spans between the sprockets: what they pull, how fast they run, where they lie.
 
 namespace chaindrive::observe
 {
@@ -17,24 +21,38 @@ constexpr double start_time = 10e-3;
 class SpansQuantity : public Quantity
 {
 public:
-  explicit SpansQuantity(const Observation &now) : Quantity(now), statistics_(now, signals()) {}
+  explicit SpansQuantity(const Observation &now) : Quantity(now), statistics_(now, signals())
+  {
+    for (std::size_t s = 0; s < now.scene.drive.spans.size(); ++s)
+      means_.push_back({WindowMean(now.window().start(), now.window().end()),
+                        WindowMean(now.window().start(), now.window().end())});
+  }
 
-  static bool exists(const Observation &start) { return start.scene.n_joints > 0; }
+  static bool exists(const Observation &start) { return !start.scene.drive.spans.empty(); }
 
   static Contents contents()
   {
     Contents contents;
-    contents.histories = {
-        {"spans/tight_tension", "N", "Mean tension of the links in the middle of the tight span"},
-        {"spans/slack_tension", "N", "Mean tension of the links in the middle of the slack span"},
-        {"spans/tight_speed", "m/s", "Mean velocity of the tight span along itself"},
-        {"spans/tight_offset",
-         "m",
-         "Mean distance of the tight span's middle from the driver's axis along the span normal"},
-        {"spans/slack_offset",
-         "m",
-         "The same of the slack span, along its own normal and towards the tight span"}};
+    for (const std::string &name : known_spans())
+      for (const auto &[history, value] : histories_of(name))
+        contents.histories.push_back(history);
+    contents.histories.insert(
+        contents.histories.end(),
+        {{"spans/tight_tension", "N", "Mean tension of the links in the middle of the tight span"},
+         {"spans/slack_tension", "N", "Mean tension of the links in the middle of the slack span"},
+         {"spans/tight_speed", "m/s", "Mean velocity of the tight span along itself"},
+         {"spans/tight_offset",
+          "m",
+          "Mean distance of the tight span's middle from the driver's axis along the span normal"},
+         {"spans/slack_offset",
+          "m",
+          "The same of the slack span, along its own normal and towards the tight span"}});
     contents.summary = WindowStatistics::members(signals());
+    contents.summary.insert(
+        contents.summary.end(),
+        {{"spans/*/label", "", "tight or slack, by its mean tension, or nothing"},
+         {"spans/*/tension_mean", "N", "tension of the span, mean"},
+         {"spans/*/speed_mean", "m/s", "speed of the span along itself, mean"}});
     contents.summary.insert(contents.summary.end(),
                             {{"span_speed_mean", "m/s", "speed of the tight span, mean"},
                              {"tight_tension_mean", "N", "tension of the tight span, mean"},
@@ -47,27 +65,49 @@ public:
 
   void add_channels(Channels &channels) override
   {
-    const auto add = [&](const std::string &name, double Spans::*value) {
-      channels.add("spans/" + name,
-                   [this, value](const Channels::Row row) { row[0] = now_.spans().*value; });
-    };
-    add("tight_tension", &Spans::tight_tension);
-    add("slack_tension", &Spans::slack_tension);
-    add("tight_speed", &Spans::tight_speed);
-    add("tight_offset", &Spans::tight_offset);
-    add("slack_offset", &Spans::slack_offset);
+    const auto add =
+        [&](const files::Described &history, const unsigned int span, double Spans::Span::*value) {
+          channels.add(history, [this, span, value](const Channels::Row row) {
+            row[0] = now_.spans().of(span).*value;
+          });
+        };
+    const std::vector<std::string> names = names_of(now_);
+    for (unsigned int s = 0; s < names.size(); ++s)
+      for (const auto &[history, value] : histories_of(names[s]))
+        add(history, s, value);
+    const auto label =
+        [&](const std::string &name, const unsigned int span, double Spans::Span::*value) {
+          channels.add("spans/" + name, [this, span, value](const Channels::Row row) {
+            row[0] = now_.spans().of(span).*value;
+          });
+        };
+    const auto tight = static_cast<unsigned int>(names.size() - 1);
+    label("tight_tension", tight, &Spans::Span::tension);
+    label("slack_tension", 0, &Spans::Span::tension);
+    label("tight_speed", tight, &Spans::Span::speed);
+    label("tight_offset", tight, &Spans::Span::offset);
+    label("slack_offset", 0, &Spans::Span::inward);
   }
 
   void update() override
   {
     const Spans &spans = now_.spans();
     if (now_.time() - now_.parameters.time.start <= start_time)
-      tight_tension_start_ = std::max(tight_tension_start_, spans.tight_tension);
-    statistics_.add({spans.tight_speed,
-                     spans.tight_tension,
-                     spans.slack_tension,
-                     spans.tight_offset,
-                     spans.slack_offset});
+      tight_tension_start_ = std::max(tight_tension_start_, spans.tight().tension);
+    statistics_.add({spans.tight().speed,
+                     spans.tight().tension,
+                     spans.slack().tension,
+                     spans.tight().offset,
+                     spans.slack().inward});
+    const double from = now_.time() - now_.dt();
+    for (unsigned int s = 0; s < means_.size(); ++s)
+      {
+        if (now_.window().settled()) // since when is not known from the start
+          for (WindowMean *mean : {&means_[s].tension, &means_[s].speed})
+            mean->move_to(now_.window().start(), now_.window().end());
+        means_[s].tension.add(from, now_.dt(), spans.of(s).tension);
+        means_[s].speed.add(from, now_.dt(), spans.of(s).speed);
+      }
   }
 
   void summarize(files::Json &summary) const override
@@ -76,15 +116,55 @@ public:
       summary[std::string(name) + "_mean"] = statistics_.mean(name);
     statistics_.summarize(summary);
     summary["tight_tension_max_start"] = tight_tension_start_;
+
+    const auto by_tension = [](const Means &one, const Means &other) {
+      return one.tension.mean() < other.tension.mean();
+    };
+    const auto [slack, tight] = std::minmax_element(means_.begin(), means_.end(), by_tension);
+    for (auto means = means_.begin(); means != means_.end(); ++means)
+      summary["spans"][now_.scene.drive.spans[means - means_.begin()].name] = {
+          {"label",
+           means == tight ? "tight" :
+           means == slack ? "slack" :
+                            ""},
+          {"tension_mean", means->tension.mean()},
+          {"speed_mean", means->speed.mean()}};
   }
 
   void serialize(const Archive &archive) override
   {
     archive("tight tension of the start", tight_tension_start_);
     statistics_.serialize(archive / "statistics");
+    archive.numbers("means", means_);
   }
 
 private:
+  static std::vector<std::string> names_of(const Observation &now)
+  {
+    std::vector<std::string> names;
+    for (const scene::Span &span : now.scene.drive.spans)
+      names.push_back(span.name);
+    return names;
+  }
+
+  static std::vector<std::pair<files::Described, double Spans::Span::*>>
+  histories_of(const std::string &name)
+  {
+    std::string title = name;
+    std::replace(title.begin(), title.end(), '_', ' ');
+    const std::string span = "the span from " + title;
+    return {
+        {{"spans/" + name + "_tension", "N", "Mean tension of the links in the middle of " + span},
+         &Spans::Span::tension},
+        {{"spans/" + name + "_speed", "m/s", "Mean velocity of " + span + " along itself"},
+         &Spans::Span::speed},
+        {{"spans/" + name + "_offset",
+          "m",
+          "Mean distance of the middle of " + span +
+              " from the driver's axis along its outward normal"},
+         &Spans::Span::offset}};
+  }
+
   static std::vector<WindowStatistics::Signal> signals()
   {
     return {{"span_speed", "m/s", "speed of the tight span"},
@@ -94,8 +174,14 @@ private:
             {"slack_offset", "m", "offset of the slack span"}};
   }
 
-  WindowStatistics statistics_;
-  double           tight_tension_start_ = 0.; ///< largest, N
+  struct Means
+  {
+    WindowMean tension, speed;
+  };
+
+  std::vector<Means> means_; ///< of each span
+  WindowStatistics   statistics_;
+  double             tight_tension_start_ = 0.; ///< largest, N
 };
 
 const Registered<SpansQuantity> registered_spans("spans", 40, parameters::QuantityGroup::tensions);

@@ -49,8 +49,8 @@ public:
                        row[i] = velocity_[i] * axis;
                    });
     };
-    add("tangential", now_.scene.span_direction);
-    add("normal", now_.scene.span_normal);
+    add("tangential", now_.scene.drive.tight().direction);
+    add("normal", now_.scene.drive.tight().normal);
   }
 
   /// Every rank looks at its own rollers and leaves zeros where others do.
@@ -60,11 +60,11 @@ public:
     const World        &world = now_.system.world;
     std::vector<double> numbers(3 * velocity_.size(), 0.);
     for (unsigned int i = 0; i < now_.rollers.size(); ++i)
-      if (const unsigned int body = now_.rollers[i]; world.owns(body))
+      if (const unsigned int body = now_.roller_bodies[i]; world.owns(body))
         {
-          const bool is_elastic = world.elastic_address[body].group != World::Address::none;
-          const dealii::Tensor<1, 3> v =
-              is_elastic ? surfaces_.velocity(now_.system, body) : nan * now_.scene.span_normal;
+          const bool is_elastic        = world.elastic_address[body].group != World::Address::none;
+          const dealii::Tensor<1, 3> v = is_elastic ? surfaces_.velocity(now_.system, body) :
+                                                      nan * now_.scene.drive.tight().normal;
           for (unsigned int d = 0; d < 3; ++d)
             numbers[3 * i + d] = v[d];
         }

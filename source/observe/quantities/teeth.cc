@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/known_names.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/rows.h>
 #include <chaindrive/observe/tooth_forces.h>
@@ -24,19 +25,10 @@ public:
   static Contents contents()
   {
     Contents contents;
-    for (const std::string name : {"driver", "driven"})
+    for (const std::string &name : known_sprockets())
       {
-        const std::string rollers = "rollers/" + name, teeth = "teeth/" + name,
-                          peak = "Its largest value since the last sample";
-        contents.histories.insert(
-            contents.histories.end(),
-            {{rollers + "_force", "N", "Normal force of the " + name + "'s teeth on the roller"},
-             {rollers + "_force_peak", "N", peak},
-             {rollers + "_gap",
-              "m",
-              "Gap to the " + name + "'s teeth, negative: overlap; NaN out of reach"},
-             {teeth + "_force", "N", "Normal force in each gap between two teeth"},
-             {teeth + "_force_peak", "N", peak}});
+        for (const files::Described &history : histories_of(name))
+          contents.histories.push_back(history);
         contents.summary.push_back(
             {"overlap_max/roller-" + name, "m", "overlap of the two sides, largest"});
       }
@@ -45,18 +37,18 @@ public:
 
   void add_channels(Channels &channels) override
   {
-    const unsigned int n = now_.scene.n_joints;
+    const unsigned int n = now_.scene.drive.n_joints;
     for (const ToothForces &forces : sprockets_)
       {
         const std::vector<std::string> joints = labels_up_to(n),
                                        gaps   = labels_up_to(
                                            static_cast<unsigned int>(forces.in_gap.size()));
-        const std::string rollers = "rollers/" + forces.name, teeth = "teeth/" + forces.name;
-        channels.add(rollers + "_force", joints, copy_of(forces.roller));
-        channels.add(rollers + "_force_peak", joints, copy_of(forces.roller_peak));
-        channels.add(rollers + "_gap", joints, smallest_gaps_of(forces.families));
-        channels.add(teeth + "_force", gaps, copy_of(forces.in_gap));
-        channels.add(teeth + "_force_peak", gaps, copy_of(forces.in_gap_peak));
+        const auto histories = histories_of(forces.name);
+        channels.add(histories[0], joints, copy_of(forces.roller));
+        channels.add(histories[1], joints, copy_of(forces.roller_peak));
+        channels.add(histories[2], joints, smallest_gaps_of(forces.families));
+        channels.add(histories[3], gaps, copy_of(forces.in_gap));
+        channels.add(histories[4], gaps, copy_of(forces.in_gap_peak));
       }
   }
 
@@ -93,6 +85,20 @@ public:
   }
 
 private:
+  /// Of one sprocket.
+  static std::vector<files::Described> histories_of(const std::string &name)
+  {
+    const std::string rollers = "rollers/" + name, teeth = "teeth/" + name,
+                      peak = "Its largest value since the last sample";
+    return {{rollers + "_force", "N", "Normal force of the " + name + "'s teeth on the roller"},
+            {rollers + "_force_peak", "N", peak},
+            {rollers + "_gap",
+             "m",
+             "Gap to the " + name + "'s teeth, negative: overlap; NaN out of reach"},
+            {teeth + "_force", "N", "Normal force in each gap between two teeth"},
+            {teeth + "_force_peak", "N", peak}};
+  }
+
   std::vector<ToothForces> sprockets_;
 };
 
