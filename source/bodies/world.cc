@@ -91,18 +91,12 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
         spins.push_back({b, body.inertia[2], body.initial.angular_velocity[2]});
     }
 
-  groups.push_back(std::make_unique<RigidBodies>());
-  groups.push_back(std::make_unique<Hubs>());
+  groups.add(std::make_unique<RigidBodies>());
+  groups.add(std::make_unique<Hubs>());
   elastic_address.resize(n);
   const Deals deals = partition(scene, n_ranks_);
   add_elastic_bodies(scene, deals);
-  n_nodal_groups_ = static_cast<unsigned int>(copies.size());
   add_reduced_bodies(scene, deals);
-  n_elastic_groups_ = static_cast<unsigned int>(copies.size());
-  group_of_.resize(n_elastic_groups_);
-  for (const auto &group : groups)
-    if (group->elastic_copies() != BodyGroup::none)
-      group_of_[group->elastic_copies()] = group.get();
   node_address = elastic_address;
   add_followers(scene);
 }
@@ -145,7 +139,7 @@ void World::add_elastic_bodies(const scene::Scene &scene, const Deals &deals)
       const unsigned int group = add_copies(scene, of, bodies, first_batch);
       if (!scene.plates_bend)
         copies.back().stop_plate_bending();
-      groups.push_back(std::make_unique<ElasticBodies>(scene, *this, group));
+      groups.add(std::make_unique<ElasticBodies>(scene, *this, group));
     }
 }
 
@@ -160,7 +154,7 @@ void World::add_reduced_bodies(const scene::Scene &scene, const Deals &deals)
                      neighbours_in_batches(bodies, of.kind == scene::Kind::roller ? 2 : 1),
                      deals.at({reduced, of}));
       copies.back().count_readers();
-      groups.push_back(std::make_unique<ReducedBodies>(scene, *this, group));
+      groups.add(std::make_unique<ReducedBodies>(scene, *this, group));
     }
 }
 
@@ -187,7 +181,7 @@ void World::add_rim(const scene::Scene              &scene,
                      " is less than that of the elastic rim of the sprocket alone, " +
                      to_text(whole * (rim.inertia + rim.border_inertia)) +
                      "; choose a greater value, auto, or Model/Elastic sprockets = off.");
-  groups.push_back(
+  groups.add(
       std::make_unique<ElasticRim>(scene, *this, static_cast<unsigned int>(rims.size()) - 1));
 }
 
@@ -226,7 +220,7 @@ void World::add_followers(const scene::Scene &scene)
                                                   copies.back().nodes,
                                                   static_cast<mesh::Surface>(surface))
                                    .node});
-      groups.push_back(std::make_unique<Followers>(group, std::move(followers)));
+      groups.add(std::make_unique<Followers>(group, std::move(followers)));
     }
 }
 
@@ -240,13 +234,13 @@ const Rim *World::rim_of(const unsigned int body) const
 
 void World::place_surfaces(const double earlier)
 {
-  for (const auto &group : groups)
+  for (SurfaceGroup *group : groups.surface())
     group->place_surface(*this, earlier);
 }
 
 void World::gather_forces()
 {
-  for (const auto &group : groups)
+  for (SurfaceGroup *group : groups.surface())
     group->gather_forces(*this);
 }
 
@@ -287,7 +281,7 @@ void World::sum_over_ranks()
       numbers(rim.momentum.begin_raw(), 3, whole);
     for (Vector *vector : {&force, &moment})
       numbers(vector->begin(), vector->locally_owned_size(), whole);
-    for (const auto &group : groups)
+    for (ModalGroup *group : groups.modal())
       for (const dealii::ArrayView<double> &forces : group->shared_forces(*this))
         numbers(forces.data(), forces.size(), 1.);
     numbers(requests.data(), requests.size(), 1.);
@@ -340,7 +334,7 @@ void World::sum_over_ranks()
 double World::kinetic_energy() const
 {
   double energy = 0.;
-  for (const auto &group : groups)
+  for (const auto &group : groups.all())
     energy += group->kinetic_energy(*this);
   return energy;
 }
@@ -359,10 +353,8 @@ void World::serialize(const Archive &archive)
   archive.numbers("rotations", rotations);
   archive.numbers("spins", spins);
   archive.numbers("hubs", hubs);
-  for (unsigned int g = 0; g < n_nodal_groups(); ++g)
-    copies[g].serialize(archive / ("copies " + std::to_string(g)));
-  for (unsigned int g = 0; g < groups.size(); ++g)
-    groups[g]->serialize(archive / ("group " + std::to_string(g)), *this);
+  for (unsigned int g = 0; g < groups.all().size(); ++g)
+    groups.all()[g]->serialize(archive / ("group " + std::to_string(g)), *this);
 }
 
 std::size_t World::memory_consumption() const
@@ -374,8 +366,9 @@ std::size_t World::memory_consumption() const
                          copies.end(),
                          std::size_t(0),
                          [](auto sum, const auto &c) { return sum + c.memory_consumption(); }) +
-         std::accumulate(groups.begin(), groups.end(), std::size_t(0), [](auto sum, const auto &g) {
-           return sum + g->memory_consumption();
-         });
+         std::accumulate(groups.all().begin(),
+                         groups.all().end(),
+                         std::size_t(0),
+                         [](auto sum, const auto &g) { return sum + g->memory_consumption(); });
 }
 } // namespace chaindrive

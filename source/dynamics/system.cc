@@ -107,7 +107,7 @@ void System::evaluate_forces(const double dt)
       const PhaseTimer::Scope scope(timer, internal_force_);
       bars.add_forces(world, dt);
     }
-  for (const auto &group : world.groups)
+  for (ForceGroup *group : world.groups.force())
     group->add_forces(world, force_timer);
   if (!contacts.families().empty())
     {
@@ -117,10 +117,10 @@ void System::evaluate_forces(const double dt)
   else
     world.node_exchange.send_forces(world.copies);
   const Step step{dt, world.time, loads.gravity(), loads.drag(), {}};
-  for (const auto &group : world.groups)
+  for (ElasticGroup *group : world.groups.elastic())
     group->advance(world, step, force_timer);
   world.sum_over_ranks();
-  for (const auto &group : world.groups)
+  for (ModalGroup *group : world.groups.modal())
     group->advance_shared(world, step);
   loads.add_work(world);
 }
@@ -130,7 +130,7 @@ void System::advance(const double dt, const double new_time)
   const PhaseTimer::Scope scope(timer, integration_);
   const Step              step = make_step(dt, new_time);
   if (!started_)
-    for (const auto &group : world.groups)
+    for (NodalGroup *group : world.groups.nodal())
       group->start(world, step, {timer, internal_force_});
   started_ = true;
   first_half(world, step);
@@ -170,10 +170,9 @@ std::vector<StepLimit> System::step_limits() const
       bars.add_springs(world, springs);
       step_limits.push_back({"bars", stable_step(world, springs)});
     }
-  for (const auto &group : world.groups)
-    if (const unsigned int g = group->elastic_copies(); g != BodyGroup::none)
-      step_limits.push_back(
-          {"elements of the " + world.copies[g].part->name, group->stable_step()});
+  for (const ElasticGroup *group : world.groups.elastic())
+    step_limits.push_back(
+        {"elements of the " + world.copies[group->copies()].part->name, group->stable_step()});
   for (const auto &family : contacts.families())
     {
       springs.clear();
@@ -200,7 +199,7 @@ double System::stable_step_limit() const
   contacts.add_springs(world, springs);
   double limit = stable_step(world, springs);
 
-  for (const auto &group : world.groups)
+  for (const ElasticGroup *group : world.groups.elastic())
     limit = std::min(limit, group->stable_step());
   return closed_contact_step(world, contacts, limit);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <chaindrive/bodies/body_batches.h>
-#include <chaindrive/bodies/body_group.h>
+#include <chaindrive/bodies/body_groups.h>
 #include <chaindrive/bodies/ledger.h>
 #include <chaindrive/bodies/node_exchange.h>
 #include <chaindrive/bodies/partition.h>
@@ -134,20 +134,26 @@ public:
 
   /// The first groups of copies are elastic bodies, those that move by nodes before the reduced
   /// ones; what comes after them are the meshes of rigid ones.
-  unsigned int n_elastic_groups() const { return n_elastic_groups_; }
-  unsigned int n_nodal_groups() const { return n_nodal_groups_; }
-  bool         has_elastic_bodies() const { return n_elastic_groups_ > 0; }
+  unsigned int n_elastic_groups() const
+  {
+    return static_cast<unsigned int>(groups.elastic().size());
+  }
+  unsigned int n_nodal_groups() const { return static_cast<unsigned int>(groups.nodal().size()); }
+  bool         has_elastic_bodies() const { return !groups.elastic().empty(); }
 
   /// Whether the motion of @p body is that of its nodes: three degrees of freedom each.
   bool moves_by_nodes(const unsigned int body) const
   {
-    return elastic_address[body].group < n_nodal_groups_;
+    return elastic_address[body].group < n_nodal_groups();
   }
 
   /// The group that moves the elastic bodies of these #copies.
-  const BodyGroup &group_of(unsigned int of_copies) const { return *group_of_[of_copies]; }
+  const ElasticGroup &group_of(const unsigned int of_copies) const
+  {
+    return *groups.elastic()[of_copies];
+  }
 
-  /// BodyGroup::place_surface() and gather_forces() of all groups.
+  /// SurfaceGroup::place_surface() and gather_forces() of all groups that have them.
   void place_surfaces(double earlier);
   void gather_forces();
 
@@ -189,7 +195,7 @@ public:
   /// How all of this moves: rigid bodies, hubs, then one group for each of the copies. A kind of
   /// body that moves in another way is a class derived from BodyGroup, and a line where the
   /// constructor makes the groups.
-  std::vector<std::unique_ptr<BodyGroup>> groups;
+  BodyGroups groups;
 
   double time = 0.; ///< s
   Ledger ledger;
@@ -246,12 +252,10 @@ private:
   /// Makes copies of the meshes of rigid bodies whose nodes touch. The first rank owns them.
   void add_followers(const scene::Scene &scene);
 
-  std::vector<const BodyGroup *> group_of_; ///< per elastic group of copies
-  unsigned int                   n_nodal_groups_ = 0, n_elastic_groups_ = 0;
-  MPI_Comm                       comm_;
-  unsigned int                   rank_, n_ranks_;
-  Ledger                         before_;        ///< the ledger at clear_forces()
-  std::vector<Loss>              losses_before_; ///< #losses then
-  std::vector<double>            shared_;        ///< what sum_over_ranks() sums
+  MPI_Comm            comm_;
+  unsigned int        rank_, n_ranks_;
+  Ledger              before_;        ///< the ledger at clear_forces()
+  std::vector<Loss>   losses_before_; ///< #losses then
+  std::vector<double> shared_;        ///< what sum_over_ranks() sums
 };
 } // namespace chaindrive

@@ -52,7 +52,7 @@ private:
   /// Books the kinetic energy of rigid and lumped bodies at full steps.
   void close_ledger();
 
-  bool started_ = false; ///< BodyGroup::start() has been called
+  bool started_ = false; ///< NodalGroup::start() has been called
 
   PhaseTimer::Phase internal_force_ = PhaseTimer::rest, integration_ = PhaseTimer::rest,
                     contact_ = PhaseTimer::rest;
