@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/bodies/elastic_rim.h>
-#include <chaindrive/bodies/followers.h>
-#include <chaindrive/bodies/hubs.h>
-#include <chaindrive/bodies/partition.h>
-#include <chaindrive/bodies/reduced_bodies.h>
-#include <chaindrive/bodies/rigid_bodies.h>
 #include <chaindrive/bodies/world.h>
-#include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/scene.h>
-#include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
-#include <chaindrive/utilities/text.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -24,22 +13,6 @@ namespace chaindrive
 {
 namespace
 {
-/// The @p bodies in such an order that the copies of a batch are neighbours along the chain: they
-/// touch others at about the same nodes. Neighbours are dealt out to @p n_in_turn batches in turn:
-/// two of rollers then belong to one of links, with the first and with the second bush.
-std::vector<unsigned int> neighbours_in_batches(const std::vector<unsigned int> &bodies,
-                                                const unsigned int               n_in_turn)
-{
-  const unsigned int        n_batches = BodyBatches::n_batches_of(bodies.size());
-  std::vector<unsigned int> copies(bodies.size());
-  auto                      next = bodies.begin();
-  for (unsigned int first = 0; first < n_batches; first += n_in_turn)
-    for (unsigned int lane = 0; lane < n_lanes; ++lane)
-      for (unsigned int batch = first; batch < std::min(first + n_in_turn, n_batches); ++batch)
-        if (const unsigned int copy = lane * n_batches + batch; copy < copies.size())
-          copies[copy] = *next++;
-  return copies;
-}
 /// Angular momentum R I R^T w of a body with principal moments @p inertia.
 dealii::Tensor<1, 3> angular_momentum(const Frame &frame, const dealii::Tensor<1, 3> &inertia)
 {
@@ -91,137 +64,8 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
         spins.push_back({b, body.inertia[2], body.initial.angular_velocity[2]});
     }
 
-  groups.add(std::make_unique<RigidBodies>());
-  groups.add(std::make_unique<Hubs>());
   elastic_address.resize(n);
-  const Deals deals = partition(scene, n_ranks_);
-  add_elastic_bodies(scene, deals);
-  add_reduced_bodies(scene, deals);
-  node_address = elastic_address;
-  add_followers(scene);
-}
-
-World::~World() = default;
-
-std::map<scene::PartOf, std::vector<unsigned int>>
-World::bodies_that_move(const scene::Scene &scene, const scene::Motion motion)
-{
-  std::map<scene::PartOf, std::vector<unsigned int>> found;
-  for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-    if (scene.bodies[b].motion == motion)
-      found[scene.bodies[b].part()].push_back(b);
-  return found;
-}
-
-unsigned int World::add_copies(const scene::Scene              &scene,
-                               const scene::PartOf             &of,
-                               const std::vector<unsigned int> &bodies,
-                               const std::vector<unsigned int> &first_batch)
-{
-  const unsigned int group = static_cast<unsigned int>(copies.size());
-  copies.emplace_back(scene.parts.at(of), bodies, scene.bodies, first_batch, comm_);
-  for (unsigned int k = 0; k < bodies.size(); ++k)
-    elastic_address[bodies[k]] = {group, k};
-  return group;
-}
-
-void World::add_elastic_bodies(const scene::Scene &scene, const Deals &deals)
-{
-  constexpr scene::Motion elastic = scene::Motion::elastic;
-  for (const auto &[of, bodies] : bodies_that_move(scene, elastic))
-    {
-      const std::vector<unsigned int> &first_batch = deals.at({elastic, of});
-      if (scene.sectors.count(of) != 0)
-        {
-          add_rim(scene, bodies.front(), first_batch);
-          continue;
-        }
-      const unsigned int group = add_copies(scene, of, bodies, first_batch);
-      if (!scene.plates_bend)
-        copies.back().stop_plate_bending();
-      groups.add(std::make_unique<ElasticBodies>(scene, *this, group));
-    }
-}
-
-void World::add_reduced_bodies(const scene::Scene &scene, const Deals &deals)
-{
-  constexpr scene::Motion reduced = scene::Motion::reduced;
-  for (const auto &[of, bodies] : bodies_that_move(scene, reduced))
-    {
-      const unsigned int group =
-          add_copies(scene,
-                     of,
-                     neighbours_in_batches(bodies, of.kind == scene::Kind::roller ? 2 : 1),
-                     deals.at({reduced, of}));
-      copies.back().count_readers();
-      groups.add(std::make_unique<ReducedBodies>(scene, *this, group));
-    }
-}
-
-void World::add_rim(const scene::Scene              &scene,
-                    const unsigned int               body,
-                    const std::vector<unsigned int> &first_batch)
-{
-  Hub &hub =
-      *std::find_if(hubs.begin(), hubs.end(), [body](const Hub &h) { return h.body == body; });
-  const scene::Body &sprocket = scene.bodies[body];
-  const auto        &sector   = scene.sectors.at(sprocket.part());
-  std::vector<Frame> start;
-  for (unsigned int s = 0; s < sector->n_sectors; ++s)
-    start.push_back(sector->frame(sprocket.initial, s));
-  copies.emplace_back(
-      sector->part, std::vector<unsigned int>(start.size(), body), start, first_batch, comm_);
-  rims.emplace_back(body, static_cast<unsigned int>(copies.size()) - 1, sector, copies.back());
-
-  // with less inertia than the nodes that it holds a hub could be faster than the elements are
-  const Rim &rim = rims.back();
-  hub.inertia -= whole * rim.inertia;
-  if (!hub.prescribed && hub.inertia < whole * rim.border_inertia)
-    throw InputError("Model/Driven inertia in kg m2 = " + to_text(sprocket.inertia[2]) +
-                     " is less than that of the elastic rim of the sprocket alone, " +
-                     to_text(whole * (rim.inertia + rim.border_inertia)) +
-                     "; choose a greater value, auto, or Model/Elastic sprockets = off.");
-  groups.add(
-      std::make_unique<ElasticRim>(scene, *this, static_cast<unsigned int>(rims.size()) - 1));
-}
-
-void World::add_followers(const scene::Scene &scene)
-{
-  // the sides of rigid bodies that touch with their nodes
-  std::map<scene::PartOf, std::map<unsigned int, std::set<unsigned int>>> sides;
-  for (const scene::BoreFamily &bores : scene.bores)
-    if (bores.elastic)
-      for (const scene::BorePair &pair : bores.pairs)
-        for (const auto &[body, side] : {std::make_pair(pair.master, pair.master_surface),
-                                         std::make_pair(pair.slave.body, pair.slave_surface)})
-          if (elastic_address[body].group == Address::none)
-            sides[scene.bodies[body].part()][body].insert(side);
-
-  for (const auto &[of, of_bodies] : sides)
-    {
-      const unsigned int        group = static_cast<unsigned int>(copies.size());
-      std::vector<unsigned int> bodies;
-      for (const auto &entry : of_bodies)
-        {
-          node_address[entry.first] = {group, static_cast<unsigned int>(bodies.size())};
-          bodies.push_back(entry.first);
-        }
-      // the first rank owns them
-      std::vector<unsigned int> first_batch(n_ranks_ + 1, BodyBatches::n_batches_of(bodies.size()));
-      first_batch.front() = 0;
-      copies.emplace_back(scene.parts.at(of), bodies, scene.bodies, first_batch, comm_);
-
-      std::vector<Followers::Side> followers;
-      for (const auto &[body, surfaces] : of_bodies)
-        for (const unsigned int surface : surfaces)
-          followers.push_back({body,
-                               node_address[body].copy,
-                               mesh::SurfaceNodes(*copies.back().part,
-                                                  copies.back().nodes,
-                                                  static_cast<mesh::Surface>(surface))
-                                   .node});
-      groups.add(std::make_unique<Followers>(group, std::move(followers)));
-    }
+  node_address.resize(n);
 }
 
 const Rim *World::rim_of(const unsigned int body) const

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/make_world.h>
 #include <chaindrive/dynamics/closed_contact.h>
 #include <chaindrive/dynamics/newmark.h>
 #include <chaindrive/dynamics/relaxation.h>
@@ -16,7 +17,10 @@
 namespace chaindrive::dynamics
 {
 System::System(const scene::Scene &scene, const bool search_every_step, const MPI_Comm comm)
-    : world(scene, comm), bars(scene.bars), contacts(scene, world, search_every_step), loads(scene)
+    : world(make_world(scene, comm))
+    , bars(scene.bars)
+    , contacts(scene, world, search_every_step)
+    , loads(scene)
 {
   // a phase that nothing in the scene calls for is not made and has no row in the table
   if (bars.size() > 0 || world.n_nodal_groups() > 0)

@@ -8,6 +8,7 @@
 #include "../support/scenes.h"
 #include "../support/statics.h"
 
+#include <chaindrive/bodies/make_world.h>
 #include <chaindrive/contact/node_faces.h>
 #include <chaindrive/mesh/generate/links.h>
 
@@ -60,7 +61,7 @@ double bars(const double approach, const std::array<unsigned int, 2> &cells)
   family.pairs         = {
               {1, 0, mesh::plate_inner_faces, mesh::plate_outer_faces, Point<3>(), Point<3>(), 0}};
 
-  World              world(scene);
+  World              world = make_world(scene);
   contact::NodeFaces faces(family, world, true);
   const Hexahedra slave(*scene.parts[scene::Kind::inner_link], scene.material, Formulation::full),
       master(*scene.parts[scene::Kind::outer_link], scene.material, Formulation::full);
@@ -209,7 +210,7 @@ void displace(World &world, const unsigned int b, const Vector3 &u)
 void check_lost(const bool every_step)
 {
   const scene::Scene scene = links(0.3);
-  World              world(scene);
+  World              world = make_world(scene);
   contact::NodeFaces faces(scene.faces[0], world, every_step);
   for (BodyBatches &copies : world.copies)
     copies.velocity = 0.;

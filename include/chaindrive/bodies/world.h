@@ -5,24 +5,23 @@
 #include <chaindrive/bodies/body_groups.h>
 #include <chaindrive/bodies/ledger.h>
 #include <chaindrive/bodies/node_exchange.h>
-#include <chaindrive/bodies/partition.h>
 #include <chaindrive/bodies/rim.h>
+#include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/rotation.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <array>
-#include <map>
 #include <memory>
 #include <vector>
 
 namespace chaindrive
 {
-/// The state of all bodies. Translations live in deal.II's distributed vectors, three entries per
-/// body (x, y, z of the centre of mass); rotations in three short lists beside them, because a
-/// rigid body's rotation is no vector. `frames` repeats positions and velocities in the form that
-/// forces are computed from.
+/// The state of all bodies, which make_world() makes. Translations live in deal.II's distributed
+/// vectors, three entries per body (x, y, z of the centre of mass); rotations in three short lists
+/// beside them, because a rigid body's rotation is no vector. `frames` repeats positions and
+/// velocities in the form that forces are computed from.
 ///
 /// Elastic bodies move by nodes, or are reduced: rigid bodies whose nodes move by shapes as well.
 /// The nodes of both and the shapes are dealt out to the ranks of a communicator, all else, and
@@ -70,11 +69,6 @@ public:
 
     unsigned int group = none, copy = none;
   };
-
-  explicit World(const scene::Scene &scene, MPI_Comm comm = MPI_COMM_SELF);
-  ~World();
-  World(const World &)            = delete;
-  World &operator=(const World &) = delete;
 
   /// Whether this is the rank that adds the share of everything that is not dealt out.
   bool is_first_rank() const { return rank_ == 0; }
@@ -192,9 +186,7 @@ public:
   std::vector<Address>
       node_address; ///< per body, in copies: elastic_address, and those of followers
 
-  /// How all of this moves: rigid bodies, hubs, then one group for each of the copies. A kind of
-  /// body that moves in another way is a class derived from BodyGroup, and a line where the
-  /// constructor makes the groups.
+  /// How all of this moves: rigid bodies, hubs, then one group for each of the copies.
   BodyGroups groups;
 
   double time = 0.; ///< s
@@ -231,26 +223,9 @@ public:
   }
 
 private:
-  /// The bodies of each part that move by @p motion.
-  static std::map<scene::PartOf, std::vector<unsigned int>>
-  bodies_that_move(const scene::Scene &scene, scene::Motion motion);
-
-  /// Makes the copies of elastic @p bodies of a part, and returns their number in #copies.
-  unsigned int add_copies(const scene::Scene              &scene,
-                          const scene::PartOf             &of,
-                          const std::vector<unsigned int> &bodies,
-                          const std::vector<unsigned int> &first_batch);
-
-  void add_elastic_bodies(const scene::Scene &scene, const Deals &deals);
-  void add_reduced_bodies(const scene::Scene &scene, const Deals &deals);
-
-  /// Makes the elastic rim of the sprocket @p body and leaves its hub the inertia of the rest.
-  void add_rim(const scene::Scene              &scene,
-               unsigned int                     body,
-               const std::vector<unsigned int> &first_batch);
-
-  /// Makes copies of the meshes of rigid bodies whose nodes touch. The first rank owns them.
-  void add_followers(const scene::Scene &scene);
+  /// The bodies at the start, without groups and nodes.
+  World(const scene::Scene &scene, MPI_Comm comm);
+  friend World make_world(const scene::Scene &scene, MPI_Comm comm);
 
   MPI_Comm            comm_;
   unsigned int        rank_, n_ranks_;
