@@ -111,8 +111,11 @@ void ElasticBodies::book(World             &world,
       {
         frame.position[d] /= copies.mass;
         frame.velocity[d] /= copies.mass;
-        if (d == 2 && copies.part->half) // of the whole body
-          frame.position[d] = frame.velocity[d] = 0.;
+      }
+    copies.part->symmetry().cancel_across(frame.position);
+    copies.part->symmetry().cancel_across(frame.velocity);
+    for (unsigned int d = 0; d < 3; ++d)
+      {
         world.displacement.local_element(3 * body + d) = frame.position[d] - world.origin[body][d];
         world.velocity.local_element(3 * body + d)     = frame.velocity[d];
       }

@@ -84,7 +84,7 @@ void add_rim(const scene::Scene              &scene,
       body, static_cast<unsigned int>(world.copies.size()) - 1, sector, world.copies.back());
   for (World::Hub &hub : world.hubs)
     if (hub.body == body)
-      hub.inertia -= world.whole * world.rims.back().inertia;
+      hub.inertia -= world.symmetry.whole(world.rims.back().inertia);
   world.groups.add(
       std::make_unique<ElasticRim>(scene, world, static_cast<unsigned int>(world.rims.size()) - 1));
 }

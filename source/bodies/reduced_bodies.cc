@@ -340,7 +340,7 @@ void ReducedBodies::advance_shared(World &world, const Step &step)
   const BodyBatches &copies = world.copies[group_];
   for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
     if (copies.is_shared(batch))
-      kick_again(batch, step, world.whole, world.ledger);
+      kick_again(batch, step, world.symmetry.multiplicity(), world.ledger);
 }
 
 void ReducedBodies::kick_again(const unsigned int batch,

@@ -26,7 +26,7 @@ dealii::Tensor<1, 3> angular_momentum(const Frame &frame, const dealii::Tensor<1
 World::World(const scene::Scene &scene, const MPI_Comm comm)
     : node_exchange(comm)
     , time(scene.start_time)
-    , whole(scene.half ? 2. : 1.)
+    , symmetry(scene.half)
     , comm_(comm)
     , rank_(rank_in(comm))
     , n_ranks_(n_ranks_in(comm))
@@ -108,7 +108,7 @@ void World::clear_resultants()
 
 void World::sum_over_ranks()
 {
-  if (n_ranks_ == 1 && whole == 1.)
+  if (n_ranks_ == 1 && !symmetry.is_half())
     return;
   std::vector<double> booked; // since clear_resultants()
   for (double Ledger::*term : Ledger::added)
@@ -119,7 +119,8 @@ void World::sum_over_ranks()
 
   // Visits all numbers to be summed, so many at a time, and with which share they count; frames of
   // bodies that move by nodes have one share only, their owner's.
-  const auto visit = [&](const auto &numbers) {
+  const double whole = symmetry.multiplicity();
+  const auto   visit = [&](const auto &numbers) {
     numbers(&alarm, 1, 1.);
     for (Rim &rim : rims)
       numbers(rim.momentum.begin_raw(), 3, whole);
@@ -161,10 +162,11 @@ void World::sum_over_ranks()
     for (double Loss::*term : {&Loss::friction, &Loss::damping})
       losses[i].*term = losses_before_[i].*term + *increment++;
 
-  if (whole != 1.) // what the other halves add cancels across the middle plane
-    for (unsigned int body = 0; body < n_bodies(); ++body)
-      force.local_element(3 * body + 2)      = moment.local_element(3 * body) =
-          moment.local_element(3 * body + 1) = 0.;
+  for (unsigned int body = 0; body < n_bodies(); ++body)
+    {
+      symmetry.cancel_across(force.begin() + 3 * body);
+      symmetry.cancel_tilting(moment.begin() + 3 * body);
+    }
 
   for (unsigned int body = 0; body < n_bodies(); ++body)
     if (moves_by_nodes(body))

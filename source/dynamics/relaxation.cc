@@ -79,7 +79,7 @@ public:
                                dealii::symmetrize(dealii::outer_product(arm, arm)));
     });
     copies_.for_each_copy_of(batch_, [&](unsigned int, const unsigned int lane) {
-      if (copies_.part->half) // turns about z only
+      if (copies_.part->symmetry().is_half()) // turns about z only
         inverse_inertia_[lane][2][2] = 1. / inertia[lane][2][2];
       else
         inverse_inertia_[lane] = dealii::invert(inertia[lane]);
@@ -100,8 +100,7 @@ public:
     std::array<Vector3, n_lanes> v, w;
     copies_.for_each_copy_of(batch_, [&](unsigned int, const unsigned int lane) {
       v[lane] = momentum[lane] / copies_.mass;
-      if (copies_.part->half)
-        v[lane][2] = 0.;
+      copies_.part->symmetry().cancel_across(v[lane]);
       w[lane] = inverse_inertia_[lane] * spin[lane];
     });
     for_each([&](const unsigned int lane, const std::size_t at, double) {

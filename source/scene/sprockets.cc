@@ -82,7 +82,7 @@ Body sprocket_body(const Parameters   &parameters,
 void check_inertia(const Body &sprocket, const mesh::Sector &sector, const Scene &scene)
 {
   const mesh::Sector::Inertia rim = sector.inertia(mesh::Nodes(*sector.part));
-  const double                all = (scene.half ? 2. : 1.) * (rim.free + rim.held);
+  const double                all = scene.symmetry().whole(rim.free + rim.held);
   if (sprocket.support == Support::loaded_hub && sprocket.inertia[2] < all)
     throw InputError("Model/Driven inertia in kg m2 = " + to_text(sprocket.inertia[2]) +
                      " is less than that of the elastic rim of the sprocket alone, " +
@@ -166,8 +166,7 @@ ToothFamily with_elastic_rollers(const Parameters   &parameters,
                    std::min(drive.chain.roller_length, drive.sprocket_width),
                    drive.reference_load,
                    scene.material);
-      if (scene.half)
-        teeth.tooth_stiffness *= 0.5;
+      teeth.tooth_stiffness = scene.symmetry().share(teeth.tooth_stiffness);
     }
   teeth.slave_surface = mesh::roller_outside;
   for (unsigned int k = 0; k < scene.n_joints; ++k)

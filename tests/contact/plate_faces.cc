@@ -223,11 +223,11 @@ void check_lost(const bool every_step)
   displace(world, 0, vector(0., 0., 6e-6));
   const double energy = stored(1e-7), lost = world.ledger.lost();
   const double force = faces.records()[0].force[2];
-  world.whole        = 2.;
+  world.symmetry     = MirrorSymmetry(true);
   stored(1e-7);
   verdict("force across the middle plane of halves: none",
           std::abs(force) > 1. && faces.records()[0].force[2] == 0.);
-  world.whole = 1.;
+  world.symmetry = MirrorSymmetry();
   displace(world, 0, vector(0.05, 0., 0.));
   const double rest = stored(1e-7);
   verdict("springs that lose their facets: their energy is booked as lost",

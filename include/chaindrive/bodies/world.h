@@ -8,6 +8,7 @@
 #include <chaindrive/bodies/rim.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/archive.h>
+#include <chaindrive/utilities/mirror_symmetry.h>
 #include <chaindrive/utilities/rotation.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
@@ -208,19 +209,9 @@ public:
   /// next sum_over_ranks() tells all others.
   double alarm = 0.;
 
-  /// By how much the forces on elastic bodies, their contacts' and their energies are to be
-  /// multiplied to be those of whole bodies: 2 for halves.
-  double whole = 1.;
-
-  /// The force [N] on a whole body from that on what is computed of it: of halves, along the middle
-  /// plane, since across it their images' cancel.
-  dealii::Tensor<1, 3> of_whole(dealii::Tensor<1, 3> force_on_part) const
-  {
-    force_on_part *= whole;
-    if (whole != 1.)
-      force_on_part[2] = 0.;
-    return force_on_part;
-  }
+  /// What makes forces, masses and energies of whole bodies of those that are computed. Until
+  /// sum_over_ranks() they are those of what is computed.
+  MirrorSymmetry symmetry;
 
 private:
   /// The bodies at the start, without groups and nodes.

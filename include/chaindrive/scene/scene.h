@@ -5,6 +5,7 @@
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/effects.h>
 #include <chaindrive/scene/interface.h>
+#include <chaindrive/utilities/mirror_symmetry.h>
 #include <chaindrive/utilities/rotation.h>
 
 #include <map>
@@ -140,6 +141,8 @@ struct Scene
   double                stiffness_per_pitch = 0.; ///< N/m
 
   bool has_elastic_bodies() const;
+
+  MirrorSymmetry symmetry() const { return MirrorSymmetry(half); }
 
   /// The sprocket of this role, which must be there.
   const Sprocket &with(parameters::Role role) const;
