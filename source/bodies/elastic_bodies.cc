@@ -7,7 +7,7 @@ namespace chaindrive
 ElasticBodies::ElasticBodies(const scene::Scene &scene,
                              const World        &world,
                              const unsigned int  group)
-    : group_(group)
+    : NodalGroup(group)
     , part_(*world.copies[group].part, world.copies[group].nodes, scene.material, scene.elements)
     , material_(scene.material)
     , stable_step_(2. / part_.largest_frequency())
@@ -111,8 +111,11 @@ void ElasticBodies::book(World             &world,
       {
         frame.position[d] /= copies.mass;
         frame.velocity[d] /= copies.mass;
-        if (d == 2 && copies.part->half) // of the whole body
-          frame.position[d] = frame.velocity[d] = 0.;
+      }
+    copies.part->symmetry().cancel_across(frame.position);
+    copies.part->symmetry().cancel_across(frame.velocity);
+    for (unsigned int d = 0; d < 3; ++d)
+      {
         world.displacement.local_element(3 * body + d) = frame.position[d] - world.origin[body][d];
         world.velocity.local_element(3 * body + d)     = frame.velocity[d];
       }
@@ -127,6 +130,41 @@ void ElasticBodies::book(World             &world,
     ledger.potential += copies.mass * step.gravity * world.displacement.local_element(3 * body + 1);
     ledger.drag += 2. * step.drag * sums.kinetic[lane] * step.dt;
   });
+}
+
+dealii::Tensor<1, 3> ElasticBodies::position_now(const World       &world,
+                                                 const unsigned int copy,
+                                                 const unsigned int node) const
+{
+  return world.copies[group_].position_now(copy, node);
+}
+
+dealii::Tensor<1, 3> ElasticBodies::velocity_now(const World       &world,
+                                                 const unsigned int copy,
+                                                 const unsigned int node) const
+{
+  const BodyBatches &copies = world.copies[group_];
+  return NodeView(copies.velocity)[copies.index(copy, node)];
+}
+
+void ElasticBodies::nodes_now(const World                       &world,
+                              const unsigned int                 copy,
+                              std::vector<dealii::Tensor<1, 3>> &position,
+                              std::vector<dealii::Tensor<1, 3>> &velocity) const
+{
+  const unsigned int n_nodes = world.copies[group_].n_nodes();
+  position.resize(n_nodes);
+  velocity.resize(n_nodes);
+  for (unsigned int node = 0; node < n_nodes; ++node)
+    {
+      position[node] = ElasticBodies::position_now(world, copy, node);
+      velocity[node] = ElasticBodies::velocity_now(world, copy, node);
+    }
+}
+
+void ElasticBodies::serialize(const Archive &archive, World &world)
+{
+  world.copies[group_].serialize(archive);
 }
 
 std::vector<std::unique_ptr<const element::StressRecovery>>

@@ -52,7 +52,7 @@ std::set<unsigned int> sides_that_touch(const scene::Scene &scene, const scene::
 ReducedBodies::ReducedBodies(const scene::Scene &scene,
                              const World        &world,
                              const unsigned int  group)
-    : group_(group)
+    : ModalGroup(group)
     , material_(scene.material)
     , elements_(scene.elements)
     , kernels_(*modal_kernels(simd_width()))
@@ -340,7 +340,7 @@ void ReducedBodies::advance_shared(World &world, const Step &step)
   const BodyBatches &copies = world.copies[group_];
   for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
     if (copies.is_shared(batch))
-      kick_again(batch, step, world.whole, world.ledger);
+      kick_again(batch, step, world.symmetry.multiplicity(), world.ledger);
 }
 
 void ReducedBodies::kick_again(const unsigned int batch,
@@ -488,17 +488,10 @@ void ReducedBodies::rest()
   std::fill(acceleration_.begin(), acceleration_.end(), 0.);
 }
 
-void ReducedBodies::slow_shapes(const World &world, const unsigned int copy, const double share)
+void ReducedBodies::slow_shapes(const World &world, const unsigned int copy, const double factor)
 {
   for (unsigned int m = 0; m < n_modes(); ++m)
-    rate(world, copy, m) *= share;
-}
-
-void ReducedBodies::take_shapes(const BodyGroup &other)
-{
-  amplitude_ = dynamic_cast<const ReducedBodies &>(other).amplitude_;
-  forget_places();
-  rest();
+    rate(world, copy, m) *= factor;
 }
 
 double ReducedBodies::stable_step() const
@@ -548,6 +541,19 @@ std::vector<double> ReducedBodies::amplitudes_of(const World &world, const unsig
   return amplitudes;
 }
 
+void ReducedBodies::rest_at(const World               &world,
+                            const unsigned int         copy,
+                            const std::vector<double> &amplitudes)
+{
+  forget_places();
+  for (unsigned int m = 0; m < n_modes(); ++m)
+    {
+      const std::size_t i = place_of(world.copies[group_], copy, m);
+      amplitude_[i]       = amplitudes[m];
+      rate_[i] = acceleration_[i] = 0.;
+    }
+}
+
 std::vector<std::unique_ptr<const element::StressRecovery>>
 ReducedBodies::stress_recoveries(const World &world) const
 {
@@ -559,7 +565,7 @@ ReducedBodies::stress_recoveries(const World &world) const
   return recoveries;
 }
 
-void ReducedBodies::serialize(const Archive &archive, const World &world)
+void ReducedBodies::serialize(const Archive &archive, World &world)
 {
   if (archive.reads())
     forget_places();

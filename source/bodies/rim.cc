@@ -16,7 +16,6 @@ Rim::Rim(const unsigned int                  the_body,
     , sector(std::move(the_sector))
     , border(mesh::SurfaceNodes(*copies.part, copies.nodes, mesh::hub).node)
     , inertia(0.)
-    , border_inertia(0.)
 {
   mesh::Nodes       &nodes = copies.nodes;
   const unsigned int n     = sector->n_sectors;
@@ -39,12 +38,7 @@ Rim::Rim(const unsigned int                  the_body,
   for (unsigned int s = 0; s < n; ++s)
     copies.may_want(s, flanks.node);
 
-  for (unsigned int node = 0; node < nodes.size(); ++node)
-    {
-      const dealii::Point<3> &x = nodes.position[node];
-      (std::binary_search(border.begin(), border.end(), node) ? border_inertia : inertia) +=
-          n * nodes.mass[node] * (x[0] * x[0] + x[1] * x[1]);
-    }
+  inertia = sector->inertia(nodes).free;
   for (unsigned int s = 0; s < n; ++s)
     for (const unsigned int node : copies.owns(s) ? border : std::vector<unsigned int>())
       NodeView(copies.velocity).set(copies.index(s, node), dealii::Tensor<1, 3>());

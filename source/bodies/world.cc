@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/bodies/elastic_rim.h>
-#include <chaindrive/bodies/followers.h>
-#include <chaindrive/bodies/hubs.h>
-#include <chaindrive/bodies/partition.h>
-#include <chaindrive/bodies/reduced_bodies.h>
-#include <chaindrive/bodies/rigid_bodies.h>
 #include <chaindrive/bodies/world.h>
-#include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/scene.h>
-#include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
-#include <chaindrive/utilities/text.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -24,22 +13,6 @@ namespace chaindrive
 {
 namespace
 {
-/// The @p bodies in such an order that the copies of a batch are neighbours along the chain: they
-/// touch others at about the same nodes. Neighbours are dealt out to @p n_in_turn batches in turn:
-/// two of rollers then belong to one of links, with the first and with the second bush.
-std::vector<unsigned int> neighbours_in_batches(const std::vector<unsigned int> &bodies,
-                                                const unsigned int               n_in_turn)
-{
-  const unsigned int        n_batches = BodyBatches::n_batches_of(bodies.size());
-  std::vector<unsigned int> copies(bodies.size());
-  auto                      next = bodies.begin();
-  for (unsigned int first = 0; first < n_batches; first += n_in_turn)
-    for (unsigned int lane = 0; lane < n_lanes; ++lane)
-      for (unsigned int batch = first; batch < std::min(first + n_in_turn, n_batches); ++batch)
-        if (const unsigned int copy = lane * n_batches + batch; copy < copies.size())
-          copies[copy] = *next++;
-  return copies;
-}
 /// Angular momentum R I R^T w of a body with principal moments @p inertia.
 dealii::Tensor<1, 3> angular_momentum(const Frame &frame, const dealii::Tensor<1, 3> &inertia)
 {
@@ -53,7 +26,7 @@ dealii::Tensor<1, 3> angular_momentum(const Frame &frame, const dealii::Tensor<1
 World::World(const scene::Scene &scene, const MPI_Comm comm)
     : node_exchange(comm)
     , time(scene.start_time)
-    , whole(scene.half ? 2. : 1.)
+    , symmetry(scene.half)
     , comm_(comm)
     , rank_(rank_in(comm))
     , n_ranks_(n_ranks_in(comm))
@@ -91,143 +64,8 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
         spins.push_back({b, body.inertia[2], body.initial.angular_velocity[2]});
     }
 
-  groups.push_back(std::make_unique<RigidBodies>());
-  groups.push_back(std::make_unique<Hubs>());
   elastic_address.resize(n);
-  const Deals deals = partition(scene, n_ranks_);
-  add_elastic_bodies(scene, deals);
-  n_nodal_groups_ = static_cast<unsigned int>(copies.size());
-  add_reduced_bodies(scene, deals);
-  n_elastic_groups_ = static_cast<unsigned int>(copies.size());
-  group_of_.resize(n_elastic_groups_);
-  for (const auto &group : groups)
-    if (group->elastic_copies() != BodyGroup::none)
-      group_of_[group->elastic_copies()] = group.get();
-  node_address = elastic_address;
-  add_followers(scene);
-}
-
-World::~World() = default;
-
-std::map<scene::PartOf, std::vector<unsigned int>>
-World::bodies_that_move(const scene::Scene &scene, const scene::Motion motion)
-{
-  std::map<scene::PartOf, std::vector<unsigned int>> found;
-  for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-    if (scene.bodies[b].motion == motion)
-      found[scene.bodies[b].part()].push_back(b);
-  return found;
-}
-
-unsigned int World::add_copies(const scene::Scene              &scene,
-                               const scene::PartOf             &of,
-                               const std::vector<unsigned int> &bodies,
-                               const std::vector<unsigned int> &first_batch)
-{
-  const unsigned int group = static_cast<unsigned int>(copies.size());
-  copies.emplace_back(scene.parts.at(of), bodies, scene.bodies, first_batch, comm_);
-  for (unsigned int k = 0; k < bodies.size(); ++k)
-    elastic_address[bodies[k]] = {group, k};
-  return group;
-}
-
-void World::add_elastic_bodies(const scene::Scene &scene, const Deals &deals)
-{
-  constexpr scene::Motion elastic = scene::Motion::elastic;
-  for (const auto &[of, bodies] : bodies_that_move(scene, elastic))
-    {
-      const std::vector<unsigned int> &first_batch = deals.at({elastic, of});
-      if (scene.sectors.count(of) != 0)
-        {
-          add_rim(scene, bodies.front(), first_batch);
-          continue;
-        }
-      const unsigned int group = add_copies(scene, of, bodies, first_batch);
-      if (!scene.plates_bend)
-        copies.back().stop_plate_bending();
-      groups.push_back(std::make_unique<ElasticBodies>(scene, *this, group));
-    }
-}
-
-void World::add_reduced_bodies(const scene::Scene &scene, const Deals &deals)
-{
-  constexpr scene::Motion reduced = scene::Motion::reduced;
-  for (const auto &[of, bodies] : bodies_that_move(scene, reduced))
-    {
-      const unsigned int group =
-          add_copies(scene,
-                     of,
-                     neighbours_in_batches(bodies, of.kind == scene::Kind::roller ? 2 : 1),
-                     deals.at({reduced, of}));
-      copies.back().count_readers();
-      groups.push_back(std::make_unique<ReducedBodies>(scene, *this, group));
-    }
-}
-
-void World::add_rim(const scene::Scene              &scene,
-                    const unsigned int               body,
-                    const std::vector<unsigned int> &first_batch)
-{
-  Hub &hub =
-      *std::find_if(hubs.begin(), hubs.end(), [body](const Hub &h) { return h.body == body; });
-  const scene::Body &sprocket = scene.bodies[body];
-  const auto        &sector   = scene.sectors.at(sprocket.part());
-  std::vector<Frame> start;
-  for (unsigned int s = 0; s < sector->n_sectors; ++s)
-    start.push_back(sector->frame(sprocket.initial, s));
-  copies.emplace_back(
-      sector->part, std::vector<unsigned int>(start.size(), body), start, first_batch, comm_);
-  rims.emplace_back(body, static_cast<unsigned int>(copies.size()) - 1, sector, copies.back());
-
-  // with less inertia than the nodes that it holds a hub could be faster than the elements are
-  const Rim &rim = rims.back();
-  hub.inertia -= whole * rim.inertia;
-  if (!hub.prescribed && hub.inertia < whole * rim.border_inertia)
-    throw InputError("Model/Driven inertia in kg m2 = " + to_text(sprocket.inertia[2]) +
-                     " is less than that of the elastic rim of the sprocket alone, " +
-                     to_text(whole * (rim.inertia + rim.border_inertia)) +
-                     "; choose a greater value, auto, or Model/Elastic sprockets = off.");
-  groups.push_back(
-      std::make_unique<ElasticRim>(scene, *this, static_cast<unsigned int>(rims.size()) - 1));
-}
-
-void World::add_followers(const scene::Scene &scene)
-{
-  // the sides of rigid bodies that touch with their nodes
-  std::map<scene::PartOf, std::map<unsigned int, std::set<unsigned int>>> sides;
-  for (const scene::BoreFamily &bores : scene.bores)
-    if (bores.elastic)
-      for (const scene::BorePair &pair : bores.pairs)
-        for (const auto &[body, side] : {std::make_pair(pair.master, pair.master_surface),
-                                         std::make_pair(pair.slave.body, pair.slave_surface)})
-          if (elastic_address[body].group == Address::none)
-            sides[scene.bodies[body].part()][body].insert(side);
-
-  for (const auto &[of, of_bodies] : sides)
-    {
-      const unsigned int        group = static_cast<unsigned int>(copies.size());
-      std::vector<unsigned int> bodies;
-      for (const auto &entry : of_bodies)
-        {
-          node_address[entry.first] = {group, static_cast<unsigned int>(bodies.size())};
-          bodies.push_back(entry.first);
-        }
-      // the first rank owns them
-      std::vector<unsigned int> first_batch(n_ranks_ + 1, BodyBatches::n_batches_of(bodies.size()));
-      first_batch.front() = 0;
-      copies.emplace_back(scene.parts.at(of), bodies, scene.bodies, first_batch, comm_);
-
-      std::vector<Followers::Side> followers;
-      for (const auto &[body, surfaces] : of_bodies)
-        for (const unsigned int surface : surfaces)
-          followers.push_back({body,
-                               node_address[body].copy,
-                               mesh::SurfaceNodes(*copies.back().part,
-                                                  copies.back().nodes,
-                                                  static_cast<mesh::Surface>(surface))
-                                   .node});
-      groups.push_back(std::make_unique<Followers>(group, std::move(followers)));
-    }
+  node_address.resize(n);
 }
 
 const Rim *World::rim_of(const unsigned int body) const
@@ -240,13 +78,13 @@ const Rim *World::rim_of(const unsigned int body) const
 
 void World::place_surfaces(const double earlier)
 {
-  for (const auto &group : groups)
+  for (SurfaceGroup *group : groups.surface())
     group->place_surface(*this, earlier);
 }
 
 void World::gather_forces()
 {
-  for (const auto &group : groups)
+  for (SurfaceGroup *group : groups.surface())
     group->gather_forces(*this);
 }
 
@@ -270,7 +108,7 @@ void World::clear_resultants()
 
 void World::sum_over_ranks()
 {
-  if (n_ranks_ == 1 && whole == 1.)
+  if (n_ranks_ == 1 && !symmetry.is_half())
     return;
   std::vector<double> booked; // since clear_resultants()
   for (double Ledger::*term : Ledger::added)
@@ -281,13 +119,14 @@ void World::sum_over_ranks()
 
   // Visits all numbers to be summed, so many at a time, and with which share they count; frames of
   // bodies that move by nodes have one share only, their owner's.
-  const auto visit = [&](const auto &numbers) {
+  const double whole = symmetry.multiplicity();
+  const auto   visit = [&](const auto &numbers) {
     numbers(&alarm, 1, 1.);
     for (Rim &rim : rims)
       numbers(rim.momentum.begin_raw(), 3, whole);
     for (Vector *vector : {&force, &moment})
       numbers(vector->begin(), vector->locally_owned_size(), whole);
-    for (const auto &group : groups)
+    for (ModalGroup *group : groups.modal())
       for (const dealii::ArrayView<double> &forces : group->shared_forces(*this))
         numbers(forces.data(), forces.size(), 1.);
     numbers(requests.data(), requests.size(), 1.);
@@ -323,10 +162,11 @@ void World::sum_over_ranks()
     for (double Loss::*term : {&Loss::friction, &Loss::damping})
       losses[i].*term = losses_before_[i].*term + *increment++;
 
-  if (whole != 1.) // what the other halves add cancels across the middle plane
-    for (unsigned int body = 0; body < n_bodies(); ++body)
-      force.local_element(3 * body + 2)      = moment.local_element(3 * body) =
-          moment.local_element(3 * body + 1) = 0.;
+  for (unsigned int body = 0; body < n_bodies(); ++body)
+    {
+      symmetry.cancel_across(force.begin() + 3 * body);
+      symmetry.cancel_tilting(moment.begin() + 3 * body);
+    }
 
   for (unsigned int body = 0; body < n_bodies(); ++body)
     if (moves_by_nodes(body))
@@ -340,7 +180,7 @@ void World::sum_over_ranks()
 double World::kinetic_energy() const
 {
   double energy = 0.;
-  for (const auto &group : groups)
+  for (const auto &group : groups.all())
     energy += group->kinetic_energy(*this);
   return energy;
 }
@@ -359,10 +199,8 @@ void World::serialize(const Archive &archive)
   archive.numbers("rotations", rotations);
   archive.numbers("spins", spins);
   archive.numbers("hubs", hubs);
-  for (unsigned int g = 0; g < n_nodal_groups(); ++g)
-    copies[g].serialize(archive / ("copies " + std::to_string(g)));
-  for (unsigned int g = 0; g < groups.size(); ++g)
-    groups[g]->serialize(archive / ("group " + std::to_string(g)), *this);
+  for (unsigned int g = 0; g < groups.all().size(); ++g)
+    groups.all()[g]->serialize(archive / ("group " + std::to_string(g)), *this);
 }
 
 std::size_t World::memory_consumption() const
@@ -374,8 +212,9 @@ std::size_t World::memory_consumption() const
                          copies.end(),
                          std::size_t(0),
                          [](auto sum, const auto &c) { return sum + c.memory_consumption(); }) +
-         std::accumulate(groups.begin(), groups.end(), std::size_t(0), [](auto sum, const auto &g) {
-           return sum + g->memory_consumption();
-         });
+         std::accumulate(groups.all().begin(),
+                         groups.all().end(),
+                         std::size_t(0),
+                         [](auto sum, const auto &g) { return sum + g->memory_consumption(); });
 }
 } // namespace chaindrive

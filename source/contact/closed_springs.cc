@@ -24,10 +24,7 @@ std::vector<ClosedSpring> closed_springs(const mesh::CylinderGrid        &bore,
       const double fade =
           (s == 0 || s == last ? 0.5 : 0.25) *
           (cylinder.stations[std::min(s + 1, last)] - cylinder.stations[s == 0 ? 0 : s - 1]);
-      const double depth = bore.half ?
-                               bore.stations.back() - z :
-                               std::min(z - bore.stations.front(), bore.stations.back() - z);
-      const double cover = std::clamp(depth / fade, 0., 1.);
+      const double cover = std::clamp(bore.depth(z) / fade, 0., 1.);
       if (cover == 0.)
         continue;
       const auto   above = std::upper_bound(bore.stations.begin() + 1, bore.stations.end() - 1, z);

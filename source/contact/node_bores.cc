@@ -343,7 +343,7 @@ void NodeBores::add_forces(World &world, const double dt)
                 world.force.local_element(3 * record.slave + d) += force;
                 world.force.local_element(3 * record.master + d) -= force;
               }
-            record.force                   = world.of_whole(record.force);
+            record.force                   = world.symmetry.whole_force(record.force);
             const double size              = record.force.norm();
             states_[group.pairs[i]].normal = size;
             if (size > 0.)

@@ -102,7 +102,7 @@ void NodeContact::add_body_forces(World &world, const unsigned int i, const doub
 
   for (unsigned int d = 0; d < 3; ++d) // for the motion of the centre of mass
     world.force.local_element(3 * record.slave + d) += record.force[d];
-  record.force      = world.of_whole(record.force);
+  record.force      = world.symmetry.whole_force(record.force);
   states_[i].normal = sum.normal_force;
   if (sum.normal_force > 0.)
     {

@@ -253,7 +253,7 @@ void NodeFaces::add_face_forces(World &world, FaceContact &contact, const double
       normal_force += force.normal;
     }
 
-  record.force += world.of_whole(resultant);
+  record.force += world.symmetry.whole_force(resultant);
   for (unsigned int d = 0; d < 3; ++d) // for the motion of the centres of mass
     {
       world.force.local_element(3 * record.slave + d) += resultant[d];

@@ -127,7 +127,7 @@ void PointContact::add_force(World                     &world,
                                  dt,
                                  state,
                                  world.ledger);
-  record.force           = world.of_whole(force.total);
+  record.force           = world.symmetry.whole_force(force.total);
   record.feature         = touch.feature;
   record.normal          = touch.normal;
   record.normal_speed    = -(relative * touch.normal);
@@ -197,10 +197,16 @@ void PointContact::add_closed(const World                &world,
 
   const auto add = [&](const unsigned int d, const double k, const double c) {
     if (k > 0. || c > 0.)
-      springs.push_back({master, slave, axes[d], centre, centre, world.whole * k, world.whole * c});
+      springs.push_back({master,
+                         slave,
+                         axes[d],
+                         centre,
+                         centre,
+                         world.symmetry.whole(k),
+                         world.symmetry.whole(c)});
   };
   const auto add_turning = [&](const unsigned int d, const double s) {
-    const double factor = world.whole * (1. + 1. / s) * radius * radius;
+    const double factor = world.symmetry.whole((1. + 1. / s) * radius * radius);
     if (s > 0.)
       springs.push_back({master, slave, axes[d], centre, centre, factor * kt, factor * ct, true});
   };

@@ -36,7 +36,7 @@ class Carried
 {
 public:
   Carried(const mesh::CylinderGrid &bore, const unsigned int station)
-      : half_(bore.half)
+      : bore_(bore)
       , begin_(bore.stations.front())
       , end_(bore.stations.back())
       , low_(bore.stations[station == 0 ? 0 : station - 1])
@@ -54,9 +54,8 @@ public:
         const double z = s.z + shift;
         if (z < std::max(low_, begin_) || z > std::min(high_, end_))
           continue;
-        const double side  = z < here_ ? here_ - low_ : high_ - here_;
-        const double depth = half_ ? end_ - z : std::min(z - begin_, end_ - z);
-        sum += s.length * std::min(1., depth / s.fade) *
+        const double side = z < here_ ? here_ - low_ : high_ - here_;
+        sum += s.length * std::min(1., bore_.depth(z) / s.fade) *
                (side > 0. ? 1. - std::abs(z - here_) / side : 1.);
       }
     return sum;
@@ -66,7 +65,7 @@ public:
   /// polynomial of second degree.
   double largest(const std::vector<Station> &slave) const
   {
-    if (half_)
+    if (bore_.half)
       return (*this)(slave, 0.);
     std::vector<double> kinks;
     for (const Station &s : slave)
@@ -88,8 +87,8 @@ public:
   }
 
 private:
-  bool   half_;
-  double begin_, end_, low_, here_, high_;
+  const mesh::CylinderGrid &bore_;
+  double                    begin_, end_, low_, here_, high_;
 };
 } // namespace
 

@@ -27,24 +27,31 @@ double damping_time(const scene::ContactLaw &law)
   return normal;
 }
 
-/// Of each of World::copies: the group that moves it if it vibrates, and its largest eigenvalue
-/// without springs, 1/s2.
+/// Of each of World::copies: the group that moves it if it vibrates, by nodes or by shapes, and its
+/// largest eigenvalue without springs, 1/s2.
 struct Bodies
 {
-  const BodyGroup *group    = nullptr;
-  double           elements = 0.;
-  Matrix           free; ///< BodyGroup::matrix_of_shapes() without springs
+  const NodalGroup *nodal    = nullptr;
+  const ModalGroup *modal    = nullptr;
+  double            elements = 0.;
+  Matrix            free; ///< ModalGroup::matrix_of_shapes() without springs
 };
 
 std::vector<Bodies> bodies_of(const World &world)
 {
   std::vector<Bodies> bodies(world.copies.size());
-  for (const auto &group : world.groups)
-    if (const unsigned int g = group->elastic_copies(); g != BodyGroup::none)
-      {
-        const double step = group->stable_step();
-        bodies[g]         = {group.get(), 4. / (step * step), group->matrix_of_shapes({})};
-      }
+  for (const ElasticGroup *group : world.groups.elastic())
+    {
+      const double step                = group->stable_step();
+      bodies[group->copies()].elements = 4. / (step * step);
+    }
+  for (const NodalGroup *group : world.groups.nodal())
+    bodies[group->copies()].nodal = group;
+  for (const ModalGroup *group : world.groups.modal())
+    {
+      bodies[group->copies()].modal = group;
+      bodies[group->copies()].free  = group->matrix_of_shapes({});
+    }
   return bodies;
 }
 
@@ -112,7 +119,7 @@ std::vector<ClosedKind> kinds_of(const World &world, const contact::Family &fami
 
 bool by_shapes(const std::vector<Bodies> &bodies, const ClosedSide &side)
 {
-  return side.group != ClosedSide::none && !bodies[side.group].free.empty();
+  return side.group != ClosedSide::none && bodies[side.group].modal != nullptr;
 }
 
 /// The stable step [s] of bodies that move by shapes, if they can be treated together; then takes
@@ -153,7 +160,7 @@ std::vector<Kind> split(std::vector<ClosedKind> closed, const std::vector<Bodies
       kind.time  = of_closed.time;
       for (unsigned int i = 0; i < 2; ++i)
         if (const ClosedSide &side = kind.sides[i]; by_shapes(bodies, side))
-          kind.on_shapes[i] = added_to_shapes(*bodies[side.group].group, side, of_closed.law);
+          kind.on_shapes[i] = added_to_shapes(*bodies[side.group].modal, side, of_closed.law);
       kinds.push_back(std::move(kind));
     }
   return kinds;
@@ -299,7 +306,7 @@ double closed_contact_step(const World &world, const contact::Contacts &contacts
               std::vector<double> springs(held[g].stiffness);
               for (std::size_t n = 0; n < springs.size(); ++n)
                 springs[n] += 2. / step * held[g].damping[n];
-              step = 2. / bodies[g].group->largest_frequency(springs);
+              step = 2. / bodies[g].nodal->largest_frequency(springs);
             }
         limit = std::min(limit, step);
       }
@@ -318,7 +325,7 @@ double closed_contact_step(const World &world, const contact::Family &family)
         {
           const ClosedSide &side = kind.sides[i];
           both += by_shapes(bodies, side) ?
-                      largest(added_to_shapes(*bodies[side.group].group, side, kind.law)) :
+                      largest(added_to_shapes(*bodies[side.group].modal, side, kind.law)) :
                       side.eigenvalue;
         }
       step = std::min(step, stable_step_of(both, both * kind.time));

@@ -44,7 +44,7 @@ double largest(const Matrix &matrix)
                             [&](auto &product, const auto &x) { matrix.vmult(product, x); });
 }
 
-Matrix added_to_shapes(const BodyGroup           &bodies,
+Matrix added_to_shapes(const ModalGroup          &bodies,
                        const contact::ClosedSide &side,
                        const scene::ContactLaw   &law)
 {

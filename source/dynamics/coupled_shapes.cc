@@ -46,13 +46,11 @@ void multiply(const Matrix &matrix, const Vector &x, Vector &y)
 }
 
 /// The groups of bodies that move by shapes by their number in World::copies, others nullptr.
-std::vector<const BodyGroup *> groups_of(const World &world)
+std::vector<const ModalGroup *> groups_of(const World &world)
 {
-  std::vector<const BodyGroup *> groups(world.copies.size(), nullptr);
-  for (const auto &group : world.groups)
-    if (const unsigned int g = group->elastic_copies();
-        g != BodyGroup::none && group->matrix_of_shapes({}).m() > 0)
-      groups[g] = group.get();
+  std::vector<const ModalGroup *> groups(world.copies.size(), nullptr);
+  for (const ModalGroup *group : world.groups.modal())
+    groups[group->copies()] = group;
   return groups;
 }
 
@@ -151,7 +149,7 @@ void add_point(const std::vector<Motions>  &motions,
       sum[m] += sign * spring.weights[i] * motions[spring.bore_nodes[i]][m - first];
 }
 
-std::vector<Motions> motions_of(const BodyGroup &group, const unsigned int n_nodes)
+std::vector<Motions> motions_of(const ModalGroup &group, const unsigned int n_nodes)
 {
   std::vector<Motions> motions(n_nodes);
   for (unsigned int node = 0; node < n_nodes; ++node)
@@ -159,7 +157,7 @@ std::vector<Motions> motions_of(const BodyGroup &group, const unsigned int n_nod
   return motions;
 }
 
-const BodyGroup *group_of(const std::vector<const BodyGroup *> &groups, const ClosedSide &side)
+const ModalGroup *group_of(const std::vector<const ModalGroup *> &groups, const ClosedSide &side)
 {
   return side.group == ClosedSide::none ? nullptr : groups[side.group];
 }
@@ -174,9 +172,9 @@ struct Sorted
 };
 
 /// Sorts @p kinds; false if CoupledShapes::make() makes nothing of them.
-bool sort(const std::vector<ClosedKind>        &kinds,
-          const std::vector<const BodyGroup *> &groups,
-          Sorted                               &sorted)
+bool sort(const std::vector<ClosedKind>         &kinds,
+          const std::vector<const ModalGroup *> &groups,
+          Sorted                                &sorted)
 {
   std::map<unsigned int, std::set<unsigned int>> surfaces; // of a group that have joints
   for (const ClosedKind &kind : kinds)
@@ -205,7 +203,7 @@ bool sort(const std::vector<ClosedKind>        &kinds,
 }
 } // namespace
 
-unsigned int CoupledShapes::add_body(const BodyGroup &group)
+unsigned int CoupledShapes::add_body(const ModalGroup &group)
 {
   const Matrix free  = group.matrix_of_shapes({});
   const auto   first = static_cast<unsigned int>(free_.size());
@@ -217,8 +215,8 @@ unsigned int CoupledShapes::add_body(const BodyGroup &group)
 std::optional<CoupledShapes> CoupledShapes::make(const World                   &world,
                                                  const std::vector<ClosedKind> &kinds)
 {
-  const std::vector<const BodyGroup *> groups = groups_of(world);
-  Sorted                               sorted;
+  const std::vector<const ModalGroup *> groups = groups_of(world);
+  Sorted                                sorted;
   if (!sort(kinds, groups, sorted))
     return {};
 
@@ -262,9 +260,9 @@ void CoupledShapes::add_ways(const World                       &world,
                              const bool                         closes_pitch,
                              Interface                         &interface)
 {
-  const std::vector<const BodyGroup *> groups = groups_of(world);
-  const ClosedSide                    &slave  = kind.sides[1];
-  const double                         across =
+  const std::vector<const ModalGroup *> groups = groups_of(world);
+  const ClosedSide                     &slave  = kind.sides[1];
+  const double                          across =
       kind.law.friction > 0. ? kind.law.tangential_stiffness / kind.law.stiffness : 0.;
   const auto moved = motions_of(*groups[slave.group], world.copies[slave.group].n_nodes());
   const auto close = [&](const Sectors &sectors) {

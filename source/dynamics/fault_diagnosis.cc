@@ -174,7 +174,7 @@ double free_mass(const World &world, const unsigned int body)
 {
   const World::Address &place = world.elastic_address[body];
   if (place.group != World::Address::none)
-    return world.whole * world.copies[place.group].mass;
+    return world.symmetry.whole(world.copies[place.group].mass);
   return world.inverse_mass[body] > 0. ? world.mass[body] : 0.;
 }
 
@@ -265,8 +265,7 @@ faults_of_balance(const scene::Scene &scene, System &system, const LastStep *las
           const double mass = free_mass(world, b);
           rest[1] += mass * gravity;
           rest += drag * mass * value(world.velocity, b);
-          if (world.whole != 1.)
-            rest[2] = 0.;
+          world.symmetry.cancel_across(rest);
           // drag belongs to half a step before
           if (rest.norm() > (1e-6 + drag * dt) * size)
             places.push_back({rest.norm(),
@@ -285,7 +284,7 @@ faults_of_balance(const scene::Scene &scene, System &system, const LastStep *las
     const double mass = free_mass(world, body);
     Vector3      rest;
     double       size = 0.;
-    for (unsigned int d = 0; d < (world.whole == 1. ? 3 : 2); ++d)
+    for (unsigned int d = 0; d < world.symmetry.n_free_directions(); ++d)
       {
         const std::size_t i = 3 * body + d;
         const double change = mass * (world.velocity.local_element(i) - last->velocity[i]) / dt;

@@ -200,7 +200,7 @@ std::optional<Guard::Finding> Guard::look_at_momentum(System &system, const doub
   rest[1] += total_mass_ * system.loads.gravity() * (world.time - start_time_);
   if (system.loads.drag() > 0.)
     rest += system.loads.drag() * (moved(world) - start_moved_);
-  if (world.whole != 1. || !scene_.plates_bend) // nodes are held across the chain
+  if (world.symmetry.is_half() || !scene_.plates_bend) // nodes are held across the chain
     rest[2] = 0.;
   largest_momentum_ = std::max(largest_momentum_, size);
   largest_error_    = std::max(largest_error_, rest.norm() / largest_momentum_);

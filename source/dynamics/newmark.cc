@@ -5,18 +5,18 @@ namespace chaindrive::dynamics
 {
 void first_half(World &world, const Step &step)
 {
-  for (const auto &group : world.groups)
+  for (const auto &group : world.groups.all())
     group->kick(world, 0.5 * step.dt);
-  for (const auto &group : world.groups)
+  for (const auto &group : world.groups.all())
     group->drift(world, step);
   world.time = step.time;
 }
 
 void second_half(World &world, const Step &step)
 {
-  for (const auto &group : world.groups)
+  for (const auto &group : world.groups.all())
     group->kick(world, 0.5 * step.dt);
-  for (const auto &group : world.groups)
+  for (const auto &group : world.groups.all())
     group->finish(world, step);
 }
 

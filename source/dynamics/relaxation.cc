@@ -79,7 +79,7 @@ public:
                                dealii::symmetrize(dealii::outer_product(arm, arm)));
     });
     copies_.for_each_copy_of(batch_, [&](unsigned int, const unsigned int lane) {
-      if (copies_.part->half) // turns about z only
+      if (copies_.part->symmetry().is_half()) // turns about z only
         inverse_inertia_[lane][2][2] = 1. / inertia[lane][2][2];
       else
         inverse_inertia_[lane] = dealii::invert(inertia[lane]);
@@ -100,8 +100,7 @@ public:
     std::array<Vector3, n_lanes> v, w;
     copies_.for_each_copy_of(batch_, [&](unsigned int, const unsigned int lane) {
       v[lane] = momentum[lane] / copies_.mass;
-      if (copies_.part->half)
-        v[lane][2] = 0.;
+      copies_.part->symmetry().cancel_across(v[lane]);
       w[lane] = inverse_inertia_[lane] * spin[lane];
     });
     for_each([&](const unsigned int lane, const std::size_t at, double) {
@@ -186,9 +185,9 @@ public:
         there_             = there_ || reduced;
         held_.push_back(!reduced || scene.bodies[b].kind != scene::Kind::roller);
       }
-    for (unsigned int g = world_.n_nodal_groups(); g < world_.copies.size(); ++g)
+    for (const ModalGroup *group : world_.groups.modal())
       {
-        BodyBatches              &copies = world_.copies[g];
+        BodyBatches              &copies = world_.copies[group->copies()];
         std::vector<unsigned int> all(copies.n_nodes()); // slow_down() reads them
         std::iota(all.begin(), all.end(), 0u);
         for (unsigned int b = copies.first_owned_batch(); b < copies.end_of_owned_batches(); ++b)
@@ -214,10 +213,10 @@ public:
       return 0.;
     hold();
     second_half(world_, {dt, world_.time, 0., 0., {}});
-    for (const auto &group : world_.groups)
+    for (ModalGroup *group : world_.groups.modal())
       slow_down(*group);
     double of_shapes = 0.;
-    for (const auto &group : world_.groups)
+    for (const ModalGroup *group : world_.groups.modal())
       of_shapes += group->shape_energy(world_);
     return world_.kinetic_energy() + dealii::Utilities::MPI::sum(of_shapes, world_.communicator());
   }
@@ -226,7 +225,7 @@ public:
   {
     if (!there_)
       return;
-    for (const auto &group : world_.groups)
+    for (ModalGroup *group : world_.groups.modal())
       group->rest();
     world_.velocity = 0.;
     for (World::Rotation &rotation : world_.rotations)
@@ -237,12 +236,9 @@ public:
 
 private:
   /// Keeps shapes from moving nodes too fast.
-  void slow_down(BodyGroup &group)
+  void slow_down(ModalGroup &group)
   {
-    if (group.elastic_copies() == BodyGroup::none ||
-        group.elastic_copies() < world_.n_nodal_groups())
-      return;
-    const BodyBatches  &copies = world_.copies[group.elastic_copies()];
+    const BodyBatches  &copies = world_.copies[group.copies()];
     std::vector<double> share(copies.n_copies(), 1.);
     for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
          ++batch)
@@ -345,8 +341,15 @@ void Relaxation::strain(World &world) const
     }
 
   const World &balanced = system_.world;
-  for (unsigned int g = 0; g < world.groups.size(); ++g)
-    world.groups[g]->take_shapes(*balanced.groups[g]);
+  for (std::size_t g = 0; g < world.groups.modal().size(); ++g)
+    {
+      ModalGroup        &group  = *world.groups.modal()[g];
+      const ModalGroup  &from   = *balanced.groups.modal()[g];
+      const BodyBatches &copies = world.copies[group.copies()];
+      for (unsigned int copy = 0; copy < copies.n_copies(); ++copy)
+        if (copies.owns(copy) || copies.is_shared(copies.batch_of(copy)))
+          group.rest_at(world, copy, from.amplitudes_of(balanced, copy));
+    }
   for (unsigned int b = 0; b < scene_.bodies.size(); ++b)
     if (scene_.bodies[b].motion == scene::Motion::reduced)
       {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/make_world.h>
 #include <chaindrive/dynamics/closed_contact.h>
 #include <chaindrive/dynamics/newmark.h>
 #include <chaindrive/dynamics/relaxation.h>
@@ -16,7 +17,10 @@
 namespace chaindrive::dynamics
 {
 System::System(const scene::Scene &scene, const bool search_every_step, const MPI_Comm comm)
-    : world(scene, comm), bars(scene.bars), contacts(scene, world, search_every_step), loads(scene)
+    : world(make_world(scene, comm))
+    , bars(scene.bars)
+    , contacts(scene, world, search_every_step)
+    , loads(scene)
 {
   // a phase that nothing in the scene calls for is not made and has no row in the table
   if (bars.size() > 0 || world.n_nodal_groups() > 0)
@@ -107,7 +111,7 @@ void System::evaluate_forces(const double dt)
       const PhaseTimer::Scope scope(timer, internal_force_);
       bars.add_forces(world, dt);
     }
-  for (const auto &group : world.groups)
+  for (ForceGroup *group : world.groups.force())
     group->add_forces(world, force_timer);
   if (!contacts.families().empty())
     {
@@ -117,10 +121,10 @@ void System::evaluate_forces(const double dt)
   else
     world.node_exchange.send_forces(world.copies);
   const Step step{dt, world.time, loads.gravity(), loads.drag(), {}};
-  for (const auto &group : world.groups)
+  for (ElasticGroup *group : world.groups.elastic())
     group->advance(world, step, force_timer);
   world.sum_over_ranks();
-  for (const auto &group : world.groups)
+  for (ModalGroup *group : world.groups.modal())
     group->advance_shared(world, step);
   loads.add_work(world);
 }
@@ -130,7 +134,7 @@ void System::advance(const double dt, const double new_time)
   const PhaseTimer::Scope scope(timer, integration_);
   const Step              step = make_step(dt, new_time);
   if (!started_)
-    for (const auto &group : world.groups)
+    for (NodalGroup *group : world.groups.nodal())
       group->start(world, step, {timer, internal_force_});
   started_ = true;
   first_half(world, step);
@@ -172,10 +176,9 @@ std::vector<StepLimit> System::step_limits() const
       bars.add_springs(world, springs);
       step_limits.push_back({"bars", stable_step(world, springs)});
     }
-  for (const auto &group : world.groups)
-    if (const unsigned int g = group->elastic_copies(); g != BodyGroup::none)
-      step_limits.push_back(
-          {"elements of the " + world.copies[g].part->name, group->stable_step()});
+  for (const ElasticGroup *group : world.groups.elastic())
+    step_limits.push_back(
+        {"elements of the " + world.copies[group->copies()].part->name, group->stable_step()});
   for (const auto &family : contacts.families())
     {
       springs.clear();
@@ -202,7 +205,7 @@ double System::stable_step_limit() const
   contacts.add_springs(world, springs);
   double limit = stable_step(world, springs);
 
-  for (const auto &group : world.groups)
+  for (const ElasticGroup *group : world.groups.elastic())
     limit = std::min(limit, group->stable_step());
   return closed_contact_step(world, contacts, limit);
 }

@@ -13,8 +13,7 @@ Loads::Loads(const scene::Scene &scene)
 
 void Loads::add_forces(World &world, const double dt)
 {
-  // with halves all that is added here will be doubled
-  const double share = 1. / world.whole;
+  const double share = world.symmetry.share(1.); // sum_over_ranks() makes it whole
   if (gravity_ != 0.)
     for (unsigned int b = 0; b < world.n_bodies(); ++b)
       if (world.inverse_mass[b] > 0.)

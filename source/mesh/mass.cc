@@ -35,12 +35,12 @@ class PointMasses
 {
 public:
   /// Each point of a half part stands for its mirror image, too.
-  explicit PointMasses(const Part &part) : mirrored_(part.half) {}
+  explicit PointMasses(const Part &part) : symmetry_(part.symmetry()) {}
 
   void add(const dealii::Point<3> &x, const double mass)
   {
     add_one(x, mass);
-    if (mirrored_)
+    if (symmetry_.is_half())
       add_one(dealii::Point<3>(x[0], x[1], -x[2]), mass);
   }
 
@@ -65,7 +65,7 @@ private:
     second_ += mass * outer_product(dealii::Tensor<1, 3>(x), dealii::Tensor<1, 3>(x));
   }
 
-  bool                 mirrored_;
+  MirrorSymmetry       symmetry_;
   double               mass_ = 0.;
   dealii::Tensor<1, 3> first_;
   dealii::Tensor<2, 3> second_;
@@ -116,7 +116,7 @@ void match_masses(Part &part, const std::array<double, n_components> &masses)
   const auto volumes = component_volumes(*part.mesh);
   for (unsigned int c = 0; c < n_components; ++c)
     if (masses[c] > 0.)
-      part.density_factor[c] = masses[c] / (part.density * volumes[c] * (part.half ? 2. : 1.));
+      part.density_factor[c] = masses[c] / (part.density * part.symmetry().whole(volumes[c]));
   part.meshed = meshed_properties(part);
 }
 } // namespace chaindrive::mesh

@@ -2,10 +2,12 @@
 #include <chaindrive/mesh/generate/cut_out.h>
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/mesh/sector.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <map>
 
 namespace chaindrive::mesh
@@ -80,6 +82,19 @@ Sector::Sector(const Part &whole)
         seam.emplace_back(v, same->second);
     }
   part = std::move(sector);
+}
+
+Sector::Inertia Sector::inertia(const Nodes &nodes) const
+{
+  const std::vector<unsigned int> border = SurfaceNodes(*part, nodes, hub).node;
+  Inertia                         sum{0., 0.};
+  for (unsigned int node = 0; node < nodes.size(); ++node)
+    {
+      const dealii::Point<3> &x = nodes.position[node];
+      (std::binary_search(border.begin(), border.end(), node) ? sum.held : sum.free) +=
+          n_sectors * nodes.mass[node] * (x[0] * x[0] + x[1] * x[1]);
+    }
+  return sum;
 }
 
 Frame Sector::frame(const Frame &sprocket, const unsigned int s) const

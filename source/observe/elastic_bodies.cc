@@ -37,7 +37,7 @@ void add(WaistComponents &sum, const double factor, const WaistComponents &compo
 /// What a unit of each amplitude of @p group does to @p plates: central differences about the
 /// part at rest, over a step so small that squares of strains are lost in round-off.
 std::vector<WaistComponents>
-components_of_shapes(const PlateStress &plates, const BodyBatches &copies, const BodyGroup &group)
+components_of_shapes(const PlateStress &plates, const BodyBatches &copies, const ModalGroup &group)
 {
   std::vector<dealii::Tensor<1, 3>>              rest;
   std::vector<std::vector<dealii::Tensor<1, 3>>> motions;
@@ -107,18 +107,17 @@ double spin_of_nodes(const dynamics::System &system, const unsigned int body)
 
 ElasticSnapshots::ElasticSnapshots(const dynamics::System &system)
 {
-  for (const auto &group : system.world.groups)
-    if (group->elastic_copies() != BodyGroup::none)
-      cells_[group->elastic_copies()] = group->stress_recoveries(system.world);
+  for (const ElasticGroup *group : system.world.groups.elastic())
+    cells_[group->copies()] = group->stress_recoveries(system.world);
 }
 
 ElasticSnapshot ElasticSnapshots::of(const dynamics::System &system,
                                      const World::Address   &place) const
 {
-  const BodyBatches &copies = system.world.copies[place.group];
-  const BodyGroup   &group  = system.world.group_of(place.group);
-  const std::size_t  n      = copies.nodes.of_vertex.size();
-  ElasticSnapshot    snapshot{
+  const BodyBatches  &copies = system.world.copies[place.group];
+  const ElasticGroup &group  = system.world.group_of(place.group);
+  const std::size_t   n      = copies.nodes.of_vertex.size();
+  ElasticSnapshot     snapshot{
       std::vector<dealii::Tensor<1, 3>>(n), std::vector<dealii::Tensor<1, 3>>(n), {}, {}};
   std::vector<dealii::Tensor<1, 3>> position, velocity;
   group.nodes_now(system.world, place.copy, position, velocity);
@@ -155,20 +154,26 @@ Waists::Waists(const scene::Scene &scene, const dynamics::System &system)
       if (kind != scene::Kind::inner_link && kind != scene::Kind::outer_link)
         continue;
       PlateStress plates(*copies.part, copies.nodes, scene.material, scene.elements.plates);
-      std::vector<WaistComponents> of_shapes =
-          components_of_shapes(plates, copies, system.world.group_of(g));
-      plates_.emplace(g, Plates{std::move(plates), std::move(of_shapes)});
+      plates_.emplace(g, Plates{std::move(plates), nullptr, {}});
     }
+  for (const ModalGroup *group : system.world.groups.modal())
+    if (const auto found = plates_.find(group->copies()); found != plates_.end())
+      {
+        Plates &plates = found->second;
+        plates.modal   = group;
+        plates.of_shapes =
+            components_of_shapes(plates.from_nodes, system.world.copies[group->copies()], *group);
+      }
 }
 
 WaistStress Waists::stress(const dynamics::System &system, const unsigned int body) const
 {
   const World::Address &place  = system.world.elastic_address[body];
   const Plates         &plates = plates_.at(place.group);
-  const BodyGroup      &group  = system.world.group_of(place.group);
-  if (!plates.of_shapes.empty())
+  const ElasticGroup   &group  = system.world.group_of(place.group);
+  if (plates.modal != nullptr)
     {
-      const std::vector<double> amplitudes = group.amplitudes_of(system.world, place.copy);
+      const std::vector<double> amplitudes = plates.modal->amplitudes_of(system.world, place.copy);
       WaistComponents           sum{};
       for (std::size_t m = 0; m < amplitudes.size(); ++m)
         add(sum, amplitudes[m], plates.of_shapes[m]);

@@ -79,6 +79,19 @@ Body sprocket_body(const Parameters   &parameters,
   return body;
 }
 
+/// Refuses a @p sprocket with less inertia than its rim @p sector has: with less than the nodes
+/// that it holds a hub could be faster than the elements are.
+void check_inertia(const Body &sprocket, const mesh::Sector &sector, const Scene &scene)
+{
+  const mesh::Sector::Inertia rim = sector.inertia(mesh::Nodes(*sector.part));
+  const double                all = scene.symmetry().whole(rim.free + rim.held);
+  if (sprocket.support == Support::loaded_hub && sprocket.inertia[2] < all)
+    throw InputError("Model/Driven inertia in kg m2 = " + to_text(sprocket.inertia[2]) +
+                     " is less than that of the elastic rim of the sprocket alone, " +
+                     to_text(all) +
+                     "; choose a greater value, auto, or Model/Elastic sprockets = off.");
+}
+
 /// The outward side on which the chain arrives at sprocket number @p i. Where the slack span does,
 /// which hangs, it is opposite the side on which the chain leaves.
 Tensor3 entry_normal(const drive::Layout &layout, const unsigned int i, const DriveView &drive)
@@ -156,8 +169,7 @@ ToothFamily with_elastic_rollers(const Parameters   &parameters,
                    std::min(drive.chain.roller_length, drive.sprocket_width),
                    drive.reference_load,
                    scene.material);
-      if (scene.half)
-        teeth.tooth_stiffness *= 0.5;
+      teeth.tooth_stiffness = scene.symmetry().share(teeth.tooth_stiffness);
     }
   teeth.slave_surface = mesh::roller_outside;
   for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
@@ -250,7 +262,10 @@ void add_sprockets(const Parameters               &parameters,
       if (part)
         scene.parts[body.part()] = part;
       if (body.motion == Motion::elastic)
-        scene.sectors[body.part()] = std::make_shared<const mesh::Sector>(*part);
+        {
+          scene.sectors[body.part()] = std::make_shared<const mesh::Sector>(*part);
+          check_inertia(body, *scene.sectors[body.part()], scene);
+        }
 
       const ToothFamily flanks =
           make_flanks(parameters, drive, sprocket, number, part.get(), scene);

@@ -4,6 +4,7 @@
 // in the gaps of a sprocket.
 //
 // usage: contact_benchmark [LINKS]
+#include <chaindrive/bodies/make_world.h>
 #include <chaindrive/contact/elastic_flanks.h>
 #include <chaindrive/contact/joints.h>
 #include <chaindrive/contact/node_contact.h>
@@ -204,9 +205,9 @@ scene::Scene seated_rollers(std::shared_ptr<const mesh::Part> roller,
 void measure_teeth(const std::shared_ptr<const mesh::Part> &roller,
                    const drive::ChainDimensions            &chain)
 {
-  const unsigned int teeth = 15;
-  const scene::Scene scene = seated_rollers(roller, chain, teeth, 0.1);
-  World              world(scene);
+  const unsigned int teeth  = 15;
+  const scene::Scene scene  = seated_rollers(roller, chain, teeth, 0.1);
+  World              world  = make_world(scene);
   const double       within = 100e-6; // the reach of the search, see node_contact.cc
 
   const scene::SurfaceFamily   rollers = contact::on_flanks(scene.teeth[0], world);

@@ -90,7 +90,7 @@ void compare_forces(const std::string &name, const element::Formulation formulat
   const scene::Scene scene = make_scene(scene::Support::prescribed_hub, formulation);
   dynamics::System   system(scene, false);
   World             &world   = system.world;
-  BodyGroup         &sectors = *world.groups.back();
+  NodalGroup        &sectors = *world.groups.nodal().back();
   const ForceTimer   timer{system.timer, PhaseTimer::rest};
   const Rim         &rim    = world.rims[0];
   BodyBatches       &copies = world.copies[rim.group];
@@ -113,7 +113,7 @@ void compare_forces(const std::string &name, const element::Formulation formulat
   const Whole whole = whole_mesh(scene, formulation, position);
 
   world.clear_forces();
-  sectors.add_forces(world, timer);
+  world.groups.force().back()->add_forces(world, timer);
   sectors.advance(world, {0., 0., 9.81, 0., {}}, timer);
   Vector3 reaction, moment;
   double  sum = 0.; // of forces on the hub

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A group of bodies that chaindrive does not have, made here and nowhere else: a mass on a spring
-// inside a lump. It must be called in the order that dynamics/system.cc says, vibrate with
-// w^2 = k (1/m + 1/M), keep the momentum, close the ledger to second order, and go through a
-// checkpoint without a bit changed.
+// Groups of bodies that chaindrive does not have, made here and nowhere else. The first is a mass
+// on a spring inside a lump: it must be called in the order that dynamics/system.cc says, vibrate
+// with w^2 = k (1/m + 1/M), keep the momentum, close the ledger to second order, and go through a
+// checkpoint without a bit changed. The second has no capability but to place and gather nodes that
+// touch. Each is listed under what it implements, and under nothing else.
 #include "../support/scenes.h"
 
 #include <map>
@@ -12,10 +13,9 @@ using namespace test;
 
 const double inner = 2e-3, outer = 5e-3, k = 1e6, w = std::sqrt(k * (1. / inner + 1. / outer));
 
-class InnerMass : public BodyGroup
+class InnerMass : public BodyGroup, public ForceGroup
 {
 public:
-  void start(World &, const Step &, const ForceTimer &) override { calls += "start "; }
   void kick(World &, const double h) override
   {
     calls += "kick ";
@@ -33,10 +33,9 @@ public:
     world.force.local_element(0) -= force;
     world.ledger.strain += 0.5 * force * force / k;
   }
-  void   advance(World &, const Step &, const ForceTimer &) override { calls += "advance "; }
   void   finish(World &, const Step &) override { calls += "finish "; }
   double kinetic_energy(const World &) const override { return 0.5 * inner * speed * speed; }
-  void   serialize(const Archive &archive, const World &) override
+  void   serialize(const Archive &archive, World &) override
   {
     archive("position", position);
     archive("speed", speed);
@@ -47,12 +46,22 @@ public:
   std::string calls;
 };
 
+class Skin : public BodyGroup, public SurfaceGroup
+{
+public:
+  explicit Skin(std::string &to) : calls(to) {}
+
+  void place_surface(World &, double) override { calls += "place "; }
+  void gather_forces(World &) override { calls += "gather "; }
+
+  std::string &calls;
+};
+
 struct Case
 {
   Case() : system(scene(), false)
   {
-    system.world.groups.push_back(std::make_unique<InnerMass>());
-    group = static_cast<InnerMass *>(system.world.groups.back().get());
+    group = &system.world.groups.add(std::make_unique<InnerMass>());
     system.evaluate_forces(0.);
     system.world.ledger.initial = system.world.ledger.stored();
     group->calls.clear();
@@ -74,8 +83,23 @@ struct Case
   InnerMass       *group;
 };
 
+void list_capabilities()
+{
+  Case              c;
+  const BodyGroups &groups = c.system.world.groups;
+  std::string       calls;
+  c.system.world.groups.add(std::make_unique<Skin>(calls));
+  std::cout << "groups " << groups.all().size() << ": force " << groups.force().size()
+            << ", surface " << groups.surface().size() << ", elastic " << groups.elastic().size()
+            << ", nodal " << groups.nodal().size() << ", modal " << groups.modal().size() << '\n';
+  c.system.world.place_surfaces(0.);
+  c.system.world.gather_forces();
+  std::cout << "the second one is called to " << calls << '\n';
+}
+
 int main()
 {
+  list_capabilities();
   double before = 0.;
   for (const unsigned int n : {100, 200})
     {

@@ -3,6 +3,8 @@
 // their sum and the sum of their moments about any point are zero to round-off.
 #include "../support/scenes.h"
 
+#include <chaindrive/bodies/make_world.h>
+
 #include <random>
 
 using namespace test;
@@ -31,13 +33,13 @@ int main()
           scene.bodies[b].initial.rotation         = to_matrix(rotation_by(random(0.05)));
           scene.bodies[b].initial.angular_velocity = random(100.);
         }
-      scene.bores = {{"bore",
-                      {1e8, 10., 0.3, 0.8e8, 10.},
-                      {{0,
-                        dealii::Point<3>(0.01, 0., 0.),
-                        5.05e-3,
-                        {1, dealii::Point<3>(0.01, 0., 2e-3), 5e-3, 0}}}}};
-      World             world(scene);
+      scene.bores             = {{"bore",
+                                  {1e8, 10., 0.3, 0.8e8, 10.},
+                                  {{0,
+                                    dealii::Point<3>(0.01, 0., 0.),
+                                    5.05e-3,
+                                    {1, dealii::Point<3>(0.01, 0., 2e-3), 5e-3, 0}}}}};
+      World             world = make_world(scene);
       contact::Contacts contacts(scene, world, false);
       contacts.add_forces(world, 1e-7);
       Vector3 force, moment;

@@ -12,6 +12,7 @@
 #include "../support/scenes.h"
 #include "../support/statics.h"
 
+#include <chaindrive/bodies/make_world.h>
 #include <chaindrive/contact/node_contact.h>
 
 using namespace test;
@@ -72,7 +73,7 @@ double load_of(const double approach, const double h, const double stiffness_fac
   family.elastic       = true;
   family.slave_surface = 2; // colour of the outside
 
-  World                world(scene);
+  World                world  = make_world(scene);
   BodyBatches         &copies = world.copies[0];
   contact::NodeContact flat(family, world, true);
   flat.search(world, R);

@@ -6,6 +6,7 @@
 #include "../support/statics.h"
 #include "../support/tooth.h"
 
+#include <chaindrive/bodies/make_world.h>
 #include <chaindrive/utilities/text.h>
 
 using namespace test;
@@ -29,7 +30,7 @@ Pressed press(Tooth c, const double angle, const double approach)
   const Vector3 moved        = (clearance + approach) * direction + vector(clearance - 5e-6, 0.);
   c.velocity                 = Vector3();
   const scene::Scene   scene = make_scene(c);
-  World                world(scene);
+  World                world = make_world(scene);
   contact::NodeContact teeth(contact::on_flanks(scene.teeth[0], world), world, true);
   teeth.search(world, 1e-3);
 
@@ -145,7 +146,7 @@ std::vector<double> force_with_depth(const Sprocket sprocket, const bool elastic
   c.velocity                 = Vector3();
   c.moved                    = vector(0., 3e-6);
   const scene::Scene   scene = make_scene(c);
-  World                world(scene);
+  World                world = make_world(scene);
   contact::NodeContact teeth(contact::on_flanks(scene.teeth[0], world), world, true);
   BodyBatches         &rollers = world.copies[world.elastic_address[0].group];
   constexpr double     step    = 50e-6;

@@ -4,6 +4,8 @@
 // belong to the gaps that were said to be near; and few gaps are.
 #include "../support/tooth.h"
 
+#include <chaindrive/bodies/make_world.h>
+
 #include <random>
 
 using namespace test;
@@ -13,10 +15,10 @@ namespace
 void check(const std::string &name, const Sprocket sprocket)
 {
   Tooth tooth;
-  tooth.sprocket           = sprocket;
-  tooth.turned             = 0.7;
-  const scene::Scene scene = make_scene(tooth);
-  World              world(scene);
+  tooth.sprocket            = sprocket;
+  tooth.turned              = 0.7;
+  const scene::Scene scene  = make_scene(tooth);
+  World              world  = make_world(scene);
   const BodyBatches &copies = world.copies[world.rims[0].group];
   const auto         made   = contact::make_flanks(scene.teeth[0], world);
   const auto        &flanks = dynamic_cast<const contact::ElasticFlanks &>(*made);

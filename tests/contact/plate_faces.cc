@@ -8,6 +8,7 @@
 #include "../support/scenes.h"
 #include "../support/statics.h"
 
+#include <chaindrive/bodies/make_world.h>
 #include <chaindrive/contact/node_faces.h>
 #include <chaindrive/mesh/generate/links.h>
 
@@ -60,7 +61,7 @@ double bars(const double approach, const std::array<unsigned int, 2> &cells)
   family.pairs         = {
               {1, 0, mesh::plate_inner_faces, mesh::plate_outer_faces, Point<3>(), Point<3>(), 0}};
 
-  World              world(scene);
+  World              world = make_world(scene);
   contact::NodeFaces faces(family, world, true);
   const Hexahedra slave(*scene.parts[scene::Kind::inner_link], scene.material, Formulation::full),
       master(*scene.parts[scene::Kind::outer_link], scene.material, Formulation::full);
@@ -209,7 +210,7 @@ void displace(World &world, const unsigned int b, const Vector3 &u)
 void check_lost(const bool every_step)
 {
   const scene::Scene scene = links(0.3);
-  World              world(scene);
+  World              world = make_world(scene);
   contact::NodeFaces faces(scene.faces[0], world, every_step);
   for (BodyBatches &copies : world.copies)
     copies.velocity = 0.;
@@ -222,11 +223,11 @@ void check_lost(const bool every_step)
   displace(world, 0, vector(0., 0., 6e-6));
   const double energy = stored(1e-7), lost = world.ledger.lost();
   const double force = faces.records()[0].force[2];
-  world.whole        = 2.;
+  world.symmetry     = MirrorSymmetry(true);
   stored(1e-7);
   verdict("force across the middle plane of halves: none",
           std::abs(force) > 1. && faces.records()[0].force[2] == 0.);
-  world.whole = 1.;
+  world.symmetry = MirrorSymmetry();
   displace(world, 0, vector(0.05, 0., 0.));
   const double rest = stored(1e-7);
   verdict("springs that lose their facets: their energy is booked as lost",

@@ -4,6 +4,7 @@
 // been fetched, or forces would be no numbers; and at no time more than a few gaps are.
 #include "../support/tooth.h"
 
+#include <chaindrive/bodies/make_world.h>
 #include <chaindrive/contact/contacts.h>
 
 #include <deal.II/base/mpi.h>
@@ -33,7 +34,7 @@ int main(int argc, char **argv)
       const double outer = scene.teeth[0].outer_radius, radius = scene.teeth[0].slaves[0].radius;
       scene.bodies[0].initial.position = vector(outer + radius + 10e-6, 0.);
       scene.bodies[0].initial.velocity = Vector3();
-      World              world(scene, MPI_COMM_WORLD);
+      World              world         = make_world(scene, MPI_COMM_WORLD);
       contact::Contacts  contacts(scene, world, false);
       const Rim         &rim     = world.rims[0];
       BodyBatches       &sectors = world.copies[rim.group];

@@ -3,6 +3,7 @@
 // another: the force moves with it. What the histories say of the first gap is no longer true.
 #include "../support/scenes.h"
 
+#include <chaindrive/bodies/make_world.h>
 #include <chaindrive/contact/elastic_flanks.h>
 #include <chaindrive/contact/point_contact.h>
 #include <chaindrive/observe/tooth_forces.h>
@@ -29,7 +30,7 @@ int main()
   family.law          = {1e8, 0., 0., 0., 0.};
   family.slaves       = {{0, dealii::Point<3>(), radius, 0}};
 
-  World                 world(scene);
+  World                 world = make_world(scene);
   contact::PointContact teeth(contact::on_flanks(family, world));
   observe::ToothForces  forces("driver", 1, 15);
   forces.families = {&teeth};

@@ -125,6 +125,21 @@ def imports(tree):
     ]
 
 
+def halves(tree):
+    """What a half model computes is made whole by utilities/mirror_symmetry.h alone."""
+    factor = r"\d+\.\d*"
+    ban = re.compile(
+        rf"\b\w*half\w*(?:\(\))?\s*\?\s*{factor}\s*:\s*{factor}"  # half ? 2. : 1.
+        rf"|\bif\s*\([^;{{}}]*\bhalf\w*(?:\(\))?\s*\)[^;{{}}]*\*=\s*{factor}"  # if (half) x *= 2.
+    )
+    return [
+        f"{path}: doubles or halves by itself, which MirrorSymmetry does: {' '.join(found.split())}"
+        for path, text in tree.items()
+        if is_cxx(path) and path.startswith(("source/", "include/")) and not path.endswith("/mirror_symmetry.h")
+        for found in ban.findall(text)
+    ]
+
+
 def length(tree):
     violations = [
         f"{path}: {text.count(chr(10))} lines, more than {MAX_LINES}"
@@ -235,5 +250,5 @@ def packages(tree):
     return violations
 
 
-RULES = {rule.__name__: rule for rule in (layering, licence, imports, length, words, links, prose, results_documented, prm_listed,
-                                          packages)}
+RULES = {rule.__name__: rule for rule in (layering, licence, imports, halves, length, words, links, prose, results_documented,
+                                          prm_listed, packages)}

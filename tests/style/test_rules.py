@@ -72,6 +72,22 @@ class Files(unittest.TestCase):
              "d.py": "from sys " + "import path\n", "e.md": "    sys." + "path.append('python')\n"},
         )
 
+    def test_halves(self):
+        doubled = "mass *= part.half ? 2. : 1.;"
+        self.assert_rule(
+            rules.halves,
+            {
+                "source/mesh/a.cc": "force = symmetry.whole_force(force);\npower += part.half ? 2 : 1;\nx = 0.5 * half;",
+                "include/chaindrive/utilities/mirror_symmetry.h": doubled,
+                "tests/mesh/b.cc": doubled,
+            },
+            {
+                "source/mesh/c.cc": doubled,
+                "source/mesh/d.cc": "x = s.is_half() ? 0.5 : 1.;",
+                "include/chaindrive/scene/e.h": "if (scene.half)\n  stiffness *= 0.5;",
+            },
+        )
+
     def test_length(self):
         self.assert_rule(
             rules.length,

@@ -43,9 +43,9 @@ inline void reduce(scene::Scene &scene, const reduction::BasisOptions &options =
 /// The group of the reduced bodies of a part, by its number in World::copies.
 inline ReducedBodies &reduced_group(World &world, const unsigned int copies)
 {
-  for (const auto &group : world.groups)
+  for (const auto &group : world.groups.all())
     if (auto *found = dynamic_cast<ReducedBodies *>(group.get());
-        found != nullptr && found->elastic_copies() == copies)
+        found != nullptr && found->copies() == copies)
       return *found;
   throw std::logic_error("no such group");
 }

@@ -6,6 +6,7 @@
 
 #include "scenes.h"
 
+#include <chaindrive/bodies/make_world.h>
 #include <chaindrive/contact/elastic_flanks.h>
 #include <chaindrive/contact/node_contact.h>
 #include <chaindrive/mesh/generate/links.h>
@@ -128,7 +129,7 @@ inline std::pair<Vector3, double> force_and_energy(Tooth c, const Deform &deform
 {
   c.velocity                 = Vector3();
   const scene::Scene   scene = make_scene(c);
-  World                world(scene);
+  World                world = make_world(scene);
   contact::NodeContact family(contact::on_flanks(scene.teeth[0], world), world, true);
   deform(world);
   family.search(world, 1e-3);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <chaindrive/bodies/body_batches.h>
-#include <chaindrive/bodies/body_group.h>
+#include <chaindrive/bodies/elastic_group.h>
 #include <chaindrive/element/elastic_part.h>
 #include <chaindrive/element/kernels.h>
 
@@ -18,7 +18,7 @@ namespace chaindrive
 /// Between two steps the nodes are therefore where they will be at the *next* instant,
 /// BodyBatches::ahead after the present one, with the velocities between the two; frames, energies
 /// and the ledger belong to the present.
-class ElasticBodies : public BodyGroup
+class ElasticBodies : public NodalGroup
 {
 public:
   /// Moves the nodes of @p world's copies number @p group.
@@ -27,15 +27,24 @@ public:
   void start(World &world, const Step &step, const ForceTimer &timer) override;
   void advance(World &world, const Step &step, const ForceTimer &timer) override;
 
-  unsigned int elastic_copies() const override { return group_; }
-  double       stable_step() const override { return stable_step_; }
-  double       largest_frequency(const std::vector<double> &springs) const override
+  double stable_step() const override { return stable_step_; }
+  double largest_frequency(const std::vector<double> &springs) const override
   {
     return part_.largest_frequency(springs);
   }
+
+  dealii::Tensor<1, 3>
+  position_now(const World &world, unsigned int copy, unsigned int node) const override;
+  dealii::Tensor<1, 3>
+       velocity_now(const World &world, unsigned int copy, unsigned int node) const override;
+  void nodes_now(const World                       &world,
+                 unsigned int                       copy,
+                 std::vector<dealii::Tensor<1, 3>> &position,
+                 std::vector<dealii::Tensor<1, 3>> &velocity) const override;
   std::vector<std::unique_ptr<const element::StressRecovery>>
   stress_recoveries(const World &world) const override;
 
+  void        serialize(const Archive &archive, World &world) override;
   std::size_t memory_consumption() const override { return part_.memory_consumption(); }
 
 protected:
@@ -57,8 +66,6 @@ protected:
   /// the forces are added to @p world.
   virtual void
   move(World &world, const Step &step, double kick, bool booked, const ForceTimer &timer) const;
-
-  unsigned int group_; ///< in World::copies
 
 private:
   static void book(World             &world,

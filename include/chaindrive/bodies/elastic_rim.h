@@ -10,7 +10,7 @@ namespace chaindrive
 /// hub holds them. The forces of their elements are therefore added before contacts are found, so
 /// that what neighbours exchange travels with the forces of contacts. Gravity and drag act on no
 /// sprocket.
-class ElasticRim : public ElasticBodies
+class ElasticRim : public ElasticBodies, public ForceGroup
 {
 public:
   /// The rim number @p rim in World::rims.

@@ -7,7 +7,7 @@ namespace chaindrive
 {
 /// Nodes on those sides of rigid bodies of one kind that nodes of elastic ones touch: a group with
 /// no modes. They follow the frames of their bodies, and hand the moments of contact on to them.
-class Followers : public BodyGroup
+class Followers : public BodyGroup, public SurfaceGroup
 {
 public:
   /// Nodes of one side of a rigid body.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <chaindrive/bodies/body_batches.h>
-#include <chaindrive/bodies/body_group.h>
+#include <chaindrive/bodies/elastic_group.h>
 #include <chaindrive/bodies/ledger.h>
 #include <chaindrive/bodies/modal_kernels.h>
 
@@ -30,7 +30,7 @@ namespace chaindrive
 ///
 /// Central differences in the halves of Newmark's method: the first one is in drift(), the second
 /// in advance(), which books the energies of full steps.
-class ReducedBodies : public BodyGroup
+class ReducedBodies : public ModalGroup, public SurfaceGroup
 {
 public:
   /// Moves the nodes of @p world's copies number @p group, which are of the basis in @p scene.
@@ -59,20 +59,20 @@ public:
 
   double shape_energy(const World &world) const override;
   void   rest() override;
-  void   slow_shapes(const World &world, unsigned int copy, double share) override;
-  void   take_shapes(const BodyGroup &other) override;
+  void   slow_shapes(const World &world, unsigned int copy, double factor) override;
 
-  unsigned int elastic_copies() const override { return group_; }
-  double       stable_step() const override;
+  double stable_step() const override;
   dealii::FullMatrix<double>
   matrix_of_shapes(const std::vector<dealii::SymmetricTensor<2, 3>> &springs) const override;
   std::vector<dealii::Tensor<1, 3>> motions_of(unsigned int node) const override;
   unsigned int                      n_shapes() const override { return n_modes(); }
   std::vector<double> amplitudes_of(const World &world, unsigned int copy) const override;
+  void
+  rest_at(const World &world, unsigned int copy, const std::vector<double> &amplitudes) override;
   std::vector<std::unique_ptr<const element::StressRecovery>>
   stress_recoveries(const World &world) const override;
 
-  void        serialize(const Archive &archive, const World &world) override;
+  void        serialize(const Archive &archive, World &world) override;
   std::size_t memory_consumption() const override;
 
   unsigned int n_modes() const { return static_cast<unsigned int>(square_.size()); }
@@ -132,7 +132,6 @@ private:
   /// say.
   ModalNodes modal_nodes(const std::vector<unsigned int> &orbits, const ReadNodes &nodes) const;
 
-  unsigned int         group_; ///< in World::copies
   Material             material_;
   parameters::Elements elements_;
   const ModalKernels  &kernels_;

@@ -39,9 +39,8 @@ struct Rim
   unsigned int                        group; ///< in World::copies: sector s is copy s
   std::shared_ptr<const mesh::Sector> sector;
   std::vector<unsigned int>           border; ///< nodes of a sector that the hub holds
-  double               inertia; ///< about the axis, of all nodes that the hub does not hold, kg m2
-  double               border_inertia; ///< of those that it holds, kg m2
-  dealii::Tensor<1, 3> momentum;       ///< of the nodes that the hub does not hold, kg m/s
+  double               inertia;  ///< about the axis, of all nodes that the hub does not hold, kg m2
+  dealii::Tensor<1, 3> momentum; ///< of the nodes that the hub does not hold, kg m/s
 
 private:
   /// Calls @p visit (copy, node, copy, node) for every two nodes that are one.

@@ -2,27 +2,27 @@
 #pragma once
 
 #include <chaindrive/bodies/body_batches.h>
-#include <chaindrive/bodies/body_group.h>
+#include <chaindrive/bodies/body_groups.h>
 #include <chaindrive/bodies/ledger.h>
 #include <chaindrive/bodies/node_exchange.h>
-#include <chaindrive/bodies/partition.h>
 #include <chaindrive/bodies/rim.h>
+#include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/archive.h>
+#include <chaindrive/utilities/mirror_symmetry.h>
 #include <chaindrive/utilities/rotation.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <array>
-#include <map>
 #include <memory>
 #include <vector>
 
 namespace chaindrive
 {
-/// The state of all bodies. Translations live in deal.II's distributed vectors, three entries per
-/// body (x, y, z of the centre of mass); rotations in three short lists beside them, because a
-/// rigid body's rotation is no vector. `frames` repeats positions and velocities in the form that
-/// forces are computed from.
+/// The state of all bodies, which make_world() makes. Translations live in deal.II's distributed
+/// vectors, three entries per body (x, y, z of the centre of mass); rotations in three short lists
+/// beside them, because a rigid body's rotation is no vector. `frames` repeats positions and
+/// velocities in the form that forces are computed from.
 ///
 /// Elastic bodies move by nodes, or are reduced: rigid bodies whose nodes move by shapes as well.
 /// The nodes of both and the shapes are dealt out to the ranks of a communicator, all else, and
@@ -70,11 +70,6 @@ public:
 
     unsigned int group = none, copy = none;
   };
-
-  explicit World(const scene::Scene &scene, MPI_Comm comm = MPI_COMM_SELF);
-  ~World();
-  World(const World &)            = delete;
-  World &operator=(const World &) = delete;
 
   /// Whether this is the rank that adds the share of everything that is not dealt out.
   bool is_first_rank() const { return rank_ == 0; }
@@ -134,20 +129,26 @@ public:
 
   /// The first groups of copies are elastic bodies, those that move by nodes before the reduced
   /// ones; what comes after them are the meshes of rigid ones.
-  unsigned int n_elastic_groups() const { return n_elastic_groups_; }
-  unsigned int n_nodal_groups() const { return n_nodal_groups_; }
-  bool         has_elastic_bodies() const { return n_elastic_groups_ > 0; }
+  unsigned int n_elastic_groups() const
+  {
+    return static_cast<unsigned int>(groups.elastic().size());
+  }
+  unsigned int n_nodal_groups() const { return static_cast<unsigned int>(groups.nodal().size()); }
+  bool         has_elastic_bodies() const { return !groups.elastic().empty(); }
 
   /// Whether the motion of @p body is that of its nodes: three degrees of freedom each.
   bool moves_by_nodes(const unsigned int body) const
   {
-    return elastic_address[body].group < n_nodal_groups_;
+    return elastic_address[body].group < n_nodal_groups();
   }
 
   /// The group that moves the elastic bodies of these #copies.
-  const BodyGroup &group_of(unsigned int of_copies) const { return *group_of_[of_copies]; }
+  const ElasticGroup &group_of(const unsigned int of_copies) const
+  {
+    return *groups.elastic()[of_copies];
+  }
 
-  /// BodyGroup::place_surface() and gather_forces() of all groups.
+  /// SurfaceGroup::place_surface() and gather_forces() of all groups that have them.
   void place_surfaces(double earlier);
   void gather_forces();
 
@@ -186,10 +187,8 @@ public:
   std::vector<Address>
       node_address; ///< per body, in copies: elastic_address, and those of followers
 
-  /// How all of this moves: rigid bodies, hubs, then one group for each of the copies. A kind of
-  /// body that moves in another way is a class derived from BodyGroup, and a line where the
-  /// constructor makes the groups.
-  std::vector<std::unique_ptr<BodyGroup>> groups;
+  /// How all of this moves: rigid bodies, hubs, then one group for each of the copies.
+  BodyGroups groups;
 
   double time = 0.; ///< s
   Ledger ledger;
@@ -210,48 +209,19 @@ public:
   /// next sum_over_ranks() tells all others.
   double alarm = 0.;
 
-  /// By how much the forces on elastic bodies, their contacts' and their energies are to be
-  /// multiplied to be those of whole bodies: 2 for halves.
-  double whole = 1.;
-
-  /// The force [N] on a whole body from that on what is computed of it: of halves, along the middle
-  /// plane, since across it their images' cancel.
-  dealii::Tensor<1, 3> of_whole(dealii::Tensor<1, 3> force_on_part) const
-  {
-    force_on_part *= whole;
-    if (whole != 1.)
-      force_on_part[2] = 0.;
-    return force_on_part;
-  }
+  /// What makes forces, masses and energies of whole bodies of those that are computed. Until
+  /// sum_over_ranks() they are those of what is computed.
+  MirrorSymmetry symmetry;
 
 private:
-  /// The bodies of each part that move by @p motion.
-  static std::map<scene::PartOf, std::vector<unsigned int>>
-  bodies_that_move(const scene::Scene &scene, scene::Motion motion);
+  /// The bodies at the start, without groups and nodes.
+  World(const scene::Scene &scene, MPI_Comm comm);
+  friend World make_world(const scene::Scene &scene, MPI_Comm comm);
 
-  /// Makes the copies of elastic @p bodies of a part, and returns their number in #copies.
-  unsigned int add_copies(const scene::Scene              &scene,
-                          const scene::PartOf             &of,
-                          const std::vector<unsigned int> &bodies,
-                          const std::vector<unsigned int> &first_batch);
-
-  void add_elastic_bodies(const scene::Scene &scene, const Deals &deals);
-  void add_reduced_bodies(const scene::Scene &scene, const Deals &deals);
-
-  /// Makes the elastic rim of the sprocket @p body and leaves its hub the inertia of the rest.
-  void add_rim(const scene::Scene              &scene,
-               unsigned int                     body,
-               const std::vector<unsigned int> &first_batch);
-
-  /// Makes copies of the meshes of rigid bodies whose nodes touch. The first rank owns them.
-  void add_followers(const scene::Scene &scene);
-
-  std::vector<const BodyGroup *> group_of_; ///< per elastic group of copies
-  unsigned int                   n_nodal_groups_ = 0, n_elastic_groups_ = 0;
-  MPI_Comm                       comm_;
-  unsigned int                   rank_, n_ranks_;
-  Ledger                         before_;        ///< the ledger at clear_forces()
-  std::vector<Loss>              losses_before_; ///< #losses then
-  std::vector<double>            shared_;        ///< what sum_over_ranks() sums
+  MPI_Comm            comm_;
+  unsigned int        rank_, n_ranks_;
+  Ledger              before_;        ///< the ledger at clear_forces()
+  std::vector<Loss>   losses_before_; ///< #losses then
+  std::vector<double> shared_;        ///< what sum_over_ranks() sums
 };
 } // namespace chaindrive

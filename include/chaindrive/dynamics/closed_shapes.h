@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/bodies/body_group.h>
+#include <chaindrive/bodies/elastic_group.h>
 #include <chaindrive/contact/closed_pair.h>
 #include <chaindrive/scene/contact_law.h>
 
@@ -19,9 +19,9 @@ constexpr unsigned int n_directions = 16; ///< about which a round side may touc
 double largest(const Matrix &matrix);
 
 /// What the springs of a @p side of @p bodies that move by shapes add to
-/// BodyGroup::matrix_of_shapes(), 1/s2. They act along the normals of the side and, with friction,
+/// ModalGroup::matrix_of_shapes(), 1/s2. They act along the normals of the side and, with friction,
 /// across. Of a round side that touches in part, that part, about the worst of n_directions.
-Matrix added_to_shapes(const BodyGroup           &bodies,
+Matrix added_to_shapes(const ModalGroup          &bodies,
                        const contact::ClosedSide &side,
                        const scene::ContactLaw   &law);
 

@@ -56,7 +56,7 @@ private:
   };
 
   /// Adds a part's body.
-  unsigned int add_body(const BodyGroup &group);
+  unsigned int add_body(const ModalGroup &group);
 
   /// Adds the ways of @p kind to @p interface, between the bodies that begin at motions @p first.
   void add_ways(const World                       &world,

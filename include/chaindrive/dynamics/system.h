@@ -53,7 +53,7 @@ private:
   void close_ledger();
 
   std::vector<Step::Program> programs_;        ///< of each hub, of the last step made
-  bool                       started_ = false; ///< BodyGroup::start() has been called
+  bool                       started_ = false; ///< NodalGroup::start() has been called
 
   PhaseTimer::Phase internal_force_ = PhaseTimer::rest, integration_ = PhaseTimer::rest,
                     contact_ = PhaseTimer::rest;

@@ -4,6 +4,7 @@
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/drive/solids.h>
 #include <chaindrive/drive/tooth_form.h>
+#include <chaindrive/utilities/mirror_symmetry.h>
 
 #include <deal.II/grid/tria.h>
 
@@ -69,6 +70,8 @@ struct Part
 
   /// Only the half at z >= 0 is meshed; the body is this half and its mirror image.
   bool half = false;
+
+  MirrorSymmetry symmetry() const { return MirrorSymmetry(half); }
 
   drive::MassProperties exact;  ///< of the solid
   drive::MassProperties meshed; ///< of the body as meshed, with its density factors

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/mesh/nodes.h>
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/utilities/rotation.h>
 
@@ -22,6 +23,16 @@ struct Sector
 
   /// Frame of copy @p s of a sprocket that is placed as @p sprocket says.
   Frame frame(const Frame &sprocket, unsigned int s) const;
+
+  /// Moments of inertia of all copies about the axis, kg m2.
+  struct Inertia
+  {
+    double free; ///< of the nodes that the rigid zone does not hold
+    double held; ///< of those that it holds
+  };
+
+  /// With the masses of @p nodes, which are those of part.
+  Inertia inertia(const Nodes &nodes) const;
 
   unsigned int n_sectors;
   unsigned int n_cells; ///< of a sector of the whole, the rigid zone included

@@ -57,7 +57,8 @@ private:
   struct Plates
   {
     PlateStress                  from_nodes;
-    std::vector<WaistComponents> of_shapes; ///< per amplitude of a shape; empty without shapes
+    const ModalGroup            *modal = nullptr; ///< null: bodies that move by nodes
+    std::vector<WaistComponents> of_shapes;       ///< per amplitude of a shape
   };
 
   std::map<unsigned int, Plates> plates_; ///< by group of copies

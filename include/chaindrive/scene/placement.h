@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/utilities/mirror_symmetry.h>
 #include <chaindrive/utilities/rotation.h>
 
 #include <deal.II/base/point.h>
@@ -35,7 +36,6 @@ inline Frame placed(const dealii::Point<2>     &at,
 /// above the middle plane: World::sum_over_ranks() adds its image's force.
 inline std::vector<double> line_stations(const double length, const bool half)
 {
-  const double z = length / (2. * std::sqrt(3.));
-  return half ? std::vector<double>{z} : std::vector<double>{-z, z};
+  return MirrorSymmetry(half).stations(length / (2. * std::sqrt(3.)));
 }
 } // namespace chaindrive::scene

@@ -6,6 +6,7 @@
 #include <chaindrive/scene/drive_view.h>
 #include <chaindrive/scene/effects.h>
 #include <chaindrive/scene/interface.h>
+#include <chaindrive/utilities/mirror_symmetry.h>
 #include <chaindrive/utilities/rotation.h>
 
 #include <map>
@@ -129,6 +130,8 @@ struct Scene
   DriveView drive; ///< empty in a scene without a chain
 
   bool has_elastic_bodies() const;
+
+  MirrorSymmetry symmetry() const { return MirrorSymmetry(half); }
 
   /// What sentences call body @p b, such as "roller 5".
   std::string name_of(unsigned int b) const;

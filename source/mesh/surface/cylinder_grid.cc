@@ -127,6 +127,12 @@ double CylinderGrid::area(const unsigned int station, const unsigned int column)
   return radius * 0.5 * (next - last) * 0.5 * (to - from);
 }
 
+double CylinderGrid::depth(const double z) const
+{
+  const double from_end = stations.back() - z;
+  return half ? from_end : std::min(z - stations.front(), from_end);
+}
+
 bool CylinderGrid::uniform() const
 {
   const double step = 2. * PI / n_columns();

@@ -35,6 +35,10 @@ struct CylinderGrid
   /// angle and z: all shares add up to 2 pi R L.
   double area(unsigned int station, unsigned int column) const;
 
+  /// How far inside the ends of the side a place @p z of its axis is, m; negative outside. A half
+  /// part ends at its last station only: at the first one its mirror image goes on.
+  double depth(double z) const;
+
   /// Whether all columns are 2 pi / n_columns() apart to a billionth of it.
   bool uniform() const;
 

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/elastic_rim.h>
+#include <chaindrive/bodies/followers.h>
+#include <chaindrive/bodies/hubs.h>
+#include <chaindrive/bodies/make_world.h>
+#include <chaindrive/bodies/partition.h>
+#include <chaindrive/bodies/reduced_bodies.h>
+#include <chaindrive/bodies/rigid_bodies.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
+#include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/ranks.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace chaindrive
+{
+namespace
+{
+/// The @p bodies in such an order that the copies of a batch are neighbours along the chain: they
+/// touch others at about the same nodes. Neighbours are dealt out to @p n_in_turn batches in turn:
+/// two of rollers then belong to one of links, with the first and with the second bush.
+std::vector<unsigned int> neighbours_in_batches(const std::vector<unsigned int> &bodies,
+                                                const unsigned int               n_in_turn)
+{
+  const unsigned int        n_batches = BodyBatches::n_batches_of(bodies.size());
+  std::vector<unsigned int> copies(bodies.size());
+  auto                      next = bodies.begin();
+  for (unsigned int first = 0; first < n_batches; first += n_in_turn)
+    for (unsigned int lane = 0; lane < n_lanes; ++lane)
+      for (unsigned int batch = first; batch < std::min(first + n_in_turn, n_batches); ++batch)
+        if (const unsigned int copy = lane * n_batches + batch; copy < copies.size())
+          copies[copy] = *next++;
+  return copies;
+}
+
+/// The bodies of each part that move by @p motion.
+std::map<scene::PartOf, std::vector<unsigned int>> bodies_that_move(const scene::Scene &scene,
+                                                                    const scene::Motion motion)
+{
+  std::map<scene::PartOf, std::vector<unsigned int>> found;
+  for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+    if (scene.bodies[b].motion == motion)
+      found[scene.bodies[b].part()].push_back(b);
+  return found;
+}
+
+/// Makes the copies of elastic @p bodies of a part, and returns their number in World::copies.
+unsigned int add_copies(const scene::Scene              &scene,
+                        const scene::PartOf             &of,
+                        const std::vector<unsigned int> &bodies,
+                        const std::vector<unsigned int> &first_batch,
+                        World                           &world)
+{
+  const unsigned int group = static_cast<unsigned int>(world.copies.size());
+  world.copies.emplace_back(
+      scene.parts.at(of), bodies, scene.bodies, first_batch, world.communicator());
+  for (unsigned int k = 0; k < bodies.size(); ++k)
+    world.elastic_address[bodies[k]] = {group, k};
+  return group;
+}
+
+/// Makes the elastic rim of the sprocket @p body and leaves its hub the inertia of the rest.
+void add_rim(const scene::Scene              &scene,
+             const unsigned int               body,
+             const std::vector<unsigned int> &first_batch,
+             World                           &world)
+{
+  const scene::Body &sprocket = scene.bodies[body];
+  const auto        &sector   = scene.sectors.at(sprocket.part());
+  std::vector<Frame> start;
+  for (unsigned int s = 0; s < sector->n_sectors; ++s)
+    start.push_back(sector->frame(sprocket.initial, s));
+  world.copies.emplace_back(sector->part,
+                            std::vector<unsigned int>(start.size(), body),
+                            start,
+                            first_batch,
+                            world.communicator());
+  world.rims.emplace_back(
+      body, static_cast<unsigned int>(world.copies.size()) - 1, sector, world.copies.back());
+  for (World::Hub &hub : world.hubs)
+    if (hub.body == body)
+      hub.inertia -= world.symmetry.whole(world.rims.back().inertia);
+  world.groups.add(
+      std::make_unique<ElasticRim>(scene, world, static_cast<unsigned int>(world.rims.size()) - 1));
+}
+
+void add_elastic_bodies(const scene::Scene &scene, const Deals &deals, World &world)
+{
+  constexpr scene::Motion elastic = scene::Motion::elastic;
+  for (const auto &[of, bodies] : bodies_that_move(scene, elastic))
+    {
+      const std::vector<unsigned int> &first_batch = deals.at({elastic, of});
+      if (scene.sectors.count(of) != 0)
+        {
+          add_rim(scene, bodies.front(), first_batch, world);
+          continue;
+        }
+      const unsigned int group = add_copies(scene, of, bodies, first_batch, world);
+      if (!scene.plates_bend)
+        world.copies.back().stop_plate_bending();
+      world.groups.add(std::make_unique<ElasticBodies>(scene, world, group));
+    }
+}
+
+void add_reduced_bodies(const scene::Scene &scene, const Deals &deals, World &world)
+{
+  constexpr scene::Motion reduced = scene::Motion::reduced;
+  for (const auto &[of, bodies] : bodies_that_move(scene, reduced))
+    {
+      const unsigned int group =
+          add_copies(scene,
+                     of,
+                     neighbours_in_batches(bodies, of.kind == scene::Kind::roller ? 2 : 1),
+                     deals.at({reduced, of}),
+                     world);
+      world.copies.back().count_readers();
+      world.groups.add(std::make_unique<ReducedBodies>(scene, world, group));
+    }
+}
+
+/// The sides of bodies whose nodes touch though they do not deform, by part and body.
+std::map<scene::PartOf, std::map<unsigned int, std::set<unsigned int>>>
+rigid_sides(const scene::Scene &scene)
+{
+  std::map<scene::PartOf, std::map<unsigned int, std::set<unsigned int>>> sides;
+  for (const scene::BoreFamily &bores : scene.bores)
+    if (bores.elastic)
+      for (const scene::BorePair &pair : bores.pairs)
+        for (const auto &[body, side] : {std::make_pair(pair.master, pair.master_surface),
+                                         std::make_pair(pair.slave.body, pair.slave_surface)})
+          if (!deforms(scene.bodies[body].motion))
+            sides[scene.bodies[body].part()][body].insert(side);
+  return sides;
+}
+
+/// Makes copies of the meshes of rigid bodies whose nodes touch. The first rank owns them.
+void add_followers(const scene::Scene &scene, World &world)
+{
+  for (const auto &[of, of_bodies] : rigid_sides(scene))
+    {
+      const unsigned int        group = static_cast<unsigned int>(world.copies.size());
+      std::vector<unsigned int> bodies;
+      for (const auto &entry : of_bodies)
+        {
+          world.node_address[entry.first] = {group, static_cast<unsigned int>(bodies.size())};
+          bodies.push_back(entry.first);
+        }
+      std::vector<unsigned int> first_batch(n_ranks_in(world.communicator()) + 1,
+                                            BodyBatches::n_batches_of(bodies.size()));
+      first_batch.front() = 0;
+      world.copies.emplace_back(
+          scene.parts.at(of), bodies, scene.bodies, first_batch, world.communicator());
+
+      const BodyBatches           &copies = world.copies.back();
+      std::vector<Followers::Side> followers;
+      for (const auto &[body, surfaces] : of_bodies)
+        for (const unsigned int surface : surfaces)
+          followers.push_back(
+              {body,
+               world.node_address[body].copy,
+               mesh::SurfaceNodes(*copies.part, copies.nodes, static_cast<mesh::Surface>(surface))
+                   .node});
+      world.groups.add(std::make_unique<Followers>(group, std::move(followers)));
+    }
+}
+} // namespace
+
+World make_world(const scene::Scene &scene, const MPI_Comm comm)
+{
+  World world(scene, comm);
+  world.groups.add(std::make_unique<RigidBodies>());
+  world.groups.add(std::make_unique<Hubs>());
+  const Deals deals = partition(scene, n_ranks_in(comm));
+  add_elastic_bodies(scene, deals, world);
+  add_reduced_bodies(scene, deals, world);
+  world.node_address = world.elastic_address;
+  add_followers(scene, world);
+  return world;
+}
+} // namespace chaindrive

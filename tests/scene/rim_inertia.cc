@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A driven inertia below that of the elastic rim alone, halves or not, is refused, and one just
+// above it is accepted. The rim's is computed anew, from the lumped masses of the cells of its
+// sector.
+#include "../support/scenes.h"
+
+#include <chaindrive/mesh/mass.h>
+#include <chaindrive/mesh/sector.h>
+#include <chaindrive/scene/build.h>
+#include <chaindrive/utilities/errors.h>
+
+using namespace test;
+
+namespace
+{
+scene::Scene build(const Parameters &p)
+{
+  return scene::build_scene(p, drive::make_drive(p), {"."}, {});
+}
+
+/// Of the rim of the driven sprocket about its axis, kg m2.
+double rim_inertia(const scene::Scene &scene)
+{
+  const auto &sector = *scene.sectors.at(scene.bodies.back().part());
+  const auto  one    = mesh::lumped_properties(*sector.part);
+  return sector.n_sectors * (one.inertia[2][2] + one.mass * (one.centre[0] * one.centre[0] +
+                                                             one.centre[1] * one.centre[1]));
+}
+
+void look(const std::string &what, const Parameters &p)
+{
+  std::cout << what << ": ";
+  try
+    {
+      build(p);
+      std::cout << "accepted\n";
+    }
+  catch (const InputError &error)
+    {
+      const std::string text = error.what(); // without its digits
+      std::cout << text.substr(0, text.find(" = ")) << " ... " << text.substr(text.find("; ") + 2)
+                << '\n';
+    }
+}
+} // namespace
+
+int main()
+{
+  Parameters p;
+  p.model.fidelity        = parameters::Fidelity::full;
+  p.model.stiffness_from  = parameters::StiffnessFrom::dimensions;
+  p.mesh.refinement       = 1;
+  p.output.field_interval = 0.;
+  for (const auto half : {parameters::HalfModel::no, parameters::HalfModel::yes})
+    {
+      p.model.half = half;
+      p.model.driven_inertia.reset();
+      const scene::Scene scene = build(p);
+      std::cout << (scene.half ? "halves" : "whole bodies") << '\n';
+      const double rim = rim_inertia(scene);
+      look("  auto", p);
+      p.model.driven_inertia = 1.000001 * rim;
+      look("  just above the rim's", p);
+      p.model.driven_inertia = 0.999999 * rim;
+      look("  just below the rim's", p);
+      p.drive.sprockets.driven().elastic = parameters::Switch::off;
+      look("  and with a rigid sprocket", p);
+      p.drive.sprockets.driven().elastic = parameters::Switch::automatic;
+    }
+}
