@@ -107,6 +107,13 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
                           lengths,
                           at.turn);
     }
+  // where a line with this normal touches a pitch circle, in the drive as it turns
+  const auto touch = [&d](const path::Wheel &wheel, const double tangent) {
+    const double angle = path::touching(wheel, tangent);
+    return dealii::Point<2>(wheel.centre[0] + wheel.roller_radius * std::cos(angle),
+                            d.layout.sense *
+                                (wheel.centre[1] + wheel.roller_radius * std::sin(angle)));
+  };
   for (std::size_t i = 0; i < n; ++i)
     {
       const path::Wheel  &from = wheels[i], &to = wheels[(i + 1) % n];
