@@ -77,6 +77,11 @@ SEAMS = {
          Interface("NodalGroup", "include/chaindrive/bodies/elastic_group.h"),
          Interface("ModalGroup", "include/chaindrive/bodies/elastic_group.h")],
         [Implementations("BodyGroup"), Implementations("ForceGroup"), Implementations("SurfaceGroup")]]),
+    "force element": Seam("forces", "A scene lists its elements, and a system works on copies of its own. Bars are one of them.", [
+        [calls("System", "source/dynamics/system.cc", "clone", "add_forces", "add_springs", "serialize"),
+         calls("who looks for faults", "source/dynamics/fault_diagnosis.cc", "forces", "name")],
+        [Interface("ForceElement", "include/chaindrive/forces/force_element.h")],
+        [Implementations("ForceElement")]]),
     "surface": Seam("contact", "For each slave near it: where it is nearest, how fast it comes, and, after the law, the opposite force.", [
         [calls("SurfaceContact: search", "source/contact/surface_contact.cc", "needs_search", "is_near"),
          calls("PointContact", "source/contact/point_contact.cc", "is_beside", "project", "relative_velocity", "slip_velocity", "add_opposite", "main_direction"),

@@ -6,10 +6,9 @@ namespace chaindrive
 {
 void Hubs::kick(World &world, const double h)
 {
-  const double *moment = world.moment.begin();
   for (World::Hub &hub : world.hubs)
     if (!hub.prescribed)
-      hub.speed += h / hub.inertia * moment[3 * hub.body + 2];
+      hub.speed += h / hub.inertia * world.moment_about(hub);
 }
 
 void Hubs::drift(World &world, const Step &step)
@@ -24,9 +23,7 @@ void Hubs::drift(World &world, const Step &step)
         }
       else
         hub.angle += step.dt * hub.speed;
-      Frame &frame              = world.frames[hub.body];
-      frame.rotation            = to_matrix(rotation_about_z(hub.start_angle + hub.angle));
-      frame.angular_velocity[2] = hub.speed;
+      world.place(hub);
     }
 }
 
@@ -37,7 +34,7 @@ void Hubs::finish(World &world, const Step &step)
       World::Hub &hub = world.hubs[i];
       if (hub.prescribed && step.programs != nullptr)
         hub.speed = step.programs[i].speed;
-      world.frames[hub.body].angular_velocity[2] = hub.speed;
+      world.place(hub);
     }
 }
 

@@ -3,8 +3,11 @@
 
 namespace chaindrive
 {
-Mobility::Mobility(const World &world) : world_(world), turning_(world.n_bodies())
+Mobility::Mobility(const World &world)
+    : world_(world), turning_(world.n_bodies()), pivot_(world.n_bodies())
 {
+  for (unsigned int b = 0; b < world.n_bodies(); ++b)
+    pivot_[b] = world.frames[b].position;
   for (const World::Rotation &rotation : world.rotations)
     {
       const dealii::Tensor<2, 3> &r = world.frames[rotation.body].rotation;
@@ -16,14 +19,17 @@ Mobility::Mobility(const World &world) : world_(world), turning_(world.n_bodies(
   for (const World::Spin &spin : world.spins)
     turning_[spin.body][2][2] = 1. / spin.inertia;
   for (const World::Hub &hub : world.hubs)
-    if (!hub.prescribed)
-      turning_[hub.body][2][2] = 1. / hub.inertia;
+    {
+      pivot_[hub.body] = world.pivot_of(hub);
+      if (!hub.prescribed)
+        turning_[hub.body] = 1. / hub.inertia * outer_product(hub.axis, hub.axis);
+    }
 }
 
 dealii::Tensor<2, 3> Mobility::of_point(const unsigned int          body,
                                         const dealii::Tensor<1, 3> &at) const
 {
-  const dealii::Tensor<1, 3> arm = at - world_.frames[body].position;
+  const dealii::Tensor<1, 3> arm = at - pivot_[body];
   dealii::Tensor<2, 3>       cross; // cross * w = w x arm
   cross[0][1]                 = arm[2];
   cross[1][0]                 = -arm[2];

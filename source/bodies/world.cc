@@ -23,6 +23,40 @@ dealii::Tensor<1, 3> angular_momentum(const Frame &frame, const dealii::Tensor<1
 }
 } // namespace
 
+namespace
+{
+/// What turns about an axis, at the start. Its inertia about the axis is that about the parallel
+/// axis through its centre of mass, and m a^2 of the arm a (Steiner).
+World::Hub make_hub(const unsigned int b, const scene::Body &body, const Quaternion &orientation)
+{
+  const scene::Mount &mount = body.mount;
+  const Frame        &start = body.initial;
+  World::Hub          hub{};
+  hub.body       = b;
+  hub.prescribed = mount.kind != scene::Mount::Kind::revolute;
+  hub.axis       = mount.axis;
+  hub.start      = orientation;
+  hub.speed   = mount.kind == scene::Mount::Kind::fixed ? 0. : start.angular_velocity * mount.axis;
+  hub.inertia = body.inertia[2];
+  if (hub.about_z())
+    hub.start_angle = 2. * std::atan2(orientation.z, orientation.w);
+  else
+    {
+      const dealii::Tensor<1, 3> axis = transpose(start.rotation) * hub.axis;
+      hub.inertia                     = 0.;
+      for (unsigned int d = 0; d < 3; ++d)
+        hub.inertia += axis[d] * axis[d] * body.inertia[d];
+    }
+  if (mount.pivot)
+    {
+      hub.arm = start.position - *mount.pivot;
+      hub.arm -= (hub.arm * hub.axis) * hub.axis;
+      hub.inertia += body.mass * hub.arm.norm_square();
+    }
+  return hub;
+}
+} // namespace
+
 World::World(const scene::Scene &scene, const MPI_Comm comm)
     : node_exchange(comm)
     , time(scene.start_time)
@@ -43,20 +77,14 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
       frames.push_back(body.initial);
       origin.push_back(body.initial.position);
       mass.push_back(body.mass);
-      const bool free =
-          body.support == scene::Support::none && body.motion != scene::Motion::elastic;
+      const bool free = body.mount.is_free() && body.motion != scene::Motion::elastic;
       inverse_mass.push_back(free ? 1. / body.mass : 0.);
       for (unsigned int d = 0; d < 3; ++d)
         velocity.local_element(3 * b + d) = free ? body.initial.velocity[d] : 0.;
 
       const Quaternion orientation = to_quaternion(body.initial.rotation);
-      if (body.support != scene::Support::none)
-        hubs.push_back({b,
-                        body.support == scene::Support::prescribed_hub,
-                        body.inertia[2],
-                        0.,
-                        body.initial.angular_velocity[2],
-                        2. * std::atan2(orientation.z, orientation.w)});
+      if (!body.mount.is_free())
+        hubs.push_back(make_hub(b, body, orientation));
       else if (body.motion == scene::Motion::rigid || body.motion == scene::Motion::reduced)
         rotations.push_back(
             {b, orientation, angular_momentum(body.initial, body.inertia), body.inertia});
@@ -66,6 +94,35 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
 
   elastic_address.resize(n);
   node_address.resize(n);
+}
+
+void World::place(const Hub &hub)
+{
+  Frame &frame           = frames[hub.body];
+  frame.angular_velocity = hub.speed * hub.axis;
+  if (hub.about_z())
+    frame.rotation = to_matrix(rotation_about_z(hub.start_angle + hub.angle));
+  else
+    frame.rotation = to_matrix(rotation_by(hub.angle * hub.axis) * hub.start);
+  if (hub.arm.norm_square() == 0.)
+    return;
+  const dealii::Tensor<1, 3> arm = to_matrix(rotation_by(hub.angle * hub.axis)) * hub.arm;
+  frame.position                 = pivot_of(hub) + arm;
+  frame.velocity                 = cross_product_3d(frame.angular_velocity, arm);
+}
+
+double World::moment_about(const Hub &hub) const
+{
+  dealii::Tensor<1, 3> moment_on, force_on;
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      moment_on[d] = moment.local_element(3 * hub.body + d);
+      force_on[d]  = force.local_element(3 * hub.body + d);
+    }
+  if (hub.about_z() && hub.arm.norm_square() == 0.)
+    return moment_on[2];
+  return hub.axis *
+         (moment_on + cross_product_3d(frames[hub.body].position - pivot_of(hub), force_on));
 }
 
 const Rim *World::rim_of(const unsigned int body) const

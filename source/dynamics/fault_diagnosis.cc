@@ -134,6 +134,9 @@ std::vector<Reported> reported_forces(const scene::Scene &scene, const System &s
       all.push_back({bar.first, pull, text_of(scene, bar)});
       all.push_back({bar.second, -pull, text_of(scene, bar)});
     }
+  for (const auto &element : system.forces)
+    for (const auto &[body, force] : element->forces())
+      all.push_back({body, force, element->name()});
   return all;
 }
 

@@ -64,7 +64,9 @@ constexpr Line lines[] = {
     {"friction loss", &Ledger::friction, "Effects/Friction"},
     {"contact damping loss", &Ledger::contact_damping, "Effects/Contact damping"},
     {"chain damping loss", &Ledger::chain_damping, "Effects/Chain damping"},
-    {"drag loss", &Ledger::drag, "Effects/Drag"}};
+    {"drag loss", &Ledger::drag, "Effects/Drag"},
+    {"energy of springs", &Ledger::spring, "Time/Step in us"},
+    {"loss of dampers", &Ledger::spring_damping, "Time/Step in us"}};
 } // namespace
 
 bool EnergyGuard::closes(const Ledger &ledger, const double floor)

@@ -21,7 +21,7 @@ struct End
 
 using Ends = std::array<End, 2>;
 
-Ends ends_of(const World &world, const Spring &s)
+Ends ends_of(const Mobility &mobility, const Spring &s)
 {
   Ends ends{};
   for (unsigned int i = 0; i < 2; ++i)
@@ -35,7 +35,7 @@ Ends ends_of(const World &world, const Spring &s)
           continue;
         }
       const dealii::Tensor<1, 3> arm =
-          (i == 0 ? s.first_at : s.second_at) - world.frames[end.body].position;
+          (i == 0 ? s.first_at : s.second_at) - mobility.centre(end.body);
       end.force  = pull;
       end.moment = dealii::cross_product_3d(arm, pull);
     }
@@ -85,7 +85,7 @@ double stable_step(const World &world, const std::vector<Spring> &springs)
   std::vector<double> stiffness, damping;
   for (const Spring &spring : springs)
     {
-      ends.push_back(ends_of(world, spring));
+      ends.push_back(ends_of(mobility, spring));
       stiffness.push_back(spring.stiffness);
       damping.push_back(spring.damping);
     }

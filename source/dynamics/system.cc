@@ -23,7 +23,9 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
     , loads(scene)
 {
   // a phase that nothing in the scene calls for is not made and has no row in the table
-  if (bars.size() > 0 || world.n_nodal_groups() > 0)
+  for (const auto &given : scene.forces)
+    forces.push_back(given->clone());
+  if (bars.size() > 0 || !forces.empty() || world.n_nodal_groups() > 0)
     internal_force_ = timer.add("Internal force");
   integration_ = timer.add("Time integration");
   if (!contacts.families().empty())
@@ -74,7 +76,7 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 //   clear_resultants     force, moment, momenta of rims and stored energies become zero. Forces on
 //                        nodes are zero: whoever used them up has cleared them              all
 //   Loads::add_forces    gravity and drag of rigid bodies, and their energies               first
-//   Bars::add_forces     pulls on both bodies, and energies                                 first
+//   ForceElement::add_forces  bars, springs, stops: on both bodies, and energies             first
 //   groups: add_forces   rims: internal forces of nodes and their energies; the forces on
 //                        held nodes go to the hub, those between sectors become means       owners
 //   Contacts::add_forces
@@ -106,10 +108,12 @@ void System::evaluate_forces(const double dt)
   world.clear_resultants();
   if (world.is_first_rank())
     loads.add_forces(world, dt);
-  if (world.is_first_rank() && bars.size() > 0)
+  if (world.is_first_rank() && (bars.size() > 0 || !forces.empty()))
     {
       const PhaseTimer::Scope scope(timer, internal_force_);
       bars.add_forces(world, dt);
+      for (const auto &element : forces)
+        element->add_forces(world, dt);
     }
   for (ForceGroup *group : world.groups.force())
     group->add_forces(world, force_timer);
@@ -163,6 +167,8 @@ void System::serialize(const Archive &archive)
   archive("started", started_);
   world.serialize(archive / "world");
   bars.serialize(archive / "bars");
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    forces[i]->serialize(archive / ("force element " + std::to_string(i)));
   contacts.serialize(archive / "contacts", world);
   loads.serialize(archive / "loads");
 }
@@ -175,6 +181,12 @@ std::vector<StepLimit> System::step_limits() const
     {
       bars.add_springs(world, springs);
       step_limits.push_back({"bars", stable_step(world, springs)});
+    }
+  for (const auto &element : forces)
+    {
+      springs.clear();
+      element->add_springs(world, springs);
+      step_limits.push_back({element->name(), stable_step(world, springs)});
     }
   for (const ElasticGroup *group : world.groups.elastic())
     step_limits.push_back(
@@ -202,6 +214,8 @@ double System::stable_step_limit() const
 {
   std::vector<Spring> springs;
   bars.add_springs(world, springs);
+  for (const auto &element : forces)
+    element->add_springs(world, springs);
   contacts.add_springs(world, springs);
   double limit = stable_step(world, springs);
 

@@ -8,7 +8,8 @@ Loads::Loads(const scene::Scene &scene)
     : start_(scene.start_time), gravity_(scene.loads.gravity), drag_(scene.loads.drag)
 {
   for (const scene::Shaft &shaft : scene.shafts)
-    shafts_.push_back({shaft});
+    if (scene.bodies[shaft.body].mount.kind != scene::Mount::Kind::fixed)
+      shafts_.push_back({shaft});
 }
 
 void Loads::add_forces(World &world, const double dt)
@@ -21,6 +22,16 @@ void Loads::add_forces(World &world, const double dt)
           const double weight = share * world.mass[b] * gravity_;
           world.force.local_element(3 * b + 1) -= weight;
           world.ledger.potential += weight * world.displacement.local_element(3 * b + 1);
+        }
+  if (gravity_ != 0.) // the pivot bears the weight itself, which is no force on the chain
+    for (const World::Hub &hub : world.hubs)
+      if (!hub.prescribed && hub.arm.norm_square() > 0.)
+        {
+          const double               weight = world.symmetry.share(world.mass[hub.body] * gravity_);
+          const dealii::Tensor<1, 3> arm    = world.frames[hub.body].position - world.pivot_of(hub);
+          world.moment.local_element(3 * hub.body) += arm[2] * weight;
+          world.moment.local_element(3 * hub.body + 2) -= arm[0] * weight;
+          world.ledger.potential += weight * (arm - hub.arm)[1];
         }
   if (drag_ != 0.)
     for (unsigned int b = 0; b < world.n_bodies(); ++b)
@@ -76,10 +87,9 @@ void Loads::add_work(World &world)
     for (State &shaft : shafts_)
       if (shaft.given.body == hub.body)
         {
-          double      &moment = world.moment.local_element(3 * hub.body + 2);
-          const double sense  = shaft.given.sense;
+          const double sense = shaft.given.sense;
           const double torque =
-              hub.prescribed ? -moment : // supplied against the contacts
+              hub.prescribed ? -world.moment_about(hub) : // supplied against the contacts
                   -sense * shaft.given.program.resisting_torque(sense * hub.angle, world.time);
           const double work = 0.5 * (shaft.torque + torque) * (hub.angle - shaft.angle);
           if (booked_ && hub.prescribed)
@@ -89,7 +99,8 @@ void Loads::add_work(World &world)
           shaft.torque = torque;
           shaft.angle  = hub.angle;
           if (!hub.prescribed)
-            moment += torque;
+            for (unsigned int d = 0; d < 3; ++d)
+              world.moment.local_element(3 * hub.body + d) += torque * hub.axis[d];
         }
   booked_ = true;
 }

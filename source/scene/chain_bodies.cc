@@ -18,11 +18,10 @@ Body make_body(const Kind                   kind,
                const Frame                 &frame)
 {
   Body body;
-  body.kind    = kind;
-  body.number  = number;
-  body.motion  = motion;
-  body.support = Support::none;
-  body.mass    = scale * solid.mass;
+  body.kind   = kind;
+  body.number = number;
+  body.motion = motion;
+  body.mass   = scale * solid.mass;
   for (unsigned int d = 0; d < 3; ++d)
     body.inertia[d] = scale * solid.inertia[d][d];
   body.initial = frame;

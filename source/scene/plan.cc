@@ -33,9 +33,11 @@ std::string name_of(const Scene &scene, const Body &body)
 std::string motion_of(const Body &body)
 {
   const std::string rim = body.motion == Motion::elastic ? "elastic rim, " : "rigid, ";
-  if (body.support == Support::prescribed_hub)
+  if (body.mount.kind == Mount::Kind::fixed)
+    return "fixed";
+  if (body.mount.kind == Mount::Kind::motor)
     return rim + "hub turned by the speed program";
-  if (body.support == Support::loaded_hub)
+  if (body.mount.kind == Mount::Kind::revolute)
     return rim + "one rotation of the hub against the load torque";
   switch (body.motion)
     {

@@ -6,6 +6,13 @@
 
 namespace chaindrive::scene
 {
+dealii::Tensor<1, 3> Mount::along_z()
+{
+  dealii::Tensor<1, 3> z;
+  z[2] = 1.;
+  return z;
+}
+
 bool Scene::has_elastic_bodies() const
 {
   return std::any_of(

@@ -24,11 +24,10 @@ void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, S
     {
       const drive::Layout::Joint &joint = drive.layout.joints[k];
       Body                        roller;
-      roller.kind    = Kind::roller;
-      roller.number  = k;
-      roller.motion  = Motion::lumped;
-      roller.support = Support::none;
-      roller.mass    = mass;
+      roller.kind   = Kind::roller;
+      roller.number = k;
+      roller.motion = Motion::lumped;
+      roller.mass   = mass;
       roller.initial =
           placed(joint.roller, 0., joint.velocity, spins ? roller_spin(drive.layout, k) : 0.);
       if (spins)

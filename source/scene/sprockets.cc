@@ -61,11 +61,11 @@ Body sprocket_body(const Parameters   &parameters,
   const bool rim = is_on(scene.effects, EffectKind::elastic_sprocket, sprocket.name);
 
   Body body;
-  body.kind    = Kind::sprocket;
-  body.number  = i;
-  body.motion  = rim ? Motion::elastic : Motion::rigid;
-  body.support = sprocket.role == Role::driver ? Support::prescribed_hub : Support::loaded_hub;
-  body.mass    = solid.mass;
+  body.kind   = Kind::sprocket;
+  body.number = i;
+  body.motion = rim ? Motion::elastic : Motion::rigid;
+  body.mount  = sprocket.role == Role::driver ? Mount::motor() : Mount::revolute();
+  body.mass   = solid.mass;
   for (unsigned int d = 0; d < 3; ++d)
     body.inertia[d] = solid.inertia[d][d];
   if (sprocket.role == Role::driven)
@@ -85,7 +85,7 @@ void check_inertia(const Body &sprocket, const mesh::Sector &sector, const Scene
 {
   const mesh::Sector::Inertia rim = sector.inertia(mesh::Nodes(*sector.part));
   const double                all = scene.symmetry().whole(rim.free + rim.held);
-  if (sprocket.support == Support::loaded_hub && sprocket.inertia[2] < all)
+  if (sprocket.mount.kind == Mount::Kind::revolute && sprocket.inertia[2] < all)
     throw InputError("Model/Driven inertia in kg m2 = " + to_text(sprocket.inertia[2]) +
                      " is less than that of the elastic rim of the sprocket alone, " +
                      to_text(all) +

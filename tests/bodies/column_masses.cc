@@ -92,7 +92,7 @@ scene::Scene flying(const std::shared_ptr<const mesh::Part> &part, const double 
   for (unsigned int k = 0; k < 9; ++k)
     {
       scene::Body roller = body(scene::Motion::elastic,
-                                scene::Support::none,
+                                scene::Mount::free(),
                                 part->meshed.mass,
                                 Vector3(),
                                 vector(0.1 + 0.02 * k, 0.3, 0.),

@@ -19,7 +19,7 @@ namespace
 constexpr unsigned int teeth = 11;
 
 /// One sprocket, placed off the origin and turned, without anything else.
-scene::Scene make_scene(const scene::Support support, const element::Formulation formulation)
+scene::Scene make_scene(const scene::Mount &mount, const element::Formulation formulation)
 {
   scene::Scene scene         = empty_scene();
   scene.elements.formulation = static_cast<parameters::Formulation>(formulation);
@@ -32,7 +32,7 @@ scene::Scene make_scene(const scene::Support support, const element::Formulation
   scene.sectors[scene::Kind::sprocket] = std::make_shared<const mesh::Sector>(*whole);
 
   scene::Body sprocket =
-      body(scene::Motion::elastic, support, 1., vector(1., 1., 6e-5), vector(0., 0.));
+      body(scene::Motion::elastic, mount, 1., vector(1., 1., 6e-5), vector(0., 0.));
   sprocket.kind             = scene::Kind::sprocket;
   sprocket.initial.rotation = to_matrix(rotation_about_z(0.3));
   scene.bodies              = {sprocket};
@@ -87,7 +87,7 @@ Whole whole_mesh(const scene::Scene         &scene,
 
 void compare_forces(const std::string &name, const element::Formulation formulation)
 {
-  const scene::Scene scene = make_scene(scene::Support::prescribed_hub, formulation);
+  const scene::Scene scene = make_scene(scene::Mount::motor(), formulation);
   dynamics::System   system(scene, false);
   World             &world   = system.world;
   NodalGroup        &sectors = *world.groups.nodal().back();
@@ -184,7 +184,7 @@ void compare_forces(const std::string &name, const element::Formulation formulat
 /// A hub at 100 rad/s, a rim at rest. Returns the largest imbalance over the energy at the start.
 double serialize(const double dt)
 {
-  const scene::Scene scene = make_scene(scene::Support::loaded_hub, element::Formulation::enhanced);
+  const scene::Scene scene = make_scene(scene::Mount::revolute(), element::Formulation::enhanced);
   dynamics::System   system(scene, false);
   World             &world  = system.world;
   const BodyBatches &copies = world.copies[0];

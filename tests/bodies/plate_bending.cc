@@ -55,7 +55,7 @@ void stretch(const bool plates_bend)
   scene::Scene scene = empty_scene();
   scene.plates_bend  = plates_bend;
   scene.bodies.push_back(
-      body(scene::Motion::elastic, scene::Support::none, part->meshed.mass, Vector3(), Vector3()));
+      body(scene::Motion::elastic, scene::Mount::free(), part->meshed.mass, Vector3(), Vector3()));
   scene.bodies.back().kind             = scene::Kind::inner_link;
   scene.parts[scene::Kind::inner_link] = part;
   scene.material                       = parameters.material;

@@ -30,7 +30,7 @@ scene::Scene make_scene()
   for (unsigned int k = 0; k < n_copies; ++k)
     {
       scene::Body link              = body(scene::Motion::elastic,
-                              scene::Support::none,
+                              scene::Mount::free(),
                               0.,
                               Vector3(),
                               vector(0.1 + 0.02 * k, 0.3, -0.1 * k),

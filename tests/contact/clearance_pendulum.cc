@@ -25,7 +25,7 @@ int main()
   const double  deep               = c + 0.9e-9;
   const Vector3 bore               = deep * vector(std::sin(lean), -std::cos(lean));
   scene.bodies                     = {body(scene::Motion::rigid,
-                       scene::Support::none,
+                       scene::Mount::free(),
                        m,
                        vector(inertia, inertia, inertia),
                        bore + l * vector(std::sin(swing), -std::cos(swing))),

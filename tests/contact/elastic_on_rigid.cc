@@ -25,7 +25,7 @@ Result run(const bool bush_is_elastic, const double friction, const double share
   const auto                 add =
       [&](const scene::Kind kind, mesh::Part &&part, const double x, const bool elastic) {
         scene::Body link = body(elastic ? scene::Motion::elastic : scene::Motion::rigid,
-                                scene::Support::none,
+                                scene::Mount::free(),
                                 part.meshed.mass,
                                 Vector3(),
                                 vector(x, 0.));

@@ -34,7 +34,7 @@ int main()
       constexpr unsigned int end_face  = 1;  // x = length / 2
       scene.parts[scene::Kind::roller] = std::make_shared<const mesh::Part>(std::move(bar));
       scene.bodies                     = {body(scene::Motion::elastic,
-                           scene::Support::none,
+                           scene::Mount::free(),
                            rho * length * width * width,
                            vector(1., 1., 1.),
                            vector(-0.5 * length, -0.5 * width, -0.5 * width),

@@ -25,7 +25,7 @@ int main()
       for (unsigned int b = 0; b < 2; ++b)
         {
           scene.bodies.push_back(body(scene::Motion::rigid,
-                                      scene::Support::none,
+                                      scene::Mount::free(),
                                       1.,
                                       vector(1., 1., 1.),
                                       random(1e-4),

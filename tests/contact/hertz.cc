@@ -63,7 +63,7 @@ double load_of(const double approach, const double h, const double stiffness_fac
   const double E                   = scene.material.youngs_modulus;
   scene.parts[scene::Kind::roller] = std::make_shared<const mesh::Part>(quarter(h, 1.15));
   scene.bodies                     = {
-                          body(scene::Motion::elastic, scene::Support::none, 1., vector(1., 1., 1.), vector(0., 0.)),
+                          body(scene::Motion::elastic, scene::Mount::free(), 1., vector(1., 1., 1.), vector(0., 0.)),
                           ground()};
   scene.bodies[1].initial.position = vector(0., -R);
   scene::ContactLaw law;

@@ -52,7 +52,7 @@ double bars(const double approach, const std::array<unsigned int, 2> &cells)
   for (const scene::Kind kind : {scene::Kind::inner_link, scene::Kind::outer_link})
     {
       scene.bodies.push_back(
-          body(scene::Motion::elastic, scene::Support::none, 1., vector(1., 1., 1.), Vector3()));
+          body(scene::Motion::elastic, scene::Mount::free(), 1., vector(1., 1., 1.), Vector3()));
       scene.bodies.back().kind = kind;
     }
   scene::FaceFamily family;
@@ -131,12 +131,12 @@ scene::Scene links(const double friction)
 
   scene.bodies = {
       body(scene::Motion::elastic,
-           scene::Support::none,
+           scene::Mount::free(),
            1.,
            vector(1., 1., 1.),
            Vector3(),
            vector(0.3, 0.2, 1.)),
-      body(scene::Motion::elastic, scene::Support::none, 1., vector(1., 1., 1.), Vector3())};
+      body(scene::Motion::elastic, scene::Mount::free(), 1., vector(1., 1., 1.), Vector3())};
   scene.bodies[0].kind   = scene::Kind::inner_link;
   scene.bodies[1].kind   = scene::Kind::outer_link;
   Frame &outer           = scene.bodies[1].initial;

@@ -30,7 +30,7 @@ scene::Scene pulled(const Parameters &p, const drive::Drive &drive, const double
   for (const int i : {-1, 0, 1})
     {
       scene::Body link = body(scene::Motion::elastic,
-                              scene::Support::none,
+                              scene::Mount::free(),
                               1.,
                               vector(1., 1., 1.),
                               vector(i * distance, 0.));

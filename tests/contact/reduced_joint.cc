@@ -33,7 +33,7 @@ scene::Scene make_scene(const bool rubs)
   for (unsigned int k = 0; k < n; ++k)
     {
       scene::Body link      = body(scene::Motion::elastic,
-                              scene::Support::none,
+                              scene::Mount::free(),
                               0.,
                               Vector3(),
                               vector(0.05 * k, 0.01 * k),
@@ -53,7 +53,7 @@ scene::Scene make_scene(const bool rubs)
       const unsigned int on           = (k + 1) % n;
       const Frame       &link         = scene.bodies[on].initial;
       scene::Body        roller       = body(scene::Motion::elastic,
-                                scene::Support::none,
+                                scene::Mount::free(),
                                 0.,
                                 Vector3(),
                                 link.position + link.rotation * arm + vector(2e-5, 1e-5),

@@ -80,7 +80,7 @@ scene::Scene make_scene(const Place  place,
   const Vector3 arm       = vector(0.5 * chain.inner_hole_pitch, 0.);
   const double  clearance = 0.5 * (chain.roller_bore - chain.bush_diameter);
   scene.bodies.push_back(body(scene::Motion::rigid,
-                              scene::Support::none,
+                              scene::Mount::free(),
                               8.9e-3,
                               vector(1., 1., 1.), // it does not turn
                               roller.initial.position + arm - vector(0., clearance),

@@ -13,7 +13,7 @@ int main()
   scene.loads.drag    = 100.; // lets the swinging about the bottom of the bore die out
   turn(scene, 1, std::make_shared<functions::Ramp>(120.74, 0., 20e-3, functions::Rise::cosine));
   scene.bodies = {body(scene::Motion::rigid,
-                       scene::Support::none,
+                       scene::Mount::free(),
                        m,
                        vector(inertia, inertia, inertia),
                        vector(0., -(bore - bush) - 0.9e-9)),

@@ -27,7 +27,7 @@ int main()
       scene::Scene scene  = empty_scene();
       scene.loads.gravity = g;
       scene.bodies        = {body(c.lumped ? scene::Motion::lumped : scene::Motion::rigid,
-                                  scene::Support::none,
+                                  scene::Mount::free(),
                                   m,
                                   vector(inertia, inertia, inertia),
                                   (radius - 0.5e-9) * normal),

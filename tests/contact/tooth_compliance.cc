@@ -202,7 +202,7 @@ scene::Scene pressed(const Pressing &p)
   const Vector3    arm             = vector(0.5 * chain.inner_hole_pitch, 0.);
   const double     clearance       = 0.5 * (chain.roller_bore - chain.bush_diameter);
   scene.bodies.push_back(body(p.by_shapes ? scene::Motion::elastic : scene::Motion::rigid,
-                              scene::Support::none,
+                              scene::Mount::free(),
                               mass,
                               inertia,
                               scene.bodies[0].initial.position + arm - vector(0., clearance)));

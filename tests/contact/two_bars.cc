@@ -40,7 +40,7 @@ int main()
           cell->set_material_id(mesh::roller); // colouring the sides has coloured the cells as well
         scene.parts[kind] = std::make_shared<const mesh::Part>(std::move(bar));
         scene.bodies.push_back(body(scene::Motion::elastic,
-                                    scene::Support::none,
+                                    scene::Mount::free(),
                                     times * mass,
                                     vector(1., 1., 1.),
                                     vector(v > 0. ? -half : half, 0.),
@@ -51,7 +51,7 @@ int main()
       add(scene::Kind::inner_link, ratio_of_lengths, 0.);
       const double inertia = 1e-3 * mass * area;
       scene.bodies.push_back(body(scene::Motion::rigid,
-                                  scene::Support::none,
+                                  scene::Mount::free(),
                                   1e-3 * mass,
                                   vector(inertia, inertia, inertia),
                                   vector(0., 0.)));

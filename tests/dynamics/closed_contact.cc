@@ -22,7 +22,7 @@ make_scene(const mesh::RollerGrid &grid, const double stiffness, const scene::Co
   tight.roller_bore    = chain.bush_diameter - 4e-6;
   const auto add       = [&](const scene::Kind kind, mesh::Part &&part, const double x) {
     scene.bodies.push_back(body(scene::Motion::elastic,
-                                scene::Support::none,
+                                scene::Mount::free(),
                                 part.meshed.mass,
                                 vector(1., 1., 1.),
                                 vector(x, 0.)));
@@ -85,7 +85,7 @@ make_chain(const mesh::RollerGrid &grid, const double stiffness, const scene::Co
     {
       const double centre = (ahead ? 1. : -1.) * (at + 0.5 * chain.outer_hole_pitch);
       scene.bodies.push_back(body(scene::Motion::elastic,
-                                  scene::Support::none,
+                                  scene::Mount::free(),
                                   part.meshed.mass,
                                   vector(1., 1., 1.),
                                   vector(centre, 0.)));

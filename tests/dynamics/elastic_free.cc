@@ -24,7 +24,7 @@ scene::Scene make_scene(const double drag)
   for (unsigned int k = 0; k <= n_elastic; ++k)
     {
       scene::Body roller = body(k == 4 ? scene::Motion::rigid : scene::Motion::elastic,
-                                scene::Support::none,
+                                scene::Mount::free(),
                                 part->meshed.mass,
                                 vector(part->meshed.inertia[0][0],
                                        part->meshed.inertia[1][1],

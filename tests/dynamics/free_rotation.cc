@@ -13,7 +13,7 @@ int main()
     {
       scene::Scene scene                       = empty_scene();
       scene.bodies                             = {body(scene::Motion::rigid,
-                           scene::Support::none,
+                           scene::Mount::free(),
                            2e-3,
                            vector(4e-8, 7e-8, 9e-8),
                            vector(0.1, 0.2, 0.3),

@@ -27,7 +27,7 @@ scene::Scene make_scene(const bool elastic)
 
   const double start               = 0.5 * form->root_diameter + 0.5 * chain.roller_diameter + 5e-6;
   scene.bodies                     = {body(elastic ? scene::Motion::elastic : scene::Motion::rigid,
-                                           scene::Support::none,
+                                           scene::Mount::free(),
                                            part->meshed.mass,
                                            vector(part->meshed.inertia[0][0],
                               part->meshed.inertia[1][1],

@@ -86,7 +86,7 @@ int main(int argc, char **argv)
     scene::Scene scene  = empty_scene();
     scene.loads.gravity = 1e5; // keeps the contact closed
     scene.bodies        = {body(scene::Motion::rigid,
-                         scene::Support::none,
+                         scene::Mount::free(),
                          m,
                          vector(inertia, inertia, inertia),
                          vector(0., r - 0.9e-9)),
@@ -129,7 +129,7 @@ int main(int argc, char **argv)
     scene.bodies       = {lump(m, vector(r - pull / k, far)),
                           lump(m, vector(-r + pull / k, far)),
                           body(scene::Motion::rigid,
-                         scene::Support::loaded_hub,
+                         scene::Mount::revolute(),
                          1.,
                          vector(1., 1., inertia),
                          Vector3())};

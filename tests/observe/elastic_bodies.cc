@@ -30,7 +30,7 @@ scene::Scene make_scene()
   for (unsigned int k = 0; k < n_bodies; ++k)
     {
       scene::Body flying              = body(scene::Motion::elastic,
-                                scene::Support::none,
+                                scene::Mount::free(),
                                 0.01,
                                 vector(1e-6, 1e-6, 1e-6),
                                 vector(0.1 * k, 0.3, 0.),

@@ -64,9 +64,9 @@ scene::Scene bodies_of(const drive::Drive &drive, Grids grids, const std::vector
 
   const auto add = [&scene](const scene::Kind    kind,
                             const unsigned int   number,
-                            const scene::Support support,
+                            const scene::Mount &mount,
                             const Vector3       &at) {
-    scene::Body it = body(scene::Motion::elastic, support, 1., vector(1., 1., 1.), at, Vector3());
+    scene::Body it = body(scene::Motion::elastic, mount, 1., vector(1., 1., 1.), at, Vector3());
     it.kind        = kind;
     it.number      = number;
     it.mass        = scene.parts.at(it.part())->meshed.mass;
@@ -78,13 +78,13 @@ scene::Scene bodies_of(const drive::Drive &drive, Grids grids, const std::vector
   const double hub =
       height + approach[0] - 0.5 * (sprocket.form.root_diameter + chain.roller_diameter);
   for (const unsigned int k : {0U, 1U})
-    add(scene::Kind::roller, k, scene::Support::none, vector(k == 0 ? -half : half, height));
-  add(scene::Kind::inner_link, 0, scene::Support::none, Vector3());
+    add(scene::Kind::roller, k, scene::Mount::free(), vector(k == 0 ? -half : half, height));
+  add(scene::Kind::inner_link, 0, scene::Mount::free(), Vector3());
   for (const unsigned int k : {0U, 1U})
     {
       add(scene::Kind::sprocket,
           k,
-          scene::Support::prescribed_hub,
+          scene::Mount::motor(),
           vector(k == 0 ? -half : half, hub));
       scene.bodies.back().initial.rotation = to_matrix(rotation_about_z(0.5 * dealii::numbers::PI));
     }

@@ -36,7 +36,7 @@ inline scene::Scene empty_scene()
 }
 
 inline scene::Body body(const scene::Motion  motion,
-                        const scene::Support support,
+                        const scene::Mount &mount,
                         const double         mass,
                         const Vector3       &inertia,
                         const Vector3       &position,
@@ -46,7 +46,7 @@ inline scene::Body body(const scene::Motion  motion,
   body.kind             = scene::Kind::roller;
   body.number           = 0;
   body.motion           = motion;
-  body.support          = support;
+  body.mount          = mount;
   body.mass             = mass;
   body.inertia          = inertia;
   body.initial.position = position;
@@ -58,14 +58,14 @@ inline scene::Body body(const scene::Motion  motion,
 inline scene::Body
 lump(const double mass, const Vector3 &position, const Vector3 &velocity = Vector3())
 {
-  return body(scene::Motion::lumped, scene::Support::none, mass, Vector3(), position, velocity);
+  return body(scene::Motion::lumped, scene::Mount::free(), mass, Vector3(), position, velocity);
 }
 
 /// A body turned about z by the speed program; with a drive that stands still, the fixed ground.
 inline scene::Body ground()
 {
   return body(
-      scene::Motion::rigid, scene::Support::prescribed_hub, 1., vector(1., 1., 1.), Vector3());
+      scene::Motion::rigid, scene::Mount::motor(), 1., vector(1., 1., 1.), Vector3());
 }
 
 /// Turns @p body, which is on a hub, by @p speed [rad/s] over time, in the sense of @p sense.

@@ -81,7 +81,7 @@ inline scene::Scene make_scene(const Tooth &c)
 
   const double start = 0.5 * form->root_diameter + 0.5 * chain.roller_diameter + 5e-6;
   scene.bodies       = {body(scene::Motion::elastic,
-                       scene::Support::none,
+                       scene::Mount::free(),
                        part->meshed.mass,
                        vector(1., 1., 1.),
                        vector(start, 0.) + c.moved,

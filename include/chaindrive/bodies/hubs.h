@@ -5,8 +5,8 @@
 
 namespace chaindrive
 {
-/// The hubs of sprockets, which turn about their axes: one as the step's program says, exactly at
-/// every step, the others by their moments (World::hubs).
+/// What turns about an axis that stands still (World::hubs): sprockets, arms. Those that are
+/// prescribed turn as the step's program says, exactly at every step, the others by their moments.
 class Hubs : public BodyGroup
 {
 public:

@@ -3,7 +3,8 @@
 
 namespace chaindrive
 {
-/// The running energy balance, in J. Everything that stores, feeds or eats energy has its own line:
+/// The running energy balance, in J. Everything that stores, feeds or takes energy has its own
+/// line:
 ///
 ///   imbalance = stored - stored at the start + lost - drive work + resisting work
 ///
@@ -21,19 +22,24 @@ struct Ledger
   double strain    = 0.; ///< of elastic bodies
   double hourglass = 0.; ///< of elastic bodies: stabilisation that is no physical strain
   double contact   = 0.; ///< penalty springs, normal and tangential
+  double spring    = 0.; ///< of force elements other than bars
   // lost
   double friction        = 0.; ///< sliding, and tangential damping while sticking
   double contact_damping = 0.; ///< normal damping in contacts
   double chain_damping   = 0.; ///< dashpots of bars
   double drag            = 0.; ///< drag proportional to mass and velocity
+  double spring_damping  = 0.; ///< dashpots of force elements other than bars
   // fed and taken by the two hubs
   double drive_work     = 0.; ///< of the prescribed hub on the chain and its rim
   double resisting_work = 0.; ///< of the driven hub against the load torque
 
   double initial = 0.; ///< stored() when the run began
 
-  double stored() const { return kinetic + potential + bar + strain + hourglass + contact; }
-  double lost() const { return friction + contact_damping + chain_damping + drag; }
+  double stored() const
+  {
+    return kinetic + potential + bar + strain + hourglass + contact + spring;
+  }
+  double lost() const { return friction + contact_damping + chain_damping + drag + spring_damping; }
   double imbalance() const { return stored() - initial + lost() - drive_work + resisting_work; }
 
   /// All but the work of the hubs: what bodies, contacts and loads add, each for itself.
@@ -46,9 +52,11 @@ struct Ledger
                                               &Ledger::friction,
                                               &Ledger::contact_damping,
                                               &Ledger::chain_damping,
-                                              &Ledger::drag};
+                                              &Ledger::drag,
+                                              &Ledger::spring,
+                                              &Ledger::spring_damping};
 
   /// Stored energy is summed anew by whoever stores it, at every evaluation of the forces.
-  void clear_stored() { kinetic = potential = bar = strain = hourglass = contact = 0.; }
+  void clear_stored() { kinetic = potential = bar = strain = hourglass = contact = spring = 0.; }
 };
 } // namespace chaindrive

@@ -17,11 +17,15 @@ public:
   /// axes, 1/(kg m2); zero where it cannot turn.
   const dealii::Tensor<2, 3> &turning(const unsigned int body) const { return turning_[body]; }
 
+  /// About what @p body turns: its centre of mass or its axis, m.
+  const dealii::Tensor<1, 3> &centre(const unsigned int body) const { return pivot_[body]; }
+
   /// Acceleration per force of the material point of @p body that is at @p at [world, m], 1/kg.
   dealii::Tensor<2, 3> of_point(unsigned int body, const dealii::Tensor<1, 3> &at) const;
 
 private:
   const World                      &world_;
   std::vector<dealii::Tensor<2, 3>> turning_;
+  std::vector<dealii::Tensor<1, 3>> pivot_; ///< about what a body turns: centre of mass or axis, m
 };
 } // namespace chaindrive

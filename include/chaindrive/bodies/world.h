@@ -52,16 +52,30 @@ public:
     double       speed;   ///< rad/s, counter-clockwise positive
   };
 
-  /// A body that only turns about the z axis through its origin.
+  /// A body that only turns, about an axis that stands still, or does not move at all.
   struct Hub
   {
-    unsigned int body;
-    bool         prescribed;
-    double       inertia;     ///< of all that moves as the hub does, kg m2
-    double       angle = 0.;  ///< since the start, rad, counter-clockwise positive
-    double       speed = 0.;  ///< rad/s
-    double       start_angle; ///< orientation at the start, rad
+    unsigned int         body;
+    bool                 prescribed;
+    dealii::Tensor<1, 3> axis;        ///< unit; positive is counter-clockwise seen from its end
+    dealii::Tensor<1, 3> arm;         ///< of the body's origin from the axis at the start, m
+    double               inertia;     ///< about the axis of all that moves as the hub does, kg m2
+    double               angle = 0.;  ///< since the start, rad
+    double               speed = 0.;  ///< rad/s
+    double               start_angle; ///< orientation at the start, about z, rad
+    Quaternion           start;       ///< the same of a body on another axis than z
+
+    bool about_z() const { return axis[2] == 1.; }
   };
+
+  /// The frame of the body of a hub at its present angle and speed.
+  void place(const Hub &hub);
+
+  /// Moment of all forces on the body of @p hub about its axis, N m.
+  double moment_about(const Hub &hub) const;
+
+  /// Where the axis of a hub passes the origin of its body, m.
+  dealii::Tensor<1, 3> pivot_of(const Hub &hub) const { return origin[hub.body] - hub.arm; }
 
   /// Where the nodes of an elastic body of one copy are found.
   struct Address

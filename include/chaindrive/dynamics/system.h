@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/bodies/bars.h>
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/contacts.h>
 #include <chaindrive/dynamics/stable_step.h>
+#include <chaindrive/forces/bars.h>
 #include <chaindrive/load/loads.h>
 #include <chaindrive/utilities/timing.h>
 
@@ -42,11 +42,12 @@ public:
 
   std::size_t memory_consumption() const;
 
-  World             world;
-  Bars              bars;
-  contact::Contacts contacts;
-  load::Loads       loads;
-  PhaseTimer        timer; ///< loads count as time integration
+  World                                      world;
+  Bars                                       bars;
+  std::vector<std::unique_ptr<ForceElement>> forces; ///< others than bars, in the scene's order
+  contact::Contacts                          contacts;
+  load::Loads                                loads;
+  PhaseTimer                                 timer; ///< loads count as time integration
 
 private:
   /// Books the kinetic energy of rigid and lumped bodies at full steps.

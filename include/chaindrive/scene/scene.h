@@ -11,6 +11,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,11 @@ struct Sector;
 namespace chaindrive::reduction
 {
 struct Basis;
+}
+
+namespace chaindrive
+{
+class ForceElement;
 }
 
 namespace chaindrive::scene
@@ -68,11 +74,32 @@ constexpr bool deforms(const Motion motion)
 }
 
 /// What holds a body.
-enum class Support
+struct Mount
 {
-  none,           ///< free in space
-  prescribed_hub, ///< turns about z through its origin as the speed program says
-  loaded_hub      ///< turns about z through its origin under contact forces and the load torque
+  enum class Kind
+  {
+    free,     ///< in space
+    fixed,    ///< it stands still
+    motor,    ///< turns about an axis as its shaft says; without one it stands still
+    revolute, ///< turns about an axis by the moments on it, those of its shaft among them
+  };
+  Kind                            kind  = Kind::free;
+  dealii::Tensor<1, 3>            axis  = {}; ///< unit
+  std::optional<dealii::Point<3>> pivot = {}; ///< a point of the axis, m; empty: the body's origin
+
+  static Mount free() { return {}; }
+  static Mount fixed() { return {Kind::fixed, along_z()}; }
+  static Mount motor() { return {Kind::motor, along_z()}; }       ///< about z
+  static Mount revolute() { return {Kind::revolute, along_z()}; } ///< about z
+  static Mount revolute(const dealii::Tensor<1, 3> &axis, const dealii::Point<3> &pivot)
+  {
+    return {Kind::revolute, axis, pivot};
+  }
+
+  bool is_free() const { return kind == Kind::free; }
+
+private:
+  static dealii::Tensor<1, 3> along_z();
 };
 
 /// One instance of a part, placed in the world.
@@ -81,7 +108,7 @@ struct Body
   Kind                 kind;
   unsigned int         number; ///< of the roller's joint, the link, or in Scene::sprockets
   Motion               motion;
-  Support              support;
+  Mount                mount;
   double               mass;    ///< kg
   dealii::Tensor<1, 3> inertia; ///< principal moments about the body's axes, kg m2
   Frame                initial; ///< at the start time
@@ -106,19 +133,20 @@ struct Shaft
 /// Who is there, what touches what, what pulls: a pure description, from which a World is made.
 struct Scene
 {
-  std::vector<Body>          bodies; ///< rollers first (in joint order), then links, then sprockets
-  std::vector<Bar>           bars;   ///< simple fidelity: bar k joins rollers k and k+1
-  std::vector<BoreFamily>    bores;
-  std::vector<FaceFamily>    faces;
-  std::vector<ToothFamily>   teeth;
-  std::vector<SurfaceFamily> surfaces;
-  parameters::Loads          loads;  ///< with the coefficients of effects that are off set to zero
-  std::vector<Shaft>         shafts; ///< a hub without one stands still or turns freely
-  double                     start_time = 0.; ///< s
-  double                     prestress  = 0.; ///< N, in the spans at the start
-  bool                       half = false;    ///< elastic bodies are halves, see mesh::Part::half
-  bool                       plates_bend = true;  ///< of elastic links, out of their planes
-  bool                       at_speed    = false; ///< the drive starts at full speed
+  std::vector<Body> bodies; ///< rollers first (in joint order), then links, then sprockets
+  std::vector<Bar>  bars;   ///< simple fidelity: bar k joins rollers k and k+1
+  std::vector<std::shared_ptr<const ForceElement>> forces; ///< others than bars and contacts
+  std::vector<BoreFamily>                          bores;
+  std::vector<FaceFamily>                          faces;
+  std::vector<ToothFamily>                         teeth;
+  std::vector<SurfaceFamily>                       surfaces;
+  parameters::Loads  loads;  ///< with the coefficients of effects that are off set to zero
+  std::vector<Shaft> shafts; ///< a hub without one stands still or turns freely
+  double             start_time  = 0.;    ///< s
+  double             prestress   = 0.;    ///< N, in the spans at the start
+  bool               half        = false; ///< elastic bodies are halves, see mesh::Part::half
+  bool               plates_bend = true;  ///< of elastic links, out of their planes
+  bool               at_speed    = false; ///< the drive starts at full speed
   std::map<PartOf, std::shared_ptr<const mesh::Part>>       parts;   ///< those that somebody needs
   std::map<PartOf, std::shared_ptr<const mesh::Sector>>     sectors; ///< of elastic sprockets
   std::map<PartOf, std::shared_ptr<const reduction::Basis>> bases;   ///< of reduced bodies

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/bodies/spring.h>
-#include <chaindrive/bodies/world.h>
+#include <chaindrive/forces/force_element.h>
 #include <chaindrive/scene/interface.h>
 
 #include <vector>
@@ -12,22 +11,25 @@ namespace chaindrive
 /// Massless elastic bars with dashpots between the centres of two bodies:
 ///
 ///   tension F = k (l - l0) + c l',    l = |x_second - x_first|
-class Bars
+class Bars : public ForceElement
 {
 public:
   explicit Bars(const std::vector<scene::Bar> &bars);
 
-  /// Adds the bars' forces and books their energy; @p dt is the time since the last call [s].
-  void add_forces(World &world, double dt);
+  std::unique_ptr<ForceElement> clone() const override { return std::make_unique<Bars>(*this); }
+  std::string                   name() const override { return "bars"; }
 
-  /// The bars as springs along their present axes, for the stable step.
-  void add_springs(const World &world, std::vector<Spring> &springs) const;
+  /// Books in Ledger::bar and Ledger::chain_damping.
+  void add_forces(World &world, double dt) override;
+
+  /// The bars along their present axes.
+  void add_springs(const World &world, std::vector<Spring> &springs) const override;
 
   unsigned int                   size() const { return static_cast<unsigned int>(bars_.size()); }
   const std::vector<double>     &tension() const { return tension_; } ///< N, positive: pulled
   const std::vector<scene::Bar> &bars() const { return bars_; }
 
-  void serialize(const Archive &archive);
+  void serialize(const Archive &archive) override;
 
   std::size_t memory_consumption() const
   {

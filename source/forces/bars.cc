@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/bodies/bars.h>
+#include <chaindrive/forces/bars.h>
 
 #include <algorithm>
 #include <cmath>
