@@ -4,14 +4,9 @@
 #include <chaindrive/bodies/bars.h>
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/contacts.h>
-#include <chaindrive/dynamics/stable_step.h>
 #include <chaindrive/load/loads.h>
+#include <chaindrive/stability/step_limit.h>
 #include <chaindrive/utilities/timing.h>
-
-namespace chaindrive
-{
-struct Parameters;
-}
 
 namespace chaindrive::dynamics
 {
@@ -33,9 +28,10 @@ public:
   /// The step that advance() makes.
   Step make_step(double dt, double new_time) const;
 
-  /// The stable step of each kind of spring alone and of all together.
-  std::vector<StepLimit> step_limits() const;
-  double                 stable_step_limit() const;
+  /// The limit of the step from each kind of spring alone, and that of all together [s], see
+  /// stability/step_limit.h.
+  std::vector<stability::StepLimit> step_limits() const;
+  double                            stable_step_limit() const;
 
   /// The state between two steps, at least one after the start. Collective.
   void serialize(const Archive &archive);
@@ -57,9 +53,4 @@ private:
   PhaseTimer::Phase internal_force_ = PhaseTimer::rest, integration_ = PhaseTimer::rest,
                     contact_ = PhaseTimer::rest;
 };
-
-/// The step of a run: the one asked for, if it does not exceed @p safety_factor times the limit
-/// (InputError otherwise, with both numbers); or, when none is asked for, the smaller of that
-/// product and a fortieth of the shortest period.
-StepChoice choose_step(const System &system, const Parameters &parameters);
 } // namespace chaindrive::dynamics
