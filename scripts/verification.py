@@ -155,7 +155,7 @@ ORDERS = [
 # system, test, its lines: bounded at 0.98 of the limit, blown up at which share of it
 N_STEPS = 100000
 LIMITS = [
-    *[(name, "dynamics/stable_step", name + r": (?s:.*?)bounded at 0.98: (\w+)",
+    *[(name, "stability/stable_step", name + r": (?s:.*?)bounded at 0.98: (\w+)",
        name + r": (?s:.*?)blows up at (1.02): yes")
       for name in ("two lumps and a bar", "with a dashpot", "chain of 60 lumps",
                    "a stiff bar and a damped one", "a bar and a dashpot", "roller that sticks",
@@ -165,7 +165,7 @@ LIMITS = [
        f"(?m:^){part}, {kind}: bounded.*blown up at (1.02): yes")
       for part in ("cube", "distorted cube", "eight distorted cubes")
       for kind in ("one point", "enhanced", "full")],
-    *[(f"roller shrunk onto a bush: {name}", "dynamics/closed_contact",
+    *[(f"roller shrunk onto a bush: {name}", "stability/closed_contact",
        name + r": bounded at 0.98 of the limit: (\w+)", name + ": blows up at " + NUMBER)
       for name in ("one element through the wall", "three elements through the wall",
                    "three, damped", "three, damped, friction", "three, ten times as stiff",

@@ -132,10 +132,10 @@ std::unique_ptr<files::CheckpointFile> find_checkpoint(Prepared &prepared)
   return checkpoint;
 }
 
-void print_step(std::ostream &log, const dynamics::StepChoice &choice, const unsigned long n)
+void print_step(std::ostream &log, const stability::StepChoice &choice, const unsigned long n)
 {
   log << "Stable step (us): ";
-  for (const dynamics::StepLimit &limit : choice.step_limits)
+  for (const stability::StepLimit &limit : choice.step_limits)
     log << limit.source << " " << to_text(limit.limit * 1e6, 4) << ", ";
   log << "all coupled " << to_text(choice.limit * 1e6, 4) << '\n'
       << "Step: " << to_text(choice.step * 1e6, 4) << " us (" << choice.reason << "), " << n

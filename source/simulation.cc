@@ -187,8 +187,9 @@ Simulation::Simulation(const Parameters               &parameters,
 {
   if (!scene.has_elastic_bodies() && rank_in(comm) != 0)
     return;
-  system_   = make_system(parameters, scene, comm);
-  step      = dynamics::choose_step(*system_, parameters);
+  system_ = make_system(parameters, scene, comm);
+  step    = stability::choose_step(
+      system_->world, system_->bars, system_->forces, system_->contacts, parameters);
   guard_    = std::make_unique<dynamics::Guard>(scene,
                                              *system_,
                                              parameters.time.energy_limit,

@@ -67,7 +67,7 @@ SEAMS = {
          calls("3. Contacts, through World", "source/bodies/world.cc", "place_surface", "gather_forces"),
          calls("4. evaluate_forces()", "source/dynamics/system.cc", "advance", "advance_shared"),
          calls("5. second_half()", "source/dynamics/newmark.cc", "kick", "finish"),
-         calls("stable step", "source/dynamics/closed_contact.cc", "stable_step", "matrix_of_shapes", "largest_frequency"),
+         calls("stable step", "source/stability/closed_contact.cc", "stable_step", "matrix_of_shapes", "largest_frequency"),
          calls("pictures, stresses", "source/observe/elastic_bodies.cc", "nodes_now", "stress_recoveries"),
          calls("make_world()", "source/bodies/make_world.cc", "add")],
         [Interface("BodyGroup", "include/chaindrive/bodies/body_group.h"),
@@ -91,7 +91,7 @@ SEAMS = {
     "slave set": Seam("contact", "A family holds the slaves of one kind of interface; Contacts asks all families in this order.", [
         [calls("Contacts", "source/contact/contacts.cc", "needs_search", "search", "announce", "place_surfaces", "fetch", "add_forces", "send_forces",
                "gather_forces", "add_springs"),
-         calls("stable step", "source/dynamics/closed_contact.cc", "closed_pairs")],
+         calls("stable step", "source/stability/closed_contact.cc", "closed_pairs")],
         [Interface("Family", "include/chaindrive/contact/family.h")],
         [Implementations("Family")],
         [Code("points with a radius", "include/chaindrive/contact/surface_contact.h", ("SlavePoint",)),

@@ -65,11 +65,11 @@ public:
   /// The ranks that are not idle.
   MPI_Comm communicator() const { return system_->world.communicator(); }
 
-  const Parameters    &parameters;
-  const drive::Drive   drive;
-  const drive::Facts   facts; ///< what to expect of it
-  const scene::Scene   scene;
-  dynamics::StepChoice step; ///< may be changed before the run: one that is resumed keeps its step
+  const Parameters     &parameters;
+  const drive::Drive    drive;
+  const drive::Facts    facts; ///< what to expect of it
+  const scene::Scene    scene;
+  stability::StepChoice step; ///< may be changed before the run: one that is resumed keeps its step
 
 private:
   Simulation(const Parameters               &parameters,

@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/bodies/make_world.h>
-#include <chaindrive/dynamics/closed_contact.h>
 #include <chaindrive/dynamics/newmark.h>
 #include <chaindrive/dynamics/relaxation.h>
 #include <chaindrive/dynamics/system.h>
-#include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/scene.h>
-#include <chaindrive/utilities/errors.h>
-#include <chaindrive/utilities/text.h>
-
-#include <deal.II/base/numbers.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace chaindrive::dynamics
 {
@@ -173,89 +164,18 @@ void System::serialize(const Archive &archive)
   loads.serialize(archive / "loads");
 }
 
-std::vector<StepLimit> System::step_limits() const
+std::vector<stability::StepLimit> System::step_limits() const
 {
-  std::vector<StepLimit> step_limits;
-  std::vector<Spring>    springs;
-  if (bars.size() > 0)
-    {
-      bars.add_springs(world, springs);
-      step_limits.push_back({"bars", stable_step(world, springs)});
-    }
-  for (const auto &element : forces)
-    {
-      springs.clear();
-      element->add_springs(world, springs);
-      step_limits.push_back({element->name(), stable_step(world, springs)});
-    }
-  for (const ElasticGroup *group : world.groups.elastic())
-    step_limits.push_back(
-        {"elements of the " + world.copies[group->copies()].part->name, group->stable_step()});
-  for (const auto &family : contacts.families())
-    {
-      springs.clear();
-      family->add_springs(world, springs);
-      const double limit =
-          std::min(stable_step(world, springs), closed_contact_step(world, *family));
-      // families of rigid and of elastic bodies share a name
-      const auto same =
-          std::find_if(step_limits.begin(), step_limits.end(), [&](const StepLimit &other) {
-            return other.source == family->name();
-          });
-      if (same == step_limits.end())
-        step_limits.push_back({family->name(), limit});
-      else
-        same->limit = std::min(same->limit, limit);
-    }
-  return step_limits;
+  return stability::step_limits(world, bars, forces, contacts);
 }
 
 double System::stable_step_limit() const
 {
-  std::vector<Spring> springs;
-  bars.add_springs(world, springs);
-  for (const auto &element : forces)
-    element->add_springs(world, springs);
-  contacts.add_springs(world, springs);
-  double limit = stable_step(world, springs);
-
-  for (const ElasticGroup *group : world.groups.elastic())
-    limit = std::min(limit, group->stable_step());
-  return closed_contact_step(world, contacts, limit);
+  return stability::step_limit(world, bars, forces, contacts);
 }
 
 std::size_t System::memory_consumption() const
 {
   return world.memory_consumption() + bars.memory_consumption() + contacts.memory_consumption();
-}
-
-StepChoice choose_step(const System &system, const Parameters &parameters)
-{
-  const parameters::Time &time = parameters.time;
-  StepChoice              choice;
-  choice.step_limits   = system.step_limits();
-  choice.limit         = system.stable_step_limit();
-  const double largest = time.safety_factor * choice.limit;
-  if (time.step)
-    {
-      if (*time.step > largest)
-        throw InputError("Time/Step in us = " + to_text(*time.step * 1e6) +
-                         " is above the stable step: at most " + to_text_at_most(largest * 1e6, 4) +
-                         " us (safety factor " + to_text(time.safety_factor) + " times the limit " +
-                         to_text(choice.limit * 1e6, 4) +
-                         " us) is allowed; choose a smaller step or auto.");
-      choice.step   = *time.step;
-      choice.reason = "asked for";
-      return choice;
-    }
-  // The fastest mode has the period pi times the limit; a fortieth of it leaves its frequency
-  // 0.1 % wrong, and an impact of half its period twenty steps. With elastic bodies the fastest
-  // mode is one of the mesh: what matters is slower by far.
-  const double accurate =
-      system.world.has_elastic_bodies() ? largest : dealii::numbers::PI * choice.limit / 40.;
-  choice.step   = std::min(largest, accurate);
-  choice.reason = accurate < largest ? "auto: a fortieth of the shortest period" :
-                                       "auto: the stable step times the safety factor";
-  return choice;
 }
 } // namespace chaindrive::dynamics

@@ -3,15 +3,12 @@
 
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/contacts.h>
-#include <chaindrive/dynamics/stable_step.h>
 #include <chaindrive/forces/bars.h>
 #include <chaindrive/load/loads.h>
+#include <chaindrive/stability/step_limit.h>
 #include <chaindrive/utilities/timing.h>
 
-namespace chaindrive
-{
-struct Parameters;
-}
+#include <vector>
 
 namespace chaindrive::dynamics
 {
@@ -33,21 +30,22 @@ public:
   /// The step that advance() makes; valid until the next call.
   Step make_step(double dt, double new_time);
 
-  /// The stable step of each kind of spring alone and of all together.
-  std::vector<StepLimit> step_limits() const;
-  double                 stable_step_limit() const;
+  /// The limit of the step from each kind of spring alone, and that of all together [s], see
+  /// stability/step_limit.h.
+  std::vector<stability::StepLimit> step_limits() const;
+  double                            stable_step_limit() const;
 
   /// The state between two steps, at least one after the start. Collective.
   void serialize(const Archive &archive);
 
   std::size_t memory_consumption() const;
 
-  World                                      world;
-  Bars                                       bars;
-  std::vector<std::unique_ptr<ForceElement>> forces; ///< others than bars, in the scene's order
-  contact::Contacts                          contacts;
-  load::Loads                                loads;
-  PhaseTimer                                 timer; ///< loads count as time integration
+  World             world;
+  Bars              bars;
+  ForceElements     forces; ///< others than bars, in the scene's order
+  contact::Contacts contacts;
+  load::Loads       loads;
+  PhaseTimer        timer; ///< loads count as time integration
 
 private:
   /// Books the kinetic energy of rigid and lumped bodies at full steps.
@@ -59,9 +57,4 @@ private:
   PhaseTimer::Phase internal_force_ = PhaseTimer::rest, integration_ = PhaseTimer::rest,
                     contact_ = PhaseTimer::rest;
 };
-
-/// The step of a run: the one asked for, if it does not exceed @p safety_factor times the limit
-/// (InputError otherwise, with both numbers); or, when none is asked for, the smaller of that
-/// product and a fortieth of the shortest period.
-StepChoice choose_step(const System &system, const Parameters &parameters);
 } // namespace chaindrive::dynamics

@@ -44,4 +44,6 @@ protected:
   ForceElement(const ForceElement &)            = default;
   ForceElement &operator=(const ForceElement &) = default;
 };
+
+using ForceElements = std::vector<std::unique_ptr<ForceElement>>;
 } // namespace chaindrive

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/dynamics/closed_shapes.h>
+#include <chaindrive/stability/closed_shapes.h>
 #include <chaindrive/utilities/eigenvalue.h>
 
 #include <deal.II/base/numbers.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace chaindrive::dynamics
+namespace chaindrive::stability
 {
 namespace
 {
@@ -103,4 +103,4 @@ double OnShapes::stable_step() const
     }
   return low;
 }
-} // namespace chaindrive::dynamics
+} // namespace chaindrive::stability

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/dynamics/closed_contact.h>
-#include <chaindrive/dynamics/closed_shapes.h>
-#include <chaindrive/dynamics/coupled_shapes.h>
-#include <chaindrive/dynamics/stable_step.h>
+#include <chaindrive/stability/closed_contact.h>
+#include <chaindrive/stability/closed_shapes.h>
+#include <chaindrive/stability/coupled_shapes.h>
+#include <chaindrive/stability/stable_step.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace chaindrive::dynamics
+namespace chaindrive::stability
 {
 namespace
 {
@@ -332,4 +332,4 @@ double closed_contact_step(const World &world, const contact::Family &family)
     }
   return step;
 }
-} // namespace chaindrive::dynamics
+} // namespace chaindrive::stability

@@ -4,7 +4,7 @@
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/contacts.h>
 
-namespace chaindrive::dynamics
+namespace chaindrive::stability
 {
 /// The stable step [s] of the elastic bodies of @p world with all nodes of all contacts held
 /// closed, if it is smaller than that of the elements alone, @p limit [s].
@@ -22,4 +22,4 @@ double closed_contact_step(const World &world, const contact::Contacts &contacts
 /// The stable step [s] of the nodes of @p family alone, held closed on otherwise free bodies;
 /// infinite if it has none.
 double closed_contact_step(const World &world, const contact::Family &family);
-} // namespace chaindrive::dynamics
+} // namespace chaindrive::stability

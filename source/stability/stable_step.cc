@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/bodies/mobility.h>
-#include <chaindrive/dynamics/stable_step.h>
+#include <chaindrive/stability/stable_step.h>
 #include <chaindrive/utilities/eigenvalue.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace chaindrive::dynamics
+namespace chaindrive::stability
 {
 namespace
 {
@@ -109,4 +109,4 @@ double stable_step_of(const double stiffness, const double damping)
 {
   return 4. / (damping + std::sqrt(damping * damping + 4. * stiffness));
 }
-} // namespace chaindrive::dynamics
+} // namespace chaindrive::stability

@@ -4,10 +4,9 @@
 #include <chaindrive/bodies/spring.h>
 #include <chaindrive/bodies/world.h>
 
-#include <string>
 #include <vector>
 
-namespace chaindrive::dynamics
+namespace chaindrive::stability
 {
 /// The largest stable step [s] of central differences for the bodies of @p world joined by
 /// @p springs, damping included; infinite without springs.
@@ -22,20 +21,4 @@ double stable_step(const World &world, const std::vector<Spring> &springs);
 /// largest dt with dt^2 @p stiffness + 2 dt @p damping <= 4. For one mode it is 2/w (sqrt(1 + xi^2)
 /// - xi) (Belytschko, Liu, Moran, Nonlinear Finite Elements, 6.2).
 double stable_step_of(double stiffness, double damping);
-
-/// One source's limit.
-struct StepLimit
-{
-  std::string source;
-  double      limit; ///< s
-};
-
-/// The chosen step and why.
-struct StepChoice
-{
-  std::vector<StepLimit> step_limits; ///< of each kind of spring alone
-  double                 limit;       ///< of all coupled, s
-  double                 step;        ///< s
-  std::string            reason;
-};
-} // namespace chaindrive::dynamics
+} // namespace chaindrive::stability

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace chaindrive::dynamics
+namespace chaindrive::stability
 {
 /// One kind of contact, all of it closed.
 struct ClosedKind
@@ -76,4 +76,4 @@ private:
   std::vector<double>    free_; ///< squared frequencies of all motions, 1/s2
   std::vector<Interface> interfaces_;
 };
-} // namespace chaindrive::dynamics
+} // namespace chaindrive::stability

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/dynamics/closed_shapes.h>
-#include <chaindrive/dynamics/coupled_shapes.h>
-#include <chaindrive/dynamics/stable_step.h>
+#include <chaindrive/stability/closed_shapes.h>
+#include <chaindrive/stability/coupled_shapes.h>
+#include <chaindrive/stability/stable_step.h>
 #include <chaindrive/utilities/eigenvalue.h>
 
 #include <deal.II/base/numbers.h>
@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace chaindrive::dynamics
+namespace chaindrive::stability
 {
 namespace
 {
@@ -403,4 +403,4 @@ double CoupledShapes::stable_step()
     }
   return step;
 }
-} // namespace chaindrive::dynamics
+} // namespace chaindrive::stability

@@ -9,7 +9,7 @@
 
 #include <map>
 
-namespace chaindrive::dynamics
+namespace chaindrive::stability
 {
 using Matrix = dealii::FullMatrix<double>;
 
@@ -48,4 +48,4 @@ struct OnShapes
   /// The largest dt [s] with dt^2 eigenvalue(dt) <= 4.
   double stable_step() const;
 };
-} // namespace chaindrive::dynamics
+} // namespace chaindrive::stability

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/parameters.h>
+#include <chaindrive/stability/closed_contact.h>
+#include <chaindrive/stability/stable_step.h>
+#include <chaindrive/stability/step_limit.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+
+namespace chaindrive::stability
+{
+std::vector<StepLimit> step_limits(const World             &world,
+                                   const Bars              &bars,
+                                   const ForceElements     &forces,
+                                   const contact::Contacts &contacts)
+{
+  std::vector<StepLimit> limits;
+  std::vector<Spring>    springs;
+  if (bars.size() > 0)
+    {
+      bars.add_springs(world, springs);
+      limits.push_back({"bars", stable_step(world, springs)});
+    }
+  for (const auto &element : forces)
+    {
+      springs.clear();
+      element->add_springs(world, springs);
+      limits.push_back({element->name(), stable_step(world, springs)});
+    }
+  for (const ElasticGroup *group : world.groups.elastic())
+    limits.push_back(
+        {"elements of the " + world.copies[group->copies()].part->name, group->stable_step()});
+  for (const auto &family : contacts.families())
+    {
+      springs.clear();
+      family->add_springs(world, springs);
+      const double limit =
+          std::min(stable_step(world, springs), closed_contact_step(world, *family));
+      // families of rigid and of elastic bodies share a name
+      const auto same = std::find_if(limits.begin(), limits.end(), [&](const StepLimit &other) {
+        return other.source == family->name();
+      });
+      if (same == limits.end())
+        limits.push_back({family->name(), limit});
+      else
+        same->limit = std::min(same->limit, limit);
+    }
+  return limits;
+}
+
+double step_limit(const World             &world,
+                  const Bars              &bars,
+                  const ForceElements     &forces,
+                  const contact::Contacts &contacts)
+{
+  std::vector<Spring> springs;
+  bars.add_springs(world, springs);
+  for (const auto &element : forces)
+    element->add_springs(world, springs);
+  contacts.add_springs(world, springs);
+  double limit = stable_step(world, springs);
+
+  for (const ElasticGroup *group : world.groups.elastic())
+    limit = std::min(limit, group->stable_step());
+  return closed_contact_step(world, contacts, limit);
+}
+
+StepChoice choose_step(const World             &world,
+                       const Bars              &bars,
+                       const ForceElements     &forces,
+                       const contact::Contacts &contacts,
+                       const Parameters        &parameters)
+{
+  const parameters::Time &time = parameters.time;
+  StepChoice              choice;
+  choice.step_limits   = step_limits(world, bars, forces, contacts);
+  choice.limit         = step_limit(world, bars, forces, contacts);
+  const double largest = time.safety_factor * choice.limit;
+  if (time.step)
+    {
+      if (*time.step > largest)
+        throw InputError("Time/Step in us = " + to_text(*time.step * 1e6) +
+                         " is above the stable step: at most " + to_text_at_most(largest * 1e6, 4) +
+                         " us (safety factor " + to_text(time.safety_factor) + " times the limit " +
+                         to_text(choice.limit * 1e6, 4) +
+                         " us) is allowed; choose a smaller step or auto.");
+      choice.step   = *time.step;
+      choice.reason = "asked for";
+      return choice;
+    }
+  // The fastest mode has the period pi times the limit; a fortieth of it leaves its frequency
+  // 0.1 % wrong, and an impact of half its period twenty steps. With elastic bodies the fastest
+  // mode is one of the mesh: what matters is slower by far.
+  const double accurate =
+      world.has_elastic_bodies() ? largest : dealii::numbers::PI * choice.limit / 40.;
+  choice.step   = std::min(largest, accurate);
+  choice.reason = accurate < largest ? "auto: a fortieth of the shortest period" :
+                                       "auto: the stable step times the safety factor";
+  return choice;
+}
+} // namespace chaindrive::stability
