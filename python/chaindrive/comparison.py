@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numbers
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -19,9 +19,6 @@ FIGURES = ("tight_tension_mean", "slack_tension_mean", "tight_tension_max_start"
 #: Those that are not found in the window of the means.
 WHOLE_RUN = {"tight_tension_max_start", "driven_angle_end", "drive_work", "resisting_work", "energy_imbalance_max", "steps", "wall_seconds",
              "cpu_seconds"}
-#: Those of the window statistics: signal and member.
-STATISTICS = (("tight_tension", "largest"), ("tight_tension", "deviation"), ("driver_load", "mean"), ("driver_load", "largest"),
-              ("driven_load", "mean"), ("driven_load", "largest"), ("driven_speed", "deviation"))
 #: Those of the engagements with a sprocket in the window.
 IMPACTS = ("peak_force", "impulse", "normal_speed")
 
@@ -35,24 +32,32 @@ def names(runs: Sequence[Run]) -> list[str]:
     return [f"{i + 1}: {run.name}" for i, run in enumerate(runs)]
 
 
+def _statistics(run: Run) -> Iterator[tuple[str, str, str]]:
+    """Those of the window statistics: signal, member, and what the signal is where the schema does not know it."""
+    yield from (("tight_tension", which, "") for which in ("largest", "deviation"))
+    yield from ((f"{wheel.name}_load", which, f"load of the {wheel.words} shaft") for wheel in run.wheels for which in ("mean", "largest"))
+    yield "driven_speed", "deviation", ""
+
+
 def figures(run: Run) -> dict[str, tuple[Any, str, str]]:
     """{name: (value, unit, meaning)} of a run."""
     found = {name: (run.summary.get(name), *schema.about(name)) for name in FIGURES}
     statistics = run.summary.get("statistics", {})
-    for signal, which in STATISTICS:
+    for signal, which, words in _statistics(run):
         if isinstance(statistics.get(signal), dict):
-            found[f"{signal}_{which}"] = (statistics[signal].get(which), *schema.about(f"statistics/{signal}/{which}"))
+            path, one = f"statistics/{signal}/{which}", statistics[signal]
+            found[f"{signal}_{which}"] = (one.get(which), *(schema.about(path) if path in schema.SUMMARY else (one.get("unit", "1"), f"{words}, {which}")))
     if "lost" in run.summary.get("window_energy", {}) and run.summary["window_energy"].get("duration"):
         energy = run.summary["window_energy"]
         found["loss"] = (energy["lost"] / energy["duration"] if energy["lost"] is not None else None, "W", "loss in the window, mean")
     if isinstance(run.summary.get("engagements"), list):
-        for sprocket in ("driver", "driven"):
-            engaged = run.engagements(sprocket, window=True)
+        for wheel in run.wheels:
+            engaged = run.engagements(wheel.name, window=True)
             for column in IMPACTS:
                 unit, meaning = schema.about(f"engagements/*/{column}")
                 values = engaged[column].astype(float)
                 for which, value in (("mean", values.mean()), ("largest", values.max())):
-                    found[f"{sprocket}_{column}_{which}"] = (value, unit, f"{meaning} on the {sprocket if sprocket == 'driver' else 'driven sprocket'}, {which}")
+                    found[f"{wheel.name}_{column}_{which}"] = (value, unit, f"{meaning} on the {wheel.title}, {which}")
     if run.acoustics.get("observers"):
         heard = run.acoustics["observers"]
         one = next((o for o in heard if o.get("name") == "microphone"), heard[0])

@@ -15,6 +15,7 @@ import numpy.typing as npt
 import pandas as pd
 
 from chaindrive import schema, spectra
+from chaindrive.drive import Span, Wheel, as_now, spans_of, wheels_of
 from chaindrive.errors import RunError
 from chaindrive.parameters import Parameters
 from chaindrive.units import Units, convert, squared
@@ -77,10 +78,33 @@ class Run:
             raise RunError(f"'{self.folder / 'summary.json'}' is not the summary of a run.")
         return summary
 
-    @property
+    @functools.cached_property
     def drive(self) -> dict[str, Any]:
-        """What closed forms say of the drive, member `drive` of the summary; empty where it has none."""
-        return self.summary.get("drive", {})
+        """What closed forms say of the drive, member `drive` of the summary; empty where it has none.
+
+        In the words of this version, whichever has written it.
+        """
+        return as_now(self.summary.get("drive", {}), self._sense())
+
+    def _sense(self) -> int | None:
+        """That of the drive as its parameters say it, 1 is counter-clockwise; None without them."""
+        try:
+            return -1 if self.parameters.get("Drive/Layout/Tight span") == "lower" else 1
+        except RunError:
+            return None
+
+    @property
+    def wheels(self) -> tuple[Wheel, ...]:
+        """Name and title of each sprocket, the driver first, in the direction of travel.
+
+        Those that parameters can ask for where the summary does not say what the drive is.
+        """
+        return wheels_of(self.drive)
+
+    @property
+    def spans(self) -> tuple[Span, ...]:
+        """Name, label and title of each span, the tight one first, against the direction of travel."""
+        return spans_of(self.drive)
 
     @property
     def events(self) -> list[dict[str, Any]] | None:
@@ -169,9 +193,11 @@ class Run:
         return self.parameters.number(name)
 
     @property
-    def sprockets(self) -> tuple[int, int]:
-        """Teeth of the driver and of the driven sprocket."""
-        return int(self.parameter("Drive/Driver teeth")), int(self.parameter("Drive/Driven teeth"))
+    def sprockets(self) -> tuple[int, ...]:
+        """Teeth of all sprockets, those of the driver first."""
+        if "sprockets" in self.drive:
+            return tuple(int(one["teeth"]) for one in self.drive["sprockets"])
+        return tuple(int(self.parameter(f"Drive/{wheel.name.capitalize()} teeth")) for wheel in self.wheels)
 
     @functools.cached_property
     def n_links(self) -> int:
@@ -388,7 +414,7 @@ class Run:
                     units: Units = ()) -> pd.DataFrame:
         """First touches of rollers with sprockets, one per row, as in the summary.
 
-        All, or those with one sprocket ("driver", "driven"); with `window` only those that begin in it and are
+        All, or those with the sprocket of this name, such as "driver"; with `window` only those that begin in it and are
         complete. The attribute `units` has a unit for each column.
         """
         if "engagements" not in self.summary:

@@ -13,6 +13,8 @@ import pathlib
 import re
 import sys
 
+import chaindrive
+
 HEAD = """# SPDX-License-Identifier: LGPL-2.1-or-later
 # What studies found, by scripts/study/accuracy.py: separated by tabs,
 # study, variant, reference, output, error, low, high (percent), CPU time, that of the reference (s), entries of the variant;
@@ -26,8 +28,8 @@ def fidelity(folder):
 
 def drive_of(folder):
     """The drive of the run in `folder`, in the words of drive_in_words() in source/accuracy.cc."""
-    facts = json.loads((folder / "summary.json").read_text())["drive"]
-    driver, driven = facts["sprockets"]
+    facts = chaindrive.open(folder).drive
+    driver, driven = (next(one for one in facts["sprockets"] if one["name"] == name) for name in ("driver", "driven"))
     return [f"chain={facts['chain']}", f"links={facts['links']}", f"driver teeth={driver['teeth']}",
             f"driven teeth={driven['teeth']}", f"driver speed in rpm={abs(driver['speed']) * 30 / math.pi:.5g}",
             f"driven torque in N m={abs(driven['torque']):.5g}", f"centre distance in mm={1e3 * facts['centre_distance']:.6g}",

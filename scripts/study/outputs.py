@@ -7,6 +7,7 @@ import re
 import numpy as np
 
 import chaindrive
+from chaindrive.drive import WHEELS
 from chaindrive.report.foreign import plain
 
 BANDS = 1000. * 2. ** (np.arange(-1, 14) / 3)  # centres of third octaves, Hz: 800 (nominally) to 20 kHz
@@ -90,7 +91,7 @@ def statistics(values):
 
 
 def _engagements(run, name):
-    sprocket, quantity, which = name.split("_", 2)
+    sprocket, quantity, which = re.fullmatch("(.*)_(peak|impulse|normal)_(.*)", name).groups()
     key = {"peak": "peak_force", "impulse": "impulse", "normal": "normal_speed"}[quantity]
     return statistics([e[key] for e in run.engaged(sprocket)]).get(which)
 
@@ -145,9 +146,9 @@ OUTPUTS = {
     "losses": _losses,
     "loss_power_mean": lambda run: _losses(run) / run.time[-1],
     **{name: lambda run, name=name: _engagements(run, name)
-       for sprocket in ("driver", "driven")
-       for name in (*(f"{sprocket}_peak_{which}" for which in ("mean", "max", "cv", "max_over_min")),
-                    *(f"{sprocket}_impulse_{which}" for which in ("mean", "cv")))},
+       for wheel in WHEELS
+       for name in (*(f"{wheel.name}_peak_{which}" for which in ("mean", "max", "cv", "max_over_min")),
+                    *(f"{wheel.name}_impulse_{which}" for which in ("mean", "cv")))},
     "driver_normal_speed_mean": lambda run: _engagements(run, "driver_normal_mean"),
     "sound_level": lambda run: _sound(run, "level"),
     "sound_level_a": lambda run: _sound(run, "level_a"),

@@ -7,6 +7,7 @@ import matplotlib
 import numpy as np
 
 import outputs
+from chaindrive.drive import span_title
 
 matplotlib.use("Agg")
 matplotlib.rcParams["svg.hashsalt"] = "study"
@@ -63,7 +64,7 @@ class Sweep:
             return []
         drive = outputs.chaindrive.open(self.results(first)[0]).drive
         found = [("driven inertia on the tight span", drive["driven_frequency"], drive["driven_resonance"] * RPM)]
-        found += [(f"{span['name']} span", span["frequency"], span["resonance"] * RPM) for span in drive["spans"]]
+        found += [(span_title(span), span["frequency"], span["resonance"] * RPM) for span in drive["spans"]]
         return [(what, frequency, speed) for what, frequency, speed in found if frequency and speed]
 
 

@@ -371,6 +371,7 @@ const wait = setInterval(() => {
   const film = document.querySelector(".film"), before = film.querySelector("output").textContent, canvas = film.querySelector("canvas");
   const inked = () => new Set(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data).size;
   said.colours = inked();
+  said.views = [...film.querySelectorAll("option")].map(option => option.value + ":" + option.textContent);
   const heights = [canvas.height];
   film.querySelector("select").value = "driver";
   film.querySelector("select").dispatchEvent(new Event("change"));
@@ -427,6 +428,7 @@ def browser():
     check(done and not console, f"the page does not answer: {console[:3]}")
     said = json.loads(html.unescape(done[1]))
     check(said["pressed"] == "false" and said["visible"] == [False, True], f"the legend: {said}")
+    check(said["views"] == [":whole drive", "driver:driver", "driven:driven sprocket"], f"the views: {said}")
     check(said["moved"] and said["heights"][0] != said["heights"][1] and said["colours"] > 20, f"the film: {said}")
 
 

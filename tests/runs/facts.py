@@ -62,7 +62,7 @@ said = program.run(FILE, CHANGES, "--output", "results", program=PROGRAM)
 program.check(said.startswith("Drive\n"), "the log does not begin with the drive")
 summary = program.summary("results")
 drive = summary["drive"]
-tight, slack = (next(span for span in drive["spans"] if span["name"] == name) for name in ("tight", "slack"))
+tight, slack = (next(span for span in drive["spans"] if span["label"] == label) for label in ("tight", "slack"))
 names = [check["name"] for check in summary["checks"]]
 program.check(not names, f"a sound drive is warned of: {names}")
 with chaindrive.open("results") as histories:

@@ -2,10 +2,13 @@
 """Key figures of a run, each with a sentence that says what it means."""
 from __future__ import annotations
 
+import functools
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
+from chaindrive.drive import Block, Wheel, span_title
 from chaindrive.errors import RunError
 from chaindrive.report.text import number, percent, quantity
 from chaindrive.run import Array, Run
@@ -54,7 +57,9 @@ def largest(run: Run, name: str, path: str) -> float | None:
 def answers(run: Run) -> list[Answer]:
     """What can be said of a run."""
     found = []
-    for make in (tension, slack, shaft, impact, variation, driven_impact, ripple, losses, wear, resonance, noise, quality):
+    others = [functools.partial(other_impact, wheel=wheel) for wheel in run.wheels[1:]]
+    makers: list[Callable[[Run], Answer | None]] = [tension, slack, shaft, impact, variation, *others, ripple, losses, wear, resonance, noise, quality]
+    for make in makers:
         try:
             one = make(run)
         except (RunError, KeyError, IndexError, StopIteration, TypeError, ValueError, ZeroDivisionError):
@@ -68,9 +73,9 @@ def _against(value: float, expected: float, unit: str, what: str) -> str:
     return f"{percent(100. * (value / expected - 1.))} against the {quantity(expected, unit)} {what}" if expected else ""
 
 
-def foreseen(run: Run, name: str) -> float:
-    """Tension of a span from closed forms."""
-    return next(float(span["tension"]) for span in run.drive["spans"] if span["name"] == name)
+def foreseen(run: Run, label: str) -> float:
+    """Tension of the span with this label from closed forms."""
+    return next(float(span["tension"]) for span in run.drive["spans"] if span["label"] == label)
 
 
 def turned(run: Run) -> bool:
@@ -79,8 +84,8 @@ def turned(run: Run) -> bool:
 
 
 def largest_of_spans(run: Run) -> float | None:
-    """The largest tension of both spans in the window, N."""
-    found = [largest(run, f"{name}_tension", f"spans/{name}_tension") for name in ("tight", "slack")]
+    """The largest tension of all spans in the window, N."""
+    found = [largest(run, f"{span.history}_tension", f"spans/{span.history}_tension") for span in run.spans]
     return max((value for value in found if value is not None), default=None)
 
 
@@ -115,12 +120,24 @@ def slack(run: Run) -> Answer:
     return Answer("Tension of the slack span", mean, "N", text)
 
 
+def shaft_loads(drive: Block) -> list[Any]:
+    """Loads of the shafts of a drive from closed forms, N; up to 0.2.0 the block had one for all of them."""
+    return [one.get("shaft_load", drive["shaft_load"]) for one in drive["sprockets"]]
+
+
+def loads_are_alike(drive: Block) -> bool:
+    """Whether one number says them all, as where the same two spans pull at all sprockets."""
+    loads = np.array(shaft_loads(drive), float)
+    return bool(np.allclose(loads, loads[0], rtol=1e-9, atol=0., equal_nan=True))
+
+
 def shaft(run: Run) -> Answer:
     """Load of the driver's shaft."""
     mean, most = statistic(run, "driver_load", "mean"), statistic(run, "driver_load", "largest")
-    expected = run.drive["shaft_load"]
+    expected = shaft_loads(run.drive)[0]
     if mean is None:
-        return Answer("Load of each shaft", expected, "N", "Resultant of the mean tensions of both spans, from the closed form; "
+        name, spans = ("Load of each shaft", "both spans") if loads_are_alike(run.drive) else ("Load of the driver's shaft", "the spans at its ends")
+        return Answer(name, expected, "N", f"Resultant of the mean tensions of {spans}, from the closed form; "
                       "the centrifugal tension does not load shafts.", of_window=False)
     return Answer("Load of the driver's shaft", mean, "N", f"{_against(mean, expected, 'N', 'of the closed form')}; at most "
                   f"{quantity(most, 'N')}. Bearings are chosen by it.")
@@ -144,10 +161,10 @@ def variation(run: Run) -> Answer | None:
                   f"mean: the weakest of {len(peak)} has {quantity(peak.min(), 'N')}, the strongest {quantity(peak.max(), 'N')}.")
 
 
-def driven_impact(run: Run) -> Answer:
-    """Peak forces of rollers that seat on the driven sprocket."""
-    peak = run.engagements("driven", window=True)["peak_force"].astype(float)
-    return Answer("Impact on the driven sprocket", peak.mean(), "N", f"Mean peak force of {len(peak)} rollers, the largest "
+def other_impact(run: Run, wheel: Wheel) -> Answer:
+    """Peak forces of rollers that seat on a sprocket which is not the driver."""
+    peak = run.engagements(wheel.name, window=True)["peak_force"].astype(float)
+    return Answer(f"Impact on the {wheel.title}", peak.mean(), "N", f"Mean peak force of {len(peak)} rollers, the largest "
                   f"{quantity(peak.max(), 'N')}.")
 
 
@@ -202,7 +219,7 @@ def resonance(run: Run) -> Answer:
     """The tooth frequency and the resonance next to it."""
     drive = run.drive
     places = [(drive.get("driven_resonance"), drive.get("driven_frequency"), "the driven inertia on the tight span")]
-    places += [(span.get("resonance"), span.get("frequency"), f"the {span['name']} span") for span in drive["spans"]]
+    places += [(span.get("resonance"), span.get("frequency"), f"the {span_title(span)}") for span in drive["spans"]]
     speed = drive["sprockets"][0]["speed"]
     near = min((p for p in places if p[0]), key=lambda p: float(abs(np.log(p[0] / speed))))
     return Answer("Tooth frequency", drive["tooth_frequency"], "Hz", f"The nearest resonance is that of {near[2]} at {quantity(near[1], 'Hz', 3)}, "

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 import numpy as np
+import numpy.typing as npt
 import pandas as pd
 
 from chaindrive import spectra
+from chaindrive.drive import Block, Span, Wheel, span_title, union
 from chaindrive.errors import RunError
 from chaindrive.report.facts import of_paper
 from chaindrive.report.figure import Curve, Figure, Panel, limits
@@ -15,6 +17,8 @@ from chaindrive.report.parts import Subject, beside, finite, of_each, together
 from chaindrive.run import Array, Label, Run
 
 Subjects = Sequence[Subject]
+#: Runs with x and y of a curve.
+Done = list[tuple[Subject, tuple[Array, Array]]]
 
 MS = "time (ms)"
 
@@ -152,19 +156,23 @@ def contact_forces(subjects: Subjects) -> Figure:
 # ---- engagements
 
 
+def with_wheels(subjects: Subjects) -> list[tuple[Wheel, Subjects]]:
+    """Each sprocket of the drives, with the runs that have it."""
+    return [(wheel, [s for s in subjects if wheel in s.run.wheels]) for wheel in union(s.run.wheels for s in subjects)]
+
+
 def aligned(subjects: Subjects) -> Figure:
     """Forces of the engagements in the window, against the time since their touch."""
     def panels(run: Run) -> list[Panel]:
         result = []
-        for sprocket in ("driver", "driven"):
-            frame = run.aligned_engagements(sprocket, before=0.1e-3, after=1.5e-3, units=("ms", "kN"))
+        for wheel in run.wheels:
+            frame = run.aligned_engagements(wheel.name, before=0.1e-3, after=1.5e-3, units=("ms", "kN"))
             curves = [Curve("single engagements" if i == 0 else "", frame.index.to_numpy(), frame[column].to_numpy(), 7, 0, width=0.6)
                       for i, column in enumerate(frame.columns[:40])]
             if len(curves) > 1:
                 curves.append(Curve("their mean", frame.index.to_numpy(), frame.mean(axis=1).to_numpy(), 1, 0, width=2.2))
             if curves:
-                result.append(Panel("time since touch (ms)", "tooth force (kN)", curves,
-                                    "driver" if sprocket == "driver" else "driven sprocket"))
+                result.append(Panel("time since touch (ms)", "tooth force (kN)", curves, wheel.title))
         if not result:
             raise RunError(f"In the run in '{run.folder}' no engagement lies in the window.")
         return result
@@ -184,11 +192,11 @@ def peaks(subjects: Subjects) -> Figure:
         return make
 
     panels, missing = [], []
-    for which, title in (("driver", "driver"), ("driven", "driven sprocket")):
-        done, sentences = of_each(subjects, curve(which))
+    for wheel, own in with_wheels(subjects):
+        done, sentences = of_each(own, curve(wheel.name))
         missing += sentences
         curves = [Curve(s.name if len(subjects) > 1 else "", x, y, s.color, s.color, "points") for s, (x, y) in done]
-        panels.append(Panel("time of the touch (ms)", "peak force (kN)", curves, title, x_range=limits([c.x for c in curves], False, 0.03)))
+        panels.append(Panel("time of the touch (ms)", "peak force (kN)", curves, wheel.title, x_range=limits([c.x for c in curves], False, 0.03)))
     return Figure("peaks", "Peak force of every engagement",
                   "From the start of the run on, in the window and before.", panels, list(dict.fromkeys(missing)))
 
@@ -201,12 +209,22 @@ def _thinning(run: Run, start: float, end: float) -> int:
     return max(1, len(run.time[run.rows(start, end)]) // 400)
 
 
+def round_sprocket(drive: Block, about: Block, x: Array, y: Array) -> tuple[npt.NDArray[np.bool_], Array]:
+    """Which points lie on the pitch circle of a sprocket, and their angles, rad.
+
+    In the sense of its rotation, from where the pitch line of the arriving span touches the pitch circle; up to a
+    pitch angle before it is negative.
+    """
+    x, y, pitch = x - about["centre"][0], y - about["centre"][1], 2 * np.pi / about["teeth"]
+    near = np.abs(np.hypot(x, y) - about["pitch_diameter"] / 2) < 0.2 * drive["pitch"]
+    return near, np.mod(about["sense"] * (np.arctan2(y, x) - about["arrival"]) + pitch, 2 * np.pi) - pitch
+
+
 def along_wrap(run: Run, sprocket: str, bins: int = 4) -> Array:
     """The tooth load on rollers by the pitches that they have passed since the chain met the sprocket.
 
     Four rows: positions, and mean, tenth and ninetieth percentile in the window, N.
     """
-    number = 0 if sprocket == "driver" else 1
     start, end = run.window if np.isfinite(run.start) else (run.time[0], run.time[-1])
     path = f"rollers/{sprocket}_force"
     run.dataset(path)
@@ -215,16 +233,9 @@ def along_wrap(run: Run, sprocket: str, bins: int = 4) -> Array:
     every = _thinning(run, start, end)
     x, y = (run.values(f"rollers/position_{axis}", start, end, every) for axis in "xy")
     force = run.values(path, start, end, every)[:, columns]
-    about = run.drive["sprockets"][number]
-    radius, pitch = about["pitch_diameter"] / 2, 2 * np.pi / about["teeth"]
-    x = x - (run.drive["centre_distance"] if number else 0.)
-    near = np.abs(np.hypot(x, y) - radius) < 0.2 * run.drive["pitch"]
-    # in the sense of rotation, from where the pitch line of the arriving span touches the pitch circle
-    sense = 1. if run.outward[1] > 0. else -1.
-    arrival = np.arctan2(run.outward[1], run.outward[0]) if not number else None
-    if number:  # the slack span arrives: the mirror image of the tight one about the line of centres
-        arrival = -np.arctan2(run.outward[1], run.outward[0])
-    angle = np.mod(sense * (np.arctan2(y, x) - arrival) + pitch, 2 * np.pi) - pitch
+    about = next(one for one in run.drive["sprockets"] if one["name"] == sprocket)
+    near, angle = round_sprocket(run.drive, about, x, y)
+    pitch = 2 * np.pi / about["teeth"]
     position = angle / pitch
     last = about["wrap"] / pitch + 1.
     good = near & (position < last) & np.isfinite(force)
@@ -241,13 +252,13 @@ def along_wrap(run: Run, sprocket: str, bins: int = 4) -> Array:
 
 
 def wrap(subjects: Subjects) -> Figure:
-    """Load of the teeth along both wraps."""
+    """Load of the teeth along all wraps."""
     panels, missing = [], []
-    for sprocket, title in (("driver", "driver"), ("driven", "driven sprocket")):
-        def load(subject: Subject, which: str = sprocket) -> Array:
+    for wheel, own in with_wheels(subjects):
+        def load(subject: Subject, which: str = wheel.name) -> Array:
             return along_wrap(subject.run, which)
 
-        done, sentences = of_each(subjects, load)
+        done, sentences = of_each(own, load)
         missing += sentences
         curves = []
         for s, (position, mean, low, high) in done:
@@ -255,7 +266,7 @@ def wrap(subjects: Subjects) -> Figure:
             if len(subjects) == 1:
                 curves.append(Curve("80 % of all values", position, 1e-3 * high, s.color, 0, "band", 1e-3 * low))
             curves.append(Curve(name, position, 1e-3 * mean, s.color, s.color, width=2.))
-        panels.append(Panel("pitches since the chain met the sprocket", "load of a tooth (kN)", curves, title,
+        panels.append(Panel("pitches since the chain met the sprocket", "load of a tooth (kN)", curves, wheel.title,
                             x_range=limits([c.x for c in curves], False, 0.02)))
     return Figure("wrap", "Load of the teeth along the wrap",
                   "Normal force between roller and tooth by the place of the roller on the sprocket, in the window. The teeth next to the "
@@ -265,29 +276,71 @@ def wrap(subjects: Subjects) -> Figure:
 # ---- spans, shafts
 
 
-def tensions(subjects: Subjects) -> Figure:
-    """Tensions of both spans."""
-    def panel(path: str, title: str) -> tuple[Panel, list[str]]:
-        done, missing = of_each(subjects, lambda s: over_time(s.run, path, scale=1e-3))
-        return Panel(MS, "tension (kN)", [Curve(s.name if len(subjects) > 1 else "", x, y, s.color, s.color) for s, (x, y) in done],
-                     title), missing
+def of_spans(subjects: Subjects, quantity: str, scale: float,
+             panel: Callable[[Done, Span], Panel]) -> tuple[list[Panel], list[str]]:
+    """A panel for each span of the drives, of a `quantity` of its histories, scaled, and what is missing of the first one."""
+    panels, missing = [], []
+    for span in union(s.run.spans for s in subjects):
+        def curve(subject: Subject, path: str = f"spans/{span.history}_{quantity}") -> tuple[Array, Array]:
+            return over_time(subject.run, path, scale=scale)
 
-    tight, missing = panel("spans/tight_tension", "tight span")
-    slack, _ = panel("spans/slack_tension", "slack span")
+        done, sentences = of_each([s for s in subjects if span in s.run.spans], curve)
+        panels.append(panel(done, span))
+        missing.append(sentences)
+    return panels, missing[0]
+
+
+def tensions(subjects: Subjects) -> Figure:
+    """Tensions of all spans."""
+    def panel(done: Done, span: Span) -> Panel:
+        return Panel(MS, "tension (kN)", [Curve(s.name if len(subjects) > 1 else "", x, y, s.color, s.color) for s, (x, y) in done], span.title)
+
+    panels, missing = of_spans(subjects, "tension", 1e-3, panel)
     return Figure("tensions", "Tension of the spans", "Mean of the links in the middle of each span, over the whole run. "
-                  "Spans are called tight and slack as they are while the driver drives.", [tight, slack], missing)
+                  "Spans are called tight and slack as they are while the driver drives.", panels, missing)
 
 
 def offsets(subjects: Subjects) -> Figure:
-    """How the middles of both spans swing."""
-    def panel(path: str, title: str) -> tuple[Panel, list[str]]:
-        done, missing = of_each(subjects, lambda s: over_time(s.run, path, scale=1e3))
+    """How the middles of all spans swing."""
+    def panel(done: Done, span: Span) -> Panel:
         curves = [Curve(s.name if len(subjects) > 1 else "", x, y - np.nanmean(y), s.color, s.color) for s, (x, y) in done]
-        return Panel(MS, "offset (mm)", curves, title, y_range=limits([c.y for c in curves], False, 0.05)), missing
+        return Panel(MS, "offset (mm)", curves, span.title, y_range=limits([c.y for c in curves], False, 0.05))
 
-    tight, missing = panel("spans/tight_offset", "tight span")
-    slack, _ = panel("spans/slack_offset", "slack span")
-    return Figure("offsets", "Spans in motion", "How the middle of each span swings across its direction of travel, about its mean; each on a scale of its own.", [tight, slack], missing)
+    panels, missing = of_spans(subjects, "offset", 1e3, panel)
+    return Figure("offsets", "Spans in motion", "How the middle of each span swings across its direction of travel, about its mean; each on a scale of its own.", panels, missing)
+
+
+class Line:
+    """The straight line of a span between the pitch circles, m, from the sprocket that is named first in the drive."""
+
+    def __init__(self, span: Block, turned: bool, sense: float) -> None:
+        self.title = span_title(span)
+        begin, end = np.array(span["begin"], float), np.array(span["end"], float)
+        self.length = float(np.hypot(*(end - begin)))
+        travel = (end - begin) / self.length
+        self._start, self._along = (end, -travel) if turned else (begin, travel)
+        self._normal = sense * np.array([travel[1], -travel[0]])  # on the right of a chain that runs counter-clockwise
+
+    def along(self, x: Array, y: Array) -> Array:
+        """Places of points along the line, m."""
+        place: Array = (x - self._start[0]) * self._along[0] + (y - self._start[1]) * self._along[1]
+        return place
+
+    def outward(self, x: Array, y: Array) -> Array:
+        """Distances of points from the line on its outer side, m."""
+        distance: Array = (x - self._start[0]) * self._normal[0] + (y - self._start[1]) * self._normal[1]
+        return distance
+
+    def distance(self, x: Array, y: Array) -> Array:
+        """Distances of points from the piece between the pitch circles, m."""
+        place = self.along(x, y)
+        return np.hypot(self.outward(x, y), place - np.clip(place, 0., self.length))
+
+
+def lines_of(drive: Block) -> list[Line]:
+    """The lines of all spans of a drive; the last one leads back to the driver."""
+    last, sense = len(drive["spans"]) - 1, drive["sprockets"][0]["sense"]
+    return [Line(span, number == last, sense) for number, span in enumerate(drive["spans"])]
 
 
 def shapes(subjects: Subjects) -> Figure:
@@ -296,20 +349,17 @@ def shapes(subjects: Subjects) -> Figure:
         start, end = run.window if np.isfinite(run.start) else (run.time[0], run.time[-1])
         every = _thinning(run, start, end)
         x, y = (run.values(f"rollers/position_{axis}", start, end, every) for axis in "xy")
-        drive = run.drive
-        radii = [s["pitch_diameter"] / 2 for s in drive["sprockets"]]
-        up = 1. if run.outward[1] > 0. else -1.
+        drive, lines = run.drive, lines_of(run.drive)
+        free = np.ones(x.shape, bool)
+        for about in drive["sprockets"]:
+            near, angle = round_sprocket(drive, about, x, y)
+            free &= ~(near & (angle > 0.) & (angle < about["wrap"]))
+        nearest = np.argmin([line.distance(x, y) for line in lines], axis=0)
         result = []
-        for side, title in ((up, "tight span"), (-up, "slack span")):
-            lean = side * np.arcsin((radii[1] - radii[0]) / drive["centre_distance"])
-            along = np.array([np.cos(lean), np.sin(lean)])
-            normal = side * np.array([-np.sin(lean), np.cos(lean)])
-            touch = radii[0] * normal
-            s = (x - touch[0]) * along[0] + (y - touch[1]) * along[1]
-            d = 1e3 * ((x - touch[0]) * normal[0] + (y - touch[1]) * normal[1])
-            length = np.sqrt(drive["centre_distance"] ** 2 - (radii[1] - radii[0]) ** 2)
-            bins = np.arange(0., length - drive["pitch"] / 2, drive["pitch"])
-            near = (s > 0.) & (s < length) & (side * y > 0.)
+        for number, line in reversed(list(enumerate(lines))):
+            s, d = line.along(x, y), 1e3 * line.outward(x, y)
+            bins = np.arange(0., line.length - drive["pitch"] / 2, drive["pitch"])
+            near = (s > 0.) & (s < line.length) & (nearest == number) & free
             index = np.digitize(s[near], bins) - 1
             values = d[near]
             found = [((bins[k] + drive["pitch"] / 2), values[index == k].mean(), values[index == k].min(), values[index == k].max())
@@ -318,7 +368,7 @@ def shapes(subjects: Subjects) -> Figure:
                 place, mean, low, high = np.array(found).T
                 result.append(Panel("place along the span (mm)", "outward offset (mm)",
                                     [Curve("least to largest", 1e3 * place, high, 0, 0, "band", low), Curve("mean", 1e3 * place, mean, 0, 0, width=2.)],
-                                    title))
+                                    line.title))
         if not result:
             raise RunError(f"No roller of the run in '{run.folder}' lies in a span: Output/Rollers chooses them.")
         return result
@@ -326,8 +376,8 @@ def shapes(subjects: Subjects) -> Figure:
     figure = beside(subjects, "shapes", "Shape of the spans",
                     "Distance of the rollers in the window from the straight line between the pitch circles, outward positive: the mean is the sag, "
                     "the band the motion.", panels)
-    for title in ("tight span", "slack span"):  # each span has a scale of its own
-        alike = [panel for panel in figure.panels if panel.title.endswith(title)]
+    for span in union(s.run.spans for s in subjects):  # each span has a scale of its own
+        alike = [panel for panel in figure.panels if panel.title.endswith(span.title)]
         curves = [curve for panel in alike for curve in panel.curves]
         for panel in alike:
             panel.y_range = limits([c.y for c in curves] + [c.low for c in curves if c.low is not None], False, 0.05)
@@ -336,12 +386,16 @@ def shapes(subjects: Subjects) -> Figure:
 
 def shafts(subjects: Subjects) -> Figure:
     """Speed and torque of the shafts."""
-    one = together(subjects, "driven-speed", "", "", MS, "driven speed (rpm)",
-                   lambda run: over_time(run, "hubs/driven_speed", scale=30. / np.pi))
-    two = together(subjects, "driver-torque", "", "", MS, "driver torque (N m)", lambda run: over_time(run, "hubs/driver_torque"))
+    found = []
+    for wheel, own in with_wheels(subjects)[1:]:
+        def speed(run: Run, path: str = f"hubs/{wheel.name}_speed") -> tuple[Array, Array]:
+            return over_time(run, path, scale=30. / np.pi)
+
+        found.append(together(own, "", "", "", MS, f"{wheel.words} speed (rpm)", speed))
+    found.append(together(subjects, "", "", "", MS, "driver torque (N m)", lambda run: over_time(run, "hubs/driver_torque")))
     return Figure("shafts", "Speed and torque of the shafts",
                   "The driven shaft follows at the ratio of the teeth; what it deviates is ripple of the polygon and of its own swinging.",
-                  one.panels + two.panels, one.missing)
+                  [panel for one in found for panel in one.panels], found[0].missing)
 
 
 # ---- spectra
@@ -351,7 +405,7 @@ def marks_of(run: Run) -> list[tuple[float, str]]:
     """What the drive is known to ring at."""
     drive = run.drive
     found = [(drive["tooth_frequency"], "teeth")] if "tooth_frequency" in drive else []
-    found += [(span["frequency"], f"{span['name']} span") for span in drive.get("spans", []) if span.get("frequency")]
+    found += [(span["frequency"], span_title(span)) for span in drive.get("spans", []) if span.get("frequency")]
     if drive.get("driven_frequency"):
         found.append((drive["driven_frequency"], "driven inertia"))
     return found
@@ -369,8 +423,8 @@ def amplitudes(run: Run, path: str, label: Label | None = None, scale: float = 1
 def line_spectra(subjects: Subjects) -> Figure:
     """Spectra of tension, speed, torque and offset."""
     panels, missing = [], []
-    for path, name, scale in (("spans/tight_tension", "tight tension (N)", 1.),
-                              ("hubs/driven_speed", "driven speed (rpm)", 30. / np.pi),
+    speeds = [(f"hubs/{wheel.name}_speed", f"{wheel.words} speed (rpm)", 30. / np.pi) for wheel in union(s.run.wheels[1:] for s in subjects)]
+    for path, name, scale in (("spans/tight_tension", "tight tension (N)", 1.), *speeds,
                               ("hubs/driver_torque", "driver torque (N m)", 1.),
                               ("spans/tight_offset", "tight offset (µm)", 1e6)):
         def lines(subject: Subject, which: str = path, factor: float = scale) -> tuple[Array, Array]:

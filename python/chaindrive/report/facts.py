@@ -8,8 +8,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from chaindrive import comparison, schema
+from chaindrive.drive import span_title
 from chaindrive.errors import RunError
 from chaindrive.plates import plate_stresses
+from chaindrive.report.answers import loads_are_alike, shaft_loads
 from chaindrive.report.parts import Subject
 from chaindrive.report.text import escape, number, percent, quantity, sentences, table
 from chaindrive.run import Run
@@ -43,13 +45,19 @@ def of_paper(subjects: Sequence[Subject], sentence: str) -> str:
     return f" Zheng, Wang and Quek (2004) show it in {sentence}." if all("Zheng, Wang and Quek" in question(s.run) for s in subjects) else ""
 
 
+def in_words(values: Sequence[object]) -> str:
+    """Numbers as a sentence lists them: "15 and 42"."""
+    *most, last = map(str, values)
+    return f"{', '.join(most)} and {last}" if most else last
+
+
 def drive_in_words(run: Run) -> str:
     """The drive in a line, as HTML."""
     drive = run.drive
     if not drive:
-        return f"{run.n_links} links, {run.sprockets[0]} and {run.sprockets[1]} teeth"
+        return f"{run.n_links} links, {in_words(run.sprockets)} teeth"
     first = drive["sprockets"][0]
-    return (f"{escape(drive['chain'])} chain of {drive['links']} links, {first['teeth']} and {drive['sprockets'][1]['teeth']} teeth, "
+    return (f"{escape(drive['chain'])} chain of {drive['links']} links, {in_words([one['teeth'] for one in drive['sprockets']])} teeth, "
             f"{quantity(first['speed'], 'rad/s')}, {quantity(drive['power'], 'W')}")
 
 
@@ -103,7 +111,7 @@ def drive_tables(run: Run) -> str:
     if not drive:
         raise RunError(f"The summary of the run in '{run.folder}' does not say what the drive is; an older version has written it."
                        if run.finished else f"The run in '{run.folder}' has not finished: there is no block of the drive yet.")
-    q = quantity
+    q, alike = quantity, loads_are_alike(drive)
     pitches = number(drive["centre_distance"] / drive["pitch"], 4)
     chain = [
         ("chain", f"{escape(drive['chain'])}, {drive['links']} links, pitch {q(drive['pitch'], 'm', 6)} ({q(drive['loaded_pitch'], 'm', 6)} under load), "
@@ -115,7 +123,7 @@ def drive_tables(run: Run) -> str:
          + (f", while the speed grows {q(drive['start_tension'], 'N')}" if drive.get("start_tension") else "")),
         ("strength, safety", f"{q(drive['tensile_strength'], 'N')}, {number(drive['safety'], 3)}" if drive.get("safety") else "not listed for this chain"),
         ("joint pressure", f"{q(drive['joint_pressure'], 'Pa', 3)} on {q(drive['bearing_area'], 'm2', 3)}"),
-        ("load of each shaft", q(drive["shaft_load"], "N")),
+        *([("load of each shaft", q(drive["shaft_load"], "N"))] if alike else []),
         ("driven inertia", f"{q(drive['driven_inertia'], 'kg m2')}, on the tight span {q(drive['driven_frequency'], 'Hz')} (met by the teeth at "
          f"{q(drive['driven_resonance'], 'rad/s')})"),
         ("usual limits of this size", f"{q(drive['rated_power'], 'W', 3)} at this speed; driver up to {q(drive['highest_speed'], 'rad/s')}"),
@@ -125,13 +133,15 @@ def drive_tables(run: Run) -> str:
                                       ("torque", "torque", "N m", 4), ("seating_velocity", "links seat at", "m/s", 3)):
         sprockets.append((title, [q(s[name], unit, digits) for s in drive["sprockets"]]))
     sprockets.append(("polygon effect", [number(100 * s["polygon_effect"], 3) + "\u00a0%" for s in drive["sprockets"]]))
+    if not alike:
+        sprockets.append(("load of the shaft", [q(load, "N") for load in shaft_loads(drive)]))
     spans = [(title, [q(s[name], unit, digits) if unit else number(s[name]) for s in drive["spans"]])
              for name, title, unit, digits in (("links", "links", "", 3), ("length", "length", "m", 6), ("slack", "slack", "m", 3), ("sag", "sag", "m", 3),
                                                ("tension", "tension", "N", 4), ("frequency", "lowest frequency", "Hz", 3),
                                                ("resonance", "met by the teeth at a driver speed of", "rad/s", 4))]
     return (table([], [(escape(a), b) for a, b in chain], classes="facts") + '<div class="side">'
-            + table(["", *(escape(s["name"]) for s in drive["sprockets"])], [(name, *cells) for name, cells in sprockets])
-            + table(["", *(escape(s["name"] + " span") for s in drive["spans"])], [(name, *cells) for name, cells in spans]) + "</div>")
+            + table(["", *(escape(s["title"]) for s in drive["sprockets"])], [(name, *cells) for name, cells in sprockets])
+            + table(["", *(escape(span_title(s)) for s in drive["spans"])], [(name, *cells) for name, cells in spans]) + "</div>")
 
 
 def plate_table(subjects: Sequence[Subject]) -> str:
@@ -206,8 +216,9 @@ def noise_tables(run: Run) -> str:
     out = invalid_window(run, "These levels are") + table(["observer", "position (m)", "level (dB)", "level (dB(A))", "peak"], rows, f"Over {run.acoustics['periods']} pitch times, re 20 µPa")
     parts = run.acoustics.get("contributions", {})
     if parts:
-        out += sentences([f"At {run.acoustics['observers'][0]['name']} the rollers at the driver make {level(parts.get('driver'))} dB, those at the driven "
-                          f"sprocket {level(parts.get('driven'))} dB."], "plain")
+        first, *others = ((wheel.title, level(parts.get(wheel.name))) for wheel in run.wheels)
+        out += sentences([f"At {run.acoustics['observers'][0]['name']} the rollers at the {first[0]} make {first[1]} dB"
+                          + "".join(f", those at the {title} {one} dB" for title, one in others) + "."], "plain")
     return out
 
 

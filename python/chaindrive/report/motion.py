@@ -40,16 +40,16 @@ def frames_of(run: Run) -> dict[str, Any]:
     picked = np.arange(rows.start, rows.stop, step)
     x, y = (run.dataset(f"rollers/position_{axis}")[rows.start:rows.stop:step] for axis in "xy")
     tension = run.dataset("links/tension")[rows.start:rows.stop:step] if "links/tension" in run else np.zeros_like(x)
-    angles = [run[f"hubs/{name}_angle"][picked] for name in ("driver", "driven")] if "hubs/driver_angle" in run else None
-    sense = 1. if run.outward[1] > 0. else -1.
     sprockets = []
-    for number, about in enumerate(drive["sprockets"]):
-        radius, centre = about["pitch_diameter"] / 2, drive["centre_distance"] if number else 0.
-        off = np.hypot(x[0] - centre, y[0]) - radius
-        seated = np.abs(off) < 0.03 * drive["pitch"]
-        phase = np.angle(np.mean(np.exp(1j * about["teeth"] * np.arctan2(y[0], x[0] - centre)[seated]))) / about["teeth"] if seated.any() else 0.
-        turned = sense * (angles[number] - angles[number][0]) if angles is not None else sense * about["speed"] * (run.time[picked] - run.time[picked][0])
-        sprockets.append({"teeth": about["teeth"], "radius": _mm(radius), "x": _mm(centre), "angle": np.round(phase + turned, 4).tolist()})
+    for about in drive["sprockets"]:
+        radius, sense, path = about["pitch_diameter"] / 2, about["sense"], f"hubs/{about['name']}_angle"
+        across, up = x[0] - about["centre"][0], y[0] - about["centre"][1]
+        seated = np.abs(np.hypot(across, up) - radius) < 0.03 * drive["pitch"]
+        phase = np.angle(np.mean(np.exp(1j * about["teeth"] * np.arctan2(up, across)[seated]))) / about["teeth"] if seated.any() else 0.
+        turns = run[path][picked] if path in run else about["speed"] * run.time[picked]
+        sprockets.append({"name": about["name"], "title": about["title"], "teeth": about["teeth"], "radius": _mm(radius),
+                          "x": _mm(about["centre"][0]), "y": _mm(about["centre"][1]),
+                          "angle": np.round(phase + sense * (turns - turns[0]), 4).tolist()})
     finite = tension[np.isfinite(tension)]
     high = float(np.percentile(finite, 99.5)) if len(finite) else 1.
     return {"x": (1e5 * x).round().astype(int).tolist(), "y": (1e5 * y).round().astype(int).tolist(),
@@ -98,7 +98,7 @@ def still(frames: dict[str, Any]) -> str:
            f'aria-label="The chain at the end of the run">']
     for about in frames["sprockets"]:
         points = outline(about, about["angle"][-1], frames["roller"])
-        out.append('<path class="sprocket" d="M' + "L".join(f"{a + about['x']:.1f} {-b:.1f}" for a, b in points) + 'z"/>')
+        out.append('<path class="sprocket" d="M' + "L".join(f"{a + about['x']:.1f} {-b - about['y']:.1f}" for a, b in points) + 'z"/>')
     span = frames["high"] - frames["low"]
     for k, tension in enumerate(frames["tension"][-1]):
         n = (k + 1) % len(x)

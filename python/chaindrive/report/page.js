@@ -81,6 +81,7 @@
     const n = data.time.length, links = data.x[0].length, span = data.high - data.low || 1;
     let frame = n - 1, timer = null;
     slider.max = n - 1;
+    view.append(...data.sprockets.map(s => new Option(s.title, s.name)));
 
     function shade(value) {
       const stops = matchMedia("(prefers-color-scheme: dark)").matches ? data.dark : data.light, place = Math.min(Math.max(value, 0), 1) * (stops.length - 1), k = Math.min(Math.floor(place), stops.length - 2);
@@ -88,11 +89,11 @@
     }
 
     function bounds() {
-      const [a, b] = data.sprockets, margin = 3 * data.roller;
-      const around = s => [s.x - s.radius - margin, s.x + s.radius + margin, -s.radius - margin, s.radius + margin];
-      if (view.value === "driver") return [a.x - 1.8 * a.radius, a.x + 2.6 * a.radius, -1.5 * a.radius, 1.5 * a.radius];
-      if (view.value === "driven") return around(b);
-      const all = [around(a), around(b)];
+      const a = data.sprockets[0], margin = 3 * data.roller, one = data.sprockets.find(s => s.name === view.value);
+      const around = s => [s.x - s.radius - margin, s.x + s.radius + margin, s.y - s.radius - margin, s.y + s.radius + margin];
+      if (one === a) return [a.x - 1.8 * a.radius, a.x + 2.6 * a.radius, a.y - 1.5 * a.radius, a.y + 1.5 * a.radius];
+      if (one) return around(one);
+      const all = data.sprockets.map(around);
       return [Math.min(...all.map(r => r[0])), Math.max(...all.map(r => r[1])), Math.min(...all.map(r => r[2])), Math.max(...all.map(r => r[3]))];
     }
 
@@ -108,16 +109,16 @@
         pen.beginPath();
         for (let k = 0; k < s.teeth; ++k) {
           const middle = turn + k * pitch;
-          pen.arc(s.x + s.radius * Math.cos(middle), s.radius * Math.sin(middle), data.roller, middle + Math.PI + 1.05, middle + Math.PI - 1.05, true);
+          pen.arc(s.x + s.radius * Math.cos(middle), s.y + s.radius * Math.sin(middle), data.roller, middle + Math.PI + 1.05, middle + Math.PI - 1.05, true);
           for (const share of [0.43, 0.57]) {
             const at = middle + share * pitch, tip = s.radius + 0.45 * data.roller;
-            pen.lineTo(s.x + tip * Math.cos(at), tip * Math.sin(at));
+            pen.lineTo(s.x + tip * Math.cos(at), s.y + tip * Math.sin(at));
           }
         }
         pen.closePath();
         pen.fillStyle = style("--paper"); pen.fill();
         pen.lineWidth = Math.max(0.5, 1 / scale); pen.strokeStyle = style("--soft"); pen.stroke();
-        pen.beginPath(); pen.moveTo(s.x, 0); pen.lineTo(s.x + 0.55 * s.radius * Math.cos(turn), 0.55 * s.radius * Math.sin(turn)); pen.stroke();
+        pen.beginPath(); pen.moveTo(s.x, s.y); pen.lineTo(s.x + 0.55 * s.radius * Math.cos(turn), s.y + 0.55 * s.radius * Math.sin(turn)); pen.stroke();
       }
       const x = data.x[frame], y = data.y[frame], tension = data.tension[frame];
       for (let k = 0; k < links; ++k) {

@@ -85,8 +85,7 @@ class Page:
         heading = f"<h4>{escape(title)}</h4>" if title else ""
         return (f'<figure class="moving">{heading}<div class="film" data-film="{which}"><canvas role="img" aria-label="The chain in motion"></canvas>'
                 '<div class="controls"><button type="button">Play</button><input type="range" min="0" value="0" aria-label="Instant">'
-                '<output></output><select aria-label="View"><option value="all">whole drive</option><option value="driver">driver</option>'
-                '<option value="driven">driven sprocket</option></select></div></div>' + motion.still(frames) +
+                '<output></output><select aria-label="View"><option value="">whole drive</option></select></div></div>' + motion.still(frames) +
                 f'<p class="scale caption">tension of a link: <span>{number(frames["low"])} N</span><i style="{bars}"></i>'
                 f'<span>{number(frames["high"])} N</span></p></figure>')
 
