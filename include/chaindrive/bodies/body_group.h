@@ -35,6 +35,9 @@ struct Step
     double speed;      ///< at its end, rad/s
   };
   std::optional<Program> program; ///< without one it goes on as it moves
+
+  /// Otherwise BodyGroup::advance() and advance_shared() complete the forces and move nothing.
+  bool moves = true;
 };
 
 /// Where the time for internal forces is counted.
@@ -56,7 +59,7 @@ public:
   virtual ~BodyGroup() = default;
 
   /// Brings what is to be a step ahead, or half a step behind, from the start to where advance()
-  /// expects it. The forces of the start are in @p world. Called once.
+  /// expects it. The forces of the start are in @p world, and complete on nodes. Called once.
   virtual void start(World & /*world*/, const Step & /*step*/, const ForceTimer & /*timer*/) {}
 
   /// Newmark's kick: adds @p h [s] times the acceleration of the forces in @p world to velocities.
@@ -79,8 +82,13 @@ public:
 
   /// For groups that move in one pass, while the numbers of a batch are in the cache: adds internal
   /// forces, kicks by a whole step, drifts, and books energies and momenta of the present instant
-  /// and its centres of mass. With dt = 0 nothing moves.
+  /// and its centres of mass. With Step::moves false nothing moves, and the forces, now complete,
+  /// stay on the nodes.
   virtual void advance(World & /*world*/, const Step & /*step*/, const ForceTimer & /*timer*/) {}
+
+  /// The kick of advance() by the forces of an evaluation in which nothing moved: those on nodes
+  /// become zero. Positions stay.
+  virtual void use_forces(World & /*world*/, const Step & /*step*/) {}
 
   /// Forces on what all ranks move alike: each rank adds its own until World::sum_over_ranks()
   /// makes them the forces of all. The same numbers on each rank.
