@@ -63,10 +63,11 @@ SEAMS = {
     "body group": Seam("bodies", "The calls of one step, in their order; the table in source/dynamics/system.cc says at which instant everything stands.", [
         [calls("System::advance(), once", "source/dynamics/system.cc", "start"),
          calls("1. first_half()", "source/dynamics/newmark.cc", "kick", "drift"),
-         calls("2. evaluate_forces()", "source/dynamics/system.cc", "add_forces"),
+         calls("2. evaluate()", "source/dynamics/system.cc", "add_forces"),
          calls("3. Contacts, through World", "source/bodies/world.cc", "place_surface", "gather_forces"),
-         calls("4. evaluate_forces()", "source/dynamics/system.cc", "advance", "advance_shared"),
+         calls("4. evaluate()", "source/dynamics/system.cc", "advance", "advance_shared"),
          calls("5. second_half()", "source/dynamics/newmark.cc", "kick", "finish"),
+         calls("Relaxation", "source/dynamics/relaxation.cc", "use_forces"),
          calls("stable step", "source/stability/closed_contact.cc", "stable_step", "matrix_of_shapes", "largest_frequency"),
          calls("pictures, stresses", "source/observe/elastic_bodies.cc", "nodes_now", "stress_recoveries"),
          calls("make_world()", "source/bodies/make_world.cc", "add")],

@@ -2,6 +2,9 @@
 #include <chaindrive/bodies/elastic_bodies.h>
 #include <chaindrive/bodies/world.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace chaindrive
 {
 ElasticBodies::ElasticBodies(const scene::Scene &scene,
@@ -15,38 +18,42 @@ ElasticBodies::ElasticBodies(const scene::Scene &scene,
 {
 }
 
-void ElasticBodies::start(World &world, const Step &step, const ForceTimer &timer)
+void ElasticBodies::start(World &world, const Step &step, const ForceTimer & /*timer*/)
 {
   world.copies[group_].ahead = step.dt;
-  move(world, step, 0.5 * step.dt, false, timer);
+  move(world, step, 0.5 * step.dt);
 }
 
 void ElasticBodies::advance(World &world, const Step &step, const ForceTimer &timer)
 {
   BodyBatches &copies = world.copies[group_];
-  copies.ahead        = step.dt;
-  if (step.dt > 0.)
-    return move(world, step, step.dt, true, timer);
-  const BodyBatches::Vector of_contacts = copies.force; // which start() will need
-  move(world, step, step.dt, true, timer);
-  copies.force.copy_locally_owned_data_from(of_contacts);
+  if (step.moves)
+    copies.ahead = step.dt;
+  for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
+       ++batch)
+    {
+      alignas(64) Sums sums{};
+      add_internal_forces(copies, batch, sums, timer);
+      update(copies, batch, sums, step, step.dt);
+      book(world, copies, batch, sums, step);
+    }
 }
 
-void ElasticBodies::move(World            &world,
-                         const Step       &step,
-                         const double      kick,
-                         const bool        booked,
-                         const ForceTimer &timer) const
+void ElasticBodies::use_forces(World &world, const Step &step)
+{
+  Step kick = step;
+  kick.dt   = 0.;
+  move(world, kick, step.dt);
+}
+
+void ElasticBodies::move(World &world, const Step &step, const double kick) const
 {
   BodyBatches &copies = world.copies[group_];
   for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
        ++batch)
     {
       alignas(64) Sums sums{};
-      add_internal_forces(copies, batch, sums, timer);
       update(copies, batch, sums, step, kick);
-      if (booked)
-        book(world, copies, batch, sums, step);
     }
 }
 
@@ -75,6 +82,17 @@ void ElasticBodies::update(BodyBatches       &copies,
                            const double       kick) const
 {
   const std::size_t first = copies.start_of(batch);
+  if (!step.moves) // sums of a kick of no length, which uses up the forces
+    {
+      const std::vector<double> forces(copies.force.begin() + first,
+                                       copies.force.begin() + first + copies.stride());
+      Step                      still = step;
+      still.dt                        = 0.;
+      still.moves                     = true;
+      update(copies, batch, sums, still, 0.);
+      std::copy(forces.begin(), forces.end(), copies.force.begin() + first);
+      return;
+    }
   if (!part_.masses().empty())
     part_.masses().apply(kernels_,
                          kick,

@@ -15,6 +15,14 @@ void add_sectors(const BodyBatches &copies,
 {
   copies.for_each_copy_of(batch, [&](unsigned int, const unsigned int lane) { to += sums[lane]; });
 }
+
+/// Gravity and drag act on no sprocket.
+Step without_load(const Step &step)
+{
+  Step no_load    = step;
+  no_load.gravity = no_load.drag = 0.;
+  return no_load;
+}
 } // namespace
 
 ElasticRim::ElasticRim(const scene::Scene &scene, const World &world, const unsigned int rim)
@@ -54,24 +62,29 @@ void ElasticRim::add_forces(World &world, const ForceTimer &timer)
   rim.even_out_forces(copies);
 }
 
-void ElasticRim::move(World       &world,
-                      const Step  &step,
-                      const double kick,
-                      const bool   booked,
-                      const ForceTimer & /*timer*/) const
+void ElasticRim::start(World &world, const Step &step, const ForceTimer &timer)
 {
-  Rim         &rim     = world.rims[rim_];
-  BodyBatches &copies  = world.copies[group_];
-  Step         no_load = step;
-  no_load.gravity = no_load.drag = 0.;
+  ElasticBodies::start(world, without_load(step), timer);
+}
+
+void ElasticRim::use_forces(World &world, const Step &step)
+{
+  ElasticBodies::use_forces(world, without_load(step));
+}
+
+void ElasticRim::advance(World &world, const Step &step, const ForceTimer & /*timer*/)
+{
+  Rim         &rim    = world.rims[rim_];
+  BodyBatches &copies = world.copies[group_];
+  if (step.moves)
+    copies.ahead = step.dt;
+  const Step no_load = without_load(step);
   for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
        ++batch)
     {
       alignas(64) Sums sums{};
       copies.hold_nodes(batch);
-      update(copies, batch, sums, no_load, kick);
-      if (!booked)
-        continue;
+      update(copies, batch, sums, no_load, step.dt);
       add_sectors(copies, batch, sums.kinetic, world.ledger.kinetic);
       copies.for_each_copy_of(batch, [&](unsigned int, const unsigned int lane) {
         rim.momentum += Sums::of_lane(sums.momentum, lane);

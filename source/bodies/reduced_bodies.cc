@@ -348,7 +348,7 @@ void ReducedBodies::kick_again(const unsigned int batch,
                                const double       share,
                                Ledger            &ledger)
 {
-  const double half = 0.5 * step.dt, drag = step.drag;
+  const double half = step.moves ? 0.5 * step.dt : 0., drag = step.drag;
   double       kinetic[n_lanes] = {}, strain[n_lanes] = {}, dragged[n_lanes] = {};
   for (unsigned int m = 0; m < n_modes(); ++m)
     for (unsigned int lane = 0; lane < n_lanes; ++lane)
@@ -369,6 +369,15 @@ void ReducedBodies::kick_again(const unsigned int batch,
       ledger.strain += share * 0.5 * strain[lane];
       ledger.drag += share * drag * dragged[lane] * step.dt;
     }
+}
+
+void ReducedBodies::use_forces(World &world, const Step &step)
+{
+  const BodyBatches &copies = world.copies[group_];
+  for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
+    if (copies.owns_batch(batch) || copies.is_shared(batch))
+      for (std::size_t i = batch * per_batch(); i < (batch + 1) * per_batch(); ++i)
+        rate_[i] += 0.5 * step.dt * acceleration_[i];
 }
 
 dealii::Tensor<1, 3> ReducedBodies::shape_at(const unsigned int node, const unsigned int m) const

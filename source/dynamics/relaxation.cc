@@ -142,7 +142,7 @@ std::vector<HeldBatch> links_of(const scene::Scene &scene, World &world)
   return links;
 }
 
-/// Moves all nodes on with their velocities for the time @p dt, which may be negative.
+/// Moves all nodes on with their velocities for the time @p dt.
 void drift(World &world, const double dt)
 {
   for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
@@ -293,9 +293,9 @@ Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm, const dou
       for (unsigned int i = 0; i < steps; ++i)
         {
           shapes.begin(dt);
-          // a step moves nodes at once, before their velocities are what they shall be
           system_.evaluate_forces(dt);
-          drift(world, -dt);
+          for (ElasticGroup *group : world.groups.elastic())
+            group->use_forces(world, {dt, world.time});
           slow_down(world);
           for (const HeldBatch &batch : links) // also of what the slower nodes leave to the others
             batch.hold();

@@ -29,8 +29,7 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
     Relaxation(scene, comm).strain(world);
   // how bodies were placed and how they strain agree within a factor
   contacts.refuse_overlap(world, (strained ? 2. : 1.) * scene.prestress);
-  evaluate_forces(0.);
-  close_ledger();
+  evaluate_forces();
   world.ledger.initial = world.ledger.stored();
 }
 
@@ -42,22 +41,23 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 //   between two steps                                 n    n       n+1  n+1/2  n
 //   advance()
 //     start, once: nodes, from x and v of 0, get
-//       half a kick and a whole drift                 0    0       1    1/2    0
+//       half a kick and a whole drift by the forces
+//       of the constructor's evaluate_forces()        0    0       1    1/2    0
 //     kick by dt/2: rigid bodies, hubs                n    n+1/2   n+1  n+1/2  n
 //     drift by dt: rigid bodies, hubs                 n+1  n+1/2   n+1  n+1/2  n
 //       and nodes follow the hub that holds them; centres of mass of elastic bodies coast
-//     evaluate_forces(): all agree now, positions of n+1 and velocities half a step before;
+//     evaluate_and_move(): all agree now, positions of n+1 and velocities half a step before;
 //       when the forces on nodes are complete they
 //       are used up at once, by a kick and a drift    n+1  n+1/2   n+2  n+3/2  n+1
 //     kick by dt/2: rigid bodies, hubs                n+1  n+1     n+2  n+3/2  n+1
 //     finish: frames take these velocities; close_ledger: and the energies theirs
 //
 // Reduced bodies move as rigid ones do. Their shapes get the first kick in their drift, and the
-// second one from evaluate_forces(), where their energies are booked; between two steps they are
+// second one from evaluate_and_move(), where their energies are booked; between two steps they are
 // where the frames are. Their nodes are placed for contacts, with the velocities of n+1/2, and for
 // observers, who ask for it; those that nobody has read before, at the first kick as well.
 //
-// Frames of other elastic bodies are booked by evaluate_forces(): their centres of mass at n+1,
+// Frames of other elastic bodies are booked by evaluate_and_move(): their centres of mass at n+1,
 // with the mean of the velocities before and after. Observers and the guard look between two steps;
 // BodyBatches::position_now() gives them nodes at n.
 //
@@ -65,7 +65,8 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 // those that touch its nodes, "first" is the first rank, which does for all what is not dealt out.
 //
 //   clear_resultants     force, moment, momenta of rims and stored energies become zero. Forces on
-//                        nodes are zero: whoever used them up has cleared them              all
+//                        nodes are zero: whoever used them up has cleared them, or
+//                        clear_forces does so                                               all
 //   Loads::add_forces    gravity and drag of rigid bodies, and their energies               first
 //   ForceElement::add_forces  bars, springs, stops: on both bodies, and energies             first
 //   groups: add_forces   rims: internal forces of nodes and their energies; the forces on
@@ -81,7 +82,8 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 //     send_forces             forces on these nodes, and halves of rims' means              message
 //     groups: gather_forces   nodes that follow rigid bodies: moments on those              first
 //                             nodes of reduced bodies: moments, and forces on shapes        readers
-//   groups: advance      elastic bodies: internal forces, then kick and drift of the nodes;
+//   groups: advance      elastic bodies: internal forces, then, if bodies are to move, kick and
+//                        drift of the nodes;
 //                        energies, momenta, centres of mass                                 owners
 //                        reduced bodies: second kick of other shapes, and their energies    owners
 //   sum_over_ranks       forces, moments, energies, what ranks ask of each other, frames of
@@ -93,35 +95,49 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 // A step waits for other ranks at the three messages, or only at the last one if no nodes travel:
 // those of reduced bodies do not. What observers send is none of it: see doc/architecture.md.
 
-void System::evaluate_forces(const double dt)
+void System::evaluate(const Step &step)
 {
   const ForceTimer force_timer{timer, internal_force_};
-  world.clear_resultants();
+  if (forces_on_nodes_)
+    world.clear_forces();
+  else
+    world.clear_resultants();
+  forces_on_nodes_ = !step.moves;
   if (world.is_first_rank())
-    loads.add_forces(world, dt);
+    loads.add_forces(world, step.dt);
   if (world.is_first_rank() && (bars.size() > 0 || !forces.empty()))
     {
       const PhaseTimer::Scope scope(timer, internal_force_);
-      bars.add_forces(world, dt);
+      bars.add_forces(world, step.dt);
       for (const auto &element : forces)
-        element->add_forces(world, dt);
+        element->add_forces(world, step.dt);
     }
   for (ForceGroup *group : world.groups.force())
     group->add_forces(world, force_timer);
   if (!contacts.families().empty())
     {
       const PhaseTimer::Scope scope(timer, contact_);
-      contacts.add_forces(world, dt); // from place_surface to gather_forces
+      contacts.add_forces(world, step.dt); // from place_surface to gather_forces
     }
   else
     world.node_exchange.send_forces(world.copies);
-  const Step step{dt, world.time, loads.gravity(), loads.drag(), {}};
   for (ElasticGroup *group : world.groups.elastic())
     group->advance(world, step, force_timer);
   world.sum_over_ranks();
   for (ModalGroup *group : world.groups.modal())
     group->advance_shared(world, step);
   loads.add_work(world);
+}
+
+void System::evaluate_forces(const double dt)
+{
+  evaluate({dt, world.time, loads.gravity(), loads.drag(), nullptr, false});
+  close_ledger();
+}
+
+void System::evaluate_and_move(const double dt)
+{
+  evaluate({dt, world.time, loads.gravity(), loads.drag(), nullptr, true});
 }
 
 void System::advance(const double dt, const double new_time)
@@ -131,9 +147,10 @@ void System::advance(const double dt, const double new_time)
   if (!started_)
     for (NodalGroup *group : world.groups.nodal())
       group->start(world, step, {timer, internal_force_});
-  started_ = true;
+  started_         = true;
+  forces_on_nodes_ = false;
   first_half(world, step);
-  evaluate_forces(dt);
+  evaluate_and_move(dt);
   second_half(world, step);
   close_ledger();
 }
@@ -156,6 +173,8 @@ void System::close_ledger() { world.ledger.kinetic += world.kinetic_energy(); }
 void System::serialize(const Archive &archive)
 {
   archive("started", started_);
+  if (archive.reads())
+    forces_on_nodes_ = false;
   world.serialize(archive / "world");
   bars.serialize(archive / "bars");
   for (std::size_t i = 0; i < forces.size(); ++i)

@@ -24,6 +24,15 @@ using Matrix  = dealii::FullMatrix<double>;
 using Tensor  = dealii::Tensor<1, 3>;
 using Motions = std::vector<Tensor>;
 
+/// Damping time c/k [s] of a contact that sticks or slides.
+double damping_time(const scene::ContactLaw &law)
+{
+  const double normal = law.damping / law.stiffness;
+  if (law.friction > 0. && law.tangential_stiffness > 0.)
+    return std::max(normal, law.tangential_damping / law.tangential_stiffness);
+  return normal;
+}
+
 /// The product @p y of a symmetric matrix and @p x: of columns, which compilers make four of at a
 /// time, and not of rows, whose sums have an order.
 void multiply(const Matrix &matrix, const Vector &x, Vector &y)
@@ -203,6 +212,14 @@ bool sort(const std::vector<ClosedKind>         &kinds,
 }
 } // namespace
 
+std::vector<ClosedKind> closed_kinds(const World &world, const contact::Family &family)
+{
+  std::vector<ClosedKind> kinds;
+  for (contact::ClosedPair &sides : family.closed_pairs(world))
+    kinds.push_back({std::move(sides), family.law(), damping_time(family.law())});
+  return kinds;
+}
+
 unsigned int CoupledShapes::add_body(const ModalGroup &group)
 {
   const Matrix free  = group.matrix_of_shapes({});
@@ -273,7 +290,9 @@ void CoupledShapes::add_ways(const World                       &world,
       interface.ways.push_back({sectors.all(), kind.time});
   };
   interface.motions.clear();
-  const auto take_part = [&](const unsigned int from, const std::size_t n) {
+  interface.n_slave_motions = static_cast<unsigned int>(moved.front().size());
+  interface.closes_pitch    = closes_pitch;
+  const auto take_part      = [&](const unsigned int from, const std::size_t n) {
     for (unsigned int i = 0; i < n; ++i)
       interface.motions.push_back(from + i);
   };
@@ -307,40 +326,41 @@ void CoupledShapes::add_ways(const World                       &world,
     }
 }
 
-void CoupledShapes::assemble(const double dt, Matrix &matrix) const
+void CoupledShapes::assemble(const Ways &ways, const double dt, Matrix &matrix) const
 {
   matrix.reinit(free_.size(), free_.size());
   for (unsigned int m = 0; m < free_.size(); ++m)
     matrix(m, m) = free_[m];
-  for (const Interface &interface : interfaces_)
+  for (std::size_t k = 0; k < interfaces_.size(); ++k)
     {
-      const Closed &closed = interface.ways[interface.way];
-      const double  factor = 1. + 2. * closed.time / dt;
+      const Interface &interface = interfaces_[k];
+      const Closed    &closed    = interface.ways[ways[k]];
+      const double     factor    = 1. + 2. * closed.time / dt;
       for (unsigned int i = 0; i < interface.motions.size(); ++i)
         for (unsigned int j = 0; j < interface.motions.size(); ++j)
           matrix(interface.motions[i], interface.motions[j]) += factor * closed.matrix(i, j);
     }
 }
 
-void CoupledShapes::find_worst(const double dt)
+CoupledShapes::Ways CoupledShapes::find_worst(const double dt) const
 {
-  constexpr unsigned int    n_rounds = 6, n_steps = 8;
-  const std::size_t         n = free_.size();
-  Matrix                    matrix;
-  Vector                    x(n), y(n), part, product;
-  double                    fastest = 0.;
-  std::vector<unsigned int> worst(interfaces_.size(), 0);
+  constexpr unsigned int n_rounds = 6, n_steps = 8;
+  const std::size_t      n = free_.size();
+  Matrix                 matrix;
+  Vector                 x(n), y(n), part, product;
+  double                 fastest = 0.;
+  Ways                   ways(interfaces_.size(), 0), worst(ways);
   for (unsigned int start = 0; start < n_directions; start += 2) // every other one suffices
     {
-      for (Interface &interface : interfaces_)
-        interface.way = start % interface.ways.size();
+      for (std::size_t k = 0; k < ways.size(); ++k)
+        ways[k] = start % interfaces_[k].ways.size();
       for (std::size_t i = 0; i < n; ++i)
         x[i] = std::sin(1. + 12.9898 * double(i) * double(i));
       x /= x.l2_norm();
       double value = 0.;
       for (unsigned int round = 0; round < n_rounds; ++round)
         {
-          assemble(dt, matrix);
+          assemble(ways, dt, matrix);
           for (unsigned int step = 0; step < n_steps; ++step)
             {
               multiply(matrix, x, y);
@@ -350,11 +370,11 @@ void CoupledShapes::find_worst(const double dt)
           if (value > fastest)
             {
               fastest = value;
-              for (unsigned int i = 0; i < interfaces_.size(); ++i)
-                worst[i] = interfaces_[i].way;
+              worst   = ways;
             }
-          for (Interface &interface : interfaces_)
+          for (std::size_t k = 0; k < ways.size(); ++k)
             {
+              const Interface &interface = interfaces_[k];
               part.reinit(interface.motions.size());
               product.reinit(interface.motions.size());
               for (unsigned int i = 0; i < interface.motions.size(); ++i)
@@ -367,39 +387,44 @@ void CoupledShapes::find_worst(const double dt)
                       (1. + 2. * interface.ways[w].time / dt) * (product * part);
                   if (quotient > most)
                     {
-                      most          = quotient;
-                      interface.way = w;
+                      most    = quotient;
+                      ways[k] = w;
                     }
                 }
             }
         }
     }
-  for (unsigned int i = 0; i < interfaces_.size(); ++i)
-    interfaces_[i].way = worst[i];
+  return worst;
 }
 
-double CoupledShapes::stable_step()
+double CoupledShapes::eigenvalue(const Ways &ways, const double dt) const
 {
-  Matrix     matrix;
-  const auto largest = [&](const double dt) {
-    assemble(dt, matrix);
-    return largest_eigenvalue(matrix.m(),
-                              [&](auto &product, const auto &x) { multiply(matrix, x, product); });
-  };
+  Matrix matrix;
+  assemble(ways, dt, matrix);
+  return largest_eigenvalue(matrix.m(),
+                            [&](auto &product, const auto &x) { multiply(matrix, x, product); });
+}
+
+double CoupledShapes::free_step() const
+{
+  return 2. / std::sqrt(*std::max_element(free_.begin(), free_.end()));
+}
+
+double CoupledShapes::stable_step() const
+{
   double time = 0.;
   for (const Interface &interface : interfaces_)
     for (const Closed &closed : interface.ways)
       time = std::max(time, closed.time);
-  // the ways matter more than how strong the dampers are
-  find_worst(2. / std::sqrt(*std::max_element(free_.begin(), free_.end())));
+  const Ways       worst           = find_worst(free_step());
   constexpr double without_dampers = 1e300;
-  const double     springs         = largest(without_dampers);
+  const double     springs         = eigenvalue(worst, without_dampers);
   // from a safe step to a larger one that is safe too, since the dampers soften as it grows
   double step = stable_step_of(springs, springs * time);
   for (double before = 0.; step > 1.0001 * before;)
     {
       before = step;
-      step   = 2. / std::sqrt(largest(step));
+      step   = 2. / std::sqrt(eigenvalue(worst, step));
     }
   return step;
 }

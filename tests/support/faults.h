@@ -116,7 +116,7 @@ public:
     dynamics::first_half(system.world, step);
     if (on_nodes)
       on_nodes(system);
-    system.evaluate_forces(h);
+    system.evaluate_and_move(h);
     if (on_bodies)
       on_bodies(system);
     dynamics::second_half(system.world, step);

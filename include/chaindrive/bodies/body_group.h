@@ -27,6 +27,10 @@ struct Step
     double speed;      ///< at its end, rad/s
   };
   const Program *programs = nullptr; ///< of each of World::hubs; null: they go on as they move
+
+  /// Otherwise ElasticGroup::advance() and ModalGroup::advance_shared() complete the forces and
+  /// move nothing.
+  bool moves = true;
 };
 
 /// Where the time for internal forces is counted.

@@ -26,6 +26,7 @@ public:
 
   void start(World &world, const Step &step, const ForceTimer &timer) override;
   void advance(World &world, const Step &step, const ForceTimer &timer) override;
+  void use_forces(World &world, const Step &step) override;
 
   double stable_step() const override { return stable_step_; }
   double largest_frequency(const std::vector<double> &springs) const override
@@ -57,15 +58,13 @@ protected:
                            Sums             &sums,
                            const ForceTimer &timer) const;
 
-  /// Moves one batch by its forces, which become zero: v += @p kick a, x += dt v. Sums belong to
-  /// the instant of the forces.
+  /// Moves one batch by its forces, which become zero: v += @p kick a, x += dt v. With Step::moves
+  /// false all stays, forces too. Sums belong to the instant of the forces.
   void
   update(BodyBatches &copies, unsigned int batch, Sums &sums, const Step &step, double kick) const;
 
-  /// Moves all batches of this rank; @p booked: energies and what else belongs to the instant of
-  /// the forces are added to @p world.
-  virtual void
-  move(World &world, const Step &step, double kick, bool booked, const ForceTimer &timer) const;
+  /// Moves all batches of this rank by complete forces.
+  void move(World &world, const Step &step, double kick) const;
 
 private:
   static void book(World             &world,

@@ -27,8 +27,13 @@ public:
   /// Uses the forces on nodes, which are complete now, while the numbers of a batch are in the
   /// cache: bodies that move by nodes get their internal forces, a kick by a whole step and a
   /// drift, modes of batches that no other rank touches their second kick. Books energies and
-  /// momenta of the present instant. With dt = 0 nothing moves.
+  /// momenta of the present instant. With Step::moves false nothing moves, and the forces, now
+  /// complete, stay on the nodes.
   virtual void advance(World &world, const Step &step, const ForceTimer &timer) = 0;
+
+  /// The kick of advance() by the forces of an evaluation in which nothing moved: those on nodes
+  /// become zero. Positions stay.
+  virtual void use_forces(World &world, const Step &step) = 0;
 
   /// Stable step [s] of these bodies without contacts.
   virtual double stable_step() const = 0;
@@ -61,8 +66,8 @@ public:
   using ElasticGroup::ElasticGroup;
 
   /// Brings nodes, from positions and velocities of the start, to where advance() expects them: a
-  /// step ahead, with velocities half a step behind. The forces of the start are in @p world.
-  /// Called once.
+  /// step ahead, with velocities half a step behind. The forces of the start are in @p world, and
+  /// complete on nodes. Called once.
   virtual void start(World &world, const Step &step, const ForceTimer &timer) = 0;
 
   /// Largest natural frequency [rad/s] of such a body when @p springs [N/m] hold each node.

@@ -22,13 +22,11 @@ public:
   /// Adds the internal forces, books their energies, and gives the hub what pulls at it.
   void add_forces(World &world, const ForceTimer &timer) override;
 
-private:
-  void move(World            &world,
-            const Step       &step,
-            double            kick,
-            bool              booked,
-            const ForceTimer &timer) const override;
+  void start(World &world, const Step &step, const ForceTimer &timer) override;
+  void advance(World &world, const Step &step, const ForceTimer &timer) override;
+  void use_forces(World &world, const Step &step) override;
 
+private:
   unsigned int rim_;
 };
 } // namespace chaindrive

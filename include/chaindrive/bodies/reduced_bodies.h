@@ -47,6 +47,7 @@ public:
   void advance(World &world, const Step &step, const ForceTimer &timer) override;
   std::vector<dealii::ArrayView<double>> shared_forces(const World &world) override;
   void                                   advance_shared(World &world, const Step &step) override;
+  void                                   use_forces(World &world, const Step &step) override;
 
   dealii::Tensor<1, 3>
   position_now(const World &world, unsigned int copy, unsigned int node) const override;
@@ -97,7 +98,8 @@ private:
   std::size_t per_batch() const { return std::size_t(n_modes()) * n_lanes; }
   std::size_t place_of(const BodyBatches &copies, unsigned int copy, unsigned int mode) const;
 
-  /// The second kick of the shapes of @p batch. Adds @p share of their energies to @p ledger.
+  /// The second kick of the shapes of @p batch, or with Step::moves false only its accelerations.
+  /// Adds @p share of their energies to @p ledger.
   void kick_again(unsigned int batch, const Step &step, double share, Ledger &ledger);
 
   /// Phi of mode @p m at @p node, body axes.

@@ -12,7 +12,8 @@
 
 namespace chaindrive::dynamics
 {
-/// Everything that moves and everything that pulls, with one evaluation of the forces.
+/// Everything that moves and everything that pulls: evaluates the forces, and makes steps in which
+/// what moves does so while its forces are found.
 class System
 {
 public:
@@ -20,9 +21,16 @@ public:
   /// initial overlap (InputError).
   System(const scene::Scene &scene, bool search_every_step, MPI_Comm comm = MPI_COMM_SELF);
 
-  /// Evaluates all forces at the present state, and moves what moves while its numbers are in the
-  /// cache (see system.cc). @p dt is the time since the last call [s].
-  void evaluate_forces(double dt);
+  /// Evaluates all forces at the present state and moves nothing: on bodies, on nodes of elastic
+  /// ones, and the accelerations of shapes. Energies and centres of mass are those of the present
+  /// positions and velocities. @p dt is the time since the last evaluation [s], in which contacts
+  /// slide and dampers lose energy; with 0 nothing is lost and the same forces come out again.
+  /// Nodes must be where the frames are: at the start, and after first_half(). Collective.
+  void evaluate_forces(double dt = 0.);
+
+  /// The same between the halves of a step @p dt [s], and what moves by nodes or shapes moves on
+  /// with its forces while its numbers are in the cache (see system.cc). Collective.
+  void evaluate_and_move(double dt);
 
   /// One Newmark step of @p dt to the time @p new_time.
   void advance(double dt, double new_time);
@@ -48,11 +56,15 @@ public:
   PhaseTimer        timer; ///< loads count as time integration
 
 private:
+  /// One evaluation of all forces, in which bodies move if @p step says so.
+  void evaluate(const Step &step);
+
   /// Books the kinetic energy of rigid and lumped bodies at full steps.
   void close_ledger();
 
-  std::vector<Step::Program> programs_;        ///< of each hub, of the last step made
-  bool                       started_ = false; ///< NodalGroup::start() has been called
+  std::vector<Step::Program> programs_;                ///< of each hub, of the last step made
+  bool                       started_         = false; ///< NodalGroup::start() has been called
+  bool                       forces_on_nodes_ = false; ///< from evaluate_forces(), not used up yet
 
   PhaseTimer::Phase internal_force_ = PhaseTimer::rest, integration_ = PhaseTimer::rest,
                     contact_ = PhaseTimer::rest;
