@@ -3,8 +3,9 @@
 """same_histories.py OLD NEW [CASE]...: whether two builds of chaindrive give the same histories, bit by bit.
 
 For changes of the code that must not change a result. OLD and NEW are programs; each runs a simple, a layered and some small
-full drives on one and on two ranks, and every dataset of histories.h5 of OLD is compared byte by byte with that of NEW, which
-may have more. Takes a minute for each program on two cores. Needs Debian's python3-h5py and python3-pandas.
+full and reduced drives on one and on two ranks, and every dataset of histories.h5 of OLD, in double precision, is compared byte
+by byte with that of NEW, which may have more. Takes two minutes for each program on two cores. Needs Debian's python3-h5py and
+python3-pandas.
 """
 import pathlib
 import sys
@@ -17,7 +18,14 @@ import chaindrive
 from small_drives import ELASTIC, IMPORTED, TOUCHING_PLATES
 
 END = "Time/End time in ms"
-ALWAYS = {"Output/Window start in ms": 0, "Output/Field interval in ms": 0, "Output/Checkpoint interval in ms": 0}
+ALWAYS = {
+    "Output/Window start in ms": 0,
+    "Output/Field interval in ms": 0,
+    "Output/Checkpoint interval in ms": 0,
+    "Output/History precision": "double",
+}
+REDUCED = {"Model/Fidelity": "reduced"}
+SETTLED = {"Drive/Layout/Start": "settled", "Loads/Resisting torque in N m": 30}
 CASES = {
     "simple": ("paper/simple", {END: 8}),
     "simple-lower": ("paper/simple", {END: 4, "Drive/Layout/Tight span": "lower"}),
@@ -31,6 +39,13 @@ CASES = {
     "full-half-imported": ("verification/hard", {**ELASTIC, **IMPORTED, "Model/Half model": "true"}),
     "full-imported-rigid": ("verification/hard", {**ELASTIC, **IMPORTED, "Model/Elastic sprockets": "off"}),
     "full-arriving": ("verification/hard", {**ELASTIC, "Model/Elastic links": "arriving"}),
+    "full-settled": ("verification/hard", {**ELASTIC, **SETTLED}),
+    "reduced": ("verification/hard", {**ELASTIC, **REDUCED}),
+    "reduced-settled": ("verification/hard", {**ELASTIC, **REDUCED, **SETTLED}),
+    "mixed-half": (
+        "verification/hard",
+        {**ELASTIC, "Model/Elastic links": "arriving", "Model/Other links": "reduced", "Model/Half model": "true"},
+    ),
 }
 
 
