@@ -72,7 +72,6 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene,
       touches[node] = 1;
   take_basis(copies.nodes, basis, touches);
   rigid_motions_ = reduction::rigid_motions(*copies.part, copies.nodes);
-
   for (Numbers *numbers : {&amplitude_, &rate_, &acceleration_, &modal_force_})
     numbers->resize(copies.n_batches() * per_batch(), 0.);
   in_body_.resize(node_offset(node_.size()));
@@ -103,7 +102,6 @@ void ReducedBodies::take_basis(const mesh::Nodes       &nodes,
           }
     }
   first_mode_.push_back(static_cast<unsigned int>(modes.size()));
-
   orbit_.assign(nodes.size(), ModalNodes::none);
   image_.resize(nodes.size());
   const auto any_touches = [&](const unsigned int node) {
