@@ -171,7 +171,7 @@ def models():
         yield (none + ", or Model/Fidelity = full", {**SMALL, E + name: "on"}, [{E + name: "auto"}, {E + name: "off"}, full])
     arriving = {**FULL, M + "Elastic links": "arriving", END: 3, WINDOW: 1}
     for entry in (E + "Elastic driver", E + "Elastic driven", M + "Elastic sprockets"):
-        yield ("in which both sprockets are rigid; choose auto or off, or Elastic links = all", {**arriving, entry: "on"},
+        yield ("in which all sprockets are rigid; choose auto or off, or Elastic links = all", {**arriving, entry: "on"},
                [{entry: "auto"}, {entry: "off"}, {M + "Elastic links": "all"}])
         yield ("whose nodes touch the teeth, but Effects/Elastic rollers = off; choose auto for one of them",
                {**FULL, entry: "on", E + "Elastic rollers": "off"}, [{entry: "auto"}, {E + "Elastic rollers": "auto"}])
