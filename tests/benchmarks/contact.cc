@@ -184,7 +184,7 @@ scene::Scene seated_rollers(std::shared_ptr<const mesh::Part> roller,
       body.kind             = scene::Kind::roller;
       body.number           = 0;
       body.motion           = b < teeth ? scene::Motion::elastic : scene::Motion::rigid;
-      body.mount          = b < teeth ? scene::Mount::free() : scene::Mount::motor();
+      body.mount            = b < teeth ? scene::Mount::free() : scene::Mount::motor();
       body.mass             = roller->meshed.mass;
       body.initial.rotation = to_matrix(Quaternion());
       if (b < teeth)

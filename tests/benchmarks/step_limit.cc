@@ -9,6 +9,7 @@
 //            its ways
 //   waves    in waves between q = 0 and pi, with the ways that suit these
 //   pitches  where two neighbouring pitches are closed in different ways
+#include <chaindrive/bodies/make_world.h>
 #include <chaindrive/contact/contacts.h>
 #include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/drive.h>
@@ -336,7 +337,7 @@ std::optional<CoupledShapes> coupled(const std::string              &file,
         part, p.material, p.elements, reduction::options_of(p.reduction), cache, MPI_COMM_SELF));
   };
   const scene::Scene                 scene = scene::build_scene(p, drive, {"."}, basis_of);
-  World                              world(scene);
+  World                              world = make_world(scene);
   const contact::Contacts            contacts(scene, world, false);
   std::vector<stability::ClosedKind> kinds;
   for (const auto &family : contacts.families())

@@ -114,7 +114,7 @@ void compare_forces(const std::string &name, const element::Formulation formulat
 
   world.clear_forces();
   world.groups.force().back()->add_forces(world, timer);
-  sectors.advance(world, {0., 0., 9.81, 0., {}}, timer);
+  sectors.advance(world, {0., 0., 9.81, 0., nullptr, false}, timer);
   Vector3 reaction, moment;
   double  sum = 0.; // of forces on the hub
   for (const unsigned int n : rim.border)

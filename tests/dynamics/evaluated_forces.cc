@@ -38,10 +38,10 @@ Numbers motion_of(const dynamics::System &system)
     numbers.push_back(spin.speed);
   for (const World::Hub &hub : world.hubs)
     numbers.insert(numbers.end(), {hub.angle, hub.speed});
-  for (const auto &group : world.groups)
+  for (const ModalGroup *group : world.groups.modal())
     {
       numbers.push_back(group->shape_energy(world));
-      for (unsigned int copy = 0; group->n_shapes() > 0 && copy < 4; ++copy)
+      for (unsigned int copy = 0; copy < 4; ++copy)
         for (const double q : group->amplitudes_of(world, copy))
           numbers.push_back(q);
     }
@@ -103,7 +103,7 @@ void check(const std::string &name, const scene::Scene &scene, const double step
   verdict(name + ", within a step: nothing moves", same(motion_of(other), between));
   const Numbers found = forces_of(other, false);
   verdict("  something pulls", *std::max_element(found.begin(), found.end()) > 1.);
-  for (const auto &group : other.world.groups)
+  for (ElasticGroup *group : other.world.groups.elastic())
     group->use_forces(other.world, step);
   dynamics::second_half(other.world, step);
   through.advance(dt, time);
@@ -115,7 +115,7 @@ void check(const std::string &name, const scene::Scene &scene, const double step
       append(*into, system->world.velocity);
       for (unsigned int g = 0; g < system->world.n_nodal_groups(); ++g)
         append(*into, system->world.copies[g].velocity);
-      for (const auto &group : system->world.groups)
+      for (const ModalGroup *group : system->world.groups.modal())
         into->push_back(group->shape_energy(system->world));
     }
   // centres of mass are those of nodes: booked before their kick or with half of it
@@ -139,13 +139,13 @@ void check(const std::string &name, const scene::Scene &scene, const double step
 int main()
 {
   Parameters parameters;
-  parameters.drive.n_links                = 22;
-  parameters.drive.sprockets.driver.teeth = parameters.drive.sprockets.driven.teeth = 9;
-  parameters.drive.layout.slack                                                     = 1e-4;
-  parameters.model.driven_inertia                                                   = 1e-4;
-  parameters.loads.resisting_torque                                                 = 20.;
-  parameters.loads.ramp_time                                                        = 1e-6;
-  const auto build                                                                  = [&] {
+  parameters.drive.n_links                  = 22;
+  parameters.drive.sprockets.driver().teeth = parameters.drive.sprockets.driven().teeth = 9;
+  parameters.drive.layout.slack                                                         = 1e-4;
+  parameters.model.driven_inertia                                                       = 1e-4;
+  parameters.loads.resisting_torque                                                     = 20.;
+  parameters.loads.ramp_time                                                            = 1e-6;
+  const auto build                                                                      = [&] {
     return scene::build_scene(parameters, drive::make_drive(parameters), {"."});
   };
   check("simple", build(), 0.25);

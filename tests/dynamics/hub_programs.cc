@@ -81,9 +81,9 @@ int main()
   loads.driver_speed      = 0.;
   loads.resisting_torque  = 150.;
   loads.torque_ramp_angle = 0.03;
-  scene.shafts = {{0, 1, drive::make_program(parameters::Role::driven, loads, 0., false)}};
-  scene.bodies = {ground()};
-  scene.bodies[0].mount                     = scene::Mount::revolute();
+  scene.shafts          = {{0, 1, drive::make_program(parameters::Role::driven, loads, 0., false)}};
+  scene.bodies          = {ground()};
+  scene.bodies[0].mount = scene::Mount::revolute();
   scene.bodies[0].inertia                     = vector(1., 1., 9.88e-3);
   const double w                              = std::sqrt(150. / 0.03 / 9.88e-3);
   scene.bodies[0].initial.angular_velocity[2] = 0.02 * w; // swings to 0.02 rad

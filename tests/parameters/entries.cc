@@ -71,8 +71,7 @@ void check_choices()
                                    check_choice<Wall>("wall"),
                                    check_choice<Search>("search"),
                                    check_choice<SpeedRamp>("speed ramp"),
-                                   check_choice<Precision>("history precision"),
-                                   check_choice<Role>("role")};
+                                   check_choice<Precision>("history precision")};
 
   std::string list = check_choice<QuantityGroup>("quantity group");
   list.replace(list.find(" or "), 4, ", ");

@@ -26,6 +26,7 @@ FIDELITY, PROGRAM = sys.argv[1:3]
 STILL = {
     "hubs/driver_speed": "prescribed",
     "hubs/load_torque": "constant at speed",
+    "hubs/driven_torque": "constant at speed",
 }
 # of prm/verification/hard.prm
 GRAVITY, DENSITY = 9.81, 7600

@@ -4,6 +4,7 @@
 // search finds one that is as fast as the fastest, and far faster than the slowest.
 #include "../support/reduced.h"
 
+#include <chaindrive/bodies/make_world.h>
 #include <chaindrive/contact/contacts.h>
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/mesh/generate/links.h>
@@ -21,7 +22,7 @@ scene::Scene make_scene(const scene::ContactLaw &law)
   const double   at    = 0.5 * chain.inner_hole_pitch;
   const auto     add   = [&](const scene::Kind kind, const double x) {
     scene.bodies.push_back(body(scene::Motion::elastic,
-                                scene::Support::none,
+                                scene::Mount::free(),
                                 scene.parts.at(kind)->meshed.mass,
                                 vector(1., 1., 1.),
                                 vector(x, 0.)));
@@ -65,7 +66,7 @@ int main()
         std::make_pair("with friction", scene::ContactLaw{1e14, 0., 0.3, 0.8e14, 0.})})
     {
       const scene::Scene                 scene = make_scene(law);
-      World                              world(scene);
+      World                              world = make_world(scene, MPI_COMM_SELF);
       const contact::Contacts            contacts(scene, world, false);
       std::vector<stability::ClosedKind> kinds;
       for (const auto &family : contacts.families())

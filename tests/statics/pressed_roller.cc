@@ -62,10 +62,10 @@ scene::Scene bodies_of(const drive::Drive &drive, Grids grids, const std::vector
       scene.sectors[part] = std::make_shared<const mesh::Sector>(*rim);
     }
 
-  const auto add = [&scene](const scene::Kind    kind,
-                            const unsigned int   number,
+  const auto add = [&scene](const scene::Kind   kind,
+                            const unsigned int  number,
                             const scene::Mount &mount,
-                            const Vector3       &at) {
+                            const Vector3      &at) {
     scene::Body it = body(scene::Motion::elastic, mount, 1., vector(1., 1., 1.), at, Vector3());
     it.kind        = kind;
     it.number      = number;
@@ -82,10 +82,7 @@ scene::Scene bodies_of(const drive::Drive &drive, Grids grids, const std::vector
   add(scene::Kind::inner_link, 0, scene::Mount::free(), Vector3());
   for (const unsigned int k : {0U, 1U})
     {
-      add(scene::Kind::sprocket,
-          k,
-          scene::Mount::motor(),
-          vector(k == 0 ? -half : half, hub));
+      add(scene::Kind::sprocket, k, scene::Mount::motor(), vector(k == 0 ? -half : half, hub));
       scene.bodies.back().initial.rotation = to_matrix(rotation_about_z(0.5 * dealii::numbers::PI));
     }
   return scene;

@@ -35,18 +35,18 @@ inline scene::Scene empty_scene()
   return scene;
 }
 
-inline scene::Body body(const scene::Motion  motion,
+inline scene::Body body(const scene::Motion motion,
                         const scene::Mount &mount,
-                        const double         mass,
-                        const Vector3       &inertia,
-                        const Vector3       &position,
-                        const Vector3       &velocity = Vector3())
+                        const double        mass,
+                        const Vector3      &inertia,
+                        const Vector3      &position,
+                        const Vector3      &velocity = Vector3())
 {
   scene::Body body;
   body.kind             = scene::Kind::roller;
   body.number           = 0;
   body.motion           = motion;
-  body.mount          = mount;
+  body.mount            = mount;
   body.mass             = mass;
   body.inertia          = inertia;
   body.initial.position = position;
@@ -64,8 +64,7 @@ lump(const double mass, const Vector3 &position, const Vector3 &velocity = Vecto
 /// A body turned about z by the speed program; with a drive that stands still, the fixed ground.
 inline scene::Body ground()
 {
-  return body(
-      scene::Motion::rigid, scene::Mount::motor(), 1., vector(1., 1., 1.), Vector3());
+  return body(scene::Motion::rigid, scene::Mount::motor(), 1., vector(1., 1., 1.), Vector3());
 }
 
 /// Turns @p body, which is on a hub, by @p speed [rad/s] over time, in the sense of @p sense.
