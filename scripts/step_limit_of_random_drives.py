@@ -51,17 +51,21 @@ def main():
     drives = [draw(random.Random(f"{options.seed} {k}")) for k in range(options.n)]
     lines = "".join("\t".join(f"{name}={value}" for name, value in drive.items()) + "\n" for drive in drives)
     words = [str(BENCHMARK), str(program.REPOSITORY / "prm/verification/hard.prm")]
-    done = subprocess.run(words, input=lines, stdout=subprocess.PIPE, text=True, check=True)
-    head, *rows = done.stdout.splitlines()
-    found, others = [], []
-    for drive, row in zip(drives, rows):
-        if options.list:
-            print(row, drive, flush=True)
-        numbers = row.split()
-        if len(numbers) == len(head.split()) and numbers[0].isdigit():
-            found.append(dict(zip(head.split(), map(float, numbers))))
-        else:
-            others.append(row)
+    found, others, head = [], [], []
+    with subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as benchmark:
+        benchmark.stdin.write(lines)
+        benchmark.stdin.close()
+        for k, row in enumerate(benchmark.stdout):
+            numbers = row.split()
+            if k == 0:
+                head = numbers
+            elif len(numbers) == len(head) and numbers[0].isdigit():
+                found.append(dict(zip(head, map(float, numbers))))
+            else:
+                others.append(row.strip())
+            if options.list and k > 0:
+                print(row.strip(), drives[k - 1], flush=True)
+    program.check(benchmark.returncode == 0, f"the benchmark ends with status {benchmark.returncode}")
     print(f"{len(found)} drives of {options.n}; {len(others)} refused or not coupled")
     for row in sorted(set(others)):
         print(" ", row)
