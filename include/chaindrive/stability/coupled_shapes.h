@@ -33,10 +33,10 @@ std::vector<ClosedKind> closed_kinds(const World &world, const contact::Family &
 /// with the next pitch, and closes with q = 0, the next pitch moves alike, or q = pi, it moves in
 /// opposition. By symmetry (q and -q are waves in opposite directions) the largest frequency is
 /// stationary at both. If a single spring joins the pitches it is monotone in cos q, so that one of
-/// the two is the largest of all; a joint is many springs of about the same motion, and waves
-/// between the two are faster by less than what doc/theory.md has measured, as are chains whose
-/// pitches are closed in different ways. A body that is joined on one side only, such as a roller,
-/// is there once for each of its kinds.
+/// the two is the largest of all. A joint is many springs of about the same motion: waves between
+/// the two, and chains whose pitches are closed in different ways, may be faster. doc/theory.md has
+/// what has been measured. A body that is joined on one side only, such as a roller, is there once
+/// for each of its kinds.
 ///
 /// Where a contact touches in part, it does so about one of n_directions: one way to close. The
 /// limit is that of the ways found by find_worst().
