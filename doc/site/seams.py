@@ -79,7 +79,8 @@ SEAMS = {
          Interface("ModalGroup", "include/chaindrive/bodies/elastic_group.h")],
         [Implementations("BodyGroup"), Implementations("ForceGroup"), Implementations("SurfaceGroup")]]),
     "force element": Seam("forces", "A scene lists its elements, and a system works on copies of its own. Bars are one of them.", [
-        [calls("System", "source/dynamics/system.cc", "clone", "add_forces", "add_springs", "serialize"),
+        [calls("System", "source/dynamics/system.cc", "clone", "add_forces", "serialize"),
+         calls("step limit", "source/stability/step_limit.cc", "add_springs", "name"),
          calls("who looks for faults", "source/dynamics/fault_diagnosis.cc", "forces", "name")],
         [Interface("ForceElement", "include/chaindrive/forces/force_element.h")],
         [Implementations("ForceElement")]]),
@@ -92,7 +93,7 @@ SEAMS = {
     "slave set": Seam("contact", "A family holds the slaves of one kind of interface; Contacts asks all families in this order.", [
         [calls("Contacts", "source/contact/contacts.cc", "needs_search", "search", "announce", "place_surfaces", "fetch", "add_forces", "send_forces",
                "gather_forces", "add_springs"),
-         calls("stable step", "source/stability/closed_contact.cc", "closed_pairs")],
+         calls("stable step", "source/stability/coupled_shapes.cc", "closed_pairs")],
         [Interface("Family", "include/chaindrive/contact/family.h")],
         [Implementations("Family")],
         [Code("points with a radius", "include/chaindrive/contact/surface_contact.h", ("SlavePoint",)),
