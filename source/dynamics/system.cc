@@ -161,9 +161,10 @@ Step System::make_step(const double dt, const double new_time)
   for (std::size_t i = 0; i < programs_.size(); ++i)
     if (world.hubs[i].prescribed)
       {
-        const unsigned int body   = world.hubs[i].body;
-        const auto [angle, speed] = loads.prescribed(body, new_time);
-        programs_[i] = {angle, loads.prescribed(body, new_time - 0.5 * dt).speed, speed};
+        const unsigned int body = world.hubs[i].body;
+        programs_[i]            = {loads.prescribed_angle(body, new_time),
+                                   loads.prescribed_speed(body, new_time - 0.5 * dt),
+                                   loads.prescribed_speed(body, new_time)};
       }
   return {dt, new_time, loads.gravity(), loads.drag(), programs_.data()};
 }

@@ -30,48 +30,19 @@ Relative relative(const World &world, const unsigned int first, const unsigned i
   return {one.axis, one.angle - same * other.angle, one.speed - same * other.speed};
 }
 
-void add_moment(World                      &world,
-                const unsigned int          first,
-                const unsigned int          second,
-                const dealii::Tensor<1, 3> &moment)
-{
-  for (unsigned int d = 0; d < 3; ++d)
-    {
-      world.moment.local_element(3 * first + d) += world.symmetry.share(moment[d]);
-      world.moment.local_element(3 * second + d) -= world.symmetry.share(moment[d]);
-    }
-}
-
-void add_spring(const World         &world,
-                const unsigned int   first,
-                const unsigned int   second,
-                const double         stiffness,
-                const double         damping,
-                std::vector<Spring> &springs)
-{
-  springs.push_back({first,
-                     second,
-                     hub_of(world, first).axis,
-                     world.frames[first].position,
-                     world.frames[second].position,
-                     stiffness,
-                     damping,
-                     true});
-}
 } // namespace
 
-std::unique_ptr<ForceElement> TorsionSpring::clone() const
+void RotaryElement::add_forces(World &world, const double dt)
 {
-  return std::make_unique<TorsionSpring>(*this);
-}
-
-// The potential energy k phi^2 / 2 - M0 phi is zero at the start.
-void TorsionSpring::add_forces(World &world, const double dt)
-{
-  const auto [axis, angle, speed] = relative(world, first, second);
-  const double viscous            = damping * speed;
-  add_moment(world, first, second, (preload - stiffness * angle - viscous) * axis);
-  world.ledger.spring += world.symmetry.share((0.5 * stiffness * angle - preload) * angle);
+  const auto [axis, angle, speed]       = relative(world, first_, second_);
+  const auto [elastic, viscous, energy] = action(angle, speed);
+  const double moment                   = world.symmetry.share(elastic - viscous);
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      world.moment.local_element(3 * first_ + d) += moment * axis[d];
+      world.moment.local_element(3 * second_ + d) -= moment * axis[d];
+    }
+  world.ledger.spring += world.symmetry.share(energy);
   if (dt > 0.)
     world.ledger.spring_damping +=
         world.symmetry.share(0.5 * (viscous_ + viscous) * (angle - angle_));
@@ -79,43 +50,45 @@ void TorsionSpring::add_forces(World &world, const double dt)
   viscous_ = viscous;
 }
 
-void TorsionSpring::add_springs(const World &world, std::vector<Spring> &springs) const
+void RotaryElement::add_springs(const World &world, std::vector<Spring> &springs) const
 {
-  add_spring(world, first, second, stiffness, damping, springs);
+  springs.push_back({first_,
+                     second_,
+                     hub_of(world, first_).axis,
+                     world.frames[first_].position,
+                     world.frames[second_].position,
+                     stiffness_,
+                     damping_,
+                     true});
 }
 
-void TorsionSpring::serialize(const Archive &archive)
+void RotaryElement::serialize(const Archive &archive)
 {
   archive("angle", angle_);
   archive("viscous", viscous_);
+}
+
+std::unique_ptr<ForceElement> TorsionSpring::clone() const
+{
+  return std::make_unique<TorsionSpring>(*this);
+}
+
+// The potential energy k phi^2 / 2 - M0 phi is zero at the start.
+RotaryElement::Action TorsionSpring::action(const double angle, const double speed) const
+{
+  return {preload_ - stiffness_ * angle,
+          damping_ * speed,
+          (0.5 * stiffness_ * angle - preload_) * angle};
 }
 
 std::unique_ptr<ForceElement> Stop::clone() const { return std::make_unique<Stop>(*this); }
 
-void Stop::add_forces(World &world, const double dt)
+RotaryElement::Action Stop::action(const double angle, const double speed) const
 {
-  const auto [axis, angle, speed] = relative(world, first, second);
-  const double beyond             = std::max(0., sign * (angle - from));
-  const double elastic            = stiffness * beyond;
+  const double beyond  = std::max(0., sign_ * (angle - from_));
+  const double elastic = stiffness_ * beyond;
   // as it lets go the dashpot would pull
-  const double viscous = beyond > 0. ? std::max(damping * sign * speed, -elastic) : 0.;
-  add_moment(world, first, second, -sign * (elastic + viscous) * axis);
-  world.ledger.spring += world.symmetry.share(0.5 * elastic * beyond);
-  if (dt > 0.)
-    world.ledger.spring_damping +=
-        world.symmetry.share(0.5 * (viscous_ + viscous) * sign * (angle - angle_));
-  angle_   = angle;
-  viscous_ = viscous;
-}
-
-void Stop::add_springs(const World &world, std::vector<Spring> &springs) const
-{
-  add_spring(world, first, second, stiffness, damping, springs);
-}
-
-void Stop::serialize(const Archive &archive)
-{
-  archive("angle", angle_);
-  archive("viscous", viscous_);
+  const double viscous = beyond > 0. ? std::max(damping_ * sign_ * speed, -elastic) : 0.;
+  return {-sign_ * elastic, sign_ * viscous, 0.5 * elastic * beyond};
 }
 } // namespace chaindrive

@@ -56,14 +56,20 @@ void Loads::serialize(const Archive &archive)
   archive("booked", booked_);
 }
 
-Loads::Rotation Loads::prescribed(const unsigned int body, const double time) const
+double Loads::prescribed_angle(const unsigned int body, const double time) const
 {
   const State *shaft = find(body);
-  if (shaft == nullptr || !shaft->given.program.speed)
-    return {0., 0.};
-  const functions::Function &speed = *shaft->given.program.speed;
-  return {shaft->given.sense * speed.integral(start_, time),
-          shaft->given.sense * speed.value(time)};
+  return shaft == nullptr || !shaft->given.program.speed ?
+             0. :
+             shaft->given.sense * shaft->given.program.speed->integral(start_, time);
+}
+
+double Loads::prescribed_speed(const unsigned int body, const double time) const
+{
+  const State *shaft = find(body);
+  return shaft == nullptr || !shaft->given.program.speed ?
+             0. :
+             shaft->given.sense * shaft->given.program.speed->value(time);
 }
 
 const Loads::State *Loads::find(const unsigned int body) const

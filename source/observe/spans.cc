@@ -24,6 +24,16 @@ Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
   const scene::DriveView &drive = scene.drive;
   if (drive.spans.empty())
     return;
+  for (const scene::Span &span : drive.spans)
+    {
+      const scene::Sprocket &from = drive.sprockets[span.from];
+      places_.push_back({scene.bodies[from.body].initial.position,
+                         0.5 * (span.begin + span.end),
+                         // never so short that it may hold no link
+                         std::max(0.15 * (span.end - span.begin), 0.51 * drive.pitch),
+                         // inside of the normal where the sprocket turns against the drive
+                         from.sense * drive.sense * from.pitch_radius});
+    }
   driver_   = scene.bodies[drive.driver().body].initial.position;
   mirrored_ = drive.tight().normal -
               2. * (drive.tight().normal * drive.tight().along) * drive.tight().along;
@@ -70,16 +80,13 @@ unsigned int Spans::span_of(const Frame &first, const Frame &second) const
   double       nearest              = 0.;
   for (unsigned int s = 0; s < none; ++s)
     {
-      const scene::Span         &span = drive.spans[s];
-      const scene::Sprocket     &from = drive.sprockets[span.from];
-      const dealii::Tensor<1, 3> arm  = middle - scene_.bodies[from.body].initial.position;
-      // never so short that it may hold no link
-      const double half_length = std::max(0.15 * (span.end - span.begin), 0.51 * drive.pitch);
-      if (std::abs(arm * span.along - 0.5 * (span.begin + span.end)) > half_length ||
+      const scene::Span         &span  = drive.spans[s];
+      const Place               &place = places_[s];
+      const dealii::Tensor<1, 3> arm   = middle - place.from;
+      if (std::abs(arm * span.along - place.middle) > place.half_length ||
           travel * span.direction <= 0.)
         continue;
-      const int    outside = from.sense * drive.sense; // the chain runs outside of the first one
-      const double away    = std::abs(arm * span.normal - outside * from.pitch_radius);
+      const double away = std::abs(arm * span.normal - place.straight);
       if (found == none || away < nearest)
         {
           found   = s;

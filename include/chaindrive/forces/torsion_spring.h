@@ -5,70 +5,97 @@
 
 namespace chaindrive
 {
-/// A spring with a dashpot between two bodies that turn about one axis, or one that stands still:
-/// an arm that is pressed against a chain, a shaft that yields. With phi the angle that the first
-/// one has turned since the start, relative to the second one, about the axis of the first, the
-/// moment on the first one is
-///
-///   M = M0 - k phi - c phi'
-///
-/// and on the second one -M.
-class TorsionSpring : public ForceElement
+/// What turns two bodies on mounts (World::hubs) against each other about the axis of the first
+/// one: a moment that depends on the angle by which it has turned since the start, relative to the
+/// second one, and one that depends on its speed. The first body gets the sum, the second one the
+/// opposite.
+class RotaryElement : public ForceElement
 {
 public:
-  /// Both bodies are on mounts (World::hubs).
-  unsigned int first, second;
-  double       stiffness;    ///< k, N m/rad
-  double       damping = 0.; ///< c, N m s/rad
-  double       preload = 0.; ///< M0, N m
+  void add_forces(World &world, double dt) override;
+  void add_springs(const World &world, std::vector<Spring> &springs) const override;
+  void serialize(const Archive &archive) override;
 
-  TorsionSpring(const unsigned int first,
+protected:
+  /// @p stiffness, @p damping: the largest ones, N m/rad and N m s/rad.
+  RotaryElement(const unsigned int first,
                 const unsigned int second,
                 const double       stiffness,
-                const double       damping = 0.,
-                const double       preload = 0.)
-      : first(first), second(second), stiffness(stiffness), damping(damping), preload(preload)
+                const double       damping)
+      : first_(first), second_(second), stiffness_(stiffness), damping_(damping)
   {
   }
 
-  std::unique_ptr<ForceElement> clone() const override;
-  std::string                   name() const override { return "torsion spring"; }
-  void                          add_forces(World &world, double dt) override;
-  void add_springs(const World &world, std::vector<Spring> &springs) const override;
-  void serialize(const Archive &archive) override;
+  struct Action
+  {
+    double elastic; ///< moment on the first body, N m
+    double viscous; ///< moment against its motion, N m
+    double energy;  ///< stored, J
+  };
+
+  /// At @p angle [rad] and @p speed [rad/s].
+  virtual Action action(double angle, double speed) const = 0;
+
+  unsigned int first_, second_;
+  double       stiffness_, damping_;
 
 private:
   double angle_ = 0., viscous_ = 0.; ///< at the last evaluation, rad and N m
 };
 
-/// A stop: a TorsionSpring without preload that acts only beyond an angle, on the side where the
-/// first body turns further forward (or back, with a negative sign).
-class Stop : public ForceElement
+/// A spring with a dashpot: an arm that is pressed against a chain, a shaft that yields. At the
+/// relative angle phi the moment on the first body is
+///
+///   M = M0 - k phi - c phi'
+class TorsionSpring : public RotaryElement
 {
 public:
-  unsigned int first, second;
-  double       from;         ///< the relative angle since the start at which it begins, rad
-  int          sign;         ///< +1: it resists greater angles, -1: smaller ones
-  double       stiffness;    ///< N m/rad
-  double       damping = 0.; ///< N m s/rad, while it acts; it never pulls
+  /// @param stiffness  k, N m/rad
+  /// @param damping    c, N m s/rad
+  /// @param preload    M0, N m
+  TorsionSpring(const unsigned int first,
+                const unsigned int second,
+                const double       stiffness,
+                const double       damping = 0.,
+                const double       preload = 0.)
+      : RotaryElement(first, second, stiffness, damping), preload_(preload)
+  {
+  }
 
+  std::unique_ptr<ForceElement> clone() const override;
+  std::string                   name() const override { return "torsion spring"; }
+
+private:
+  Action action(double angle, double speed) const override;
+
+  double preload_; ///< N m
+};
+
+/// A stop: a spring with a dashpot that acts only beyond an angle, and never pulls.
+class Stop : public RotaryElement
+{
+public:
+  /// @param from       the relative angle since the start at which it begins, rad
+  /// @param sign       +1: it resists greater angles, -1: smaller ones
+  /// @param stiffness  N m/rad
+  /// @param damping    N m s/rad, while it acts
   Stop(const unsigned int first,
        const unsigned int second,
        const double       from,
        const int          sign,
        const double       stiffness,
        const double       damping = 0.)
-      : first(first), second(second), from(from), sign(sign), stiffness(stiffness), damping(damping)
+      : RotaryElement(first, second, stiffness, damping), from_(from), sign_(sign)
   {
   }
 
   std::unique_ptr<ForceElement> clone() const override;
   std::string                   name() const override { return "stop"; }
-  void                          add_forces(World &world, double dt) override;
-  void add_springs(const World &world, std::vector<Spring> &springs) const override;
-  void serialize(const Archive &archive) override;
 
 private:
-  double angle_ = 0., viscous_ = 0.; ///< at the last evaluation, rad and N m
+  Action action(double angle, double speed) const override;
+
+  double from_; ///< rad
+  int    sign_;
 };
 } // namespace chaindrive

@@ -25,15 +25,10 @@ public:
 
   void serialize(const Archive &archive);
 
-  /// Signed about +z.
-  struct Rotation
-  {
-    double angle; ///< since the start, rad
-    double speed; ///< rad/s
-  };
-
-  /// What is prescribed to @p body at @p time [s]: nothing moves without a shaft.
-  Rotation prescribed(unsigned int body, double time) const;
+  /// What is prescribed to @p body at @p time [s]: the angle since the start [rad] and the speed
+  /// [rad/s], signed about its axis; zero without a shaft.
+  double prescribed_angle(unsigned int body, double time) const;
+  double prescribed_speed(unsigned int body, double time) const;
 
   /// What acts on every node of an elastic body as it does on the others: gravity, m/s2 along -y,
   /// and drag, 1/s.

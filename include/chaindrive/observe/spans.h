@@ -46,7 +46,17 @@ private:
   /// The span of the link from @p first to @p second, or none, which is the number of spans.
   unsigned int span_of(const Frame &first, const Frame &second) const;
 
+  /// Where a span is, and how much of it counts.
+  struct Place
+  {
+    dealii::Tensor<1, 3> from;        ///< centre of the sprocket from which it leads, m
+    double               middle;      ///< of its straight line, along that of the centres, m
+    double               half_length; ///< of what counts, likewise, m
+    double               straight;    ///< that line from the centre, along the outward normal, m
+  };
+
   const scene::Scene  &scene_;
+  std::vector<Place>   places_;
   dealii::Tensor<1, 3> driver_; ///< centre of the driver, m
   dealii::Tensor<1, 3>
                     mirrored_; ///< mirror image of the tight span's normal in its line of centres
