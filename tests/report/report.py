@@ -404,20 +404,19 @@ def browser():
     run("light", Loads__Resisting_torque_in_N_m=75)
     report("results", "light", "--output", "both.html")
     report("results")
-    for file in ("results/report.html", "both.html"):
+    for file, size in (("results/report.html", "1280,900"), ("both.html", "500,900")):
         found = read(file)
         panels = sum(map(len, found.panels.values()))
-        for size in ("1280,900", "500,900"):
-            dom, console = browse(file, f"--window-size={size}")
-            state = re.search(r'<html[^>]*data-state="(\w+)"[^>]*', dom)
-            check(state and state[1] == "ready", f"{file}: {state and state[0]}")
-            check(not console, f"{file}: the console says {console[:3]}")
-            drawn = re.split(r'<div class="live drawn[^>]*data-panel="\d+"', dom)[1:]
-            check(len(drawn) == panels >= 20, f"{file}: {len(drawn)} of {panels} panels are drawn")
-            for number, part in enumerate(drawn):
-                shapes = re.findall(r'<path class="(?:js-line|js-fill|point)[^>]*? d="(M[^"]{12,})', part) + re.findall(r'<g class="point"><path[^>]* d="(M[^"]+)', part)
-                check(shapes, f"{file}: panel {number} has no curve")
-            check(dom.count('class="film drawn"') == len(found.data()["films"]) > 0, f"{file}: no film")
+        dom, console = browse(file, f"--window-size={size}")
+        state = re.search(r'<html[^>]*data-state="(\w+)"[^>]*', dom)
+        check(state and state[1] == "ready", f"{file}: {state and state[0]}")
+        check(not console, f"{file}: the console says {console[:3]}")
+        drawn = re.split(r'<div class="live drawn[^>]*data-panel="\d+"', dom)[1:]
+        check(len(drawn) == panels >= 20, f"{file}: {len(drawn)} of {panels} panels are drawn")
+        for number, part in enumerate(drawn):
+            shapes = re.findall(r'<path class="(?:js-line|js-fill|point)[^>]*? d="(M[^"]{12,})', part) + re.findall(r'<g class="point"><path[^>]* d="(M[^"]+)', part)
+            check(shapes, f"{file}: panel {number} has no curve")
+        check(dom.count('class="film drawn"') == len(found.data()["films"]) > 0, f"{file}: no film")
     pathlib.Path("width.html").write_text(pathlib.Path("results/report.html").read_text().replace("</body>", WIDTHS))
     dom, _ = browse("width.html", "--window-size=1100,900")
     wide = re.search(r'data-wide="([^"]*)"', dom)

@@ -3,6 +3,7 @@
 
 // Elastic bodies with cylindrical sides, and joints of them, for the tests of contact.
 
+#include "basics.h"
 #include "elastic.h"
 
 #include <chaindrive/contact/joints.h>
@@ -10,15 +11,6 @@
 namespace test
 {
 using dealii::numbers::PI;
-
-inline Tensor<1, 3> vector(const double x, const double y, const double z = 0.)
-{
-  Tensor<1, 3> v;
-  v[0] = x;
-  v[1] = y;
-  v[2] = z;
-  return v;
-}
 
 /// ring() with named sides: its bore is a roller's, its outside a bush's. z from 0 to @p length.
 inline mesh::Part tube(const double                       inner,
@@ -98,9 +90,4 @@ struct Tubes
   std::vector<unsigned int> offsets;
   Point<3>                  centre; ///< of the part, m
 };
-
-inline void verdict(const std::string &what, const bool holds)
-{
-  std::cout << what << ": " << (holds ? "yes" : "NO") << '\n';
-}
 } // namespace test

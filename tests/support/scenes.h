@@ -3,6 +3,8 @@
 
 // Small scenes for closed-form cases: a few bodies, one interface, one load.
 
+#include "basics.h"
+
 #include <chaindrive/contact/plane.h>
 #include <chaindrive/dynamics/system.h>
 #include <chaindrive/scene/scene.h>
@@ -17,15 +19,6 @@ namespace test
 {
 using namespace chaindrive;
 using Vector3 = dealii::Tensor<1, 3>;
-
-inline Vector3 vector(const double x, const double y, const double z = 0.)
-{
-  Vector3 v;
-  v[0] = x;
-  v[1] = y;
-  v[2] = z;
-  return v;
-}
 
 /// A scene with nothing in it: no gravity, no drag, a drive that stands still and is not loaded.
 inline scene::Scene empty_scene()
@@ -110,10 +103,5 @@ ratio(const std::string &what, const double obtained, const double expected, con
 {
   std::cout << what << ": " << std::fixed << std::setprecision(digits) << obtained / expected
             << std::defaultfloat << " of the expected value\n";
-}
-
-inline void verdict(const std::string &what, const bool yes)
-{
-  std::cout << what << ": " << (yes ? "yes" : "NO") << '\n';
 }
 } // namespace test
