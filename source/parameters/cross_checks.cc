@@ -382,7 +382,7 @@ void check_quantities(const Parameters &p, Findings &findings)
     for (const Needs &needs : all_needs)
       findings.note(needs.sprockets && output.names(needs.group) &&
                         !elastic_sprocket(p, sprocket).on,
-                    asked_for(needs.group) + " would be nearer to the truth with Effects/Elastic " +
+                    asked_for(needs.group) + " would be more accurate with Effects/Elastic " +
                         sprocket.name + ", which is off: " + needs.reason + ".");
 }
 

@@ -57,7 +57,7 @@ std::vector<Rule> rules(const Parameters &p)
       {!tooth_compliance(p).on,
        {"Contact/Tooth stiffness in N/m"},
        "Effects/Tooth compliance is off: " + tooth_compliance(p).reason},
-      {is_reduced, {"Elements/Column mass scaling"}, "rollers move by shapes"},
+      {is_reduced, {"Elements/Column mass scaling"}, "rollers move by modes"},
       {is_elastic && p.model.elastic_links == ElasticLinks::all,
        {"Model/Other links"},
        "Model/Elastic links = all leaves no others"},
