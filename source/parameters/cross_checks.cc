@@ -316,7 +316,7 @@ void check_elasticity(const Parameters &p, Findings &findings)
       const std::string here = " reduced bodies (" + reduced.reason + ")";
       for (const auto &[name, choice] : rims)
         findings.contradiction(choice == Switch::on,
-                               name + " = on is not possible beside" + here +
+                               name + " = on is not possible with" + here +
                                    "; choose auto or off, or Fidelity = full.");
       findings.contradiction(p.contact.plate_faces == Switch::on,
                              "Contact/Plate faces = on needs plates of finite elements, and not" +

@@ -69,9 +69,9 @@ Decision elastic_sprocket(const Parameters &p, const Sprocket &sprocket)
 {
   Decision rim = decide(p, choice_for(p, sprocket), &Needs::sprockets);
   if (rim.on && arrive(p))
-    return {false, "rigid beside rigid links: Elastic links = arriving"};
+    return {false, "rigid next to rigid links: Elastic links = arriving"};
   if (rim.on && p.model.capabilities().is_reduced)
-    return {false, "rigid beside reduced rollers"};
+    return {false, "rigid next to reduced rollers"};
   if (rim.on && !elastic_rollers(p).on)
     return {false, "a rigid roller meets rigid teeth, whose compliance is not its own"};
   if (sprocket.elastic == Switch::automatic && p.model.elastic_sprockets != Switch::automatic &&

@@ -63,7 +63,7 @@ std::vector<Rule> rules(const Parameters &p)
        "Model/Elastic links = all leaves no others"},
       {!is_elastic && !fields(p).on,
        {"Mesh/"},
-       chosen + " needs meshes for pictures only, and none are written: " + fields(p).reason},
+       chosen + " needs meshes for field output only, and none is written: " + fields(p).reason},
       {!p.output.asks_for(QuantityGroup::fields),
        {"Output/Field interval in ms"},
        "Output/Quantities do not name fields"},

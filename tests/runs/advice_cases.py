@@ -175,7 +175,7 @@ def models():
                [{entry: "auto"}, {entry: "off"}, {M + "Elastic links": "all"}])
         yield ("whose nodes touch the teeth, but Effects/Elastic rollers = off; choose auto for one of them",
                {**FULL, entry: "on", E + "Elastic rollers": "off"}, [{entry: "auto"}, {E + "Elastic rollers": "auto"}])
-        yield ("is not possible beside reduced bodies .*; choose auto or off, or Fidelity = full", {**REDUCED, entry: "on"},
+        yield ("is not possible with reduced bodies .*; choose auto or off, or Fidelity = full", {**REDUCED, entry: "on"},
                [{entry: "auto"}, {entry: "off"}, {FIDELITY: "full"}])
     yield ("needs plates of finite elements, and not reduced bodies .*; choose off, or Fidelity = full",
            {**REDUCED, K + "Plate faces": "on"}, [{K + "Plate faces": "off"}, {FIDELITY: "full"}])
