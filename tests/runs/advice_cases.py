@@ -127,7 +127,7 @@ def softness():
 def times():
     for safety in (0.3, 0.77):
         for stiffness in (1e8, 2e8):
-            yield (rf"is above the stable step: at most {NUMBER} us .* choose a smaller step or auto",
+            yield (rf"is above the critical time step: at most {NUMBER} us .* choose a smaller step or auto",
                    {STEP: 50, T + "Safety factor": safety, K + "Roller-tooth stiffness in N/m": stiffness},
                    [{STEP: r"\1"}, {STEP: "auto"}])
     yield ("must be above Time/Start time in ms", {END: 5, START: 6, WINDOW: 6}, [{END: 30, WINDOW: 10}])
