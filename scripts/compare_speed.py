@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""compare_speed.py OLD NEW [RUNS]: the time of the loop of two builds of chaindrive.
+"""compare_speed.py OLD NEW [RUNS]: compares the time of the time loop of two builds of chaindrive.
 
-Each case runs RUNS times (7) with either program in turn, because the speed of a shared machine changes within minutes. Printed
-are the medians of the CPU seconds of each phase, and the median of the ratio new over old of each pair.
+Each case runs RUNS times (7) with both programs alternately, because the speed of a shared machine changes within minutes. Prints
+the medians of the CPU time of each phase in seconds, and the median of the ratios new over old of the pairs.
 """
 import statistics
 import sys

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether `chaindrive plan` predicts what a run costs: for each .prm file, plan and run, the CPU time and the memory
-that one predicts and the other takes, as a table of doc/performance.md. A run that is predicted to take longer than
---limit seconds is shortened in proportion, window and all, and planned anew.
+"""Compares the predictions of `chaindrive plan` with runs: CPU time and memory, predicted and taken, for each .prm
+file, as a table of doc/performance.md. A run that is predicted to take longer than --limit seconds is shortened in
+proportion, including its window, and planned again.
 
 usage: scripts/cost.py [--limit SECONDS] [--program PROGRAM] [--within FACTOR] [--fit] [FILE.prm]...
 
---fit also prints the mean, over runs with elastic bodies, of the cost of a step that was taken over that of the first
-steps: change_of_elastic of source/cost.cc. Without files: all of prm/ that are not studies. With
---within the script fails when a prediction is farther off than that factor three times in a row: whatever else the
-machine does may slow either."""
+--fit also prints the ratio of the mean cost of a step to that of the first steps, averaged over runs with elastic
+bodies: change_of_elastic of source/cost.cc. Without files: all of prm/ except studies. With --within the script fails
+when a prediction is off by more than that factor three times in a row, since other load on the machine may slow
+either."""
 import argparse
 import pathlib
 import re

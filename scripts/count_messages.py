@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """count_messages.py FILE [--ranks 2,4,8,16] [--program PROGRAM] [--steps 100,300] [--set SECTION/ENTRY=VALUE]...
 
-What the ranks send each other in a step of FILE. Two runs of the given numbers of steps are counted by a
-library that stands in front of MPI (count_messages.cc, compiled with mpicxx): their difference is what the
-further steps send, and nothing of it belongs to the start. Printed for each number of ranks, per step:
-messages and bytes that the rank that sends most sends to others; those that the rank that receives most
-receives; those of all ranks; calls of functions that all ranks call, and bytes that each gives to them. There
-may be more ranks than cores: only time suffers.
+Counts the messages between ranks in a time step of FILE, by an MPI wrapper library (count_messages.cc,
+compiled with mpicxx). The difference between two runs of the given numbers of steps excludes the start.
+Prints for each number of ranks, per step: messages and bytes of the rank that sends most; of the rank that
+receives most; of all ranks; calls of collective functions, and the bytes that each rank contributes to them.
+There may be more ranks than cores: only time suffers.
 """
 import argparse
 import math

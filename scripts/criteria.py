@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the paper says about its two models, as numbers with the range in which they agree with it.
-One run decides nothing about the scatter between rollers: it takes several start phases."""
+"""The paper's statements about its two models, as numbers with the range in which they agree with it.
+One run does not determine the scatter between rollers: use several start phases."""
 import numpy as np
 
 import chaindrive

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What accuracy costs, over several studies: the errors of source/accuracy.tsv against CPU time, a panel for each output.
-The time is that of a variant over that of its reference, for studies may have run on different machines.
+"""Plots the errors in source/accuracy.tsv against CPU time for several studies, with a panel for each output.
+The time is that of a variant over that of its reference, since studies may have run on different machines.
 
     scripts/efficient_front.py PICTURE [STUDY]... [--outputs NAME,...]
 
-The studies must have one reference and one chain; those of fidelity and reduced are taken when none is named. Prints the
-efficient variants of each output, of which none is cheaper and more accurate. Debian package: python3-matplotlib.
+The studies must share one reference and one chain; by default they are fidelity and reduced. Prints the efficient
+variants of each output: no other is both cheaper and more accurate. Debian package: python3-matplotlib.
 """
 import argparse
 import pathlib

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draws the figures of the paper, simple model beside full model, and prints what it says about
-them as numbers:
+"""Draws the figures of the paper, simple and full model side by side, and prints its statements
+about them as numbers:
 
     scripts/figures.py [--simple DIR...] [--full DIR...] [--output DIR]
     scripts/figures.py --plates DIR...
 
-The first runs are drawn; the numbers are means over all of them, for start phases for instance.
-With --plates it only prints the stresses of Fig. 9 of these runs, side by side.
+The first runs are drawn; the numbers are means over all of them, for example over start phases.
+With --plates it prints only the stresses of Fig. 9 of these runs, side by side.
 velocities.png: its Fig. 5 and 7, link_forces.png: 8 and 9, contact_forces.png: 13 and 12. Debian
 packages: python3-h5py, python3-matplotlib, python3-pandas, python3-pil.
 """
@@ -121,7 +121,7 @@ def main():
     parser.add_argument("--simple", nargs="+", default=[os.path.join(root, "results/simple")])
     parser.add_argument("--full", nargs="+", default=[os.path.join(root, "results/full")])
     parser.add_argument("--output", default=os.path.join(root, "doc/pictures"))
-    parser.add_argument("--plates", nargs="+", metavar="DIR", help="print the stresses of plates of these runs")
+    parser.add_argument("--plates", nargs="+", metavar="DIR", help="print the plate stresses of these runs")
     arguments = parser.parse_args()
     if arguments.plates:
         criteria.print_plates([open_run(folder) for folder in arguments.plates])

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs the hard cases of hard_cases.py and judges them by energy, momentum, penetration and step.
+"""Runs the hard cases of hard_cases.py and checks energy, momentum, penetration and time step.
 
-Simple models run with the step that auto gives them, others with larger ones, see STEP. It holds when all its results are
-finite, energy and momentum close, no contact is missed or deeper than it may be, and its figures are
-those of hard.baseline as far as a chaotic motion repeats itself. A case that cannot be held must be
-refused before it runs.
+Simple models run with the time step of auto, others with larger ones, see STEP. A case passes if all its results are
+finite, energy and momentum balance, no contact is missed or too deep, and its results are those of
+hard.baseline as far as a chaotic motion is repeatable. A case that cannot pass must be refused before
+it runs.
 """
 
 import argparse
@@ -152,11 +152,11 @@ def main():
                         help="s: simple, l: layered, f: full, h: full with shells, m: with membranes, r: reduced; default: slfhmr")
     parser.add_argument("--program", type=Path, default=program.PROGRAM)
     parser.add_argument("--results", type=Path, default=Path("results/hard"))
-    parser.add_argument("--jobs", type=int, default=1, help="cases at a time")
+    parser.add_argument("--jobs", type=int, default=1, help="number of cases to run at a time")
     parser.add_argument(
-        "--quick", action="store_true", help="2.5 ms of all but full models, of those one each with shells and membranes, without the baseline: a minute or two"
+        "--quick", action="store_true", help="2.5 ms of all except full models, of these one each with shells and membranes, without the baseline: a minute or two"
     )
-    parser.add_argument("--record", action="store_true", help="makes what is found the baseline")
+    parser.add_argument("--record", action="store_true", help="write the results as the new baseline")
     options = parser.parse_args()
 
     path = HERE / "hard.baseline"

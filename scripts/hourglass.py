@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How much of the internal energy of a small full model is that of hourglass modes, by mesh and kind
-of element; prints the table in doc/validation.md. With enhanced elements these modes are bending.
+"""Fraction of the internal energy of a small full model in hourglass modes, by mesh and element
+formulation; prints the table in doc/validation.md. With enhanced elements these modes are bending.
 
     hourglass.py      about two minutes
 """

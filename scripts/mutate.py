@@ -1,21 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How many small faults of the program its tests notice.
+"""Mutation testing: how many small faults in the program its tests detect.
 
     mutate.py --folder FOLDER [--number 60] [--seed 1] [--longest SECONDS] [--again REGEX]
 
-Draws places in function bodies of source/, a third each of signs (+ and -), comparisons and constants,
-and changes each: + to -, < to >=, 2 to 3. Messages of errors and tables of constants are left out.
-FOLDER gets a copy of the repository whose build holds all changes at once: the environment variable
-CHAINDRIVE_MUTANT chooses one of them by its number, and without it the program is as it was. Only tests
-that reach a place are run for its change, the shortest first, up to the first that fails or takes ten
-times as long as usual; each change begins with an empty cache.
+Draws places in function bodies of source/ at random, a third each of signs (+ and -), comparisons and
+constants, and changes each: + to -, < to >=, 2 to 3. Error messages and tables of constants are skipped.
+FOLDER gets a copy of the repository whose build contains all changes: the environment variable
+CHAINDRIVE_MUTANT activates one by its number; without it the program is unchanged. For each change only
+tests that reach its place are run, the shortest first, until one fails or takes ten times as long as
+usual; each change starts with an empty cache.
 
-Without --longest the tests of ./check --quick are run; with it, for what these have not noticed, also
-those long tests that take at most so many seconds. What is known is kept in FOLDER, and a further call
-goes on from there: after new tests were written, --again REGEX tries those whose names match on all
-changes that nothing has noticed. A place that does not compile is replaced by another. Needs Debian's
-python3-clang, and as much time as ./check on a clean clone plus some 40 minutes of one core.
+Without --longest the tests of ./check --quick are run; with it, for undetected changes, also long tests
+that take at most this number of seconds. Results are kept in FOLDER, and another call resumes from there:
+after new tests have been written, --again REGEX runs those with matching names on all undetected
+changes. A place that does not compile is replaced by another. Needs Debian's python3-clang, and as much
+time as ./check on a clean clone plus about 40 minutes of one core.
 """
 
 import argparse
@@ -471,15 +471,15 @@ def main():
     title, text = __doc__.split("\n\n", 1)
     plain = argparse.RawDescriptionHelpFormatter
     parser = argparse.ArgumentParser(description=title, epilog=text, formatter_class=plain)
-    parser.add_argument("--folder", type=pathlib.Path, required=True, help="for the copy and its build")
-    parser.add_argument("--number", type=int, default=60, help="of places (60)")
-    parser.add_argument("--seed", type=int, default=1, help="other places (1)")
-    parser.add_argument("--longest", type=float, metavar="SECONDS", help="run long tests too")
-    parser.add_argument("--again", metavar="REGEX", help="try tests with such names once more")
-    parser.add_argument("--only-draw", action="store_true", help="print the places and end")
-    parser.add_argument("--exclude", default=EXCLUDED, metavar="REGEX", help="tests not to run")
-    parser.add_argument("--targets", default="all build_tests", help="what is built")
-    parser.add_argument("--jobs", type=int, default=1, help="compilers at a time (1)")
+    parser.add_argument("--folder", type=pathlib.Path, required=True, help="folder of the copy and its build")
+    parser.add_argument("--number", type=int, default=60, help="number of places (60)")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the random places (1)")
+    parser.add_argument("--longest", type=float, metavar="SECONDS", help="also run long tests of up to this time")
+    parser.add_argument("--again", metavar="REGEX", help="run tests with matching names again")
+    parser.add_argument("--only-draw", action="store_true", help="print the places and exit")
+    parser.add_argument("--exclude", default=EXCLUDED, metavar="REGEX", help="tests to skip")
+    parser.add_argument("--targets", default="all build_tests", help="build targets")
+    parser.add_argument("--jobs", type=int, default=1, help="number of compilers at a time (1)")
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="the repository (this one)")
     options = parser.parse_args()
     if not 1 <= options.number < MOST:

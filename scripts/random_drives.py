@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Drives drawn at random from what the entries allow, each run for 0.3 ms.
+"""Runs random drives within the ranges of the entries, each for 0.3 ms.
 
     random_drives.py [-n 200] [--seed 0] [--fidelities simple,layered] [--refusals] [--program PROGRAM]
 
-A drive runs to its end with its energy and momentum balanced, or is refused by a sentence that names an entry; nothing
-else is right: no signal, no hang, no stop without advice. Prints a line for each that did not run, with what the program
-said, and how many of each fidelity ran; 200 of rigid chains take three minutes on one core. Drive k of a seed is always
-the same: --only k runs it alone and keeps its results.
+A drive must run to its end with energy and momentum balanced, or be refused by a sentence that names an entry; anything
+else is an error: a signal, a hang, a stop without advice. Prints a line for each drive that did not run, with the message of
+the program, and how many of each fidelity ran; 200 of rigid chains take three minutes on one core. Drive k of a seed is
+always the same: --only k runs it alone and keeps its results.
 """
 import argparse
 import collections
@@ -101,7 +101,7 @@ def main():
     parser.add_argument("-n", type=int, default=200)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--fidelities", default="simple,layered")
-    parser.add_argument("--limit", type=float, default=120, help="seconds for one drive")
+    parser.add_argument("--limit", type=float, default=120, help="time limit of one drive in seconds")
     parser.add_argument("--only", type=int)
     parser.add_argument("--refusals", action="store_true", help="print why drives are refused")
     parser.add_argument("--program", default=program.PROGRAM)

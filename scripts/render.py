@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Renders VTK files (.vtu, .pvtu, .vtk or a .pvd series) to a PNG picture, without a display.
+"""Renders VTK files (.vtu, .pvtu, .vtk or a .pvd series) to a PNG image, without a display.
 
     render.py [options] FILE... -o PICTURE.png
 
-Debian packages: python3-vtk9, for --colors python3-pil, and xvfb where no display is at hand:
+Debian packages: python3-vtk9, for --colors python3-pil, and xvfb if there is no display:
     xvfb-run -a /usr/bin/python3 scripts/render.py ...
 
 Stress in the full model at the driver, seen through the chain's middle plane:
@@ -57,23 +57,23 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("files", nargs="+")
     parser.add_argument("-o", "--output", required=True)
-    parser.add_argument("--time", type=float, help="of a series, default: the last")
+    parser.add_argument("--time", type=float, help="time in a series; default: the last")
     parser.add_argument("--color", help="name of a cell or point array; default: one colour")
-    parser.add_argument("--range", nargs=2, type=float, help="of the colour scale")
-    parser.add_argument("--divide", type=float, default=1., help="the array's values by it")
-    parser.add_argument("--title", help="of the colour scale; default: the array's name")
+    parser.add_argument("--range", nargs=2, type=float, help="range of the colour scale")
+    parser.add_argument("--divide", type=float, default=1., help="divide the values of the array by this")
+    parser.add_argument("--title", help="title of the colour scale; default: the name of the array")
     parser.add_argument("--sequential", action="store_true", help="colours from grey to dark red")
     parser.add_argument("--behind", type=float, help="leave out cells with z above this value")
-    parser.add_argument("--colors", type=int, help="write a small file with so many colours")
+    parser.add_argument("--colors", type=int, help="write a small file with this number of colours")
     parser.add_argument("--discrete", action="store_true", help="one colour per integer value")
     parser.add_argument("--warp", help="name of a displacement array to add to the positions")
-    parser.add_argument("--scale", type=float, default=1., help="of the displacement")
+    parser.add_argument("--scale", type=float, default=1., help="scale of the displacement")
     parser.add_argument("--no-edges", action="store_true")
     parser.add_argument("--view", nargs=3, type=float, default=[0.6, -0.8, 1.2],
-                        help="direction from the object to the eye")
+                        help="direction from the object to the camera")
     parser.add_argument("--up", nargs=3, type=float, default=[0, 1, 0])
-    parser.add_argument("--focus", nargs=3, type=float, help="point in the middle of the picture")
-    parser.add_argument("--height", type=float, help="of the visible part, in the data's units")
+    parser.add_argument("--focus", nargs=3, type=float, help="point at the centre of the image")
+    parser.add_argument("--height", type=float, help="height of the visible part, in the units of the data")
     parser.add_argument("--size", nargs=2, type=int, default=[1600, 1000])
     arguments = parser.parse_args()
 

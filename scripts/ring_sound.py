@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How loud the rings of elastic rollers are beside the rollers that move as a whole:
+"""How loud ring vibration of elastic rollers is relative to their rigid-body oscillation:
 
     scripts/ring_sound.py DIR
 
 DIR is that of a run of the full model with surface velocities. For rollers that meet the driver in the window, by octaves: the acceleration
 of a point of the surface along the span normal, less that of the centre, over that of the centre (deviation over deviation); how
 much less a long cylinder radiates that ovalises than one that moves as a whole with the same velocity, at 0.4 m (Hankel functions of
-orders 2 and 1); and both together, in dB. A bound: it takes all that the point does for ovalisation, also the rotation of the roller.
+orders 2 and 1); and both together, in dB. An upper bound: it counts all motion of the point as ovalisation, including roller rotation.
 Debian packages: python3-h5py, python3-pandas, python3-scipy.
 """
 import sys

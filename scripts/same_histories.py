@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""same_histories.py OLD NEW [CASE]...: whether two builds of chaindrive give the same histories, bit by bit.
+"""same_histories.py OLD NEW [CASE]...: checks whether two builds of chaindrive give bit-identical histories.
 
 For changes of the code that must not change a result. OLD and NEW are programs; each runs a simple, a layered and some small
 full and reduced drives on one and on two ranks, and every dataset of histories.h5 of OLD, in double precision, is compared byte

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """CPU time of the paper's drive on one core: 30 ms of the simple and the layered model at their
-default steps without fields, and how the time grows with the number of links. Prints a table with
-the median of several runs.
+default time steps without field output, and how it grows with the number of links. Prints a table
+with the medians of several runs.
 
 usage: scripts/speed.py [RUNS] [PROGRAM]
 """

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far the step limit of reduced drives is from the largest one that any search finds.
+"""How far the critical time step of reduced drives is above the smallest one that any search finds.
 
     step_limit_of_random_drives.py [-n 100] [--seed 0] [--list]
 
-Draws reduced drives at random: chain, teeth, tooth form, friction, damping and stiffness of contacts. Their contacts
-may close in many ways; the program takes the ones that CoupledShapes::find_worst() finds. Here tests/benchmarks/step_limit.cc looks
-for faster ones and says by how much, in percent of the frequency: `more` by a thorough search, `waves` in waves between q = 0 and
-pi, `pitches` with pitches closed in different ways. Prints median, 90th percentile and largest. The bases of parts come from the
-cache of chaindrive or go there.
+Runs random reduced drives: chain, teeth, tooth form, friction, damping and stiffness of contacts. Their contacts may
+close in many ways; the program uses the way that CoupledShapes::find_worst() finds. tests/benchmarks/step_limit.cc looks
+for ways with a higher frequency and reports by how many percent: `more` by a thorough search, `waves` in waves between q = 0
+and pi, `pitches` with pitches closed in different ways. Prints median, 90th percentile and largest. The bases of parts are
+read from and written to the cache of chaindrive.
 """
 import argparse
 import random
@@ -46,7 +46,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("-n", type=int, default=100)
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--list", action="store_true", help="print what is found for each drive")
+    parser.add_argument("--list", action="store_true", help="print the result of each drive")
     options = parser.parse_args()
     drives = [draw(random.Random(f"{options.seed} {k}")) for k in range(options.n)]
     lines = "".join("\t".join(f"{name}={value}" for name, value in drive.items()) + "\n" for drive in drives)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""tutorial.py RUN... [--pictures FOLDER]: what doc/tutorial.md compares of several runs: a table of figures, and with --pictures
-impact.png (force of the driver on rollers since they touched), ripple.png (speed and tension over eight pitches) and, where the runs
-have computed their noise, sound.png (third octaves). Needs python3-h5py, python3-pandas and python3-matplotlib."""
+"""tutorial.py RUN... [--pictures FOLDER]: compares several runs for doc/tutorial.md: prints a table, and with --pictures draws
+impact.png (force of the driver on rollers after first contact), ripple.png (speed and tension over eight pitches) and, if the noise
+of the runs has been computed, sound.png (third octaves). Needs python3-h5py, python3-pandas and python3-matplotlib."""
 import argparse
 import math
 import pathlib

@@ -4,9 +4,9 @@
 
     scripts/verification.py [--build build] > doc/validation/verification.md
 
-A case is a test of tests/, whose program prints what it obtained over what theory expects. Here
-its figures are read again, compared with the tolerance stated for the case, and priced. ./check
-builds the programs. Exits with 1 if a figure is missing or outside its tolerance.
+A case is a test of tests/, whose program prints obtained over expected values. This script reads
+these values, compares them with the tolerance of the case, and measures the CPU time. ./check
+builds the programs. Exits with 1 if a value is missing or outside its tolerance.
 """
 import argparse
 import math

@@ -31,28 +31,31 @@ struct CommandName
 };
 
 constexpr CommandName commands[] = {
-    {Command::run, "run", "FILE.prm", "simulate the drive of FILE.prm; the word may be left out"},
+    {Command::run,
+     "run",
+     "FILE.prm",
+     "simulate the drive of FILE.prm; the word run may be omitted"},
     {Command::plan,
      "plan",
      "FILE.prm",
-     "say what would be computed and what it costs, and write nothing"},
+     "print design data, what would be computed and its cost; write nothing"},
     {Command::parts,
      "parts",
      "FILE.prm",
-     "print masses, stiffnesses and plate stresses of its parts, and write nothing"},
+     "print masses, stiffnesses and plate stresses of the parts; write nothing"},
     {Command::noise,
      "noise",
      "DIR",
-     "compute the noise of the run that has left its results in DIR, and write it there"},
+     "compute the noise of the run whose results are in DIR, and write it there"},
     {Command::study,
      "study",
      "FILE.prm",
-     "run the variants of a study file and compare them; what follows -- goes to Snakemake"},
+     "run the variants of a study file and compare them; options after -- go to Snakemake"},
     {Command::report,
      "report",
      "DIR...",
-     "write a page on the runs in the folders DIRECTORY..., report.html in the first of them"},
-    {Command::template_file, "template", nullptr, "print a commented file to begin with"},
+     "write a report on the runs in the folders DIRECTORY..., report.html in the first"},
+    {Command::template_file, "template", nullptr, "print a commented parameter file to start from"},
     {Command::document, "document", nullptr, "print the reference of all entries (Markdown)"},
 };
 
@@ -88,23 +91,23 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
                         options::value(&c.overrides)->value_name("\"SECTION/ENTRY=VALUE\""),
                         "run, plan, parts, noise, study: override an entry of the file; may be "
                         "repeated");
-  visible.add_options()("output",
-                        options::value(&c.output_directory)->value_name("DIRECTORY"),
-                        "run, plan, study, report: write the results there, or the page to this "
-                        "file");
-  visible.add_options()("resume",
-                        options::value(&c.resume)->value_name("auto|CHECKPOINT"),
-                        "run, plan: go on from the newest checkpoint in the directory, or from "
-                        "this one");
+  visible.add_options()(
+      "output",
+      options::value(&c.output_directory)->value_name("DIRECTORY"),
+      "run, plan, study, report: write the results there, or the report to this file");
+  visible.add_options()(
+      "resume",
+      options::value(&c.resume)->value_name("auto|CHECKPOINT"),
+      "run, plan: resume from the newest checkpoint in the directory, or from this one");
   visible.add_options()("accuracy",
                         options::value(&c.accuracy)->value_name("\"OUTPUT=PERCENT\""),
-                        "plan: say which models reach it, from the studies");
+                        "plan: print which models reach this accuracy, from the studies");
   visible.add_options()("cores",
                         options::value(&c.cores)->value_name("N"),
-                        "study: cores at work at a time, all of them by default");
-  add("quick", c.quick, "study: with the changes of Study/Quick");
-  add("dry-run", c.dry_run, "study: check all variants and say what would be run");
-  add("retry-failed", c.retry, "study: run those again that failed");
+                        "study: number of cores to use, all by default");
+  add("quick", c.quick, "study: apply the changes in Study/Quick");
+  add("dry-run", c.dry_run, "study: check all variants and print what would be run");
+  add("retry-failed", c.retry, "study: run failed variants again");
   visible.add_options()("chain",
                         value_of(c.design.chain)->value_name("NAME"),
                         "template: chain of the drive, such as 10B");
@@ -113,21 +116,21 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
                         "template: teeth of driver and driven sprocket");
   visible.add_options()("centre",
                         value_of(c.design.centre)->value_name("MM"),
-                        "template: centre distance, met by an even number of links");
+                        "template: centre distance, approximated with an even number of links");
   visible.add_options()(
       "rpm", value_of(c.design.rpm)->value_name("RPM"), "template: speed of the driver");
   visible.add_options()(
       "kW", value_of(c.design.kilowatt)->value_name("KW"), "template: power of the load");
   add("man", c.man, "document: print the manual page (troff)");
-  add("schema", c.schema, "document: print what histories and summary of runs may hold (JSON)");
+  add("schema", c.schema, "document: print all histories and summary members of runs (JSON)");
   visible.add_options()("completion",
                         options::value(&c.completion)->value_name("SHELL"),
-                        "document: print what completes words in a shell, which is bash");
+                        "document: print the completion script for a shell (bash)");
   add("plan", switches.plan, "run, plan: the same as the command plan");
   add("quiet", c.quiet, "run, plan, noise, study, report: print warnings and errors only");
-  add("report", c.report, "run: write a page on it at its end, report.html beside its results");
-  add("strict", c.strict, "run, plan: refuse a drive that a design check warns of");
-  add("version", switches.version, "print versions, SIMD and MPI facts");
+  add("report", c.report, "run: write a report at its end, report.html in the output directory");
+  add("strict", c.strict, "run, plan: refuse a drive with design-check warnings");
+  add("version", switches.version, "print versions and SIMD and MPI support");
   add("help", switches.help, "print this text");
   return visible;
 }
@@ -316,12 +319,12 @@ void check_belonging(const CommandLine &c)
         "chaindrive report DIRECTORY.");
   if (c.command == Command::report && (!c.overrides.empty() || !c.resume.empty()))
     throw InputError(std::string("The option ") + (c.overrides.empty() ? "--resume" : "--set") +
-                     " belongs to runs: a report takes them as they are.");
+                     " belongs to runs: a report does not change them.");
   if (c.cores > most_cores)
     throw InputError("The option --cores takes 1 to " + std::to_string(most_cores) + ".");
   if (is_study && !c.resume.empty())
-    throw InputError("The option --resume belongs to runs: a study that is started again goes on "
-                     "where it was.");
+    throw InputError(
+        "The option --resume belongs to runs: a study resumes when it is started again.");
 }
 } // namespace
 

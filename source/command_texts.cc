@@ -72,20 +72,22 @@ std::string man_page()
       << ".SH COMMANDS\n";
   for (const CommandText &command : command_texts())
     out << item(command.name, command.argument, command.meaning);
-  out << ".SH OPTIONS\nAn option of certain commands begins with their names.\n";
+  out << ".SH OPTIONS\nOptions for certain commands begin with the names of these commands.\n";
   for (const OptionText &option : option_texts())
     out << item(option.name, option.value, option.meaning);
   out << ".SH EXIT STATUS\n"
       << item("0", "", "done")
-      << item("2", "", "input that cannot be run; a sentence on standard error says why")
+      << item("2", "", "input that cannot be run; a message on standard error says why")
       << item("3", "", "a run that failed")
       << item("4", "", "a run that was stopped and can be resumed") << ".SH ENVIRONMENT\n"
-      << item("CHAINDRIVE_CACHE", "", "where solutions of parts are kept, else ~/.cache/chaindrive")
-      << item("CHAINDRIVE_SIMD_WIDTH", "", "numbers that kernels work on at a time: 1, 2, 4 or 8")
+      << item("CHAINDRIVE_CACHE",
+              "",
+              "cache of the solutions of parts, by default ~/.cache/chaindrive")
+      << item("CHAINDRIVE_SIMD_WIDTH", "", "SIMD width of the kernels: 1, 2, 4 or 8")
       << ".SH SEVERAL PROCESSES\n"
-      << troff("mpirun starts them, for elastic models. OpenMPI's refuses root, as in containers, "
-               "without --allow-run-as-root, and more processes than cores without "
-               "--oversubscribe.")
+      << troff("Elastic models run on several processes under mpirun. OpenMPI does not run as "
+               "root, as in containers, without --allow-run-as-root, and does not start more "
+               "processes than cores without --oversubscribe.")
       << "\n.SH EXAMPLES\n.nf\n"
       << troff("chaindrive template --chain 10B --teeth 21/63 --centre 500 --rpm 1450 --kW 3 > "
                "my.prm")

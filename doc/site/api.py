@@ -54,9 +54,9 @@ def stage(folder):
         (folder / path).write_text(grouped(header.read_text(), room))
     pictures = seams.pictures()
     pages = ["/** @mainpage Reference of the code", "",
-             "The code is a house of rooms: each is a folder of `source/` with its headers, and includes only rooms above it in this list.",
-             'How they work together is told by <a href="../doc/architecture.html">Architecture</a>; formulas are in',
-             '<a href="../doc/theory.html">Theory</a>. What is added often is a new file behind a small interface, a seam: its room has a picture of it.', ""]
+             "The code is divided into rooms (modules): each is a folder of `source/` with its headers, and includes only rooms above it in this list.",
+             '<a href="../doc/architecture.html">Architecture</a> explains how they work together; formulas are in',
+             '<a href="../doc/theory.html">Theory</a>. A seam is an extension point, where an addition is a new file behind a small interface: its room has a diagram of it.', ""]
     for room, contents in known.items():
         inside = [name for name, seam in seams.SEAMS.items() if seam.room == room]
         pages.append(f"- @ref {room} \"{room}\": {contents}" + (f". Seams: {', '.join(inside)}" if inside else ""))

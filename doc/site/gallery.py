@@ -23,11 +23,11 @@ DRIVES = {
 
 # Of summary.json: what it is called, its unit, by how much it is multiplied.
 FIGURES = {
-    "tight_tension_mean": ("mean tension of the tight span", "N", 1.),
-    "slack_tension_mean": ("mean tension of the slack span", "N", 1.),
-    "span_speed_mean": ("speed of the chain", "m/s", 1.),
+    "tight_tension_mean": ("mean tight-span tension", "N", 1.),
+    "slack_tension_mean": ("mean slack-span tension", "N", 1.),
+    "span_speed_mean": ("chain speed", "m/s", 1.),
     "driven_speed_mean": ("speed of the driven sprocket", "rad/s", 1.),
-    "driver_torque_mean": ("mean torque of the driver", "N m", 1.),
+    "driver_torque_mean": ("mean driver torque", "N m", 1.),
     "efficiency": ("efficiency", "%", 100.),
 }
 
@@ -73,7 +73,7 @@ def page(name, runs, pages):
     question = questions()[DRIVES[name]]
     lines = [f"# {name}", "", question, "", f"![The chain of {name} at the end of the run, coloured by tension]({name}.svg)", "",
              f'<a href="{name}/report.html">The report of this run</a>: key figures, curves, the chain in motion. '
-             f"The file: [{name}.prm]({name}.prm). To run it:", "", f"    ./run {DRIVES[name]}", "", "| figure | |", "|---|---|"]
+             f"The file: [{name}.prm]({name}.prm). To run it:", "", f"    ./run {DRIVES[name]}", "", "| quantity | value |", "|---|---|"]
     drive = found.drive
     lines.append(f"| teeth | {', '.join(str(about['teeth']) for about in drive['sprockets'])} |")
     lines.append(f"| links, pitch | {found.n_links}, {1e3 * drive['pitch']:.6g} mm |")
@@ -89,7 +89,7 @@ def build(names, program, runs, pages, extra, say):
     """Runs the drives, writes their pages into `pages` and their reports into `extra`, which is copied beside these."""
     pages.mkdir(parents=True, exist_ok=True)
     os.environ.setdefault("CHAINDRIVE_CACHE", os.path.expanduser("~/.cache/chaindrive"))
-    lines = ["# Gallery", "", "Drives that come with the program and what their runs find. These pages were made by running them.", ""]
+    lines = ["# Gallery", "", "The drives that come with the program and their results. These pages are made by running them.", ""]
     for number, name in enumerate(names, 1):
         say(f"drive {number} of {len(names)}: {name}")
         run(name, program, runs / name)
@@ -97,6 +97,6 @@ def build(names, program, runs, pages, extra, say):
         (extra / "gallery" / name).mkdir(parents=True, exist_ok=True)
         shutil.copy(runs / name / "report.html", extra / "gallery" / name / "report.html")
         lines += [f"## {name}", "", questions()[DRIVES[name]], "", f"[![The chain of {name}]({name}.svg)]({name}.md)", "",
-                  f'[Figures and file]({name}.md), <a href="{name}/report.html">report</a>', ""]
+                  f'[Results and file]({name}.md), <a href="{name}/report.html">report</a>', ""]
     lines += ["```{toctree}", ":hidden:", "", *names, "```"]
     (pages / "index.md").write_text("\n".join(lines) + "\n")

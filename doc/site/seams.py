@@ -46,13 +46,13 @@ def calls(title, file, *names):
 
 
 SEAMS = {
-    "quantity": Seam("observe", "The recorder asks all quantities in this order; each registers itself and is made only where the scene has it.", [
+    "quantity": Seam("observe", "The recorder calls all quantities in this order; each registers itself and is created only if the scene has it.", [
         [calls("Recorder", "source/observe/recorder.cc", "make_quantities", "reads_contacts", "add_channels", "update", "gather", "begin_interval",
                "serialize", "summarize")],
         [Interface("Quantity", "include/chaindrive/observe/quantity.h"),
          Code("Registered&lt;T&gt;", "include/chaindrive/observe/quantity.h", ("exists", "Registration"))],
         [Implementations("Quantity")]]),
-    "element block": Seam("element", "A part is a list of blocks. Bodies call for forces of a batch, statics and reduction for stiffness, results for stresses.", [
+    "element block": Seam("element", "A part is a list of blocks. Bodies ask for the forces of a batch, statics and reduction for stiffness, results for stresses.", [
         [calls("ElasticPart", "source/element/elastic_part.cc", "add_forces"),
          calls("assemble()", "source/element/element_block.cc", "unknowns_per_node", "nodes_of", "element_stiffness"),
          calls("ElasticBodies", "source/bodies/elastic_bodies.cc", "make_stress_recovery"),
@@ -60,7 +60,7 @@ SEAMS = {
         [Interface("ElementBlock", "include/chaindrive/element/element_block.h"),
          Interface("StressRecovery", "include/chaindrive/element/stress.h")],
         [Implementations("ElementBlock"), Implementations("StressRecovery")]]),
-    "body group": Seam("bodies", "The calls of one step, in their order; the table in source/dynamics/system.cc says at which instant everything stands.", [
+    "body group": Seam("bodies", "The calls of one step, in order; the table in source/dynamics/system.cc says to which instant every array belongs.", [
         [calls("System::advance(), once", "source/dynamics/system.cc", "start"),
          calls("1. first_half()", "source/dynamics/newmark.cc", "kick", "drift"),
          calls("2. evaluate()", "source/dynamics/system.cc", "add_forces"),
@@ -78,19 +78,19 @@ SEAMS = {
          Interface("NodalGroup", "include/chaindrive/bodies/elastic_group.h"),
          Interface("ModalGroup", "include/chaindrive/bodies/elastic_group.h")],
         [Implementations("BodyGroup"), Implementations("ForceGroup"), Implementations("SurfaceGroup")]]),
-    "force element": Seam("forces", "A scene lists its elements, and a system works on copies of its own. Bars are one of them.", [
+    "force element": Seam("forces", "A scene lists its elements, and a system works on its own copies. Bars are one kind.", [
         [calls("System", "source/dynamics/system.cc", "clone", "add_forces", "serialize"),
          calls("step limit", "source/stability/step_limit.cc", "add_springs", "name"),
          calls("who looks for faults", "source/dynamics/fault_diagnosis.cc", "forces", "name")],
         [Interface("ForceElement", "include/chaindrive/forces/force_element.h")],
         [Implementations("ForceElement")]]),
-    "surface": Seam("contact", "For each slave near it: where it is nearest, how fast it comes, and, after the law, the opposite force.", [
+    "surface": Seam("contact", "For each nearby slave: the nearest point, the closing velocity, and, after the contact law, the opposite force.", [
         [calls("SurfaceContact: search", "source/contact/surface_contact.cc", "needs_search", "is_near"),
          calls("PointContact", "source/contact/point_contact.cc", "is_beside", "project", "relative_velocity", "slip_velocity", "add_opposite", "main_direction"),
          calls("NodeContact", "source/contact/node_contact.cc", "half_width", "project", "relative_velocity", "slip_velocity", "add_opposite", "closed_side")],
         [Interface("Surface", "include/chaindrive/contact/surface.h")],
         [Implementations("Surface")]]),
-    "slave set": Seam("contact", "A family holds the slaves of one kind of interface; Contacts asks all families in this order.", [
+    "slave set": Seam("contact", "A family holds the slaves of one kind of interface; Contacts calls all families in this order.", [
         [calls("Contacts", "source/contact/contacts.cc", "needs_search", "search", "announce", "place_surfaces", "fetch", "add_forces", "send_forces",
                "gather_forces", "add_springs"),
          calls("stable step", "source/stability/coupled_shapes.cc", "closed_pairs")],
@@ -98,19 +98,19 @@ SEAMS = {
         [Implementations("Family")],
         [Code("points with a radius", "include/chaindrive/contact/surface_contact.h", ("SlavePoint",)),
          Code("SlaveNodes", "include/chaindrive/contact/slave_nodes.h", ("position", "velocity", "area", "cover", "announce"))]]),
-    "contact law": Seam("contact", "One body of code for one point and for packs of eight: an approach says how deep and how fast, update_touch() turns it into forces and energies.", [
+    "contact law": Seam("contact", "The same code for one point and for packs of eight: an approach gives penetration and closing speed, update_touch() turns them into forces and energies.", [
         [calls("press()", "include/chaindrive/contact/point_force.h", "update_touch"),
          calls("joints, side by side", "include/chaindrive/contact/packed_joint.h", "update_touch")],
         [Code("update_touch()", "include/chaindrive/contact/penalty.h", ("ContactEnergies", "TouchStateOf"))],
         [Code("PointApproach", "include/chaindrive/contact/penalty.h", ("gap", "rate", "overlap", "book")),
          Code("NodeApproach", "include/chaindrive/contact/penalty.h", ("mean_overlap", "gap", "rate", "closing", "overlap", "book")),
          Code("ContactLaw", "include/chaindrive/scene/contact_law.h", ("stiffness", "damping", "friction"))]]),
-    "observer": Seam("dynamics", "The time loop shows the system to all observers before the first step and after each; a checkpoint holds what they remember.", [
+    "observer": Seam("dynamics", "The time loop shows the system to all observers before the first step and after each step; a checkpoint holds their state.", [
         [calls("run()", "source/dynamics/time_loop.cc", "advance", "observe"),
          calls("Checkpoints", "source/observe/checkpoints.cc", "name", "serialize")],
         [Interface("Observer", "include/chaindrive/dynamics/observer.h")],
         [Implementations("Observer")]]),
-    "fidelity": Seam("scene", "A fidelity is a row of capabilities and a builder; all else sees bodies, bars and interfaces.", [
+    "fidelity": Seam("scene", "A fidelity is a row of capabilities and a builder; everything else sees bodies, bars and interfaces.", [
         [Code("Fidelity", "include/chaindrive/parameters/model.h", ("Fidelity", "simple", "layered", "reduced", "full")),
          Code("Capabilities", "include/chaindrive/parameters/model.h", ("has_clearances", "is_elastic", "is_reduced"))],
         [Code("build_scene()", "source/scene/build.cc", ("add_simple_chain", "add_layered_chain", "add_full_chain"))],
@@ -124,13 +124,13 @@ SEAMS = {
         [Code("Layout", "include/chaindrive/drive/layout.h", ("sprockets", "spans"))],
         [Code("builders", "source/scene/sprockets.cc", ("add_sprockets",))],
         [Code("Scene", "include/chaindrive/scene/scene.h", ("sprockets",))]]),
-    "command": Seam("program", "A row of the table of commands and a case in main(); manual page and completion are made from the rows.", [
+    "command": Seam("program", "A row of the table of commands and a case in main(); manual page and completion are generated from the rows.", [
         [Code("main()", "source/main.cc", ("parse_command_line", "CommandLine"))],
         [Code("table of commands", "source/command_line.cc", ("CommandName", "find_command")),
          Code("manual page, completion", "source/command_texts.cc", ("man_page", "bash_completion"))],
         [Code("commands", "include/chaindrive/commands.h", ("run_command", "plan_command", "parts_command", "noise_command", "study_command", "report_command",
                                                            "template_command"))]]),
-    "section of a report": Seam("program", "A page is a list of sections, each made of figures and tables of one or several runs.", [
+    "section of a report": Seam("program", "A report is a list of sections, each with figures and tables of one or several runs.", [
         [Code("write()", "python/chaindrive/report/__init__.py", ("write", "_lead", "_sections"))],
         [Code("sections", "python/chaindrive/report/__init__.py", ("answers", "checks", "motion", "spans", "rollers", "impacts", "vibration", "noise", "cost"))],
         [Code("curves", "python/chaindrive/report/curves.py", ("tensions", "contact_forces", "energies")),

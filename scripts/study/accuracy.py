@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""accuracy.py DIRECTORY...: prints source/accuracy.tsv, from which `chaindrive plan FILE.prm --accuracy OUTPUT=PERCENT`
-answers, from the tables of the studies in these directories:
+"""accuracy.py DIRECTORY...: prints source/accuracy.tsv, which `chaindrive plan FILE.prm --accuracy OUTPUT=PERCENT`
+looks up, from the tables of the studies in these directories:
 
     python3 scripts/study/accuracy.py results/fidelity results/start > source/accuracy.tsv
 
 A row for each variant that ran, and each output that has an error and an interval; the reference has the interval of its own
-mean. Results of quick forms are refused, and so are studies that have not ended."""
+mean. Results of quick forms and of unfinished studies are refused."""
 import csv
 import json
 import math

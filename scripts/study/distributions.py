@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """distributions.py DIRECTORY: whether engagements with the driver differ from those of a study's reference, as tables in
-Markdown: of each variant, all engagements of all phases together, their number, and the probability that peaks and impulses
-that are drawn from one distribution differ so much (two-sample test of Kolmogorov and Smirnov); and by how many dB third
-octaves of the velocities of rollers lie above those of the reference, with 95 % intervals over the phases of both. Needs
+Markdown: for each variant, the number of engagements of all phases, and the probability that peaks and impulses from one
+distribution differ as much (two-sample Kolmogorov-Smirnov test); and the difference in dB of the third octaves of roller
+velocities from the reference, with 95 % confidence intervals over the phases of both. Needs
 python3-h5py, python3-pandas and python3-scipy."""
 import argparse
 import json

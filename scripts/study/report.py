@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""report.py DIRECTORY [--pictures FOLDER]: the results of a study: table.csv and table.h5, chart.png and .svg,
-study.md and study.html. Runs that have not ended yet are rows without figures, and so are variants whose chain jumped,
-or for which the means of the window tell nothing for another reason: the first line of output says how many. Needs
+"""report.py DIRECTORY [--pictures FOLDER]: writes the results of a study: table.csv and table.h5, chart.png and .svg,
+study.md and study.html. Unfinished runs are rows without values, and so are variants whose chain jumped, or whose
+window means are meaningless for another reason: the first line of output says how many. Needs
 python3-h5py, python3-matplotlib, python3-pandas and python3-jinja2.
 
---pictures FOLDER also writes DIRECTORY's chart there, small, and prints the table in Markdown for a document."""
+--pictures FOLDER also writes a small chart of DIRECTORY there, and prints the table in Markdown for a document."""
 import argparse
 import csv
 import json

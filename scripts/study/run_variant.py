@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""run_variant.py FOLDER RANKS PROGRAM: one run of a study. It goes on from a checkpoint if there is one of the
-same variant.prm, and leaves result.json when it has come to its end, be that a failure: status, error (the
-sentence), wall (s, of this call). Without result.json it ends with a status that is not 0: it was stopped and
-has to be started again."""
+"""run_variant.py FOLDER RANKS PROGRAM: one run of a study. It resumes from a checkpoint if there is one of the
+same variant.prm, and writes result.json at its end, also after a failure: status, error (the sentence), wall (s,
+of this call). Without result.json it ends with a nonzero status: it was stopped and has to be started again."""
 import ctypes
 import fcntl
 import json

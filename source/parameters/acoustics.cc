@@ -58,17 +58,17 @@ void Acoustics::declare(Declarations &declarations)
   add_switch(declarations,
              "Noise",
              noise,
-             "Whether a run ends with the noise of its rollers in its window, as the command noise "
-             "computes it from the directory of a run (doc/theory.md). The histories must have the "
-             "motion of all rollers.");
+             "Whether a run computes the noise of its rollers in its window at its end, as the "
+             "command noise does for the directory of a run (doc/theory.md). The histories must "
+             "contain the motion of all rollers.");
   declarations.add(
       "Observers",
       "auto",
       "auto, or points in m, three numbers each, separated by semicolons",
-      "Where the pressure is computed, such as 0.1 0.5 0; 0.1 -0.5 0.2 in the axes of the results: "
-      "the driver turns about the origin, the driven sprocket is at positive x, shafts lie along "
-      "z. auto: a microphone straight above the tight span, and twelve points on half a cylinder, "
-      "both around the point where rollers meet the driver.",
+      "Points where the pressure is computed, such as 0.1 0.5 0; 0.1 -0.5 0.2 in the axes of the "
+      "results: the driver rotates about the origin, the driven sprocket is at positive x, shafts "
+      "are along z. auto: a microphone on the normal of the tight span, and twelve points on half "
+      "a cylinder, both around the point where rollers meet the driver.",
       [](const std::string &text) { return text == "auto" || read_points(text).has_value(); },
       [this](const std::string &text) {
         observers = text == "auto" ? std::vector<Point>() : *read_points(text);
@@ -85,21 +85,21 @@ void Acoustics::declare(Declarations &declarations)
       floor,
       unit::si,
       between(-1e3, 1e3),
-      "y of a rigid floor, below the drive and all observers. off: none, as in a room that is "
-      "anechoic on all sides.",
+      "y of a rigid floor, below the drive and all observers. off: none, as in a fully anechoic "
+      "room.",
       "off");
   add(declarations,
       "Highest frequency in kHz",
       highest_frequency,
       unit::kilo,
       above(0., 1e3),
-      "Up to which the pressure is computed; a low pass without phase takes the rest away within a "
-      "tenth of it. auto: the edge of the band of 20 kHz, or as far as the samples of the "
-      "histories allow.");
+      "Highest frequency of the pressure; a zero-phase low-pass filter removes the rest within a "
+      "tenth of it. auto: the edge of the 20 kHz band, or as far as the samples of the histories "
+      "allow.");
   add_switch(declarations,
              "Finite rollers",
              finite_rollers,
-             "Whether rollers radiate as spheres of the same dipole and finite size: 0.3 dB less "
+             "Whether rollers radiate as spheres of finite size with the same dipole: 0.3 dB less "
              "at 8 kHz and 6 dB less at 20 kHz for a roller of 10 mm. off: compact dipoles.");
   add(declarations,
       "Air density in kg/m3",

@@ -13,9 +13,9 @@ void Contact::declare(Declarations &declarations)
       unit::si,
       above(0., 1e13),
       "Force over approach of roller and tooth. For a rigid roller this is physics, not numerics: "
-      "the peak of an impact grows with its square root. auto: a roller pressed between tooth and "
-      "bush, up to its centre in layered and to the bush in simple fidelity, see Model/Stiffness "
-      "from.");
+      "the peak force of an impact grows with its square root. auto: a roller pressed between "
+      "tooth and bush, up to its centre in layered and to the bush in simple fidelity, see "
+      "Model/Stiffness from.");
   add(declarations,
       "Roller-bush stiffness in N/m",
       roller_bush_stiffness,
@@ -29,7 +29,7 @@ void Contact::declare(Declarations &declarations)
       unit::si,
       above(0., 1e13),
       "Force over deflection of a tooth and the rim below it under an elastic roller, if "
-      "Effects/Tooth compliance is on. auto: of each sprocket that of its elastic rim, pressed "
+      "Effects/Tooth compliance is on. auto: that of the elastic rim of each sprocket, pressed "
       "near the end of the seat; see Model/Stiffness from.");
   add(declarations,
       "Damping ratio",
@@ -37,8 +37,8 @@ void Contact::declare(Declarations &declarations)
       unit::si,
       between(0., 1.),
       "Damping of a contact over the critical damping of its two bodies on its spring; it acts "
-      "while they touch. 0 lets a roller bounce 5 to 8 times when it meets a tooth, 0.1 three to "
-      "four times.");
+      "while they touch. With 0 a roller bounces 5 to 8 times when it meets a tooth, with 0.1 "
+      "three to four times.");
   add(declarations,
       "Friction coefficient",
       friction_coefficient,
@@ -51,8 +51,8 @@ void Contact::declare(Declarations &declarations)
       roller_tooth_friction,
       unit::si,
       between(0., 2.),
-      "Friction coefficient between rollers and teeth. Lumped rollers, whose rings turn on their "
-      "bushes without friction, feel little of it. auto: the general coefficient.");
+      "Friction coefficient between rollers and teeth. It has little effect on lumped rollers, "
+      "whose rings rotate on their bushes without friction. auto: the general coefficient.");
   add(declarations,
       "Roller-bush friction",
       roller_bush_friction,
@@ -65,16 +65,15 @@ void Contact::declare(Declarations &declarations)
       bush_pin_friction,
       unit::si,
       between(0., 2.),
-      "Friction coefficient in the joints, where the links turn and wear happens; layered "
-      "and full fidelity only. auto: the general coefficient.");
+      "Friction coefficient in the joints, where the links articulate and wear occurs; layered and "
+      "full fidelity only. auto: the general coefficient.");
   add(declarations,
       "Tangential ratio",
       tangential_ratio,
       unit::si,
       above(0., 1.),
-      "Stiffness of a sticking contact along the surface over its stiffness across. Two elastic "
-      "half-spaces have 2 (1 - nu) / (2 - nu), which is 0.82 for steel. A smaller value allows a "
-      "longer stable step.");
+      "Tangential over normal stiffness of a sticking contact. Two elastic half-spaces have 2 (1 - "
+      "nu) / (2 - nu), which is 0.82 for steel. A smaller value allows a longer time step.");
   add(declarations,
       "Penalty factor",
       penalty_factor,
@@ -82,19 +81,19 @@ void Contact::declare(Declarations &declarations)
       above(0., 100.),
       "Penalty stiffness per area between elastic bodies, over the bulk modulus divided by the "
       "thickness of the elements below the surface; full fidelity only. Numerics, not physics: a "
-      "larger value lets surfaces overlap less and shortens the stable step.");
+      "larger value reduces penetration and shortens the critical time step.");
   add(declarations,
       "Plate faces",
       plate_faces,
-      "Whether the outer faces of inner plates and the inner faces of outer plates touch, round "
+      "Contact between the outer faces of inner plates and the inner faces of outer plates, around "
       "the joints and between elastic links; full fidelity only. off: plates pass through each "
-      "other. auto: off, since nothing that this program knows pushes the chain sideways; on "
-      "shows whether something does.");
+      "other. auto: off, since nothing in this model pushes the chain sideways; on shows whether "
+      "something does.");
   add(declarations,
       "Search",
       search,
-      "When the program looks anew for surfaces that may touch. displacement: after anything has "
-      "moved far enough to matter; no contact is missed. every step: only to compare with "
-      "programs that do so; gives the same results more slowly.");
+      "When the contact search is repeated. displacement: after anything has moved far enough to "
+      "matter; no contact is missed. every step: only to compare with programs that do so; gives "
+      "the same results more slowly.");
 }
 } // namespace chaindrive::parameters

@@ -316,7 +316,7 @@ void check_elasticity(const Parameters &p, Findings &findings)
       const std::string here = " reduced bodies (" + reduced.reason + ")";
       for (const auto &[name, choice] : rims)
         findings.contradiction(choice == Switch::on,
-                               name + " = on is not possible beside" + here +
+                               name + " = on is not possible with" + here +
                                    "; choose auto or off, or Fidelity = full.");
       findings.contradiction(p.contact.plate_faces == Switch::on,
                              "Contact/Plate faces = on needs plates of finite elements, and not" +
@@ -382,7 +382,7 @@ void check_quantities(const Parameters &p, Findings &findings)
     for (const Needs &needs : all_needs)
       findings.note(needs.sprockets && output.names(needs.group) &&
                         !elastic_sprocket(p, sprocket).on,
-                    asked_for(needs.group) + " would be nearer to the truth with Effects/Elastic " +
+                    asked_for(needs.group) + " would be more accurate with Effects/Elastic " +
                         sprocket.name + ", which is off: " + needs.reason + ".");
 }
 

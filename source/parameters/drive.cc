@@ -28,30 +28,29 @@ const Sprocket &Sprockets::driven() const { return const_cast<Sprockets *>(this)
 void Chain::declare(Declarations &declarations)
 {
   const Subsection section(declarations, "Chain");
-  add_text(
-      declarations,
-      "Designation",
-      designation,
-      "a designation of ISO 606 (such as 08B or 12A), ANSI (such as 40 or 60) or a motorcycle "
-      "chain (such as 428, 525 or 630)",
-      "Size of the chain in the standards' tables, from which all dimensions below follow unless "
-      "they are given. The default is the chain of the drive in prm/paper.");
+  add_text(declarations,
+           "Designation",
+           designation,
+           "a designation of ISO 606 (such as 08B or 12A), ANSI (such as 40 or 60) or a motorcycle "
+           "chain (such as 428, 525 or 630)",
+           "Size of the chain in the tables of the standards, from which all dimensions below "
+           "follow unless they are given. The default is the chain of the drive in prm/paper.");
   add(declarations,
       "Pitch set",
       pitch_set,
-      "Distance of the holes in the plates. standard: outer plates are shorter by the joint "
-      "clearance, so that the chain under load has its nominal pitch everywhere; right for all "
-      "chains made to a standard. nominal: inner and outer plates have the nominal pitch, so that "
-      "the loaded chain is longer by a radial clearance per pitch, like a worn one. paper "
-      "literal: as nominal, for sprockets cut to that longer pitch by their bottom diameters "
-      "(Seat centre = bottom diameter).");
+      "Hole distance in the plates. standard: outer plates are shorter by the joint clearance, so "
+      "that the loaded chain has its nominal pitch everywhere; correct for all chains made to a "
+      "standard. nominal: inner and outer plates have the nominal pitch, so the loaded chain is "
+      "longer by a radial clearance per pitch, like a worn one. paper literal: as nominal, for "
+      "sprockets cut to that longer pitch by their bottom diameters (Seat centre = bottom "
+      "diameter).");
   add(declarations,
       "Elongation in percent",
       elongation,
       unit::percent,
       between(0., 5.),
-      "Wear: how much longer than new the loaded pitch is. Chains are usually replaced at 2 to 3 "
-      "percent. Default: a new chain.");
+      "Wear: elongation of the loaded pitch relative to a new chain. Chains are usually replaced "
+      "at 2 to 3 percent. Default: a new chain.");
   const auto length = [&declarations](const std::string     &name,
                                       std::optional<double> &member,
                                       const Range           &range,
@@ -128,9 +127,8 @@ void Chain::declare(Declarations &declarations)
       waist_ratio,
       unit::si,
       between(0.1, 1.),
-      "Height of a plate in the middle between its holes over its height at the holes; 1 gives "
-      "plates with straight flanks. The default is an estimate from pictures of chains: no "
-      "standard rules it.");
+      "Plate height midway between the holes over the height at the holes; 1 gives straight-sided "
+      "plates. The default is estimated from pictures of chains: no standard specifies it.");
 }
 
 namespace
@@ -146,31 +144,30 @@ void Sprockets::declare(Declarations &declarations)
       tooth_form,
       "Shape of the tooth gap. ISO 606 limits it by a minimum and a maximum form, between which "
       "makers are free; iso mid takes the means of seat radius, angle and flank radius. ansi is "
-      "the form of ANSI B29.1. The form moves the impact peaks as much as 50 um of seat radius "
+      "the form of ANSI B29.1. The form changes the impact peaks as much as 50 um of seat radius "
       "do. Default: the form that keeps a tip land up to the largest outside diameter.");
   add(declarations,
       "Seat centre",
       seat_centre,
-      "Where the seat of a gap lies. iso: the bottom of the gap is on the root circle, so that a "
+      "Position of the seat of a gap. iso: the bottom of the gap is on the root circle, so a "
       "roller seated there has its centre on the pitch circle. pitch: the seat arc's centre is on "
-      "the pitch circle, as in ANSI forms. bottom diameter: the bottom of the gap is on the "
-      "bottom diameter below, as measured on a real sprocket.");
+      "the pitch circle, as in ANSI forms. bottom diameter: the bottom of the gap is on the bottom "
+      "diameter below, as measured on a real sprocket.");
   const auto length = [&declarations](const std::string     &name,
                                       std::optional<double> &member,
                                       const std::string     &meaning) {
     add(declarations, name, member, unit::milli, between(1e-3, 10000.), meaning);
   };
   const std::string outside = "Diameter over the tips of the ";
-  const std::string tips   = " teeth. auto: the middle of the range of ISO 606 as far as the tooth "
-                             "keeps a tip land, or the value of ANSI B29.1. A value that leaves no "
-                             "tip land is refused.";
-  const std::string bottom = ", used with Seat centre = bottom diameter only. Measure it with "
-                             "pins, since it decides where the rollers sit.";
-  const std::string bore =
-      " shaft. It counts for the inertia and the pictures only. auto: a third of the root "
-      "diameter.";
-  const std::string hub = " rigid zone, which the mesh joins to the shaft. auto: six tenths of "
-                          "the root diameter.";
+  const std::string tips =
+      " teeth. auto: the middle of the range of ISO 606 provided that the tooth keeps a tip land, "
+      "or the value of ANSI B29.1. A value that leaves no tip land is refused.";
+  const std::string bottom = ", used only with Seat centre = bottom diameter. Measure it with "
+                             "pins, since it determines where the rollers sit.";
+  const std::string bore   = " shaft. It affects only the inertia and the field output. auto: a "
+                             "third of the root diameter.";
+  const std::string hub    = " rigid zone, inside which the mesh is fixed to the shaft. auto: six "
+                             "tenths of the root diameter.";
   for (Sprocket &sprocket : list)
     length(sprocket.in_entries() + " outside diameter in mm",
            sprocket.outside_diameter,
@@ -196,10 +193,10 @@ void Sprockets::declare(Declarations &declarations)
       facets,
       0,
       1000,
-      "Chords in place of the arcs of each tooth of both sprockets, from the bottom of a gap to "
-      "that of the next: the rigid faceted teeth of other programs. An even number from 12 on, or "
-      "0 for the exact, smooth arcs. Teeth must be rigid. Default: smooth teeth, which are exact "
-      "and cost less.");
+      "Number of chords that replace the arcs of each tooth of both sprockets, from the bottom of "
+      "a gap to that of the next: the rigid faceted teeth of other programs. An even number from "
+      "12 on, or 0 for the exact, smooth arcs. Teeth must be rigid. Default: smooth teeth, which "
+      "are exact and cost less.");
   const std::string meshed =
       ": a Gmsh .msh file with the named surfaces that meshes/README.md lists, looked up in the "
       "parameter file's directory, then in the one the program is started in. Give it for teeth "
@@ -219,8 +216,8 @@ void Layout::declare(Declarations &declarations)
   add(declarations,
       "Centre distance from",
       centre_distance_from,
-      "Which of the four entries below decides how far the shafts are apart; the other three are "
-      "not used. The distance that follows is printed with the plan.");
+      "Which of the four entries below determines the centre distance; the other three are not "
+      "used. The plan prints the resulting distance.");
   add(declarations,
       "Centre distance in mm",
       centre_distance,
@@ -233,54 +230,54 @@ void Layout::declare(Declarations &declarations)
       slack,
       unit::milli,
       between(0., 1000.),
-      "Length of chain beyond what two straight spans need, measured on the chain as laid, with "
-      "its clearances taken up. More slack means less tension in the slack span and a softer "
-      "start. Default: a drive adjusted almost tight.");
+      "Excess chain length over two straight spans, measured on the chain as laid, with its "
+      "clearances taken up. More slack means less tension in the slack span and a softer start. "
+      "Default: a drive adjusted almost tight.");
   add(declarations,
       "Sag in percent",
       sag,
       unit::percent,
       between(0., 10.),
-      "Sag of the slack span in its middle over its length: with Start = settled in operation, "
-      "else as laid, before load and weight stretch the chain. Makers ask for 1 to 3 percent; "
-      "steeper or reversing drives for less.");
+      "Sag of the slack span at its middle over its length: with Start = settled in operation, "
+      "otherwise as laid, before load and weight stretch the chain. Makers specify 1 to 3 percent, "
+      "and less for steep or reversing drives.");
   add(declarations,
       "Pretension in N",
       pretension,
       unit::si,
       between(0., 1e6),
-      "Tension in the middle of the spans at rest, the mean of the two, in place of slack: the "
-      "drive starts in equilibrium with it, whatever the chain on the sprockets gives way. Keep it "
-      "far below the working tension and well above the weight of a span; 0 lays both spans "
-      "straight and unstressed. Start = settled keeps the shafts where they are at rest.");
+      "Tension at the middle of the spans at rest, the mean of the two, in place of slack: the "
+      "drive starts in equilibrium with it, including the compliance of the chain on the "
+      "sprockets. Keep it far below the working tension and well above the weight of a span; 0 "
+      "lays both spans straight and unstressed. Start = settled keeps the centre distance found at "
+      "rest.");
   add(declarations,
       "Worn chain",
       worn_chain,
-      "Where the shafts of a chain with Elongation in percent are. adjusted: they have been moved, "
-      "so that slack or sag above are those of the worn chain. shafts kept: they are where slack "
-      "or "
-      "sag above put them when the chain was new; wear has added to its slack.");
+      "Position of the shafts for a chain with Elongation in percent. adjusted: they have been "
+      "readjusted, so slack or sag above are those of the worn chain. shafts kept: slack or sag "
+      "above are those of the new chain; wear has added to its slack.");
   add(declarations,
       "Tight span",
       tight_span,
-      "Which span pulls the driven sprocket. upper: both sprockets turn counter-clockwise, the "
-      "driver on the left. lower: everything is mirrored and they turn clockwise; only gravity "
-      "tells the two apart.");
+      "Which span pulls the driven sprocket. upper: both sprockets rotate counter-clockwise, the "
+      "driver on the left. lower: everything is mirrored and they rotate clockwise; only gravity "
+      "distinguishes the two.");
   add(declarations,
       "Start phase",
       start_phase,
       unit::si,
       from_to_below(0., 1.),
-      "How far the driver is turned at the start, as a fraction of a tooth. Peak forces of single "
-      "rollers depend on it by chance: judge them over several phases.");
+      "Rotation of the driver at the start, as a fraction of a tooth. Peak forces of single "
+      "rollers depend on it by chance: average them over several phases.");
   add(declarations,
       "Start",
       start,
-      "Where the parts of the joints are at the start. taut: at rest, clearances taken up in the "
-      "pulling direction. concentric: at rest, pins and bushes centred, so that the drive first "
-      "hauls in the clearances and then jerks; layered fidelity only. settled: at full "
-      "speed under full load, spans stretched, teeth and joints carrying their shares, the torque "
-      "of the load in balance; saves the time of the ramp.");
+      "State of the chain at the start. taut: at rest, clearances taken up in the direction of "
+      "pull. concentric: at rest, pins and bushes centred, so the drive first takes up the "
+      "clearances and then jerks; layered fidelity only. settled: at full speed under full load, "
+      "spans stretched, teeth and joints carrying their loads, in equilibrium with the load "
+      "torque; saves the time of the ramp.");
 }
 
 void Drive::declare(Declarations &declarations)
@@ -292,17 +289,17 @@ void Drive::declare(Declarations &declarations)
       10,
       10000,
       "Inner plus outer links of the endless chain; even, unless it has an offset link, which only "
-      "the simple fidelity has. auto: the even number whose length comes nearest to "
-      "Layout/Centre distance in mm; if that is given and not adjusted, the smallest that is long "
-      "enough. Default: the drive in prm/paper.",
+      "the simple fidelity has. auto: the even number whose length comes closest to Layout/Centre "
+      "distance in mm; if that is given and not adjusted, the smallest that is long enough. "
+      "Default: the drive in prm/paper.",
       "auto");
   add(declarations,
       "Driver teeth",
       sprockets.driver().teeth,
       9,
       500,
-      "Teeth of the sprocket whose speed is prescribed. Below 17 the polygonal motion grows "
-      "quickly; the standards' tooth forms end at 9. Default: the drive in prm/paper.");
+      "Teeth of the sprocket whose speed is prescribed. Below 17 the polygon effect grows quickly; "
+      "the standard tooth forms end at 9. Default: the drive in prm/paper.");
   add(declarations,
       "Driven teeth",
       sprockets.driven().teeth,

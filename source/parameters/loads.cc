@@ -12,16 +12,15 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
       [&declarations](const std::string &name, Switch &member, const std::string &meaning) {
         add(declarations, name, member, meaning);
       };
-  const std::string common =
-      " off drops it, at no cost, without touching the coefficient; on insists on it and refuses "
-      "a coefficient of zero.";
+  const std::string common = " off removes it without changing the coefficient; on requires it and "
+                             "refuses a coefficient of zero.";
   effect("Friction",
          friction,
          "Coulomb friction of all interfaces. auto: on when a friction coefficient is not zero." +
              common);
   effect("Contact damping",
          contact_damping,
-         "Damping of bodies that touch. auto: on when Contact/Damping ratio is not zero." + common);
+         "Damping of contacts. auto: on when Contact/Damping ratio is not zero." + common);
   effect("Chain damping",
          chain_damping,
          "Damping of the chain's bars; simple fidelity only. auto: on when Model/Chain damping "
@@ -39,12 +38,12 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
       "Drive/Chain says; layered and full fidelity only.";
   effect("Roller-bush clearance",
          roller_bush_clearance,
-         "Play of the rollers on their bushes." + play);
+         "Clearance of the rollers on their bushes." + play);
   effect("Bush-pin clearance",
          bush_pin_clearance,
-         "Play of the pins in their bushes. Without it the holes of all links are a pitch apart: "
-         "with Drive/Chain/Pitch set = standard the pitch of the taut chain stays, with the others "
-         "it loses the clearance." +
+         "Clearance of the pins in their bushes. Without it the holes of all links are a pitch "
+         "apart: with Drive/Chain/Pitch set = standard the pitch of the taut chain is unchanged, "
+         "with the others it loses the clearance." +
              play);
   const std::string needed =
       "; full fidelity only. auto: on where one of Output/Quantities needs it (table at the end of "
@@ -64,16 +63,16 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
     effect("Elastic " + sprocket.name, sprocket.elastic, rim + needed + "the sprocket is rigid.");
   effect("Tooth compliance",
          tooth_compliance,
-         "Rigid sprockets give way under each elastic or reduced roller by Contact/Tooth stiffness "
-         "in N/m, as a spring without mass behind the contact. auto: on in reduced fidelity, whose "
-         "sprockets are rigid. off: teeth of rigid sprockets do not give way.");
-  effect("Plate bending",
-         plate_bending,
-         "Bending of the plates out of their planes. auto: on in elastic links. off: the "
-         "middle surfaces of the plates stay where they are across the chain, and the links with "
-         "them; plates may still become thinner, so that their state stays one of plane stress. "
-         "Bending in their planes comes with elastic links: without it nothing would be left of "
-         "their deformation but that of a bar, which is simple fidelity.");
+         "Teeth of rigid sprockets deflect under each elastic or reduced roller with Contact/Tooth "
+         "stiffness in N/m, a massless spring in series with the contact. auto: on in reduced "
+         "fidelity, whose sprockets are rigid. off: teeth of rigid sprockets are rigid.");
+  effect(
+      "Plate bending",
+      plate_bending,
+      "Bending of the plates out of their planes. auto: on in elastic links. off: the middle "
+      "surfaces of the plates, and with them the links, do not move across the chain; plates may "
+      "still become thinner, so they stay in plane stress. In-plane bending is part of elastic "
+      "links: without it only the deformation of a bar would be left, which is simple fidelity.");
 }
 
 namespace
@@ -106,9 +105,9 @@ void Loads::declare(Declarations &declarations)
       driver_speed,
       unit::si,
       between(0., 1e5),
-      "Speed of the driver after the ramp; 1 rad/s is 9.549 revolutions per minute. Its sense "
-      "follows from Drive/Layout/Tight span. Default: 1153 rpm, a motorcycle at 50 km/h, as in "
-      "prm/paper.");
+      "Speed of the driver after the ramp; 1 rad/s is 9.549 revolutions per minute. The sense of "
+      "rotation follows from Drive/Layout/Tight span. Default: 1153 rpm, a motorcycle at 50 km/h, "
+      "as in prm/paper.");
   add_other_form(declarations,
                  "Driver speed in rpm",
                  between(0., 1e6),
@@ -117,29 +116,27 @@ void Loads::declare(Declarations &declarations)
   add(declarations,
       "Speed ramp",
       speed_ramp,
-      "How the driver's speed grows from zero. linear: constant acceleration, which begins and "
-      "ends with a jerk. cosine: half a cosine wave, which excites the drive less.");
+      "How the driver runs up from rest. linear: constant acceleration, which begins and ends with "
+      "a jerk. cosine: half a cosine wave, which excites the drive less.");
   add(declarations,
       "Ramp time in ms",
       ramp_time,
       unit::milli,
       between(0., 1e6),
-      "How long the driver takes to its full speed. A short ramp saves time and costs a "
-      "transient: the tension of the start can be twice that of steady running.");
+      "Time in which the driver reaches full speed. A short ramp saves time but causes a "
+      "transient: the start-up tension can be twice that of steady running.");
   add(declarations,
       "Resisting torque in N m",
       resisting_torque,
       unit::si,
       between(0., 1e7),
-      "Torque of the load, which resists the rotation of the driven sprocket. Default: as in "
-      "prm/paper.");
+      "Load torque, which resists the rotation of the driven sprocket. Default: as in prm/paper.");
   add_other_form(
       declarations,
       "Power in kW",
       between(0., 1e6),
-      "What the load takes at the driver's full speed, in place of Resisting torque in "
-      "N m: that is the power over the mean speed of the driven sprocket. auto: as given "
-      "there.");
+      "Power of the load at the driver's full speed, in place of Resisting torque in N m, which is "
+      "then the power over the mean speed of the driven sprocket. auto: as given there.");
   add(declarations,
       "Torque ramp angle in rad",
       torque_ramp_angle,
@@ -152,29 +149,27 @@ void Loads::declare(Declarations &declarations)
       torque_step_time,
       unit::milli,
       between(0., 1e9),
-      "Time after the start at which the torque jumps from one step to the next to the value "
-      "below: "
-      "a load that is thrown off or changes sides. auto: never.");
+      "Time after the start at which the torque jumps, within one time step, to the value below: a "
+      "load that is thrown off or reversed. auto: never.");
   add(declarations,
       "Torque after step in N m",
       torque_after_step,
       unit::si,
       between(-1e7, 1e7),
       "Torque from Torque step time in ms on, whatever the rotation; below zero the load drives, "
-      "and "
-      "the spans change their parts. Default: none.");
+      "and tight and slack span change places. Default: none.");
   add(declarations,
       "Gravity in m/s2",
       gravity,
       unit::si,
       between(0., 1000.),
-      "Acceleration of gravity, downwards along -y: the shafts lie at the same height.");
+      "Acceleration of gravity, downwards along -y: the shafts are at the same height.");
   add(declarations,
       "Drag in 1/s",
       drag,
       unit::si,
       between(0., 1e4),
-      "Resisting force on every body of the chain over its mass and velocity: the time in which a "
-      "chain moving freely slows down to 37 percent is its inverse. Default: none.");
+      "Resisting force on every body of the chain over its mass and velocity; its inverse is the "
+      "time in which a freely moving chain slows down to 37 percent. Default: none.");
 }
 } // namespace chaindrive::parameters

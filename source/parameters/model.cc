@@ -13,18 +13,18 @@ void Model::declare(Declarations &declarations)
       "Which bodies the chain is made of. simple: lumped rollers joined by elastic bars, for "
       "tensions, speeds and a first look. layered: rollers, inner and outer links as rigid bodies "
       "with their clearances, for contact forces and the motion of single rollers; costs about "
-      "four times as much. full: the same bodies made of elastic finite elements, for what their "
-      "deformation does; costs hundreds of times as much. reduced: bodies whose deformation is "
-      "described by some ten shapes each, found from their finite elements; touch as those of full "
-      "do and cost a tenth of it.");
+      "four times as much. full: the same bodies made of elastic finite elements, for the effects "
+      "of their deformation; costs hundreds of times as much. reduced: bodies whose deformation is "
+      "described by a few dozen modes each, computed from their finite elements; contact is that "
+      "of full, the cost a tenth.");
   add(declarations,
       "Half model",
       half,
-      "Computes only the halves of all bodies on one side of the chain's middle plane, which is a "
-      "plane of symmetry as long as nothing pushes the chain sideways; full fidelity only. Forces, "
-      "masses and energies are reported of whole bodies. Costs half as much. auto: true where "
-      "links and rollers are elastic, all or those that arrive, plates do not touch and no fields "
-      "are asked for, whose pictures show whole bodies.");
+      "Symmetry model: computes only the halves of all bodies on one side of the chain's middle "
+      "plane, which is a plane of symmetry as long as nothing pushes the chain sideways; full "
+      "fidelity only. Forces, masses and energies are reported for whole bodies. Costs half as "
+      "much. auto: true where links and rollers are elastic, all or those that arrive, plates do "
+      "not touch and no fields are requested, which show whole bodies.");
   add(declarations,
       "Mass per pitch in g",
       mass_per_pitch,
@@ -37,46 +37,46 @@ void Model::declare(Declarations &declarations)
       stiffness_per_pitch,
       unit::si,
       above(0., 1e13),
-      "Force over elongation of one pitch in a pull test, plates and joint in series. Best taken "
-      "from a test: how plates hold pin and bush changes it by a factor of five. It sets the "
-      "resonance of the driven inertia on the tight span. In full fidelity it is that of rigid "
-      "links (Elastic links = arriving) and of the spans at a settled start. auto: from Stiffness "
-      "from, at the tension that the load asks for.");
+      "Force over elongation of one pitch in a tensile test, plates and joint in series. Best "
+      "taken from a test: how the plates clamp pin and bush changes it by a factor of five. It "
+      "determines the resonance of the driven inertia on the tight span. In full fidelity it is "
+      "that of rigid links (Elastic links = arriving) and of the spans at a settled start. auto: "
+      "from Stiffness from, at the tension required by the load.");
   add(declarations,
       "Stiffness from",
       stiffness_from,
-      "Where stiffnesses come from that are auto: those of a pitch, of roller and tooth, of roller "
-      "and bush. parts: elastic solutions of the links, the roller and the teeth, computed in some "
-      "seconds and kept for later runs in CHAINDRIVE_CACHE, XDG_CACHE_HOME/chaindrive or "
-      "~/.cache/chaindrive. dimensions: formulas, at once; wrong by 10 to 30 percent.");
+      "Source of stiffnesses that are auto: those of a pitch, of roller and tooth, of roller and "
+      "bush. parts: elastic solutions of the links, the roller and the teeth, computed in a few "
+      "seconds and cached for later runs in CHAINDRIVE_CACHE, XDG_CACHE_HOME/chaindrive or "
+      "~/.cache/chaindrive. dimensions: formulas, immediate; errors of 10 to 30 percent.");
   add(declarations,
       "Driven inertia in kg m2",
       driven_inertia,
       unit::si,
       above(0., 1e9),
-      "Moment of inertia of all that turns with the driven sprocket. Give it whenever a machine "
-      "is coupled to it. auto: the sprocket alone.");
+      "Moment of inertia of everything that rotates with the driven sprocket. Give it whenever a "
+      "machine is coupled to it. auto: the sprocket alone.");
   add(declarations,
       "Chain damping ratio",
       chain_damping_ratio,
       unit::si,
       between(0., 1.),
-      "Damping of the chain's bars over the critical damping of two neighbouring lumps on their "
-      "bar; simple fidelity only, since the joints' contact damps the layered chain. Default: "
+      "Damping of the chain's bars over the critical damping of two neighbouring lumped masses on "
+      "their bar; simple fidelity only, since joint contact damps the layered chain. Default: "
       "steel structures with bolted joints have 0.5 to 3 percent.");
   add(declarations,
       "Elastic links",
       elastic_links,
-      "Of which joints the links and rollers are elastic, or deform by shapes in reduced fidelity, "
-      "if Effects/Elastic links and Elastic rollers are on. arriving: those that the driver takes "
-      "in between Output/Window start in ms and Window end in ms, and two more before and "
-      "after them; all others, and both sprockets, are rigid as in layered fidelity. For what "
-      "single links feel as they engage, at a fraction of the cost.");
+      "Which links and rollers are elastic, or deform in modes in reduced fidelity, if "
+      "Effects/Elastic links and Elastic rollers are on. arriving: those that reach the driver "
+      "between Output/Window start in ms and Window end in ms, and two more before and after them; "
+      "all others, and both sprockets, are rigid as in layered fidelity. For the loads on single "
+      "links as they engage, at a fraction of the cost.");
   add(declarations,
       "Other links",
       other_links,
-      "What links and rollers are that do not arrive, with Elastic links = arriving. rigid: as in "
-      "layered fidelity. reduced: as in reduced fidelity, so that their joints are those of the "
+      "Model of the links and rollers that do not arrive, with Elastic links = arriving. rigid: as "
+      "in layered fidelity. reduced: as in reduced fidelity, so their joints are those of the "
       "elastic ones; costs more.");
   add(declarations,
       "Elastic sprockets",
@@ -93,14 +93,14 @@ void Material::declare(Declarations &declarations)
       youngs_modulus,
       unit::giga,
       between(1e-3, 10000.),
-      "Modulus of elasticity of all parts, from which stiffnesses that are auto follow. Default: "
-      "steel, as in prm/paper.");
+      "Young's modulus of all parts, from which stiffnesses that are auto follow. Default: steel, "
+      "as in prm/paper.");
   add(declarations,
       "Poisson's ratio",
       poissons_ratio,
       unit::si,
       from_to_below(0., 0.5),
-      "Lateral contraction over extension. Default: steel.");
+      "Lateral contraction over axial strain. Default: steel.");
   add(declarations,
       "Density in kg/m3",
       density,
@@ -116,34 +116,32 @@ void Elements::declare(Declarations &declarations)
   add(declarations,
       "Formulation",
       formulation,
-      "How the elastic hexahedra are integrated; full fidelity only. enhanced: one point and a "
-      "stiffness against hourglassing that bends as a beam does, right with one element through a "
-      "wall. one point: the hourglass stiffness of Flanagan and Belytschko, faster, for walls of "
-      "three elements and more. full: 2 x 2 x 2 points, too stiff in bending where elements are "
-      "flat.");
+      "Formulation of the elastic hexahedra; full fidelity only. enhanced: one point and an "
+      "hourglass stiffness that reproduces beam bending, correct with one element through a wall. "
+      "one point: the hourglass stiffness of Flanagan and Belytschko, faster, for walls of three "
+      "elements and more. full: 2 x 2 x 2 points, too stiff in bending where elements are flat.");
   add(declarations,
       "Hourglass coefficient",
       hourglass_coefficient,
       unit::si,
       between(1e-3, 1.),
-      "Stiffness against hourglassing of one point, after Flanagan and Belytschko; with much less "
-      "than the default nothing holds elements against it.");
+      "Hourglass stiffness of one point, after Flanagan and Belytschko; much less than the default "
+      "does not prevent hourglassing.");
   add(declarations,
       "Column mass scaling",
       column_mass_scaling,
       unit::si,
       between(0., 10.),
-      "Elastic rollers' walls of several elements: mass that only what moves against each other "
-      "through the wall has, over that of an element there. It allows a longer step: with 0.5 the "
-      "vibration through the wall takes 1.7 times as long, the roller's inertia about its axis "
-      "grows by half a percent and the frequency of its ovalisation falls by half a percent. 0: "
-      "none.");
+      "Selective mass scaling of elastic rollers with several elements through the wall: mass "
+      "added to through-thickness motion only, over that of an element. It allows a longer time "
+      "step: with 0.5 the period of the through-thickness vibration is 1.7 times as long, the "
+      "roller's inertia about its axis grows by half a percent and the frequency of its "
+      "ovalisation falls by half a percent. 0: none.");
   const std::string walls =
-      " brick: as Formulation says. shell: nodes on both faces, with the strains of a shell, which "
-      "neither bends too stiffly nor is squeezed where it is curved, flat or distorted; one "
-      "through "
-      "the wall. membrane: the same with one point through the wall, as in the paper, so that only "
-      "a hundredth of its stiffness in bending is left.";
+      " brick: solid elements as in Formulation. shell: solid-shells with nodes on both faces, "
+      "free of locking where they are curved, flat or distorted; one through the wall. membrane: "
+      "the same with one point through the wall, as in the paper, with only a hundredth of the "
+      "bending stiffness.";
   add(declarations, "Plates", plates, "Elements of side plates." + walls);
   add(declarations, "Bushes", bushes, "Elements of bushes." + walls);
 }
@@ -162,17 +160,17 @@ void Reduction::declare(Declarations &declarations)
       highest,
       unit::kilo,
       above(0., 1e9),
-      "Of the shapes beside natural modes, which give reduced bodies the compliance of their parts "
-      "under pressure and friction on the sides that touch. Those that would vibrate faster do so "
-      "with this frequency, without a change of their compliance. It limits the step.");
+      "Frequency cap of the attachment modes, which give reduced bodies the compliance of their "
+      "parts under pressure and friction on their contact surfaces. Faster modes get this "
+      "frequency, with unchanged compliance. It limits the time step.");
   add(declarations,
       "Harmonics of rollers and bushes",
       tube_order,
       1,
       12,
-      "Pressures around rollers and bushes for such shapes are cosines and sines of up to so many "
-      "waves, as far as the mesh has more than two cells for each.");
-  add(declarations, "Harmonics of pins", pin_order, 1, 12, "The same of pressures on pins.");
+      "Pressures around rollers and bushes for attachment modes are cosines and sines of up to "
+      "this number of waves, as long as the mesh has more than two cells per wave.");
+  add(declarations, "Harmonics of pins", pin_order, 1, 12, "The same for pressures on pins.");
 }
 
 namespace
@@ -209,8 +207,8 @@ void Mesh::declare(Declarations &declarations)
       refinement,
       0,
       4,
-      "How fine the meshes of the parts are; each level about halves the cells' edges. Rigid and "
-      "lumped bodies need meshes for pictures only: their contact, mass and inertia are exact at "
+      "Refinement of the part meshes; each level about halves the cell edges. Rigid and lumped "
+      "bodies need meshes for field output only: their contact, mass and inertia are exact at "
       "every level. The entries of the subsections change single numbers of cells; auto: those of "
       "the refinement.");
   {

@@ -69,9 +69,9 @@ Decision elastic_sprocket(const Parameters &p, const Sprocket &sprocket)
 {
   Decision rim = decide(p, choice_for(p, sprocket), &Needs::sprockets);
   if (rim.on && arrive(p))
-    return {false, "rigid beside rigid links: Elastic links = arriving"};
+    return {false, "rigid next to rigid links: Elastic links = arriving"};
   if (rim.on && p.model.capabilities().is_reduced)
-    return {false, "rigid beside reduced rollers"};
+    return {false, "rigid next to reduced rollers"};
   if (rim.on && !elastic_rollers(p).on)
     return {false, "a rigid roller meets rigid teeth, whose compliance is not its own"};
   if (sprocket.elastic == Switch::automatic && p.model.elastic_sprockets != Switch::automatic &&
@@ -159,7 +159,7 @@ Decision column_mass_scaling(const Parameters &p)
   if (!elastic_rollers(p).on)
     return {false, "rollers are not elastic"};
   if (p.model.capabilities().is_reduced)
-    return {false, "rollers move by shapes"};
+    return {false, "rollers move by modes"};
   const double factor = p.elements.column_mass_scaling;
   return {factor > 0., "Elements/Column mass scaling = " + to_entry_text(factor, unit::si)};
 }
@@ -185,12 +185,12 @@ Decision stress_recovery(const Parameters &p)
   const bool bodies = (elastic_links(p).on || elastic_rollers(p).on) && fields(p).on;
   if (!plates && !bodies)
     return {false,
-            p.model.capabilities().is_elastic ? "neither plate stress nor fields of elastic bodies "
-                                                "are asked for" :
-                                                "no body is elastic"};
+            p.model.capabilities().is_elastic ?
+                "neither plate stress nor fields of elastic bodies are requested" :
+                "no body is elastic"};
   return {true,
           std::string(plates ? "at the waists of plates" : "") + (plates && bodies ? ", " : "") +
-              (bodies ? "in pictures" : "")};
+              (bodies ? "in field output" : "")};
 }
 
 Decision clearance(const Parameters &p, const Switch choice)
@@ -200,8 +200,7 @@ Decision clearance(const Parameters &p, const Switch choice)
   if (choice == Switch::off)
     return {false, "switched off in section Effects: the bore fits"};
   return {true,
-          "fidelity " + text_of(p.model.fidelity) +
-              ": roller, bush and pin are bodies of their own"};
+          "fidelity " + text_of(p.model.fidelity) + ": roller, bush and pin are separate bodies"};
 }
 
 std::string documentation_of_needs()
@@ -209,7 +208,7 @@ std::string documentation_of_needs()
   std::string text =
       "\n## What needs what\n\nIn full fidelity these effects are on where they are `auto` and one "
       "of `Output/Quantities`\nneeds them. All others are on wherever they can act: they cost "
-      "next to nothing, and everything\nthat is observed feels them.\n\n"
+      "next to nothing, and all\nresults depend on them.\n\n"
       "| Quantities | Elastic links | Elastic rollers | Elastic driver, driven | Both halves | "
       "Reason |\n|---|---|---|---|---|---|\n";
   const auto cell = [](const bool needed) { return std::string(needed ? "needed" : "-") + " | "; };

@@ -19,8 +19,8 @@ void Time::declare(Declarations &declarations)
       start,
       unit::milli,
       between(0., 1e9),
-      "Time at which the run begins. It only shifts the axis of time in the results: the ramps "
-      "begin with the run.");
+      "Time at which the run begins. It only shifts the time axis of the results: the ramps begin "
+      "with the run.");
   add(declarations,
       "End time in ms",
       end,
@@ -34,30 +34,29 @@ void Time::declare(Declarations &declarations)
       step,
       unit::micro,
       above(0., 1e6),
-      "Time step. A step above the stable one is refused, not shortened. auto: a fortieth of the "
-      "shortest period of vibration.");
+      "Time step. A time step above the critical one is refused, not shortened. auto: a fortieth "
+      "of the shortest period of vibration.");
   add(declarations,
       "Safety factor",
       safety_factor,
       unit::si,
       above(0., 1.),
-      "Largest accepted step over the stable step, whose bound holds for linear vibration. "
-      "Default: leaves ten percent for what is not linear.");
+      "Largest accepted time step over the critical one, which holds for linear vibration. "
+      "Default: leaves ten percent for nonlinearity.");
   add(declarations,
       "Energy limit in percent",
       energy_limit,
       unit::percent,
       above(0., 100.),
-      "Imbalance of energy, over the energy turned over, at which a run stops. A sound run stays "
+      "Energy imbalance, over the energy turned over, at which a run stops. A valid run stays "
       "below 0.1 (simple) or 0.5 (layered), in its first impacts below 3; a larger imbalance means "
-      "too large a step. Default: what can no longer be trusted.");
+      "that the time step is too large. Default: results are no longer valid beyond it.");
   add(declarations,
       "Guard",
       guard,
-      "Whether a run also stops within 100 steps when momentum comes from nowhere, energy jumps, a "
-      "loss or a stored energy is negative, or surfaces overlap by a quarter of a radius; the "
-      "message "
-      "names the place. Default: it costs next to nothing.");
+      "Whether a run also stops within 100 steps when momentum is not balanced, energy jumps, a "
+      "loss or a stored energy is negative, or the penetration reaches a quarter of a radius; the "
+      "message names the place. Default: it costs next to nothing.");
 }
 
 void Output::declare(Declarations &declarations)
@@ -67,55 +66,56 @@ void Output::declare(Declarations &declarations)
            "Directory",
            directory,
            "a directory name or nothing",
-           "Where the results go, relative to the directory that the program is started in. "
+           "Directory of the results, relative to the one in which the program is started. "
            "Default: results/ and the name of the .prm file. The option --output overrides it.");
   add(declarations,
       "Quantities",
       quantities,
-      "What the run is asked for. The rest is not computed: it has no history, no member of the "
-      "summary and costs nothing; and an effect that is auto is left out where nothing asked for "
-      "needs it (see the table at the end). all: whatever the fidelity has.")
+      "Requested results. The rest is not computed: it has no history, no member of the summary "
+      "and costs nothing; an effect that is auto is off unless a requested quantity needs it (see "
+      "the table at the end). all: everything that the fidelity has.")
       .on_resume = OnResume::must_stay;
   add(declarations,
       "History interval in us",
       history_interval,
       unit::micro,
       above(0., 1e9),
-      "Time between two samples of the histories. Every force is also recorded by its maximum "
-      "since the last sample, since an impact may last 20 us only. Below the step, every step is a "
+      "Time between two samples of the histories. The maximum of every force since the last sample "
+      "is also recorded, since an impact may last only 20 us. Below the time step, every step is a "
       "sample.");
   add(declarations,
       "History precision",
       precision,
-      "How the histories of single rollers, links, joints and teeth are stored: single, with seven "
-      "digits, takes half of the space and, when the run has ended and they are compressed, less "
-      "still; double keeps all digits. All else, and what the program computes with, is double.")
+      "Precision of the stored histories of single rollers, links, joints and teeth: single, with "
+      "seven digits, takes half of the space, and even less when they are compressed at the end of "
+      "the run; double keeps all digits. Everything else, and all computation, is in double "
+      "precision.")
       .on_resume = OnResume::must_stay;
   add(declarations,
       "Field interval in ms",
       field_interval,
       unit::milli,
       between(0., 1e9),
-      "Time between two pictures of all bodies for ParaView; 0 writes none. Only if Quantities "
-      "are all or name fields. auto: a tenth of the driver's pitch time, so that an animation runs "
-      "forward and rollers can be followed.");
+      "Time between two field outputs of all bodies for ParaView; 0 writes none. Only if "
+      "Quantities is all or includes fields. auto: a tenth of the driver's pitch time, so that an "
+      "animation runs forward and rollers can be followed.");
   add(declarations,
       "Rollers",
       rollers,
-      "Numbers of the rollers whose motion goes into the histories. Roller 0 sits on the driver "
-      "where the tight span arrives; numbers grow in the direction of travel.")
+      "Numbers of the rollers whose motion is recorded in the histories. Roller 0 sits on the "
+      "driver where the tight span arrives; numbers grow in the direction of travel.")
       .on_resume = OnResume::must_stay;
   add(declarations,
       "CSV",
       csv,
-      "Whether the histories are also written as CSV files, beside HDF5.");
+      "Whether the histories are also written as CSV files, in addition to HDF5.");
   add(declarations,
       "Window start in ms",
       window_start,
       unit::milli,
       between(0., 1e9),
-      "Begin of the window over which summary.json averages; choose it after the start-up "
-      "transient. settled: when the means over pitch times of tension, driven speed and driver "
+      "Start of the evaluation window, over which summary.json averages; choose it after the "
+      "start-up transient. settled: when the pitch-time means of tension, driven speed and driver "
       "torque have stopped drifting (doc/theory.md); the run ends when the window is full, at End "
       "time at the latest. Default: the drive in prm/paper has settled by then.",
       "settled")
@@ -133,34 +133,34 @@ void Output::declare(Declarations &declarations)
       1,
       1000000,
       "Length, in whole pitch times of the driver, of a window that begins when the drive has "
-      "settled. Where the driven inertia on the tight span swings slower than the tooth frequency, "
-      "it is at least six of its periods.");
+      "settled. If the driven inertia on the tight span vibrates more slowly than the tooth "
+      "frequency, it is at least six of its periods.");
   add(declarations,
       "Checkpoint interval in ms",
       checkpoint_interval,
       unit::milli,
       between(0., 1e9),
-      "Simulated time between two checkpoints, from which a run that was interrupted, or whose end "
-      "time has been raised, can go on; 0 writes none for this reason. Two are kept.");
+      "Simulated time between two checkpoints, from which an interrupted run, or one with a later "
+      "end time, can resume; 0 writes none for this reason. Two are kept.");
   add(declarations,
       "Checkpoint wait in s",
       checkpoint_wait,
       unit::si,
       between(0., 1e9),
-      "Elapsed time after which a checkpoint is written too; 0 writes none for this reason. "
+      "Elapsed time after which a checkpoint is also written; 0 writes none for this reason. "
       "Default: no interruption costs more than ten minutes, and short runs write none.");
   add(declarations,
       "Wall-clock limit in s",
       wall_clock_limit,
       unit::si,
       between(0., 1e9),
-      "Elapsed time after which the run writes a checkpoint and ends with the status 4, as it does "
-      "on SIGTERM; 0 sets no limit. Choose some minutes less than a queue allows.");
+      "Elapsed time after which the run writes a checkpoint and ends with status 4, as on SIGTERM; "
+      "0 sets no limit. Choose some minutes less than the queue allows.");
   add_text(declarations,
            "Resume",
            resume,
            "auto, the name of a checkpoint, or nothing",
-           "Go on from a checkpoint in the output directory: auto is the newest that is whole, and "
-           "the beginning when there is none. The option --resume overrides it.");
+           "Checkpoint in the output directory from which to resume: auto is the newest intact "
+           "one, or the beginning if there is none. The option --resume overrides it.");
 }
 } // namespace chaindrive::parameters

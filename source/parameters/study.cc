@@ -137,9 +137,9 @@ const std::vector<StudyOutput> &study_outputs()
        {QuantityGroup::speeds}},
       {"roller_velocity_rms",
        "m/s",
-       "r.m.s. of the velocity of a roller's centre above 710 Hz, both directions together, from "
-       "one pitch time before it touches the driver to one after; mean over the rollers that "
-       "engage in the window",
+       "r.m.s. velocity of a roller's centre above 710 Hz, both directions together, from one "
+       "pitch time before it touches the driver to one after; mean over the rollers that engage in "
+       "the window",
        {QuantityGroup::engagements, QuantityGroup::roller_motion}},
       {"roller_velocity_spectrum",
        "m/s",
@@ -148,8 +148,8 @@ const std::vector<StudyOutput> &study_outputs()
        {QuantityGroup::engagements, QuantityGroup::roller_motion}},
       {"roller_velocity_variation",
        "1",
-       "variation between these rollers: r.m.s. difference of their velocities, each counted from "
-       "its own touch, from the mean curve, over the r.m.s. of that",
+       "variation between these rollers: r.m.s. difference of their velocities, aligned at first "
+       "contact, from the mean curve, over the r.m.s. of that",
        {QuantityGroup::engagements, QuantityGroup::roller_motion}},
       {"surface_velocity_rms",
        "m/s",
@@ -161,22 +161,22 @@ const std::vector<StudyOutput> &study_outputs()
        {QuantityGroup::engagements, QuantityGroup::surface_velocity}},
       {"plate_stress_max",
        "Pa",
-       "largest stress along a link in its plates' waist, pull and both bendings together, over "
-       "all links and samples of the window; elastic links",
+       "largest stress along a link at the waist of its plates, axial plus both bending stresses, "
+       "over all links and samples of the window; elastic links",
        {QuantityGroup::plate_stress}},
       {"plate_bending_max",
        "Pa",
-       "the largest of both bendings together; elastic links",
+       "largest sum of both bending stresses; elastic links",
        {QuantityGroup::plate_stress}},
       {"loss_power_mean",
        "W",
-       "energy lost in the whole run over its time",
+       "dissipated energy of the whole run over its duration",
        {QuantityGroup::energy}},
       {"sound_level",
        "dB",
        "at the first observer of acoustics.json, with Acoustics/Noise = on",
        {}},
-      {"sound_level_a", "dB", "the same with the weighting A", {}},
+      {"sound_level_a", "dB", "the same, A-weighted", {}},
       {"sound_spectrum", "dB", "the same, unweighted, in third octaves, a column for each", {}},
       {"sound_peak_cv",
        "1",
@@ -187,8 +187,7 @@ const std::vector<StudyOutput> &study_outputs()
 
 std::string study_output_documentation()
 {
-  std::string text =
-      "\nOutputs that a study judges:\n\n| Output | Unit | Meaning |\n|---|---|---|\n";
+  std::string text = "\nOutputs of a study:\n\n| Output | Unit | Meaning |\n|---|---|---|\n";
   for (const StudyOutput &output : study_outputs())
     text +=
         "| `" + std::string(output.name) + "` | " + output.unit + " | " + output.meaning + " |\n";
@@ -277,12 +276,12 @@ void Study::declare(Declarations &declarations)
            "Title",
            title,
            "any text or nothing",
-           "Heading of the page of results. Default: the name of the file.");
+           "Heading of the report. Default: the name of the file.");
   add_text(declarations,
            "Text",
            text,
            "any text or nothing",
-           "What the study is to answer, in Markdown, below the heading.");
+           "The question that the study answers, in Markdown, below the heading.");
   add_list(
       declarations,
       "Names",
@@ -291,14 +290,14 @@ void Study::declare(Declarations &declarations)
       [](const auto &words) { return std::all_of(words.begin(), words.end(), is_name); },
       "names of letters, digits and -_.=+ that begin with none of -., separated by commas, or "
       "nothing",
-      "Names of the variants, in their order: that of deal.II's MultipleParameterLoop, in which "
-      "the loop that this list of entries has first changes fastest. Default: the values that "
+      "Names of the variants, in the order of deal.II's MultipleParameterLoop, in which the loop "
+      "of the entry that comes first in this list changes fastest. Default: the values that the "
       "loops give to each.");
   add_text(declarations,
            "Reference",
            reference,
            "the name of a variant or nothing",
-           "The variant from which errors are counted. Default: the last.");
+           "The variant to which errors are relative. Default: the last.");
   add_list(
       declarations,
       "Outputs",
@@ -306,14 +305,14 @@ void Study::declare(Declarations &declarations)
       ',',
       [](const auto &words) { return !words.empty(); },
       "names of the table of outputs below, separated by commas",
-      "Results by which variants are judged.");
+      "Results by which variants are compared.");
   add_text(declarations,
            "Against",
            against,
            "an entry whose loop has numbers, or nothing",
-           "The page draws the outputs against this entry, a curve for each combination of the "
-           "others, and against the driver's speed also the orders of the tight span's tension and "
-           "of the sound. Default: it draws errors against CPU time.");
+           "The report plots the outputs against this entry, with a curve for each combination of "
+           "the others; against the driver's speed also the orders of tight-span tension and "
+           "sound. Default: errors against CPU time.");
   add(declarations,
       "Phases",
       phases,
@@ -327,9 +326,8 @@ void Study::declare(Declarations &declarations)
       ranks,
       1,
       1024,
-      "Processes of each run. The only entry of this section that may be a loop. Default: many "
-      "runs "
-      "at a time use the cores better than many ranks.");
+      "MPI processes of each run. The only entry of this section that may be a loop. Default: many "
+      "runs at a time use the cores better than many ranks.");
   add_list(
       declarations,
       "Quick",
@@ -337,16 +335,15 @@ void Study::declare(Declarations &declarations)
       ';',
       [](const auto &) { return true; },
       "Section/Entry=value, separated by semicolons, or nothing",
-      "What the option --quick changes, so that the study takes minutes: a shorter run, fewer "
+      "Changes made by the option --quick, so that the study takes minutes: a shorter run, fewer "
       "phases.");
   add(declarations,
       "Bootstrap samples",
       samples,
       100,
       1000000,
-      "Samples, with replacement, of the start phases, from which the 95 percent intervals of "
-      "means "
-      "and errors follow.");
-  add(declarations, "Bootstrap seed", seed, 0, 1000000, "Of their random numbers.");
+      "Number of bootstrap samples, with replacement, of the start phases, which give the 95 "
+      "percent intervals of means and errors.");
+  add(declarations, "Bootstrap seed", seed, 0, 1000000, "Seed of their random numbers.");
 }
 } // namespace chaindrive::parameters

@@ -91,7 +91,7 @@ converted(const Entry &entry, const std::string &shown, const Name &from, const 
     return " There is '" + shown + "', which has no unit. " + first_sentence(entry.meaning);
   if (a == nullptr || b == nullptr || std::string(a->of) != b->of)
     return " There is '" + shown + "', which is in " + to.unit + ", not in " + from.unit +
-           ": the number is another. " + first_sentence(entry.meaning);
+           ", so the value differs. " + first_sentence(entry.meaning);
   const auto number = from_entry_text(value, unit::si);
   return question + (number ? " " + value + " " + from.unit + " are " +
                                   to_text(*number * a->si / b->si, 10) + " " + to.unit + "." :
@@ -157,27 +157,26 @@ const std::vector<NotModelled> &not_modelled()
       {{"misalignment", "offset", "skew", "axial", "lateral"},
        "both sprockets lie in one plane and their shafts are parallel"},
       {{"strand", "multiplex", "duplex", "triplex"},
-       "the chain has one strand; divide torque and driven inertia by the number of strands, which "
-       "share a load evenly only if they are new"},
+       "the chain has one strand; divide torque and driven inertia by the number of strands; only "
+       "new strands share the load evenly"},
       {{"runout", "run-out", "eccentric", "pitch error", "wobble"},
-       "sprockets turn about their own axis and all teeth are alike; a sprocket of any shape can "
-       "be "
-       "imported, Drive/Sprockets/Driver mesh"},
+       "sprockets rotate about their own axes and all teeth are identical; a sprocket of any shape "
+       "can be imported, Drive/Sprockets/Driver mesh"},
       {{"stop time", "stopping", "brake", "braking", "coast", "reverse", "reversal"},
-       "the driver grows to its speed and keeps it; the load may change once, Loads/Torque step "
+       "the driver runs up to its speed and keeps it; the load may change once, Loads/Torque step "
        "time in ms"},
       {{"driver inertia", "motor", "engine", "driver torque"},
-       "the driver turns as the speed program says, whatever the chain pulls"},
+       "the driver follows its prescribed speed, whatever the load"},
       {{"shaft stiffness", "shaft damping", "bearing", "housing"},
-       "the axes of both sprockets stand still"},
-      {{"tensioner", "idler", "guide", "snubber"}, "the chain runs over two sprockets alone"},
+       "the shafts and bearings of both sprockets are rigid"},
+      {{"tensioner", "idler", "guide", "snubber"}, "the chain runs over two sprockets only"},
       {{"lubric", "oil", "grease", "viscos"},
-       "friction follows Coulomb's law; lubrication shows in Contact/Friction coefficient"},
-      {{"temperature", "thermal", "heat"}, "nothing warms up or expands"},
+       "friction follows Coulomb's law; set Contact/Friction coefficient for the lubrication"},
+      {{"temperature", "thermal", "heat"}, "temperatures are constant"},
       {{"wear rate", "life", "fatigue", "yield", "plastic", "strength"},
-       "material is linear elastic and does not wear or break while it runs; the elongation of a "
-       "worn chain is Drive/Chain/Elongation in percent"},
-      {{"link tolerance", "tolerance", "scatter"}, "all links are alike"}};
+       "the material is linear elastic and neither wears nor fails during a run; the elongation "
+       "of a worn chain is Drive/Chain/Elongation in percent"},
+      {{"link tolerance", "tolerance", "scatter"}, "all links are identical"}};
   return all;
 }
 

@@ -111,12 +111,11 @@ std::string parameter_documentation()
   std::ostringstream out;
   out << "# Parameters\n\nEvery entry of a `.prm` file, written by `chaindrive document`. Sections "
          "are\nnested (`Drive/Chain` is `subsection Chain` "
-         "inside `subsection Drive`), an entry is set with\n`set Name = value`, and `#` begins a "
-         "comment. The unit belongs to the entry's name. What is\nleft out keeps its default; "
-         "`auto` lets the program find the value, which the log then states.\nOn the command "
-         "line, `--set \"Section/Entry=value\"` overrides the file. Section `Study` belongs to "
-         "study "
-         "files\nalone, which [prm/studies](../prm/studies/README.md) explains.\n";
+         "inside `subsection Drive`), an entry is set with\n`set Name = value`, and `#` starts a "
+         "comment. The unit is part of the entry's name. Entries that\nare left out keep their "
+         "defaults; with `auto` the program finds the value and states it in the\nlog. On the "
+         "command line, `--set \"Section/Entry=value\"` overrides the file. Section `Study` is\n"
+         "for study files only, see [prm/studies](../prm/studies/README.md).\n";
   std::string section;
   for (const Entry &entry : declarations.entries())
     {

@@ -82,11 +82,11 @@ StepChoice choose_step(const World             &world,
   if (time.step)
     {
       if (*time.step > largest)
-        throw InputError("Time/Step in us = " + to_text(*time.step * 1e6) +
-                         " is above the stable step: at most " + to_text_at_most(largest * 1e6, 4) +
-                         " us (safety factor " + to_text(time.safety_factor) + " times the limit " +
-                         to_text(choice.limit * 1e6, 4) +
-                         " us) is allowed; choose a smaller step or auto.");
+        throw InputError(
+            "Time/Step in us = " + to_text(*time.step * 1e6) +
+            " is above the critical time step: at most " + to_text_at_most(largest * 1e6, 4) +
+            " us (safety factor " + to_text(time.safety_factor) + " times the limit " +
+            to_text(choice.limit * 1e6, 4) + " us) is allowed; choose a smaller step or auto.");
       choice.step   = *time.step;
       choice.reason = "asked for";
       return choice;
@@ -98,7 +98,7 @@ StepChoice choose_step(const World             &world,
       world.has_elastic_bodies() ? largest : dealii::numbers::PI * choice.limit / 40.;
   choice.step   = std::min(largest, accurate);
   choice.reason = accurate < largest ? "auto: a fortieth of the shortest period" :
-                                       "auto: the stable step times the safety factor";
+                                       "auto: the critical time step times the safety factor";
   return choice;
 }
 } // namespace chaindrive::stability

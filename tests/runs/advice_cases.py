@@ -127,7 +127,7 @@ def softness():
 def times():
     for safety in (0.3, 0.77):
         for stiffness in (1e8, 2e8):
-            yield (rf"is above the stable step: at most {NUMBER} us .* choose a smaller step or auto",
+            yield (rf"is above the critical time step: at most {NUMBER} us .* choose a smaller step or auto",
                    {STEP: 50, T + "Safety factor": safety, K + "Roller-tooth stiffness in N/m": stiffness},
                    [{STEP: r"\1"}, {STEP: "auto"}])
     yield ("must be above Time/Start time in ms", {END: 5, START: 6, WINDOW: 6}, [{END: 30, WINDOW: 10}])
@@ -175,7 +175,7 @@ def models():
                [{entry: "auto"}, {entry: "off"}, {M + "Elastic links": "all"}])
         yield ("whose nodes touch the teeth, but Effects/Elastic rollers = off; choose auto for one of them",
                {**FULL, entry: "on", E + "Elastic rollers": "off"}, [{entry: "auto"}, {E + "Elastic rollers": "auto"}])
-        yield ("is not possible beside reduced bodies .*; choose auto or off, or Fidelity = full", {**REDUCED, entry: "on"},
+        yield ("is not possible with reduced bodies .*; choose auto or off, or Fidelity = full", {**REDUCED, entry: "on"},
                [{entry: "auto"}, {entry: "off"}, {FIDELITY: "full"}])
     yield ("needs plates of finite elements, and not reduced bodies .*; choose off, or Fidelity = full",
            {**REDUCED, K + "Plate faces": "on"}, [{K + "Plate faces": "off"}, {FIDELITY: "full"}])

@@ -147,7 +147,7 @@ def rigid():
 def refuse():
     for text, change in (
         ("Driver teeth", {"Drive/Driver teeth": 8}),
-        ("stable step", {"Time/Step in us": 50}),
+        ("critical time step", {"Time/Step in us": 50}),
         ("teeth", {**IMPORTED, "Drive/Driver teeth": 16}),
     ):
         said = run("refused", {**ELASTIC, **change}, 2, status=2)

@@ -9,8 +9,8 @@ from chaindrive import RunError, report
 def main() -> int:
     """Write the report that the command line asks for, and return the exit status."""
     parser = argparse.ArgumentParser(prog="chaindrive report", description="Writes a report on runs: one HTML file.")
-    parser.add_argument("folders", nargs="+", metavar="DIRECTORY", help="with the results of a run")
-    parser.add_argument("--output", metavar="FILE", help="report.html in the first directory by default")
+    parser.add_argument("folders", nargs="+", metavar="DIRECTORY", help="directory with the results of a run")
+    parser.add_argument("--output", metavar="FILE", help="output file; by default report.html in the first directory")
     parser.add_argument("--quiet", action="store_true", help="do not print the path")
     parser.add_argument("--after-run", action="store_true", help=argparse.SUPPRESS)  # which has ended well, whatever becomes of the page
     words = parser.parse_args()
