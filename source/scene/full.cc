@@ -89,8 +89,7 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
         std::max(thickness(scene, master, bore), thickness(scene, slave, cylinder)),
         friction);
   };
-  BoreFamily rollers, pins;
-  rollers.name    = "roller-bush";
+  BoreFamily rollers = bores_of(Interface::roller_bush), pins = bores_of(Interface::bush_pin);
   rollers.elastic = true;
   rollers.law     = law(Kind::roller,
                     mesh::roller_bore,
@@ -100,7 +99,6 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
   if (is_on(scene.effects, EffectKind::elastic_rollers) !=
       is_on(scene.effects, EffectKind::elastic_links))
     add_foundation(drive, scene, rollers.law);
-  pins.name                           = "bush-pin";
   pins.elastic                        = true;
   pins.law                            = law(Kind::inner_link,
                  mesh::bush_bore_first,
@@ -145,13 +143,14 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
   if (is_on(scene.effects, EffectKind::plate_faces))
     {
       FaceFamily plates;
-      plates.name   = "plate faces";
-      plates.law    = law(Kind::outer_link,
+      plates.interface = Interface::plate_faces;
+      plates.name      = parameters::text_of(plates.interface);
+      plates.law       = law(Kind::outer_link,
                        mesh::plate_inner_faces,
                        Kind::inner_link,
                        mesh::plate_outer_faces,
                        std::nullopt);
-      plates.radius = 0.5 * std::min(chain.inner_plate_height, chain.outer_plate_height);
+      plates.radius    = 0.5 * std::min(chain.inner_plate_height, chain.outer_plate_height);
       for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
         {
           const Joint joint = joint_of(k, drive, scene.drive);

@@ -25,6 +25,14 @@ void add_layered_chain(const Parameters &parameters, const drive::Drive &drive, 
     }
 }
 
+BoreFamily bores_of(const Interface interface)
+{
+  BoreFamily family;
+  family.interface = interface;
+  family.name      = parameters::text_of(interface);
+  return family;
+}
+
 void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
 {
   const drive::ChainDimensions &chain      = drive.chain;
@@ -37,16 +45,14 @@ void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, S
   // the chain its stiffness, so plates and joint contact in series are put there.
   const double pin_stiffness = drive.stiffness_per_pitch;
 
-  BoreFamily rollers, pins;
-  rollers.name = "roller-bush";
-  rollers.law  = make_law(parameters,
+  BoreFamily rollers = bores_of(Interface::roller_bush), pins = bores_of(Interface::bush_pin);
+  rollers.law = make_law(parameters,
                          scene.effects,
                          bush_stiffness,
                          reduced_mass(roller_mass, inner_mass),
                          parameters.contact.roller_bush_friction)
                     .shared_by(2);
-  pins.name = "bush-pin";
-  pins.law  = make_law(parameters,
+  pins.law = make_law(parameters,
                       scene.effects,
                       pin_stiffness,
                       reduced_mass(inner_mass, outer_mass),

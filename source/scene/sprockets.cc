@@ -113,7 +113,7 @@ ToothFamily make_flanks(const Parameters      &parameters,
   const bool         imported = !sprocket.mesh.empty();
   const unsigned int facets   = parameters.drive.sprockets.facets;
   ToothFamily        teeth;
-  teeth.name     = "roller-" + sprocket.name;
+  teeth.name     = name_of_teeth(sprocket.name);
   teeth.sprocket = body;
   teeth.form = std::make_shared<const drive::ToothForm>(facets > 0 ? sprocket.form.faceted(facets) :
                                                                      sprocket.form);

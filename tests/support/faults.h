@@ -69,6 +69,17 @@ inline bool places_differ(const std::string &message)
   return true;
 }
 
+/// The families of @p system that messages call @p name: of rigid bodies and of elastic ones.
+inline std::vector<const contact::Family *> families_called(const std::string &name,
+                                                            const System      &system)
+{
+  std::vector<const contact::Family *> found;
+  for (const auto &family : system.contacts.families())
+    if (family->name() == name)
+      found.push_back(family.get());
+  return found;
+}
+
 /// What is done to a system.
 using Change = std::function<void(System &)>;
 
@@ -98,7 +109,7 @@ public:
   {
     std::pair<const contact::Family *, unsigned int> found(nullptr, 0);
     double                                           largest = 0.;
-    for (const contact::Family *family : system.contacts.find(name))
+    for (const contact::Family *family : families_called(name, system))
       for (unsigned int i = 0; i < family->records().size(); ++i)
         if (const double force = family->records()[i].force.norm(); force > largest)
           {

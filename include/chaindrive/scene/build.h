@@ -61,6 +61,9 @@ void add_chain_bodies(const Parameters        &parameters,
 /// where there are none.
 void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
 
+/// A family of @p interface without law and pairs.
+BoreFamily bores_of(Interface interface);
+
 /// At joint k meet its roller, the inner link whose bush it is and the outer link whose pin it is.
 struct Joint
 {
