@@ -3,11 +3,12 @@
 
 // Drives that run soundly until something is done to them.
 
+#include "decided.h"
+
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/dynamics/guard.h>
 #include <chaindrive/dynamics/newmark.h>
-#include <chaindrive/parameters/reader.h>
-#include <chaindrive/scene/build.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/utilities/ranks.h>
 
 #include <deal.II/base/mpi.h>
@@ -33,9 +34,8 @@ using Vector3 = dealii::Tensor<1, 3>;
 inline scene::Scene drive_scene(const std::string &file, const std::vector<std::string> &overrides)
 {
   const std::string repository = std::string(SOURCE_DIR) + "/../../";
-  const Parameters  parameters =
-      parameters::read_parameters(repository + file, overrides).parameters;
-  return scene::build_scene(parameters, drive::make_drive(parameters), {repository});
+  const Parameters  parameters = model::read_parameters(repository + file, overrides).parameters;
+  return scene_of(parameters, {}, {repository});
 }
 
 inline void push(System &system, const unsigned int body, const Vector3 &force)
