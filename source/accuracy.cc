@@ -3,9 +3,8 @@
 #include <chaindrive/accuracy_table.h>
 #include <chaindrive/commands.h>
 #include <chaindrive/cost.h>
-#include <chaindrive/drive/centre_distance.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/parameters/entries.h>
-#include <chaindrive/parameters/reader.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
@@ -76,8 +75,8 @@ std::string cost_here(const StudyResult &result,
   overrides.insert(overrides.end(), result.overrides.begin(), result.overrides.end());
   try
     {
-      const parameters::Input input = parameters::read_parameters(
-          command_line.parameter_file, overrides, drive::number_of_links);
+      const parameters::Input input =
+          model::read_parameters(command_line.parameter_file, overrides);
       const std::vector<std::string> folders = mesh_folders(command_line.parameter_file);
       Simulation                     simulation(input.parameters, folders, comm);
       return simulation.is_idle() ?

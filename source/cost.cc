@@ -3,7 +3,6 @@
 #include <chaindrive/files/temporary_directory.h>
 #include <chaindrive/observe/pictures.h>
 #include <chaindrive/observe/progress.h>
-#include <chaindrive/parameters/needs.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 #include <chaindrive/utilities/timing.h>
@@ -97,11 +96,11 @@ void time_outputs(Simulation &simulation, Cost &cost)
       std::max(0., time_histories(simulation, scratch.path(), many) - first) / (many - few);
   cost.files   = std::max(0., first - few * cost.sample);
   cost.samples = 1. + std::min(std::ceil(duration / output.history_interval), double(cost.steps));
-  const double interval = parameters::field_interval(simulation.parameters);
-  if (interval <= 0. || !scene::is_on(simulation.scene.effects, scene::EffectKind::fields))
+  const double interval = simulation.model.field_interval;
+  if (interval <= 0.)
     return;
   observe::Pictures pictures(
-      simulation.scene, simulation.parameters, system, scratch.path(), system.timer);
+      simulation.scene, simulation.model, system, scratch.path(), system.timer);
   cost.picture  = cpu_time(comm, [&] { pictures.observe(system, 0, 0.); });
   cost.pictures = 1. + std::min(std::floor(duration / interval), double(cost.steps));
 }

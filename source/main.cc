@@ -2,6 +2,7 @@
 #include <chaindrive/command_line.h>
 #include <chaindrive/commands.h>
 #include <chaindrive/files/console.h>
+#include <chaindrive/model/needs.h>
 #include <chaindrive/observe/schema.h>
 #include <chaindrive/packages.h>
 #include <chaindrive/parameters/reader.h>
@@ -82,7 +83,8 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
         std::cout << (command_line.man                 ? man_page() :
                       command_line.schema              ? observe::schema().dump(1) + "\n" :
                       !command_line.completion.empty() ? bash_completion() :
-                                                         parameters::parameter_documentation());
+                                                         parameters::parameter_documentation() +
+                                                             model::documentation_of_needs());
       break;
     case Command::version:
       if (is_first_rank)

@@ -9,7 +9,7 @@
 #include <chaindrive/files/json.h>
 #include <chaindrive/files/log.h>
 #include <chaindrive/files/tables.h>
-#include <chaindrive/parameters/reader.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 #include <chaindrive/version.h>
@@ -309,7 +309,7 @@ void noise_command(const CommandLine &command_line)
   files::Console          out(STDOUT_FILENO), err(STDERR_FILENO);
   files::Log              log(command_line.quiet ? nullptr : &out, &err);
   const parameters::Input input =
-      parameters::read_parameters(directory + "/parameters.prm", command_line.overrides);
+      model::read_parameters(directory + "/parameters.prm", command_line.overrides);
   files::Directory claimed(directory);
   if (const std::string sentence = claimed.claim(); !sentence.empty())
     log.warn(sentence);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/commands.h>
-#include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/files/console.h>
 #include <chaindrive/files/log.h>
-#include <chaindrive/parameters/reader.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/reduction/kept_basis.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/statics/part_stiffness.h>
@@ -166,11 +165,12 @@ void print_frequencies(std::ostream &out, const reduction::Basis &basis)
 
 void print_vibrations(std::ostream       &out,
                       statics::Cache     &cache,
-                      Parameters          parameters,
+                      const Parameters   &parameters,
                       const drive::Drive &drive,
                       const MPI_Comm      comm)
 {
-  parameters.model.half = parameters::HalfModel::no; // with shapes that are not symmetric
+  // with shapes that are not symmetric
+  const model::Meshes           whole{parameters.mesh, parameters.material.density, false};
   const reduction::BasisOptions options = reduction::options_of(parameters.reduction);
   out << "\nVibration of parts as section Mesh divides them, which nothing holds: natural "
          "frequencies up to "
@@ -180,9 +180,9 @@ void print_vibrations(std::ostream       &out,
   for (const char *head : {"natural", "attached", "stiff (%)"})
     column(out, head);
   out << "  kHz\n";
-  for (const auto &part : {scene::make_roller_part(parameters, drive),
-                           scene::make_link_part(parameters, drive, true),
-                           scene::make_link_part(parameters, drive, false)})
+  for (const auto &part : {scene::make_roller_part(whole, drive),
+                           scene::make_link_part(whole, drive, true),
+                           scene::make_link_part(whole, drive, false)})
     {
       const reduction::Basis basis = reduction::kept_basis(
           *part, parameters.material, parameters.elements, options, cache, comm);
@@ -225,10 +225,8 @@ void parts_command(const CommandLine &command_line, const MPI_Comm comm)
   const bool       is_first = rank_in(comm) == 0;
   files::Console   console(STDOUT_FILENO);
   files::Log       out(is_first ? &console : nullptr);
-  const Parameters parameters = parameters::read_parameters(command_line.parameter_file,
-                                                            command_line.overrides,
-                                                            drive::number_of_links)
-                                    .parameters;
+  const Parameters parameters =
+      model::read_parameters(command_line.parameter_file, command_line.overrides).parameters;
   const drive::Drive  drive = drive::make_drive(parameters);
   statics::Library    library(parameters.material, statics::Cache::usual_folder(), comm);
   std::vector<double> loads;

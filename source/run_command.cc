@@ -2,7 +2,6 @@
 #include <chaindrive/accuracy.h>
 #include <chaindrive/commands.h>
 #include <chaindrive/cost.h>
-#include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/checks.h>
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/element/part_report.h>
@@ -10,10 +9,10 @@
 #include <chaindrive/files/directory.h>
 #include <chaindrive/files/file.h>
 #include <chaindrive/mesh/import/import.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/observe/checkpoints.h>
 #include <chaindrive/observe/pictures.h>
 #include <chaindrive/observe/progress.h>
-#include <chaindrive/parameters/reader.h>
 #include <chaindrive/scene/plan.h>
 #include <chaindrive/simulation.h>
 #include <chaindrive/utilities/checksum.h>
@@ -89,8 +88,7 @@ struct Prepared
       , err(STDERR_FILENO)
       , log(command_line.quiet || rank_in(comm) != 0 ? nullptr : &out,
             rank_in(comm) == 0 ? &err : nullptr)
-      , input(parameters::read_parameters(
-            command_line.parameter_file, command_line.overrides, drive::number_of_links))
+      , input(model::read_parameters(command_line.parameter_file, command_line.overrides))
       , folders(mesh_folders(command_line.parameter_file))
       , simulation(input.parameters, folders, comm)
       , fixed(fixed_text(input, simulation.drive, folders))
@@ -339,13 +337,19 @@ std::optional<std::string> run_command(const CommandLine &command_line, const MP
   files::Log        &log        = prepared.log;
   const std::string &path       = prepared.directory.path();
   recorder.write_histories(path, prepared.input.resolved, simulation.n_steps());
-  observe::Pictures pictures(simulation.scene, parameters, system, path, system.timer);
+  observe::Pictures pictures(simulation.scene, simulation.model, system, path, system.timer);
   observe::Progress progress(log, parameters.time.start, parameters.time.end);
 
   std::vector<dynamics::Observer *> others = {&pictures, &progress}, saved = simulation.observers();
   saved.insert(saved.end(), others.begin(), others.end());
-  observe::Checkpoints checkpoints(
-      parameters, path, prepared.fixed, simulation.n_steps(), simulation.step.step, saved, log);
+  observe::Checkpoints checkpoints(parameters.time,
+                                   parameters.output,
+                                   path,
+                                   prepared.fixed,
+                                   simulation.n_steps(),
+                                   simulation.step.step,
+                                   saved,
+                                   log);
   others.push_back(&checkpoints);
   const unsigned long done = checkpoint != nullptr ? checkpoints.resume(system, *checkpoint) : 0;
   begin_files(prepared, checkpoint != nullptr);

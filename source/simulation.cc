@@ -2,6 +2,7 @@
 #include <chaindrive/drive/stiffness.h>
 #include <chaindrive/dynamics/relaxation.h>
 #include <chaindrive/dynamics/time_loop.h>
+#include <chaindrive/model/decide.h>
 #include <chaindrive/reduction/kept_basis.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/simulation.h>
@@ -13,11 +14,13 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
 // READ THIS FILE FIRST. What flows through the program, in the order in which it does:
 //
-//   .prm -> Parameters -> Drive (with the stiffness of its parts) -> Scene -> System (World,
-//   forces) -> time loop -> Summary
+//   .prm -> Parameters -> Drive (with the stiffness of its parts) -> Model (every decision) ->
+//   Scene
+//   -> System (World, forces) -> time loop -> Summary
 //
 // run_command.cc puts files and the console around it.
 
@@ -97,18 +100,20 @@ scene::BasisOf part_bases(const Parameters &parameters, const MPI_Comm comm)
   };
 }
 
-/// The drive of @p parameters. For a settled start elastic bodies are placed as it suits their own
-/// joints, whose forces are found by straining them.
-drive::Drive make_drive(const Parameters               &parameters,
-                        const std::vector<std::string> &folders,
-                        const scene::BasisOf           &basis_of,
-                        const MPI_Comm                  comm)
+/// The drive of @p parameters and the model of it. For a settled start elastic bodies are placed as
+/// it suits their own joints, whose forces are found by straining them.
+std::pair<drive::Drive, model::Model> decide(const Parameters               &parameters,
+                                             const std::vector<std::string> &folders,
+                                             const scene::BasisOf           &basis_of,
+                                             const MPI_Comm                  comm)
 {
-  const drive::StiffnessOf stiffness = statics::part_stiffness(parameters, comm);
-  drive::Drive             drive     = drive::make_drive(parameters, stiffness);
-  if (!parameters.model.capabilities().is_elastic ||
-      parameters.drive.layout.start != parameters::Start::settled)
-    return drive;
+  const model::Effects     effects   = model::decide_effects(parameters);
+  const drive::StiffnessOf stiffness = statics::part_stiffness(
+      model::part_stiffnesses(parameters, effects), parameters.material, comm);
+  drive::Drive       drive = drive::make_drive(parameters, stiffness);
+  const model::Model model = model::make_model(parameters, drive, effects);
+  if (!parameters.model.capabilities().is_elastic || effects.is_on(model::Effect::start_up))
+    return {drive, model};
   const std::size_t n = drive.layout.joints.size();
   const double      seat_stiffness =
       drive::line_contact_stiffness(drive.chain.roller_length, parameters.material);
@@ -117,7 +122,7 @@ drive::Drive make_drive(const Parameters               &parameters,
       seats(n, ShiftOfJoint{seat_stiffness});
   for (unsigned int i = 0; i < 6; ++i)
     {
-      const scene::Scene scene  = scene::build_scene(parameters, drive, folders, basis_of);
+      const scene::Scene scene  = scene::build_scene(model, drive, folders, basis_of);
       const auto         forces = dynamics::Relaxation(scene, comm).joint_forces();
       const double       much   = 0.2 * drive.layout.prestress;
       double             worst  = 0.;
@@ -133,7 +138,7 @@ drive::Drive make_drive(const Parameters               &parameters,
         break;
       drive = drive::make_drive(parameters, stiffness, shifts);
     }
-  return drive;
+  return {drive, model};
 }
 
 /// What the checks of the design say of loads that chain or contacts may not stand.
@@ -147,22 +152,23 @@ std::string overload(const Parameters &parameters, const drive::Facts &facts)
 }
 
 /// A refusal names the meshes whose flanks may be to blame.
-std::unique_ptr<dynamics::System>
-make_system(const Parameters &parameters, const scene::Scene &scene, const MPI_Comm comm)
+std::unique_ptr<dynamics::System> make_system(const model::Model &model,
+                                              const drive::Drive &drive,
+                                              const scene::Scene &scene,
+                                              const MPI_Comm      comm)
 {
   try
     {
       return std::make_unique<dynamics::System>(scene,
-                                                parameters.contact.search ==
-                                                    parameters::Search::every_step,
+                                                model.contact.search_every_step,
                                                 scene.has_elastic_bodies() ? comm : MPI_COMM_SELF);
     }
   catch (const InputError &error)
     {
       std::string meshes;
-      for (const parameters::Sprocket &sprocket : parameters.drive.sprockets.list)
+      for (const drive::Sprocket &sprocket : drive.sprockets)
         if (!sprocket.mesh.empty())
-          meshes += " The " + sprocket.in_words() + " touches with the flanks of the mesh '" +
+          meshes += " The " + sprocket.title + " touches with the flanks of the mesh '" +
                     sprocket.mesh + "', which must fit as well.";
       throw InputError(error.what() + meshes);
     }
@@ -180,29 +186,39 @@ Simulation::Simulation(const Parameters               &parameters,
                        const std::vector<std::string> &folders,
                        const scene::BasisOf           &basis_of,
                        const MPI_Comm                  comm)
+    : Simulation(parameters, folders, basis_of, decide(parameters, folders, basis_of, comm), comm)
+{
+}
+
+Simulation::Simulation(const Parameters                            &parameters,
+                       const std::vector<std::string>              &folders,
+                       const scene::BasisOf                        &basis_of,
+                       const std::pair<drive::Drive, model::Model> &decided,
+                       const MPI_Comm                               comm)
     : parameters(parameters)
-    , drive(make_drive(parameters, folders, basis_of, comm))
+    , drive(decided.first)
     , facts(drive::make_facts(parameters, drive))
-    , scene(scene::build_scene(parameters, drive, folders, basis_of))
+    , model(decided.second)
+    , scene(scene::build_scene(model, drive, folders, basis_of))
 {
   if (!scene.has_elastic_bodies() && rank_in(comm) != 0)
     return;
-  system_ = make_system(parameters, scene, comm);
+  system_ = make_system(model, drive, scene, comm);
   step    = stability::choose_step(
-      system_->world, system_->bars, system_->forces, system_->contacts, parameters);
+      system_->world, system_->bars, system_->forces, system_->contacts, model.time);
   guard_    = std::make_unique<dynamics::Guard>(scene,
                                              *system_,
-                                             parameters.time.energy_limit,
+                                             model.time.energy_limit,
                                              step.limit,
-                                             parameters.time.guard,
+                                             model.time.guard,
                                              overload(parameters, facts));
   recorder_ = std::make_unique<observe::Recorder>(
-      scene, parameters, *system_, drive::pitches_per_resonance(facts));
+      scene, model, *system_, drive::pitches_per_resonance(facts));
 }
 
 unsigned long Simulation::n_steps() const
 {
-  return dynamics::n_steps(parameters.time.start, parameters.time.end, step.step);
+  return dynamics::n_steps(model.time.start, model.time.end, step.step);
 }
 
 unsigned long Simulation::run(const std::vector<dynamics::Observer *> &others,
@@ -210,7 +226,7 @@ unsigned long Simulation::run(const std::vector<dynamics::Observer *> &others,
 {
   std::vector<dynamics::Observer *> all = observers();
   all.insert(all.end(), others.begin(), others.end());
-  done_ = dynamics::run(*system_, all, parameters.time.start, parameters.time.end, step.step, done);
+  done_ = dynamics::run(*system_, all, model.time.start, model.time.end, step.step, done);
   return done_;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/commands.h>
 #include <chaindrive/cost.h>
-#include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/files/console.h>
 #include <chaindrive/files/data_folder.h>
 #include <chaindrive/files/file.h>
@@ -9,6 +8,8 @@
 #include <chaindrive/files/log.h>
 #include <chaindrive/files/temporary_directory.h>
 #include <chaindrive/mesh/import/import.h>
+#include <chaindrive/model/decide.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/observe/progress.h>
 #include <chaindrive/packages.h>
 #include <chaindrive/parameters/entries.h>
@@ -137,7 +138,7 @@ std::string text_of(const Run                 &run,
                     const parameters::Study   &study,
                     const std::string         &meshes)
 {
-  const parameters::Input input = parameters::read_entries(run.values, drive::number_of_links);
+  const parameters::Input input = model::read_entries(run.values);
   study.check_quantities(input.parameters.output);
   return "# " + variant.name + ", start phase " + to_text(run.phase) + ", for chaindrive " +
          version + (variant.ranks > 1 ? " on " + std::to_string(variant.ranks) + " ranks" : "") +
@@ -156,11 +157,14 @@ bool is_known(const Run &run, const std::string &directory)
 /// InputError when it cannot run.
 files::Json prepare(const Run &run, const bool all, const Estimating &estimating)
 {
-  parameters::Input input = parameters::read_entries(run.values, drive::number_of_links);
-  scene::build_scene(
-      input.parameters,
-      drive::make_drive(input.parameters, statics::part_stiffness(input.parameters, MPI_COMM_SELF)),
-      {"."});
+  parameters::Input    input   = model::read_entries(run.values);
+  const model::Effects effects = model::decide_effects(input.parameters);
+  const drive::Drive   drive =
+      drive::make_drive(input.parameters,
+                        statics::part_stiffness(model::part_stiffnesses(input.parameters, effects),
+                                                input.parameters.material,
+                                                MPI_COMM_SELF));
+  scene::build_scene(model::make_model(input.parameters, drive, effects), drive, {"."});
   if (!all)
     return {};
   if (input.parameters.model.capabilities().is_elastic)

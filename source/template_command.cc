@@ -2,6 +2,7 @@
 #include <chaindrive/commands.h>
 #include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/drive.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -49,7 +50,7 @@ Parameters read(const Values &values)
 {
   try
     {
-      return parameters::read_entries(values).parameters;
+      return model::read_entries(values).parameters;
     }
   catch (const InputError &error)
     {

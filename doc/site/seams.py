@@ -113,6 +113,7 @@ SEAMS = {
     "fidelity": Seam("scene", "A fidelity is a row of capabilities and a builder; everything else sees bodies, bars and interfaces.", [
         [Code("Fidelity", "include/chaindrive/parameters/model.h", ("Fidelity", "simple", "layered", "reduced", "full")),
          Code("Capabilities", "include/chaindrive/parameters/model.h", ("has_clearances", "is_elastic", "is_reduced"))],
+        [Code("Model", "include/chaindrive/model/model.h", ("fidelity", "effects"))],
         [Code("build_scene()", "source/scene/build.cc", ("add_simple_chain", "add_layered_chain", "add_full_chain"))],
         [Code("simple", "source/scene/simple.cc", ("add_simple_chain",)),
          Code("layered", "source/scene/layered.cc", ("add_layered_chain",)),

@@ -6,6 +6,7 @@
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/dynamics/guard.h>
 #include <chaindrive/dynamics/system.h>
+#include <chaindrive/model/model.h>
 #include <chaindrive/observe/recorder.h>
 #include <chaindrive/observe/summary.h>
 #include <chaindrive/parameters/parameters.h>
@@ -15,6 +16,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace chaindrive
@@ -68,6 +70,7 @@ public:
   const Parameters     &parameters;
   const drive::Drive    drive;
   const drive::Facts    facts; ///< what to expect of it
+  const model::Model    model; ///< every decision, once
   const scene::Scene    scene;
   stability::StepChoice step; ///< may be changed before the run: one that is resumed keeps its step
 
@@ -76,6 +79,11 @@ private:
              const std::vector<std::string> &folders,
              const scene::BasisOf           &basis_of,
              MPI_Comm                        comm);
+  Simulation(const Parameters                            &parameters,
+             const std::vector<std::string>              &folders,
+             const scene::BasisOf                        &basis_of,
+             const std::pair<drive::Drive, model::Model> &decided,
+             MPI_Comm                                     comm);
 
   std::unique_ptr<dynamics::System>  system_;
   std::unique_ptr<dynamics::Guard>   guard_;

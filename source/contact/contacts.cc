@@ -208,11 +208,11 @@ void Contacts::refuse_overlap(World &world, const double prestress)
     throw InputError(message);
 }
 
-std::vector<const Family *> Contacts::find(const std::string &name) const
+std::vector<const Family *> Contacts::find(const scene::InterfaceOf &interface) const
 {
   std::vector<const Family *> found;
   for (const auto &family : families_)
-    if (family->name() == name)
+    if (family->interface() == interface)
       found.push_back(family.get());
   return found;
 }

@@ -170,6 +170,7 @@ scene::SurfaceFamily on_flanks(const scene::ToothFamily &family, const World &wo
           family.elastic,
           family.slave_surface,
           family.tooth_stiffness,
-          family.half_angle};
+          family.half_angle,
+          {scene::Interface::roller_teeth, family.sprocket}};
 }
 } // namespace chaindrive::contact

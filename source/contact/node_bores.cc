@@ -177,7 +177,7 @@ void NodeBores::want_ghosts(const scene::BoreFamily &scene, World &world)
 }
 
 NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool search_every_step)
-    : Family(scene.name, scene.law), every_step_(search_every_step)
+    : Family(scene.name, scene.interface, scene.law), every_step_(search_every_step)
 {
   for (const scene::BorePair &pair : scene.pairs)
     {

@@ -25,7 +25,7 @@ std::vector<unsigned int> bodies_of(const std::vector<scene::SlavePoint> &slaves
 NodeContact::NodeContact(const scene::SurfaceFamily &scene,
                          const World                &world,
                          const bool                  search_every_step)
-    : SurfaceContact(scene.name, scene.law, pairs_on(scene.surface, scene.slaves))
+    : SurfaceContact(scene.name, scene.interface, scene.law, pairs_on(scene.surface, scene.slaves))
     , surface_(scene.surface)
     , slaves_(world, bodies_of(scene.slaves), scene.slave_surface)
     , every_step_(search_every_step)

@@ -82,7 +82,7 @@ void NodeFaces::want_ghosts(const scene::FaceFamily &scene, World &world)
 }
 
 NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool search_every_step)
-    : Family(scene.name, scene.law), every_step_(search_every_step)
+    : Family(scene.name, scene.interface, scene.law), every_step_(search_every_step)
 {
   std::map<SideKey, unsigned int> numbers;
   for (unsigned int i = 0; i < scene.pairs.size(); ++i)

@@ -23,21 +23,22 @@ std::vector<SurfaceContact::Pair> pairs_in(const std::vector<scene::BorePair> &b
 }
 } // namespace
 
-PointContact::PointContact(const std::string       &name,
-                           const scene::ContactLaw &law,
-                           std::vector<Pair>        pairs)
-    : SurfaceContact(name, law, std::move(pairs))
+PointContact::PointContact(const std::string        &name,
+                           const scene::InterfaceOf &interface,
+                           const scene::ContactLaw  &law,
+                           std::vector<Pair>         pairs)
+    : SurfaceContact(name, interface, law, std::move(pairs))
     , hints_(records_.size(), mesh::Projection::no_facet)
 {
 }
 
 PointContact::PointContact(const scene::SurfaceFamily &scene)
-    : PointContact(scene.name, scene.law, pairs_on(scene.surface, scene.slaves))
+    : PointContact(scene.name, scene.interface, scene.law, pairs_on(scene.surface, scene.slaves))
 {
 }
 
 PointContact::PointContact(const scene::BoreFamily &scene)
-    : PointContact(scene.name, scene.law, pairs_in(scene.pairs))
+    : PointContact(scene.name, scene.interface, scene.law, pairs_in(scene.pairs))
 {
   add_forces_ = &PointContact::add_forces_of<Bore>;
 }

@@ -7,10 +7,11 @@
 
 namespace chaindrive::contact
 {
-SurfaceContact::SurfaceContact(std::string              name,
-                               const scene::ContactLaw &law,
-                               std::vector<Pair>        pairs)
-    : Family(std::move(name), law), pairs_(std::move(pairs)), near_(pairs_.size())
+SurfaceContact::SurfaceContact(std::string               name,
+                               const scene::InterfaceOf &interface,
+                               const scene::ContactLaw  &law,
+                               std::vector<Pair>         pairs)
+    : Family(std::move(name), interface, law), pairs_(std::move(pairs)), near_(pairs_.size())
 {
   for (const Pair &pair : pairs_)
     {

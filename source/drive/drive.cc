@@ -2,7 +2,6 @@
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/drive/rest.h>
-#include <chaindrive/parameters/needs.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
@@ -35,10 +34,15 @@ struct Pull
 };
 
 /// What pulls hardest: the load, before or after its step, or the pre-tension.
-Pull hardest_pull(const Parameters &parameters, const double pitch_radius)
+Pull hardest_pull(const Parameters &parameters, const Drive &drive)
 {
-  const parameters::Loads  &loads  = parameters.loads;
-  const parameters::Layout &layout = parameters.drive.layout;
+  double per_torque = 0.; // tension, 1/m
+  for (const Sprocket &sprocket : drive.sprockets)
+    if (sprocket.role == Role::driven)
+      per_torque += 1. / (0.5 * sprocket.form.pitch_diameter);
+  const double              pitch_radius = 1. / per_torque;
+  const parameters::Loads  &loads        = parameters.loads;
+  const parameters::Layout &layout       = parameters.drive.layout;
   Pull pull{loads.resisting_torque / pitch_radius, "of the load", "Loads/Resisting torque in N m"};
   const double after = std::abs(loads.torque_after_step) / pitch_radius;
   if (loads.torque_step_time && after > pull.tension)
@@ -110,7 +114,7 @@ void check_hub(const Sprocket             &sprocket,
 /// The acceleration that acts, m/s2.
 double gravity(const Parameters &p)
 {
-  return p.effects.gravity == parameters::Switch::off ? 0. : p.loads.gravity;
+  return acts(p.effects.gravity, p.loads.gravity) ? p.loads.gravity : 0.;
 }
 
 /// The chain of the simple or the layered model for bring_to_rest().
@@ -275,6 +279,16 @@ resting_wheels(const std::vector<Sprocket> &sprockets, const Layout &layout, con
 }
 } // namespace
 
+void refuse_soft_teeth(const Parameters &parameters, const Drive &drive)
+{
+  if (parameters.contact.tooth_stiffness)
+    refuse_soft("Contact/Tooth stiffness in N/m",
+                *parameters.contact.tooth_stiffness,
+                hardest_pull(parameters, drive),
+                0.5 * drive.chain.roller_diameter,
+                "rollers");
+}
+
 Drive make_drive(const Parameters  &parameters,
                  const StiffnessOf &stiffness_of,
                  const JointShifts &shifts)
@@ -324,14 +338,9 @@ Drive make_drive(const Parameters  &parameters,
   note_mass(d, parameters);
 
   d.nominal_tension = 0.;
-  double per_torque = 0.; // tension, 1/m
   for (const Sprocket &sprocket : d.sprockets)
     if (sprocket.role == Role::driven)
-      {
-        d.nominal_tension +=
-            parameters.loads.resisting_torque / (0.5 * sprocket.form.pitch_diameter);
-        per_torque += 1. / (0.5 * sprocket.form.pitch_diameter);
-      }
+      d.nominal_tension += parameters.loads.resisting_torque / (0.5 * sprocket.form.pitch_diameter);
   // contact stiffness depends on the load: without one, a load that strains steel visibly
   d.reference_load                   = d.nominal_tension > 0. ?
                                            d.nominal_tension :
@@ -350,15 +359,9 @@ Drive make_drive(const Parameters  &parameters,
         parts.teeth.empty() ?
             tooth_stiffness(std::min(d.chain.roller_length, d.sprocket_width), steel) :
             parts.teeth[i]);
-  if (contact.tooth_stiffness && parameters::tooth_compliance(parameters).on)
-    refuse_soft("Contact/Tooth stiffness in N/m",
-                *contact.tooth_stiffness,
-                hardest_pull(parameters, 1. / per_torque),
-                0.5 * d.chain.roller_diameter,
-                "rollers");
   if (!model.is_elastic) // there the elastic bodies give way
     {
-      const Pull load = hardest_pull(parameters, 1. / per_torque);
+      const Pull load = hardest_pull(parameters, d);
       refuse_soft("Contact/Roller-tooth stiffness in N/m",
                   d.roller_tooth_stiffness,
                   load,

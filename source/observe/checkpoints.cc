@@ -27,21 +27,23 @@ double seconds_since(const std::chrono::steady_clock::time_point begin)
 }
 } // namespace
 
-Checkpoints::Checkpoints(const Parameters                 &parameters,
+Checkpoints::Checkpoints(const parameters::Time           &time,
+                         const parameters::Output         &output,
                          std::string                       directory,
                          std::string                       fixed,
                          const unsigned long               n_steps,
                          const double                      dt,
                          std::vector<dynamics::Observer *> observers,
                          files::Log                       &log)
-    : parameters_(parameters)
+    : time_(time)
+    , output_(output)
     , directory_(std::move(directory))
     , fixed_(std::move(fixed))
     , n_steps_(n_steps)
     , dt_(dt)
     , observers_(std::move(observers))
     , log_(log)
-    , schedule_(parameters.time.start, parameters.output.checkpoint_interval)
+    , schedule_(time.start, output.checkpoint_interval)
     , began_(Clock::now())
     , written_(began_)
 {
@@ -51,7 +53,7 @@ bool Checkpoints::observe(dynamics::System &system, const unsigned long step, co
 {
   const bool stopped = system.world.requests[stop] > 0.;
   const bool due     = schedule_.due(system.world.time);
-  const bool ended   = step == n_steps_ && (parameters_.output.checkpoint_interval > 0. ||
+  const bool ended   = step == n_steps_ && (output_.checkpoint_interval > 0. ||
                                           !last_.empty()); // who wants more time can go on
   if (step > 0 && (due || ended || stopped || system.world.requests[checkpoint] > 0.))
     write(system, step);
@@ -66,21 +68,20 @@ bool Checkpoints::observe(dynamics::System &system, const unsigned long step, co
 
 void Checkpoints::ask(World &world) const
 {
-  const parameters::Output &output = parameters_.output;
-  world.requests                   = {{0., 0.}};
+  world.requests = {{0., 0.}};
   if (stop_signal() != 0)
     world.requests[stop] = 1.;
   if (!world.is_first_rank())
     return;
   if (past_wall_clock_limit())
     world.requests[stop] = 1.;
-  if (output.checkpoint_wait > 0. && seconds_since(written_) > output.checkpoint_wait)
+  if (output_.checkpoint_wait > 0. && seconds_since(written_) > output_.checkpoint_wait)
     world.requests[checkpoint] = 1.;
 }
 
 bool Checkpoints::past_wall_clock_limit() const
 {
-  const double limit = parameters_.output.wall_clock_limit;
+  const double limit = output_.wall_clock_limit;
   return limit > 0. && seconds_since(began_) > limit;
 }
 
@@ -142,9 +143,9 @@ unsigned long Checkpoints::resume(dynamics::System &system, const files::Checkpo
   MPI_Barrier(system.world.communicator()); // all ranks have looked at what is now changed
   const unsigned long step = file.header().step;
   if (step > n_steps_)
-    throw InputError(
-        "The checkpoint '" + file.path() + "' is at " + to_text(file.header().time * 1e3) +
-        " ms, after Time/End time in ms = " + to_text(parameters_.time.end * 1e3) + ".");
+    throw InputError("The checkpoint '" + file.path() + "' is at " +
+                     to_text(file.header().time * 1e3) +
+                     " ms, after Time/End time in ms = " + to_text(time_.end * 1e3) + ".");
   try
     {
       serialize_all(file.archive(), system);
@@ -173,7 +174,7 @@ std::string Checkpoints::last_sound(const double time) const
     return " There is no checkpoint to go on from.";
   std::string found;
   for (const auto &[step, path] : files::checkpoints_in(directory_))
-    if (parameters_.time.start + step * dt_ <= time)
+    if (time_.start + step * dt_ <= time)
       found = path;
   return found.empty() ? " No checkpoint is from before that." :
                          " The checkpoint '" + found + "' is good: --resume goes on from it.";

@@ -21,14 +21,11 @@ enum Signal : unsigned int
 };
 } // namespace
 
-Drift::Drift(const scene::Scene &scene,
-             const Parameters   &parameters,
-             const unsigned int  pitches_per_period)
+Drift::Drift(const scene::Scene &scene, const unsigned int pitches_per_period)
 {
-  radius_ = scene.drive.driver().pitch_radius;
-  pitch_time_ =
-      2. * dealii::numbers::PI / (scene.drive.driver().teeth * parameters.loads.driver_speed);
-  period_ = pitches_per_period * pitch_time_;
+  radius_     = scene.drive.driver().pitch_radius;
+  pitch_time_ = 2. * dealii::numbers::PI / (scene.drive.driver().teeth * scene.loads.driver_speed);
+  period_     = pitches_per_period * pitch_time_;
   begin(0.);
 }
 

@@ -6,15 +6,15 @@
 namespace chaindrive::observe
 {
 Observation::Observation(const scene::Scene     &scene,
-                         const Parameters       &parameters,
+                         const model::Model     &model,
                          const dynamics::System &system,
                          const unsigned int      pitches_per_period)
     : scene(scene)
-    , parameters(parameters)
+    , model(model)
     , system(system)
-    , rollers(parameters.output.rollers)
+    , rollers(model.output.rollers)
     , spans_(scene, system)
-    , window_(scene, parameters, pitches_per_period)
+    , window_(scene, model, pitches_per_period)
 {
   if (rollers.empty())
     {

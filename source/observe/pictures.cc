@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/observe/pictures.h>
-#include <chaindrive/parameters/needs.h>
 #include <chaindrive/utilities/ranks.h>
 
 #include <deal.II/base/mpi.h>
@@ -26,18 +25,13 @@ Pictures::Drawing::Drawing(const scene::Scene     &scene,
 }
 
 Pictures::Pictures(const scene::Scene     &scene,
-                   const Parameters       &parameters,
+                   const model::Model     &model,
                    const dynamics::System &system,
                    const std::string      &directory,
                    PhaseTimer             &timer)
-    : scene_(scene)
-    , phase_(timer.add("Output"))
-    , schedule_(parameters.time.start,
-                is_on(scene.effects, scene::EffectKind::fields) ?
-                    parameters::field_interval(parameters) :
-                    0.)
+    : scene_(scene), phase_(timer.add("Output")), schedule_(model.time.start, model.field_interval)
 {
-  if (is_on(scene.effects, scene::EffectKind::fields))
+  if (model.field_interval > 0.)
     drawing_ = std::make_unique<Drawing>(scene, system, directory);
 }
 

@@ -62,7 +62,7 @@ std::vector<NamedQuantity> make_quantities(const Observation &start)
 {
   std::vector<NamedQuantity> quantities;
   for (const auto &[order, known] : all_known())
-    if (known.group && !start.parameters.output.asks_for(*known.group))
+    if (known.group && !start.model.output.asks_for(*known.group))
       continue;
     else if (auto quantity = known.make(start))
       quantities.push_back({known.name, std::move(quantity)});

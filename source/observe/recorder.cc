@@ -14,9 +14,9 @@ namespace
 constexpr const char *histories_name = "/histories";
 
 /// At most one at every step, and one before the first.
-std::size_t expected_samples(const Parameters &p, const unsigned long n_steps)
+std::size_t expected_samples(const model::Model &model, const unsigned long n_steps)
 {
-  const double intervals = (p.time.end - p.time.start) / p.output.history_interval;
+  const double intervals = (model.time.end - model.time.start) / model.output.history_interval;
   return static_cast<std::size_t>(std::min(intervals + 1., double(n_steps))) + 1;
 }
 
@@ -28,13 +28,13 @@ std::string axis_text(const dealii::Tensor<1, 3> &axis)
 } // namespace
 
 Recorder::Recorder(const scene::Scene &scene,
-                   const Parameters   &parameters,
+                   const model::Model &model,
                    dynamics::System   &system,
                    const unsigned int  pitches_per_period)
     : phase_(system.timer.add("Output"))
-    , now_(scene, parameters, system, pitches_per_period)
+    , now_(scene, model, system, pitches_per_period)
     , quantities_(make_quantities(now_))
-    , samples_(parameters.time.start, parameters.output.history_interval)
+    , samples_(model.time.start, model.output.history_interval)
     , reads_contacts_(
           now_.window().waits() ||
           std::any_of(quantities_.begin(), quantities_.end(), [](const NamedQuantity &item) {
@@ -62,9 +62,9 @@ void Recorder::write_histories(const std::string  &directory,
               {"span_direction", axis_text(tight.direction)},
               {"span_normal", axis_text(tight.normal)},
               {"axes", "driver at the origin, driven at (C, 0); z along the shafts; gravity -y"}},
-          expected_samples(now_.parameters, n_steps),
-          now_.parameters.output.csv),
-      now_.parameters.output.precision == parameters::Precision::single);
+          expected_samples(now_.model, n_steps),
+          now_.model.output.csv),
+      now_.model.output.precision == parameters::Precision::single);
   for (const NamedQuantity &item : quantities_)
     item.quantity->add_channels(sampling_->channels);
 }

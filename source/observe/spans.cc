@@ -37,7 +37,7 @@ Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
   driver_   = scene.bodies[drive.driver().body].initial.position;
   mirrored_ = drive.tight().normal -
               2. * (drive.tight().normal * drive.tight().along) * drive.tight().along;
-  joints_ = system.contacts.find("bush-pin");
+  joints_ = system.contacts.find(scene::Interface::bush_pin);
   if (!joints_.empty())
     pin_force_.resize(drive.n_joints);
 }

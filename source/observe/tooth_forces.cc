@@ -9,14 +9,15 @@ std::vector<ToothForces> make_tooth_forces(const scene::Scene     &scene,
                                            const dynamics::System &system)
 {
   std::vector<ToothForces> result;
-  std::set<std::string>    named; // families of rigid and of elastic bodies share a name
+  std::set<unsigned int>   found; // there are families of rigid and of elastic rollers
   for (const scene::ToothFamily &teeth : scene.teeth)
-    if (named.insert(teeth.name).second)
+    if (found.insert(teeth.sprocket).second)
       {
         const scene::Sprocket &sprocket =
             scene.drive.sprockets.at(scene.bodies[teeth.sprocket].number);
         result.emplace_back(sprocket.name, scene.drive.n_joints, sprocket.teeth);
-        for (const contact::Family *family : system.contacts.find(teeth.name))
+        for (const contact::Family *family :
+             system.contacts.find({scene::Interface::roller_teeth, teeth.sprocket}))
           result.back().families.push_back(dynamic_cast<const contact::SurfaceContact *>(family));
       }
   return result;

@@ -7,33 +7,27 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace chaindrive::observe
 {
-namespace
-{
-constexpr double infinity = std::numeric_limits<double>::infinity();
-} // namespace
-
 Window::Window(const scene::Scene &scene,
-               const Parameters   &parameters,
+               const model::Model &model,
                const unsigned int  pitches_per_period)
-    : waits_(!parameters.output.window_start)
+    : waits_(model.window.waits)
     , open_(!waits_)
-    , start_(parameters.output.window_start.value_or(infinity))
-    , end_(parameters.output.window_end.value_or(infinity))
-    , run_end_(parameters.time.end)
+    , start_(model.window.start)
+    , end_(model.window.end)
+    , run_end_(model.time.end)
     , pitches_per_period_(pitches_per_period)
 {
   if (!waits_)
     return;
-  drift_.emplace(scene, parameters, pitches_per_period);
-  double last = parameters.time.start;
+  drift_.emplace(scene, pitches_per_period);
+  double last = scene.start_time;
   for (const scene::Shaft &shaft : scene.shafts)
-    last = std::max(last, shaft.program.last_change(parameters.time.start));
+    last = std::max(last, shaft.program.last_change(scene.start_time));
   drift_->begin(last);
-  unsigned int pitches = parameters.output.window_pitches;
+  unsigned int pitches = model.window.pitches;
   if (pitches_per_period > 1)
     pitches = std::max(pitches, judged_pitches());
   length_       = pitches * drift_->pitch_time();

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/parameters/cross_checks.h>
 #include <chaindrive/parameters/declarations.h>
 #include <chaindrive/parameters/entries.h>
-#include <chaindrive/parameters/needs.h>
 #include <chaindrive/parameters/parameter_file.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/parameters/suggestions.h>
-#include <chaindrive/parameters/without_effect.h>
 #include <chaindrive/parameters/writer.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -15,6 +12,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -186,25 +184,25 @@ public:
   /// Whether Drive/Number of links = auto.
   bool wants_links() const { return input_.parameters.drive.n_links == 0; }
 
-  /// Gives the drive the number of links that @p links_of finds.
-  void find_links(const LinksOf &links_of)
+  /// Gives the drive the number of links that @p n_links finds.
+  void find_links(const std::function<unsigned int(const Drive &)> &n_links)
   {
     const Drive &drive = input_.parameters.drive;
-    if (!links_of)
+    if (!n_links)
       throw InputError("Drive/Number of links = auto cannot be found here; give a number.");
-    const std::string links = std::to_string(links_of(drive));
+    const std::string links = std::to_string(n_links(drive));
     set_value(*declarations_.find("Drive", "Number of links"), links, "");
     input_.notes.push_back("Drive/Number of links = auto: " + links + " for a centre distance of " +
                            to_entry_text(drive.layout.centre_distance, unit::milli) + " mm.");
   }
 
   /// Gives Output/Field interval in ms = auto the value that is used.
-  void find_field_interval()
+  void find_field_interval(const std::function<double(const Parameters &)> &interval)
   {
     const Parameters &p = input_.parameters;
-    if (!p.output.field_interval)
+    if (interval && !p.output.field_interval)
       set_value(*declarations_.find("Output", "Field interval in ms"),
-                to_entry_text(field_interval(p), unit::milli),
+                to_entry_text(interval(p), unit::milli),
                 "");
   }
 
@@ -445,7 +443,7 @@ private:
 namespace
 {
 /// What holds across entries, once all are read.
-void finish(Input &input, Reader &reader, const LinksOf &links_of)
+void finish(Input &input, Reader &reader, const Completion &completion)
 {
   reader.throw_errors();
   reader.convert_other_forms();
@@ -453,18 +451,17 @@ void finish(Input &input, Reader &reader, const LinksOf &links_of)
   std::vector<std::string> changed = reader.changed();
   if (reader.wants_links())
     {
-      reader.find_links(links_of);
+      reader.find_links(completion.n_links);
       reader.throw_errors();
       // it has had its effect
       changed.erase(
           std::remove(changed.begin(), changed.end(), "Drive/Layout/Centre distance in mm"),
           changed.end());
     }
-  reader.find_field_interval();
-  for (const std::string &note : cross_check(input.parameters))
-    input.notes.push_back(note);
-  for (const std::string &note : without_effect(input.parameters, changed))
-    input.notes.push_back(note);
+  reader.find_field_interval(completion.field_interval);
+  if (completion.check)
+    for (const std::string &note : completion.check(input.parameters, changed))
+      input.notes.push_back(note);
   input.resolved = reader.resolved();
   input.fixed    = reader.fixed();
 }
@@ -472,24 +469,24 @@ void finish(Input &input, Reader &reader, const LinksOf &links_of)
 
 Input read_parameters(const std::string              &file,
                       const std::vector<std::string> &overrides,
-                      const LinksOf                  &links_of)
+                      const Completion               &completion)
 {
   Input  input;
   Reader reader(input);
   reader.read_file(file);
   for (const std::string &override_text : overrides)
     reader.read_override(override_text);
-  finish(input, reader, links_of);
+  finish(input, reader, completion);
   return input;
 }
 
-Input read_entries(const std::map<std::string, std::string> &values, const LinksOf &links_of)
+Input read_entries(const std::map<std::string, std::string> &values, const Completion &completion)
 {
   Input  input;
   Reader reader(input);
   for (const auto &[path, value] : values)
     reader.read_entry(path, value);
-  finish(input, reader, links_of);
+  finish(input, reader, completion);
   return input;
 }
 

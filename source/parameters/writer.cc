@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/parameters/declarations.h>
-#include <chaindrive/parameters/needs.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/parameters/study.h>
@@ -128,7 +127,6 @@ std::string parameter_documentation()
           << cell(entry.allowed) << " | " << cell(entry.meaning) << " |\n";
     }
   out << study_output_documentation();
-  out << documentation_of_needs();
   return out.str();
 }
 } // namespace chaindrive::parameters

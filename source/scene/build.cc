@@ -11,19 +11,10 @@
 
 namespace chaindrive::scene
 {
+using model::Effect;
+
 namespace
 {
-/// Coefficients of effects that are off become zero: nothing downstream asks about effects again.
-parameters::Loads effective_loads(const Parameters &p, const std::vector<Effect> &effects)
-{
-  parameters::Loads loads = p.loads;
-  if (!is_on(effects, EffectKind::gravity))
-    loads.gravity = 0.;
-  if (!is_on(effects, EffectKind::drag))
-    loads.drag = 0.;
-  return loads;
-}
-
 /// The only place that asks which fidelity it is; what others ask of it is in
 /// parameters::Capabilities.
 auto builder_of(const parameters::Fidelity fidelity)
@@ -39,19 +30,6 @@ auto builder_of(const parameters::Fidelity fidelity)
       return &add_full_chain;
     }
   throw std::logic_error("a fidelity has no builder");
-}
-
-/// What is observed, and what is not since nobody asks for it.
-std::string note_of_quantities(const parameters::Output &output)
-{
-  std::string asked, left_out;
-  for (const auto &[group, name] : parameters::texts_of<parameters::QuantityGroup>)
-    {
-      std::string &list = output.asks_for(group) ? asked : left_out;
-      list += (list.empty() ? "" : ", ") + std::string(name);
-    }
-  return left_out.empty() ? "Output/Quantities = all: whatever the fidelity has is observed" :
-                            "Observed: " + asked + "; not asked for and not computed: " + left_out;
 }
 
 Tensor3 embed(const dealii::Tensor<1, 2> &v)
@@ -101,19 +79,13 @@ void describe(const drive::Drive &drive, DriveView &view)
 }
 } // namespace
 
-ContactLaw make_law(const Parameters           &parameters,
-                    const std::vector<Effect>  &effects,
-                    const double                k,
-                    const double                mass,
-                    const std::optional<double> friction)
+ContactLaw
+make_law(const model::Contact &contact, const double k, const double mass, const double friction)
 {
-  const parameters::Contact &contact = parameters.contact;
-  ContactLaw                 law;
+  ContactLaw law;
   law.stiffness = k;
-  if (is_on(effects, EffectKind::contact_damping))
-    law.damping = 2. * contact.damping_ratio * std::sqrt(k * mass);
-  if (is_on(effects, EffectKind::friction))
-    law.friction = friction.value_or(contact.friction_coefficient);
+  law.damping   = 2. * contact.damping_ratio * std::sqrt(k * mass);
+  law.friction  = friction;
   if (law.friction > 0.)
     {
       law.tangential_stiffness = contact.tangential_ratio * k;
@@ -122,16 +94,14 @@ ContactLaw make_law(const Parameters           &parameters,
   return law;
 }
 
-ContactLaw make_area_law(const Parameters           &parameters,
-                         const std::vector<Effect>  &effects,
-                         const double                thickness,
-                         const std::optional<double> friction)
+ContactLaw make_area_law(const model::Contact &contact,
+                         const Material       &steel,
+                         const double          thickness,
+                         const double          friction)
 {
-  const Material &steel = parameters.material;
   // what moves with a surface at the frequency of its penalty is half an element
-  return make_law(parameters,
-                  effects,
-                  parameters.contact.penalty_factor * steel.bulk_modulus() / thickness,
+  return make_law(contact,
+                  contact.penalty_factor * steel.bulk_modulus() / thickness,
                   0.5 * steel.density * thickness,
                   friction);
 }
@@ -146,33 +116,28 @@ ContactLaw in_series(const ContactLaw &law, const double modulus)
           law.tangential_damping * std::sqrt(softer)};
 }
 
-Scene build_scene(const Parameters               &parameters,
+Scene build_scene(const model::Model             &model,
                   const drive::Drive             &drive,
                   const std::vector<std::string> &folders,
                   const BasisOf                  &basis_of)
 {
-  const drive::Layout &layout = drive.layout;
-  Scene                scene;
-  scene.start_time  = parameters.time.start;
-  scene.material    = parameters.material;
-  scene.elements    = parameters.elements;
-  scene.effects     = decide_effects(parameters);
-  scene.loads       = effective_loads(parameters, scene.effects);
-  scene.half        = is_on(scene.effects, EffectKind::half_model);
-  scene.plates_bend = is_on(scene.effects, EffectKind::plate_bending);
-  scene.at_speed    = parameters.drive.layout.start == parameters::Start::settled;
+  Scene scene;
+  scene.start_time  = model.time.start;
+  scene.material    = model.material;
+  scene.elements    = model.elements;
+  scene.effects     = model.effects;
+  scene.loads       = model.loads;
+  scene.half        = model.effects.is_on(Effect::half_model);
+  scene.plates_bend = model.effects.is_on(Effect::plate_bending);
+  scene.at_speed    = !model.effects.is_on(Effect::start_up);
   scene.notes       = drive.notes;
-  scene.notes.push_back(note_of_quantities(parameters.output));
-  scene.effects.push_back({EffectKind::start_up,
-                           !scene.at_speed,
-                           "Drive/Layout/Start = " + text_of(parameters.drive.layout.start) +
-                               (scene.at_speed ? ": at full speed" : ": from rest")});
-  scene.prestress = layout.prestress;
+  scene.notes.insert(scene.notes.end(), model.notes.begin(), model.notes.end());
+  scene.prestress = drive.layout.prestress;
   describe(drive, scene.drive);
 
-  builder_of(parameters.model.fidelity)(parameters, drive, scene);
-  add_sprockets(parameters, drive, folders, scene);
-  if (is_on(scene.effects, EffectKind::reduced_bodies) && basis_of)
+  builder_of(model.fidelity)(model, drive, scene);
+  add_sprockets(model, drive, folders, scene);
+  if (model.effects.is_on(Effect::reduced_bodies) && basis_of)
     add_bases(basis_of, scene);
   return scene;
 }

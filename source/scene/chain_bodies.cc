@@ -8,6 +8,8 @@
 
 namespace chaindrive::scene
 {
+using model::Effect;
+
 namespace
 {
 Body make_body(const Kind                   kind,
@@ -29,17 +31,16 @@ Body make_body(const Kind                   kind,
 }
 
 /// Factor on the links' mass and inertia that gives the chain the mass per pitch asked for.
-double link_mass_factor(const Parameters &parameters, const drive::Drive &drive)
+double link_mass_factor(const model::Model &model, const drive::Drive &drive)
 {
-  if (!parameters.model.mass_per_pitch)
+  if (!model.mass_per_pitch.given)
     return 1.;
   const double links  = 0.5 * (drive.inner_link_solid.mass + drive.outer_link_solid.mass);
-  const double factor = (*parameters.model.mass_per_pitch - drive.roller_solid.mass) / links;
+  const double factor = (model.mass_per_pitch.value - drive.roller_solid.mass) / links;
   if (factor <= 0.)
-    throw InputError(
-        "Model/Mass per pitch in g = " + to_text(*parameters.model.mass_per_pitch * 1e3) +
-        " leaves nothing for the links: the roller alone weighs " +
-        to_text(drive.roller_solid.mass * 1e3, 4) + " g.");
+    throw InputError("Model/Mass per pitch in g = " + to_text(model.mass_per_pitch.value * 1e3) +
+                     " leaves nothing for the links: the roller alone weighs " +
+                     to_text(drive.roller_solid.mass * 1e3, 4) + " g.");
   return factor;
 }
 
@@ -60,22 +61,19 @@ double roller_spin(const drive::Layout &layout, const unsigned int k)
   return sprocket >= 0 ? layout.sprockets[sprocket].speed : link_spin(layout, k - k % 2);
 }
 
-void add_chain_bodies(const Parameters        &parameters,
+void add_chain_bodies(const model::Model      &model,
                       const drive::Drive      &drive,
                       const std::vector<char> &elastic_joint,
                       Scene                   &scene)
 {
   const drive::Layout &layout          = drive.layout;
   const unsigned int   n               = scene.drive.n_joints;
-  const double         factor          = link_mass_factor(parameters, drive);
-  const bool           elastic_rollers = is_on(scene.effects, EffectKind::elastic_rollers);
-  const bool           elastic_links   = is_on(scene.effects, EffectKind::elastic_links);
-  const Motion         deforming =
-      parameters.model.capabilities().is_reduced ? Motion::reduced : Motion::elastic;
-  const Motion others = parameters.model.other_links == parameters::OtherLinks::reduced ?
-                            Motion::reduced :
-                            Motion::rigid;
-  const auto   motion = [&](const bool effect, const bool arrives) {
+  const double         factor          = link_mass_factor(model, drive);
+  const bool           elastic_rollers = model.effects.is_on(Effect::elastic_rollers);
+  const bool           elastic_links   = model.effects.is_on(Effect::elastic_links);
+  const Motion         deforming       = model.reduced ? Motion::reduced : Motion::elastic;
+  const Motion         others          = model.others_reduced ? Motion::reduced : Motion::rigid;
+  const auto           motion          = [&](const bool effect, const bool arrives) {
     return !effect ? Motion::rigid : arrives ? deforming : others;
   };
   scene.drive.mass_per_pitch =
@@ -83,8 +81,8 @@ void add_chain_bodies(const Parameters        &parameters,
       0.5 * factor * (drive.inner_link_solid.mass + drive.outer_link_solid.mass);
   scene.notes.push_back(
       "Mass per pitch " + to_text(scene.drive.mass_per_pitch * 1e3, 4) + " g (" +
-      (parameters.model.mass_per_pitch ? "given: links scaled by " + to_text(factor, 4) :
-                                         std::string("auto: from the parts")) +
+      (model.mass_per_pitch.given ? "given: links scaled by " + to_text(factor, 4) :
+                                    std::string("auto: from the parts")) +
       "), of which the roller " + to_text(drive.roller_solid.mass * 1e3, 4) + " g");
 
   for (unsigned int k = 0; k < n; ++k)

@@ -7,12 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace chaindrive::scene
 {
+using model::Effect;
+
 namespace
 {
 /// Thickness of the elements below one side of a part, m.
@@ -65,48 +66,44 @@ void note_column_masses(Scene &scene)
 }
 } // namespace
 
-void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
+void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene &scene)
 {
-  const std::vector<char> elastic = elastic_joints(parameters, drive, scene);
-  add_chain_bodies(parameters, drive, elastic, scene);
-  scene.parts[Kind::roller]     = make_roller_part(parameters, drive);
-  scene.parts[Kind::inner_link] = make_link_part(parameters, drive, true);
-  scene.parts[Kind::outer_link] = make_link_part(parameters, drive, false);
+  add_chain_bodies(model, drive, model.elastic_joints, scene);
+  scene.parts[Kind::roller]     = make_roller_part(model.meshes, drive);
+  scene.parts[Kind::inner_link] = make_link_part(model.meshes, drive, true);
+  scene.parts[Kind::outer_link] = make_link_part(model.meshes, drive, false);
 
   weigh_reduced_bodies(scene);
-  if (is_on(scene.effects, EffectKind::column_mass_scaling))
+  if (model.effects.is_on(Effect::column_mass_scaling))
     note_column_masses(scene);
 
   // the softer of two surfaces decides how far they may overlap
-  const auto law = [&](const Kind                   master,
-                       const mesh::Surface          bore,
-                       const Kind                   slave,
-                       const mesh::Surface          cylinder,
-                       const std::optional<double> &friction) {
+  const auto law = [&](const Kind          master,
+                       const mesh::Surface bore,
+                       const Kind          slave,
+                       const mesh::Surface cylinder,
+                       const double        friction) {
     return make_area_law(
-        parameters,
-        scene.effects,
+        model.contact,
+        model.material,
         std::max(thickness(scene, master, bore), thickness(scene, slave, cylinder)),
         friction);
   };
-  BoreFamily rollers, pins;
-  rollers.name    = "roller-bush";
+  BoreFamily rollers = bores_of(Interface::roller_bush), pins = bores_of(Interface::bush_pin);
   rollers.elastic = true;
   rollers.law     = law(Kind::roller,
                     mesh::roller_bore,
                     Kind::inner_link,
                     mesh::bush_outside_first,
-                    parameters.contact.roller_bush_friction);
-  if (is_on(scene.effects, EffectKind::elastic_rollers) !=
-      is_on(scene.effects, EffectKind::elastic_links))
+                    model.contact.roller_bush_friction);
+  if (model.effects.is_on(Effect::elastic_rollers) != model.effects.is_on(Effect::elastic_links))
     add_foundation(drive, scene, rollers.law);
-  pins.name                           = "bush-pin";
   pins.elastic                        = true;
   pins.law                            = law(Kind::inner_link,
                  mesh::bush_bore_first,
                  Kind::outer_link,
                  mesh::pin_outside_first,
-                 parameters.contact.bush_pin_friction);
+                 model.contact.bush_pin_friction);
   const drive::ChainDimensions &chain = drive.chain;
   rollers.half_angle                  = drive::largest_half_angle(
       0.5 * chain.bush_diameter, chain.roller_clearance(), scene.material);
@@ -142,16 +139,17 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
   for (BoreFamily *family : {&rollers, &pins})
     if (!family->pairs.empty())
       scene.bores.push_back(std::move(*family));
-  if (is_on(scene.effects, EffectKind::plate_faces))
+  if (model.effects.is_on(Effect::plate_faces))
     {
       FaceFamily plates;
-      plates.name   = "plate faces";
-      plates.law    = law(Kind::outer_link,
+      plates.interface = Interface::plate_faces;
+      plates.name      = parameters::text_of(plates.interface);
+      plates.law       = law(Kind::outer_link,
                        mesh::plate_inner_faces,
                        Kind::inner_link,
                        mesh::plate_outer_faces,
-                       std::nullopt);
-      plates.radius = 0.5 * std::min(chain.inner_plate_height, chain.outer_plate_height);
+                       model.contact.plate_friction);
+      plates.radius    = 0.5 * std::min(chain.inner_plate_height, chain.outer_plate_height);
       for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
         {
           const Joint joint = joint_of(k, drive, scene.drive);
@@ -166,6 +164,6 @@ void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Sce
         }
       scene.faces.push_back(std::move(plates));
     }
-  add_rigid_joints(parameters, drive, scene);
+  add_rigid_joints(model, drive, scene);
 }
 } // namespace chaindrive::scene

@@ -8,49 +8,55 @@
 
 namespace chaindrive::scene
 {
+using model::Effect;
+
 namespace
 {
 double reduced_mass(const double a, const double b) { return a * b / (a + b); }
 } // namespace
 
-void add_layered_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
+void add_layered_chain(const model::Model &model, const drive::Drive &drive, Scene &scene)
 {
-  add_chain_bodies(parameters, drive, std::vector<char>(scene.drive.n_joints, false), scene);
-  add_rigid_joints(parameters, drive, scene);
-  if (is_on(scene.effects, EffectKind::fields))
+  add_chain_bodies(model, drive, std::vector<char>(scene.drive.n_joints, false), scene);
+  add_rigid_joints(model, drive, scene);
+  if (model.effects.is_on(Effect::fields))
     {
-      scene.parts[Kind::roller]     = make_roller_part(parameters, drive);
-      scene.parts[Kind::inner_link] = make_link_part(parameters, drive, true);
-      scene.parts[Kind::outer_link] = make_link_part(parameters, drive, false);
+      scene.parts[Kind::roller]     = make_roller_part(model.meshes, drive);
+      scene.parts[Kind::inner_link] = make_link_part(model.meshes, drive, true);
+      scene.parts[Kind::outer_link] = make_link_part(model.meshes, drive, false);
     }
 }
 
-void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
+BoreFamily bores_of(const Interface interface)
+{
+  BoreFamily family;
+  family.interface = interface;
+  family.name      = parameters::text_of(interface);
+  return family;
+}
+
+void add_rigid_joints(const model::Model &model, const drive::Drive &drive, Scene &scene)
 {
   const drive::ChainDimensions &chain      = drive.chain;
   const DriveView              &view       = scene.drive;
   const double                  inner_mass = scene.bodies[view.links[0]].mass,
                outer_mass                  = scene.bodies[view.links[1]].mass,
                roller_mass                 = scene.bodies[view.rollers[0]].mass;
-  const double bush_stiffness              = drive.roller_bush_stiffness;
+  const double bush_stiffness              = model.roller_bush_stiffness.value;
   // One bush-pin joint per pitch lies in the path of the tension; with rigid links it alone gives
   // the chain its stiffness, so plates and joint contact in series are put there.
-  const double pin_stiffness = drive.stiffness_per_pitch;
+  const double pin_stiffness = model.stiffness_per_pitch;
 
-  BoreFamily rollers, pins;
-  rollers.name = "roller-bush";
-  rollers.law  = make_law(parameters,
-                         scene.effects,
+  BoreFamily rollers = bores_of(Interface::roller_bush), pins = bores_of(Interface::bush_pin);
+  rollers.law = make_law(model.contact,
                          bush_stiffness,
                          reduced_mass(roller_mass, inner_mass),
-                         parameters.contact.roller_bush_friction)
+                         model.contact.roller_bush_friction)
                     .shared_by(2);
-  pins.name = "bush-pin";
-  pins.law  = make_law(parameters,
-                      scene.effects,
+  pins.law = make_law(model.contact,
                       pin_stiffness,
                       reduced_mass(inner_mass, outer_mass),
-                      parameters.contact.bush_pin_friction)
+                      model.contact.bush_pin_friction)
                  .shared_by(2);
   for (unsigned int k = 0; k < view.n_joints; ++k)
     {
@@ -74,9 +80,9 @@ void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, S
                {joint.outer, dealii::Point<3>(joint.pin_x, 0., z), 0.5 * chain.pin_diameter, k}});
     }
   if (!rollers.pairs.empty())
-    scene.notes.push_back(
-        "Roller-bush stiffness " + to_text(bush_stiffness, 4) + " N/m (" +
-        (parameters.contact.roller_bush_stiffness ? "given" : "auto: a pressed roller") + ")");
+    scene.notes.push_back("Roller-bush stiffness " + to_text(bush_stiffness, 4) + " N/m (" +
+                          (model.roller_bush_stiffness.given ? "given" : "auto: a pressed roller") +
+                          ")");
   if (!pins.pairs.empty())
     scene.notes.push_back("Bush-pin stiffness " + to_text(pin_stiffness, 4) +
                           " N/m, plates and joint contact in series");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/generate/sprocket.h>
-#include <chaindrive/parameters/needs.h>
 #include <chaindrive/scene/build.h>
 
 namespace chaindrive::scene
@@ -14,39 +13,38 @@ std::shared_ptr<const mesh::Part> shared(mesh::Part &&part)
 }
 } // namespace
 
-std::shared_ptr<const mesh::Part> make_roller_part(const Parameters   &parameters,
-                                                   const drive::Drive &drive)
+std::shared_ptr<const mesh::Part> make_roller_part(const model::Meshes &meshes,
+                                                   const drive::Drive  &drive)
 {
-  const parameters::Mesh &cells = parameters.mesh;
+  const parameters::Mesh &cells = meshes.cells;
   const mesh::RollerGrid  level(cells.refinement);
   return shared(mesh::make_roller(drive.chain,
-                                  parameters.material.density,
+                                  meshes.density,
                                   {cells.roller_wall.value_or(level.wall),
                                    cells.roller_around.value_or(level.around),
                                    cells.roller_along.value_or(level.along),
-                                   parameters::half_model(parameters).on}));
+                                   meshes.half}));
 }
 
 std::shared_ptr<const mesh::Part>
-make_link_part(const Parameters &parameters, const drive::Drive &drive, const bool inner)
+make_link_part(const model::Meshes &meshes, const drive::Drive &drive, const bool inner)
 {
-  const parameters::Mesh::Link &cells =
-      inner ? parameters.mesh.inner_link : parameters.mesh.outer_link;
-  mesh::LinkGrid grid = inner ? mesh::inner_link_grid(parameters.mesh.refinement) :
-                                mesh::outer_link_grid(parameters.mesh.refinement);
-  grid.around         = cells.around.value_or(grid.around);
-  grid.wall           = cells.wall.value_or(grid.wall);
-  grid.rings          = cells.rings.value_or(grid.rings);
-  grid.plate_layers   = cells.plate_layers.value_or(grid.plate_layers);
-  grid.along          = cells.along.value_or(grid.along);
-  grid.half           = parameters::half_model(parameters).on;
+  const parameters::Mesh::Link &cells = inner ? meshes.cells.inner_link : meshes.cells.outer_link;
+  mesh::LinkGrid                grid  = inner ? mesh::inner_link_grid(meshes.cells.refinement) :
+                                                mesh::outer_link_grid(meshes.cells.refinement);
+  grid.around                         = cells.around.value_or(grid.around);
+  grid.wall                           = cells.wall.value_or(grid.wall);
+  grid.rings                          = cells.rings.value_or(grid.rings);
+  grid.plate_layers                   = cells.plate_layers.value_or(grid.plate_layers);
+  grid.along                          = cells.along.value_or(grid.along);
+  grid.half                           = meshes.half;
 
-  const double density = parameters.material.density;
+  const double density = meshes.density;
   return shared(inner ? mesh::make_inner_link(drive.chain, density, grid) :
                         mesh::make_outer_link(drive.chain, density, grid));
 }
 
-std::shared_ptr<const mesh::Part> make_sprocket_part(const Parameters      &parameters,
+std::shared_ptr<const mesh::Part> make_sprocket_part(const model::Meshes   &meshes,
                                                      const drive::Drive    &drive,
                                                      const drive::Sprocket &sprocket)
 {
@@ -54,8 +52,8 @@ std::shared_ptr<const mesh::Part> make_sprocket_part(const Parameters      &para
   return shared(
       mesh::make_sprocket(sprocket.form,
                           shape,
-                          parameters.material.density,
-                          parameters.mesh.sprocket_refinement.value_or(parameters.mesh.refinement),
-                          parameters::half_model(parameters).on));
+                          meshes.density,
+                          meshes.cells.sprocket_refinement.value_or(meshes.cells.refinement),
+                          meshes.half));
 }
 } // namespace chaindrive::scene

@@ -111,7 +111,7 @@ void print_plan(std::ostream &out, const Scene &scene)
         << to_text(scene.bars.front().damping, 4) << " N s/m\n";
 
   out << "Effects\n";
-  for (const Effect &effect : scene.effects)
+  for (const model::Decision &effect : scene.effects)
     out << "  " << std::left << std::setw(22) << effect.name() << std::right
         << (effect.on ? "on   " : "off  ") << effect.reason << '\n';
 

@@ -8,17 +8,19 @@
 
 namespace chaindrive::scene
 {
-void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
+using model::Effect;
+
+void add_simple_chain(const model::Model &model, const drive::Drive &drive, Scene &scene)
 {
-  const double mass          = parameters.model.mass_per_pitch.value_or(drive.mass_per_pitch);
+  const double mass          = model.mass_per_pitch.value;
   scene.drive.mass_per_pitch = mass;
   scene.notes.push_back("Mass per pitch " + to_text(mass * 1e3, 4) + " g (" +
-                        (parameters.model.mass_per_pitch ? "given" : "auto: from the parts") +
+                        (model.mass_per_pitch.given ? "given" : "auto: from the parts") +
                         "), lumped at the rollers");
 
   // what turns is the ring, whatever mass of the links is lumped with it
   const drive::MassProperties &ring    = drive.roller_solid;
-  const bool                   spins   = is_on(scene.effects, EffectKind::friction);
+  const bool                   spins   = model.effects.is_on(Effect::friction);
   const double                 inertia = ring.inertia[2][2] * std::min(1., mass / ring.mass);
   for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
     {
@@ -35,13 +37,12 @@ void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, S
       scene.drive.rollers.push_back(static_cast<unsigned int>(scene.bodies.size()));
       scene.bodies.push_back(roller);
     }
-  if (is_on(scene.effects, EffectKind::fields))
-    scene.parts[Kind::roller] = make_roller_part(parameters, drive);
+  if (model.effects.is_on(Effect::fields))
+    scene.parts[Kind::roller] = make_roller_part(model.meshes, drive);
 
-  const double k       = drive.stiffness_per_pitch;
-  double       damping = 0.;
-  if (is_on(scene.effects, EffectKind::chain_damping)) // of two lumps on one bar: reduced mass m/2
-    damping = 2. * parameters.model.chain_damping_ratio * std::sqrt(k * 0.5 * mass);
+  const double k = model.stiffness_per_pitch;
+  // of two lumps on one bar: reduced mass m/2
+  const double damping = 2. * model.chain_damping_ratio * std::sqrt(k * 0.5 * mass);
   for (unsigned int i = 0; i < scene.drive.n_joints; ++i)
     scene.bars.push_back({scene.drive.rollers[i],
                           scene.drive.rollers[scene.drive.next(i)],

@@ -16,26 +16,29 @@
 
 namespace chaindrive::scene
 {
+using model::Effect;
+
 using parameters::Role;
 
 namespace
 {
-/// The mesh of a sprocket: from its file, or generated where somebody needs it, else null.
-std::shared_ptr<const mesh::Part> sprocket_part(const Parameters               &parameters,
+/// The mesh of sprocket number @p i of the drive: from its file, or generated where somebody needs
+/// it, else null.
+std::shared_ptr<const mesh::Part> sprocket_part(const model::Model             &model,
                                                 const drive::Drive             &drive,
-                                                const drive::Sprocket          &sprocket,
-                                                const std::vector<std::string> &folders,
-                                                const Scene                    &scene)
+                                                const unsigned int              i,
+                                                const std::vector<std::string> &folders)
 {
-  const bool         elastic = is_on(scene.effects, EffectKind::elastic_sprocket, sprocket.name);
-  const std::string &file    = sprocket.mesh;
+  const drive::Sprocket &sprocket = drive.sprockets[i];
+  const bool             elastic  = model.effects.is_on(Effect::elastic_sprocket, i);
+  const std::string     &file     = sprocket.mesh;
   if (!file.empty())
     {
       auto part =
           std::make_shared<const mesh::Part>(mesh::import_sprocket(mesh::find_file(file, folders),
                                                                    sprocket.form,
-                                                                   parameters.material.density,
-                                                                   scene.half && elastic));
+                                                                   model.material.density,
+                                                                   model.meshes.half && elastic));
       if (const double width = mesh::flank_width(*part); width >= drive.chain.inner_width)
         throw InputError(
             "Drive/Sprockets/" + sprocket.in_entries + " mesh = " + file + " has teeth " +
@@ -43,13 +46,13 @@ std::shared_ptr<const mesh::Part> sprocket_part(const Parameters               &
             to_text(drive.chain.inner_width * 1e3, 4) + " mm between the inner plates.");
       return part;
     }
-  if (is_on(scene.effects, EffectKind::fields) || elastic)
-    return make_sprocket_part(parameters, drive, sprocket);
+  if (model.effects.is_on(Effect::fields) || elastic)
+    return make_sprocket_part(model.meshes, drive, sprocket);
   return nullptr;
 }
 
 /// Sprocket number @p i of the drive as a body, with its mesh in @p part if it has one.
-Body sprocket_body(const Parameters   &parameters,
+Body sprocket_body(const model::Model &model,
                    const drive::Drive &drive,
                    const unsigned int  i,
                    const mesh::Part   *part,
@@ -58,7 +61,7 @@ Body sprocket_body(const Parameters   &parameters,
   const drive::Sprocket         &sprocket = drive.sprockets[i];
   const drive::Layout::Sprocket &start    = drive.layout.sprockets[i];
   const drive::MassProperties   &solid    = sprocket.mesh.empty() ? sprocket.solid : part->meshed;
-  const bool rim = is_on(scene.effects, EffectKind::elastic_sprocket, sprocket.name);
+  const bool                     rim      = model.effects.is_on(Effect::elastic_sprocket, i);
 
   Body body;
   body.kind   = Kind::sprocket;
@@ -70,10 +73,9 @@ Body sprocket_body(const Parameters   &parameters,
     body.inertia[d] = solid.inertia[d][d];
   if (sprocket.role == Role::driven)
     {
-      body.inertia[2] = parameters.model.driven_inertia.value_or(solid.inertia[2][2]);
-      scene.notes.push_back(
-          "Driven inertia " + to_text(body.inertia[2], 4) + " kg m2 (" +
-          (parameters.model.driven_inertia ? "given" : "auto: the sprocket alone") + ")");
+      body.inertia[2] = model.driven_inertia.value_or(solid.inertia[2][2]);
+      scene.notes.push_back("Driven inertia " + to_text(body.inertia[2], 4) + " kg m2 (" +
+                            (model.driven_inertia ? "given" : "auto: the sprocket alone") + ")");
     }
   body.initial = placed(start.centre, start.angle, dealii::Tensor<1, 2>(), start.speed);
   return body;
@@ -103,7 +105,7 @@ Tensor3 entry_normal(const drive::Layout &layout, const unsigned int i, const Dr
 
 /// The flanks of @p sprocket, which is in the scene as @p body with its mesh in @p part if it has
 /// one; no rollers yet.
-ToothFamily make_flanks(const Parameters      &parameters,
+ToothFamily make_flanks(const model::Model    &model,
                         const drive::Drive    &drive,
                         const drive::Sprocket &sprocket,
                         const unsigned int     body,
@@ -111,9 +113,9 @@ ToothFamily make_flanks(const Parameters      &parameters,
                         Scene                 &scene)
 {
   const bool         imported = !sprocket.mesh.empty();
-  const unsigned int facets   = parameters.drive.sprockets.facets;
+  const unsigned int facets   = model.tooth_facets;
   ToothFamily        teeth;
-  teeth.name     = "roller-" + sprocket.name;
+  teeth.name     = name_of_teeth(sprocket.name);
   teeth.sprocket = body;
   teeth.form = std::make_shared<const drive::ToothForm>(facets > 0 ? sprocket.form.faceted(facets) :
                                                                      sprocket.form);
@@ -137,7 +139,7 @@ ToothFamily make_flanks(const Parameters      &parameters,
 
 /// The family of the rollers that move by @p motion, whose nodes meet the flanks of @p flanks.
 /// These give way by @p tooth_stiffness [N/m] where they are rigid.
-ToothFamily with_elastic_rollers(const Parameters   &parameters,
+ToothFamily with_elastic_rollers(const model::Model &model,
                                  const drive::Drive &drive,
                                  const Scene        &scene,
                                  const ToothFamily  &flanks,
@@ -156,12 +158,12 @@ ToothFamily with_elastic_rollers(const Parameters   &parameters,
           thickness, mesh::SurfaceNodes(part, mesh::Nodes(part), mesh::tooth_flanks).thickness);
     }
   teeth.law =
-      make_area_law(parameters, scene.effects, thickness, parameters.contact.roller_tooth_friction);
+      make_area_law(model.contact, model.material, thickness, model.contact.roller_tooth_friction);
   teeth.elastic       = true;
   const double radius = 0.5 * drive.chain.roller_diameter;
   teeth.half_angle =
       drive::largest_half_angle(radius, teeth.form->seat_radius - radius, scene.material);
-  if (is_on(scene.effects, EffectKind::tooth_compliance) && sector == scene.sectors.end())
+  if (model.effects.is_on(Effect::tooth_compliance) && sector == scene.sectors.end())
     {
       let_give_way(teeth,
                    tooth_stiffness,
@@ -180,7 +182,7 @@ ToothFamily with_elastic_rollers(const Parameters   &parameters,
 
 /// The family of the other rollers, which touch at points of their axes; @p stiffness is that of a
 /// roller, N/m.
-ToothFamily with_rigid_rollers(const Parameters   &parameters,
+ToothFamily with_rigid_rollers(const model::Model &model,
                                const drive::Drive &drive,
                                const double        stiffness,
                                const Scene        &scene,
@@ -194,11 +196,7 @@ ToothFamily with_rigid_rollers(const Parameters   &parameters,
           std::vector<double>{0.} :
           line_stations(std::min(drive.chain.roller_length, 2. * flanks.half_width), scene.half);
   ToothFamily teeth = flanks;
-  teeth.law         = make_law(parameters,
-                       scene.effects,
-                       stiffness,
-                       roller.mass,
-                       parameters.contact.roller_tooth_friction)
+  teeth.law = make_law(model.contact, stiffness, roller.mass, model.contact.roller_tooth_friction)
                   .shared_by(roller.motion == Motion::lumped ? 1 : 2);
   for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
     for (const double z : stations)
@@ -223,12 +221,12 @@ void let_give_way(ToothFamily    &teeth,
                     radius, teeth.form->seat_radius - radius, length, load, 2. * stiffness, steel));
 }
 
-void add_sprockets(const Parameters               &parameters,
+void add_sprockets(const model::Model             &model,
                    const drive::Drive             &drive,
                    const std::vector<std::string> &folders,
                    Scene                          &scene)
 {
-  const double stiffness  = drive.roller_tooth_stiffness;
+  const double stiffness  = model.roller_tooth_stiffness.value;
   const auto   any_roller = [&scene](const auto &is_so) {
     return std::any_of(scene.drive.rollers.begin(),
                        scene.drive.rollers.end(),
@@ -238,14 +236,14 @@ void add_sprockets(const Parameters               &parameters,
   if (any_rigid)
     scene.notes.push_back(
         "Roller-tooth stiffness " + to_text(stiffness, 4) + " N/m (" +
-        (parameters.contact.roller_tooth_stiffness ? "given" : "auto: a pressed roller") +
+        (model.roller_tooth_stiffness.given ? "given" : "auto: a pressed roller") +
         "); a smaller value lowers impact peaks in proportion to its square root");
 
   for (unsigned int i = 0; i < drive.sprockets.size(); ++i)
     {
       const drive::Sprocket &sprocket = drive.sprockets[i];
-      const auto             part     = sprocket_part(parameters, drive, sprocket, folders, scene);
-      const Body             body     = sprocket_body(parameters, drive, i, part.get(), scene);
+      const auto             part     = sprocket_part(model, drive, i, folders);
+      const Body             body     = sprocket_body(model, drive, i, part.get(), scene);
       const auto             number   = static_cast<unsigned int>(scene.bodies.size());
       scene.bodies.push_back(body);
       const int sense = drive.layout.sense * drive.layout.sprockets[i].turn;
@@ -267,18 +265,17 @@ void add_sprockets(const Parameters               &parameters,
           check_inertia(body, *scene.sectors[body.part()], scene);
         }
 
-      const ToothFamily flanks =
-          make_flanks(parameters, drive, sprocket, number, part.get(), scene);
-      if (is_on(scene.effects, EffectKind::tooth_compliance) && body.motion == Motion::rigid)
+      const ToothFamily flanks = make_flanks(model, drive, sprocket, number, part.get(), scene);
+      if (model.effects.is_on(Effect::tooth_compliance) && body.motion == Motion::rigid)
         scene.notes.push_back(flanks.name + ": tooth and rim give way under a roller by " +
-                              to_text(sprocket.tooth_stiffness, 4) + " N/m (" +
-                              (parameters.contact.tooth_stiffness ? "given" : "auto") + ")");
+                              to_text(model.tooth_stiffness[i].value, 4) + " N/m (" +
+                              (model.tooth_stiffness[i].given ? "given" : "auto") + ")");
       for (const Motion motion : {Motion::elastic, Motion::reduced})
         if (any_roller([motion](const Body &roller) { return roller.motion == motion; }))
           scene.teeth.push_back(with_elastic_rollers(
-              parameters, drive, scene, flanks, sprocket.tooth_stiffness, motion));
+              model, drive, scene, flanks, model.tooth_stiffness[i].value, motion));
       if (any_rigid)
-        scene.teeth.push_back(with_rigid_rollers(parameters, drive, stiffness, scene, flanks));
+        scene.teeth.push_back(with_rigid_rollers(model, drive, stiffness, scene, flanks));
     }
 }
 } // namespace chaindrive::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/parameters/parameters.h>
+#include <chaindrive/parameters/run.h>
 #include <chaindrive/stability/closed_contact.h>
 #include <chaindrive/stability/stable_step.h>
 #include <chaindrive/stability/step_limit.h>
@@ -72,10 +72,9 @@ StepChoice choose_step(const World             &world,
                        const Bars              &bars,
                        const ForceElements     &forces,
                        const contact::Contacts &contacts,
-                       const Parameters        &parameters)
+                       const parameters::Time  &time)
 {
-  const parameters::Time &time = parameters.time;
-  StepChoice              choice;
+  StepChoice choice;
   choice.step_limits   = step_limits(world, bars, forces, contacts);
   choice.limit         = step_limit(world, bars, forces, contacts);
   const double largest = time.safety_factor * choice.limit;

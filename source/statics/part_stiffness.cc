@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/parameters/needs.h>
 #include <chaindrive/statics/part_stiffness.h>
 #include <chaindrive/statics/pieces.h>
 #include <chaindrive/utilities/errors.h>
@@ -37,39 +36,23 @@ std::string origin(const Library &library, const double load)
          " N, " + (cached ? "from the cache (" : "computed (") + parts + ").";
 }
 
-/// Whether rigid sprockets give way by a stiffness that is auto.
-bool teeth_give_way(const Parameters &p)
+drive::PartStiffness compute(const model::PartStiffnesses &wanted,
+                             const Material               &steel,
+                             const drive::Drive           &drive,
+                             const double                  load,
+                             const MPI_Comm                comm)
 {
-  return parameters::tooth_compliance(p).on && !p.contact.tooth_stiffness;
-}
-
-/// Whether anything in the model gives way by these values: rigid bodies, or a start whose
-/// prestress is found with them.
-bool are_needed(const Parameters &p)
-{
-  return !p.model.capabilities().is_elastic || !parameters::elastic_links(p).on ||
-         !parameters::elastic_rollers(p).on ||
-         p.model.elastic_links == parameters::ElasticLinks::arriving || teeth_give_way(p) ||
-         p.drive.layout.start == parameters::Start::settled;
-}
-
-drive::PartStiffness compute(const Parameters   &parameters,
-                             const drive::Drive &drive,
-                             const double        load,
-                             const MPI_Comm      comm)
-{
-  drive::PartStiffness result = drive::estimated_stiffness(drive.chain, load, parameters.material);
+  drive::PartStiffness result = drive::estimated_stiffness(drive.chain, load, steel);
   result.notes.clear();
-  Library library(parameters.material, Cache::usual_folder(), comm);
-  if (!parameters.model.stiffness_per_pitch)
+  Library library(steel, Cache::usual_folder(), comm);
+  if (wanted.per_pitch)
     result.per_pitch = rounded(load / at_force(
                                           [&](const unsigned int n_angles) {
                                             return library.pulled_links(drive.chain, n_angles);
                                           },
                                           load)
                                           .approach[0]);
-  if (!parameters.contact.roller_tooth_stiffness ||
-      (!parameters.contact.roller_bush_stiffness && parameters.model.capabilities().has_clearances))
+  if (wanted.rollers)
     {
       // all sprockets have the same roller: the mean of the approaches
       double tooth = 0., bush = 0.;
@@ -87,7 +70,7 @@ drive::PartStiffness compute(const Parameters   &parameters,
       result.roller_tooth = rounded(load / tooth);
       result.roller_bush  = rounded(load / bush);
     }
-  if (teeth_give_way(parameters))
+  if (wanted.teeth)
     for (const drive::Sprocket &sprocket : drive.sprockets)
       result.teeth.push_back(rounded(load / at_force(
                                                 [&](const unsigned int n_angles) {
@@ -118,15 +101,16 @@ Pressed at_force(const std::function<Press(unsigned int)> &make, const double fo
     }
 }
 
-drive::StiffnessOf part_stiffness(const Parameters &parameters, const MPI_Comm comm)
+drive::StiffnessOf part_stiffness(const std::optional<model::PartStiffnesses> &wanted,
+                                  const Material                              &steel,
+                                  const MPI_Comm                               comm)
 {
-  if (parameters.model.stiffness_from == parameters::StiffnessFrom::dimensions ||
-      !are_needed(parameters))
+  if (!wanted)
     return {};
-  return [&parameters, comm](const drive::Drive &drive, const double load) {
+  return [wanted = *wanted, steel, comm](const drive::Drive &drive, const double load) {
     try
       {
-        return compute(parameters, drive, load, comm);
+        return compute(wanted, steel, drive, load, comm);
       }
     // on all ranks: dimensions that cannot be meshed, contact or solution not found
     catch (const InputError &)
@@ -138,8 +122,7 @@ drive::StiffnessOf part_stiffness(const Parameters &parameters, const MPI_Comm c
     catch (const dealii::ExceptionBase &)
       {
       }
-    drive::PartStiffness estimate =
-        drive::estimated_stiffness(drive.chain, load, parameters.material);
+    drive::PartStiffness estimate = drive::estimated_stiffness(drive.chain, load, steel);
     estimate.notes = {"The parts could not be solved with these dimensions: stiffnesses that are "
                       "auto are estimates, see Model/Stiffness from."};
     return estimate;

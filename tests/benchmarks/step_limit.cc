@@ -11,9 +11,8 @@
 //   pitches  where two neighbouring pitches are closed in different ways
 #include <chaindrive/bodies/make_world.h>
 #include <chaindrive/contact/contacts.h>
-#include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/drive.h>
-#include <chaindrive/parameters/reader.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/reduction/kept_basis.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/scene.h>
@@ -328,15 +327,15 @@ Problem two_pitches(const CoupledShapes &shapes, const double dt)
 std::optional<CoupledShapes> coupled(const std::string              &file,
                                      const std::vector<std::string> &overrides)
 {
-  const Parameters p =
-      parameters::read_parameters(file, overrides, drive::number_of_links).parameters;
+  const Parameters     p        = model::read_parameters(file, overrides).parameters;
   const drive::Drive   drive    = drive::make_drive(p);
   const scene::BasisOf basis_of = [&p](const mesh::Part &part) {
     statics::Cache cache(statics::Cache::usual_folder());
     return std::make_shared<const reduction::Basis>(reduction::kept_basis(
         part, p.material, p.elements, reduction::options_of(p.reduction), cache, MPI_COMM_SELF));
   };
-  const scene::Scene                 scene = scene::build_scene(p, drive, {"."}, basis_of);
+  const scene::Scene scene =
+      scene::build_scene(model::make_model(p, drive), drive, {"."}, basis_of);
   World                              world = make_world(scene);
   const contact::Contacts            contacts(scene, world, false);
   std::vector<stability::ClosedKind> kinds;

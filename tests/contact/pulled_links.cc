@@ -40,7 +40,7 @@ scene::Scene pulled(const Parameters &p, const drive::Drive &drive, const double
     }
   for (const bool inner : {true, false})
     scene.parts[inner ? scene::Kind::inner_link : scene::Kind::outer_link] =
-        scene::make_link_part(p, drive, inner);
+        scene::make_link_part({p.mesh, p.material.density, scene.half}, drive, inner);
 
   scene::BoreFamily pins;
   pins.name            = "bush-pin";

@@ -114,7 +114,7 @@ forces(const Place place, const double phase, const double friction, const bool 
   dynamics::System    system(make_scene(place, phase, friction, 1.4, reduced), false);
   std::vector<double> f;
   advance(system, 2400, dt, [&]() {
-    f.push_back(system.contacts.find("roller-driver")[0]->records()[0].force[1]);
+    f.push_back(system.contacts.families()[0]->records()[0].force[1]);
   });
   return f;
 }

@@ -3,9 +3,9 @@
 // from there: the motion, the energies and the searches are bit by bit those of the run that went
 // on, for each fidelity. One written by two ranks and read by one: tests/runs/resume.py.
 #include "../support/archive.h"
+#include "../support/decided.h"
 #include "../support/reduced.h"
 
-#include <chaindrive/scene/build.h>
 #include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/errors.h>
 
@@ -86,9 +86,7 @@ int main()
   parameters.drive.layout.slack                                                         = 1e-4;
   parameters.model.driven_inertia                                                       = 1e-4;
   parameters.loads.resisting_torque                                                     = 20.;
-  const auto build                                                                      = [&] {
-    return scene::build_scene(parameters, drive::make_drive(parameters), {"."});
-  };
+  const auto build              = [&] { return scene_of(parameters); };
   parameters.drive.layout.start = parameters::Start::settled;
   compare("simple", build(), 0.25);
   parameters.model.fidelity = parameters::Fidelity::layered;

@@ -3,10 +3,10 @@
 // a step are bit by bit the forces of the step, on bodies, nodes and shapes; again and again it
 // finds the same and books nothing; and a run in which it was called before the first step goes on
 // as if it had not been.
+#include "../support/decided.h"
 #include "../support/reduced.h"
 
 #include <chaindrive/dynamics/newmark.h>
-#include <chaindrive/scene/build.h>
 
 using namespace test;
 
@@ -145,9 +145,7 @@ int main()
   parameters.model.driven_inertia                                                       = 1e-4;
   parameters.loads.resisting_torque                                                     = 20.;
   parameters.loads.ramp_time                                                            = 1e-6;
-  const auto build                                                                      = [&] {
-    return scene::build_scene(parameters, drive::make_drive(parameters), {"."});
-  };
+  const auto build = [&] { return scene_of(parameters); };
   check("simple", build(), 0.25);
   parameters.model.fidelity = parameters::Fidelity::layered;
   check("layered", build(), 0.25);

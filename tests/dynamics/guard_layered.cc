@@ -20,7 +20,7 @@ void add_again(System             &system,
                const double        on_slave,
                const double        on_master)
 {
-  const contact::Record &record = system.contacts.find(name)[0]->records()[i];
+  const contact::Record &record = families_called(name, system)[0]->records()[i];
   for (const scene::BoreFamily &bores : scene.bores)
     if (bores.name == name)
       {
@@ -42,7 +42,7 @@ int main()
     {
       Drive                  drive  = sound();
       const unsigned int     i      = drive.most_loaded(name).second;
-      const contact::Record &record = drive.system.contacts.find(name)[0]->records()[i];
+      const contact::Record &record = families_called(name, drive.system)[0]->records()[i];
       const std::string      place =
           "interface " + name + " at joint " + std::to_string(record.joint) + " (";
       const auto fault = [&](const double on_slave, const double on_master) {

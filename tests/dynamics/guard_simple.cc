@@ -53,7 +53,7 @@ int main()
       const auto found = drive.most_loaded(teeth);
       const auto i     = found.second;
       const auto force = [teeth, i](System &s) -> const contact::Record & {
-        return s.contacts.find(teeth)[0]->records()[i];
+        return families_called(teeth, s)[0]->records()[i];
       };
       const std::string place =
           "interface " + teeth + " at joint " + std::to_string(force(drive.system).joint);

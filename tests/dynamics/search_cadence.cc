@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The search driven by displacement misses nothing: the layered drive moves bit by bit as it does
 // with a search at every step, and searches far less.
+#include "../support/decided.h"
 #include "../support/scenes.h"
-
-#include <chaindrive/scene/build.h>
 
 using namespace test;
 
@@ -14,7 +13,7 @@ int main()
   parameters.output.field_interval = 0.;
   parameters.drive.layout.start =
       parameters::Start::settled; // at speed: rollers arrive from the first moment on
-  const scene::Scene scene = scene::build_scene(parameters, drive::make_drive(parameters), {"."});
+  const scene::Scene scene = scene_of(parameters);
 
   dynamics::System    seldom(scene, false), always(scene, true);
   const double        dt               = 0.25 * seldom.stable_step_limit();

@@ -4,10 +4,10 @@
 // with the friction of the others, but bend it does: whatever the coefficient, a pin with clearance
 // rolls up the side of its bush and comes off when the moment is tension times radius. Energy
 // closes, and what hubs give is what bodies get.
+#include "../support/decided.h"
 #include "../support/scenes.h"
 
 #include <chaindrive/dynamics/guard.h>
-#include <chaindrive/scene/build.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -29,7 +29,7 @@ scene::Scene make_scene(const bool layered, const bool stiff_link)
   if (layered)
     // the joint is loaded from the first moment on
     parameters.drive.layout.start = parameters::Start::settled;
-  scene::Scene scene = scene::build_scene(parameters, drive::make_drive(parameters), {"."});
+  scene::Scene scene = scene_of(parameters);
   if (stiff_link && !layered)
     scene.bars[stiff(scene.drive.n_joints)].stiffness *= 1e3;
   if (stiff_link && layered)

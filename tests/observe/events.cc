@@ -50,9 +50,10 @@ events_of(const parameters::TightSide side, const Motion &motion, const double a
 {
   const Parameters     p     = parameters_of(side);
   const drive::Drive   drive = drive::make_drive(p);
-  const scene::Scene   scene = scene::build_scene(p, drive, {"."});
+  const model::Model   model = model::make_model(p, drive);
+  const scene::Scene   scene = scene::build_scene(model, drive, {"."});
   dynamics::System     system(scene, false);
-  observe::Observation now(scene, p, system);
+  observe::Observation now(scene, model, system);
   system.evaluate_forces(0.);
 
   const auto make = [&] {

@@ -2,10 +2,10 @@
 // Pre-tension asked for is the mean tension of the two spans at the start, at which nothing moves:
 // after 2 ms with the driver held it is still there. Over fidelities, tooth forms, start phases and
 // sprockets; with friction and gravity. A settled start without speed and load is the same state.
+#include "../support/decided.h"
 #include "../support/scenes.h"
 
 #include <chaindrive/observe/spans.h>
-#include <chaindrive/scene/build.h>
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ struct Found
 /// The mean tension over the one asked for, at the start and after it; the largest speed, m/s.
 void rest(const Parameters &p, Found &found)
 {
-  const scene::Scene scene = scene::build_scene(p, drive::make_drive(p), {"."});
+  const scene::Scene scene = scene_of(p);
   dynamics::System   system(scene, false);
   observe::Spans     spans(scene, system);
   const auto         look = [&] {

@@ -33,21 +33,23 @@ struct Sizes
 
 Sizes show(const std::string &what, const Parameters &parameters)
 {
-  const scene::Scene scene = scene::build_scene(parameters, drive::make_drive(parameters), {"."});
-  dynamics::System   system(scene, false);
-  const observe::Observation now(scene, parameters, system);
+  const drive::Drive         drive = drive::make_drive(parameters);
+  const model::Model         model = model::make_model(parameters, drive);
+  const scene::Scene         scene = scene::build_scene(model, drive, {"."});
+  dynamics::System           system(scene, false);
+  const observe::Observation now(scene, model, system);
   std::cout << what << ":\n  quantities";
   for (const observe::NamedQuantity &item : observe::make_quantities(now))
     std::cout << ", " << item.name << (item.quantity->reads_contacts() ? "" : " (no records)");
   std::cout << "\n  effects";
-  for (const scene::Effect &effect : scene.effects)
-    for (const scene::EffectKind asked : {scene::EffectKind::elastic_links,
-                                          scene::EffectKind::elastic_rollers,
-                                          scene::EffectKind::elastic_sprocket,
-                                          scene::EffectKind::half_model,
-                                          scene::EffectKind::fields})
-      if (effect.kind == asked && effect.on)
-        std::cout << ", " << effect.name();
+  for (const model::Decision &decision : scene.effects)
+    for (const model::Effect asked : {model::Effect::elastic_links,
+                                      model::Effect::elastic_rollers,
+                                      model::Effect::elastic_sprocket,
+                                      model::Effect::half_model,
+                                      model::Effect::fields})
+      if (decision.effect == asked && decision.on)
+        std::cout << ", " << decision.name();
   std::cout << "\n  groups of elastic bodies " << system.world.n_elastic_groups() << ", meshes "
             << scene.parts.size() << '\n';
   return {system.world.memory_consumption(), system.contacts.memory_consumption()};

@@ -8,8 +8,8 @@
 #include "../support/scenes.h"
 #include "../support/small_drive.h"
 
+#include <chaindrive/model/reading.h>
 #include <chaindrive/observe/spans.h>
-#include <chaindrive/parameters/reader.h>
 #include <chaindrive/simulation.h>
 
 #include <algorithm>
@@ -76,7 +76,7 @@ void report(const std::string              &what,
                   "Drive/Layout/Start phase=" + phase,
                   "Output/Field interval in ms=0",
                   "Output/Window start in ms=0"});
-      const auto input = parameters::read_parameters(
+      const auto input = model::read_parameters(
           std::string(SOURCE_DIR) + "/../../prm/paper/layered-auto.prm", all);
       Simulation         simulation(input.parameters, {"."}, MPI_COMM_SELF);
       dynamics::System  &system = simulation.system();

@@ -46,9 +46,10 @@ int main()
               p.model.fidelity             = fidelity;
               p.output.field_interval      = 0.;
               const drive::Drive drive     = drive::make_drive(p);
-              const scene::Scene scene     = scene::build_scene(p, drive, {"."});
-              dynamics::System   system(scene, false);
-              observe::Spans     spans(scene, system);
+              const scene::Scene scene =
+                  scene::build_scene(model::make_model(p, drive), drive, {"."});
+              dynamics::System system(scene, false);
+              observe::Spans   spans(scene, system);
               system.evaluate_forces(0.);
               spans.update(system);
 

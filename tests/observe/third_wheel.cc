@@ -29,7 +29,8 @@ void run(const std::string &what, Parameters p)
   p.output.window_start          = 0.;
   const drive::Drive drive       = drive::make_drive(p);
   const drive::Facts facts       = drive::make_facts(p, drive);
-  const scene::Scene scene       = scene::build_scene(p, drive, {"."});
+  const model::Model model       = model::make_model(p, drive);
+  const scene::Scene scene       = scene::build_scene(model, drive, {"."});
   dynamics::System   system(scene, false);
   const std::size_t  n = scene.drive.sprockets.size();
   std::cout << what << ": " << scene.drive.n_joints << " links";
@@ -37,7 +38,7 @@ void run(const std::string &what, Parameters p)
     std::cout << ", " << sprocket.seats;
   std::cout << " seats" << std::endl;
 
-  observe::Observation       now(scene, p, system);
+  observe::Observation       now(scene, model, system);
   std::vector<WindowMean>    tension(n, WindowMean(0., 1.)), speed(n, WindowMean(0., 1.));
   std::vector<observe::Wrap> wraps;
   for (unsigned int i = 0; i < n; ++i)

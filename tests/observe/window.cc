@@ -27,11 +27,13 @@ int main(int argc, char **argv)
   p.time.end                                                          = 0.4;
   p.output.window_start.reset();
   p.output.window_pitches  = 2;
-  const scene::Scene scene = scene::build_scene(p, drive::make_drive(p), {"."});
+  const drive::Drive drive = drive::make_drive(p);
+  const model::Model model = model::make_model(p, drive);
+  const scene::Scene scene = scene::build_scene(model, drive, {"."});
   dynamics::System   system(scene, false, comm);
   const double       dt = 0.9 * system.stable_step_limit();
 
-  observe::Observation      now(scene, p, system);
+  observe::Observation      now(scene, model, system);
   observe::WindowStatistics means(now, {{"time", "s"}, {"one", "1"}});
   unsigned long             begins = 0, ends = 0;
   now.next(0.);

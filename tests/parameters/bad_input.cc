@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Files that cannot be run: what the user reads about each.
-#include <chaindrive/parameters/reader.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <filesystem>
@@ -13,7 +13,7 @@ void read(const std::string &file)
 {
   try
     {
-      const auto input = parameters::read_parameters(file);
+      const auto input = model::read_parameters(file);
       std::cout << "  accepted" << std::endl;
       for (const std::string &note : input.notes)
         std::cout << "  note: " << note << std::endl;

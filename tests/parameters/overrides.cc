@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Overrides from the command line, applied in their order after the file.
-#include <chaindrive/parameters/reader.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <fstream>
@@ -12,12 +12,12 @@ int main()
 {
   std::ofstream("drive.prm") << "subsection Contact\n  set Friction coefficient = 0.3\nend\n";
 
-  const auto        input = parameters::read_parameters("drive.prm",
-                                                 {"Contact/Friction coefficient=0.2",
-                                                         "Drive/Layout/Slack in mm = 1.5",
-                                                         "Contact/Roller-tooth stiffness in N/m=2e8",
-                                                         "Loads/Driver speed in rad/s=10",
-                                                         "Loads/Driver speed in rad/s=20"});
+  const auto        input = model::read_parameters("drive.prm",
+                                            {"Contact/Friction coefficient=0.2",
+                                                    "Drive/Layout/Slack in mm = 1.5",
+                                                    "Contact/Roller-tooth stiffness in N/m=2e8",
+                                                    "Loads/Driver speed in rad/s=10",
+                                                    "Loads/Driver speed in rad/s=20"});
   const Parameters &p     = input.parameters;
   std::cout << "friction " << p.contact.friction_coefficient << ", slack "
             << p.drive.layout.slack * 1e3 << " mm, stiffness " << *p.contact.roller_tooth_stiffness
@@ -37,7 +37,7 @@ int main()
                            ""})
     try
       {
-        parameters::read_parameters("drive.prm", {text});
+        model::read_parameters("drive.prm", {text});
         std::cout << "accepted" << std::endl;
       }
     catch (const InputError &error)

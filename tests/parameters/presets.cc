@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Every .prm file that the project ships can be read, has nothing to remark upon, and says in its
 // first comment what it is for.
-#include <chaindrive/parameters/reader.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <filesystem>
@@ -28,7 +28,7 @@ int main()
                    parameters::read_study(file.path().string(), {}, false).variants)
                 parameters::read_entries(variant.values);
             else
-              parameters::read_parameters(file.path().string());
+              model::read_parameters(file.path().string());
             ++n_read;
           }
         catch (const InputError &error)

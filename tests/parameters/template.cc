@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The template can be read again and gives the defaults; so does the file of all values that a run
 // leaves among its results.
+#include <chaindrive/model/reading.h>
 #include <chaindrive/parameters/declarations.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/parameters/writer.h>
@@ -24,16 +25,16 @@ int main()
   std::ofstream template_file("template.prm");
   write_template(template_file);
   template_file.close();
-  const Input from_template = read_parameters("template.prm");
+  const Input from_template = model::read_parameters("template.prm");
   std::cout << "template gives the defaults: " << (from_template.resolved == expected.str())
             << ", notes: " << from_template.notes.size() << std::endl;
 
   std::ofstream("short.prm") << "subsection Drive\nset Driver teeth = 17\nend\n"
                                 "subsection Contact\nset Damping ratio = 0.25\nend\n"
                                 "subsection Output\nset Rollers = 3, 1, 3\nend\n";
-  const Input given = read_parameters("short.prm");
+  const Input given = model::read_parameters("short.prm");
   std::ofstream("resolved.prm") << given.resolved;
-  const Input again = read_parameters("resolved.prm");
+  const Input again = model::read_parameters("resolved.prm");
   std::cout << "file of all values gives the same values: " << (again.resolved == given.resolved)
             << std::endl;
   std::cout << "teeth " << again.parameters.drive.sprockets.driver().teeth << ", damping ratio "
@@ -53,16 +54,17 @@ int main()
       << "subsection Drive\nset Driver teeth = 21\nset Driven teeth = 63\nend\n"
          "subsection Loads\nset Driver speed in rpm = 477.46482927568605\n"
          "set Power in kW = 3\nend\n";
-  const Input other_forms = read_parameters("other_forms.prm");
+  const Input other_forms = model::read_parameters("other_forms.prm");
   std::ofstream("other_forms_resolved.prm") << other_forms.resolved;
   for (const parameters::Loads &loads :
-       {other_forms.parameters.loads, read_parameters("other_forms_resolved.prm").parameters.loads})
+       {other_forms.parameters.loads,
+        model::read_parameters("other_forms_resolved.prm").parameters.loads})
     std::cout << "rpm and kW: " << loads.driver_speed << " rad/s, " << loads.resisting_torque
               << " N m" << std::endl;
   for (const char *both : {"Loads/Driver speed in rad/s=50", "Loads/Resisting torque in N m=180"})
     try
       {
-        read_parameters("other_forms.prm", {both});
+        model::read_parameters("other_forms.prm", {both});
         std::cout << "NOT REFUSED" << std::endl;
       }
     catch (const InputError &error)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Every entry reaches its member in SI units: all are set to a value other than the default.
-#include <chaindrive/parameters/reader.h>
+#include <chaindrive/model/reading.h>
 
 #include <array>
 #include <fstream>
@@ -71,7 +71,7 @@ subsection Acoustics
   set Finite rollers = on
 end)"; // without a line break at the end
 
-  const Parameters p = parameters::read_parameters("values.prm").parameters;
+  const Parameters p = model::read_parameters("values.prm").parameters;
   std::cout << std::boolalpha;
   std::cout << "number of links, teeth: "
             << (p.drive.n_links == 112 && p.drive.sprockets.driver().teeth == 17) << std::endl;

@@ -8,7 +8,7 @@
 
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/drive/four_bar.h>
-#include <chaindrive/parameters/reader.h>
+#include <chaindrive/model/reading.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ int main()
 {
   test::run("prm/verification/slow.prm", {"Output/CSV=true", "Output/History interval in us=500"});
   const std::string  file  = std::string(SOURCE_DIR) + "/../../prm/verification/slow.prm";
-  const drive::Drive drive = drive::make_drive(parameters::read_parameters(file).parameters);
+  const drive::Drive drive = drive::make_drive(model::read_parameters(file).parameters);
   const test::Table  hubs("results/histories_hubs.csv"), rollers("results/histories_rollers.csv"),
       links("results/histories_links.csv");
   const std::vector<double> &driver = hubs["driver_angle"], &driven = hubs["driven_angle"];

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // An effect that is off has no object, no coefficient and no row in the timing table; one that is
 // on has them.
+#include "../support/decided.h"
 #include "../support/scenes.h"
-
-#include <chaindrive/scene/build.h>
 
 using namespace test;
 
@@ -11,7 +10,7 @@ namespace
 {
 void show(const std::string &what, const Parameters &parameters)
 {
-  const scene::Scene scene = scene::build_scene(parameters, drive::make_drive(parameters), {"."});
+  const scene::Scene scene = scene_of(parameters);
   dynamics::System   system(scene, false);
   advance(system, 3, 1e-7, []() {});
 
@@ -22,7 +21,7 @@ void show(const std::string &what, const Parameters &parameters)
       damping += teeth.law.damping;
     }
   std::cout << what << ":\n  on:";
-  for (const scene::Effect &effect : scene.effects)
+  for (const model::Decision &effect : scene.effects)
     if (effect.on)
       std::cout << ' ' << effect.name() << ',';
   std::cout << "\n  bars " << scene.bars.size() << ", bore pairs "

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Ten links of the layered chain's tight span, pulled: rigid links, with plates and joint contact
 // in series in the bush-pin interface, must give the stiffness per pitch that was asked for.
+#include "../support/decided.h"
 #include "../support/scenes.h"
-
-#include <chaindrive/scene/build.h>
 
 using namespace test;
 
@@ -49,7 +48,7 @@ int main()
   parameters.output.field_interval        = 0.;
   parameters.model.stiffness_per_pitch    = 3e8;
   parameters.contact.friction_coefficient = 0.;
-  const scene::Scene scene = scene::build_scene(parameters, drive::make_drive(parameters), {"."});
+  const scene::Scene scene                = scene_of(parameters);
 
   unsigned int first = 0; // an inner link with ten links of the tight span from it on
   for (unsigned int k = 0; k + 11 < scene.drive.n_joints; k += 2)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Scenes with reduced bodies: which bodies they are, that masses are those of their nodes, also of
 // halves; that contact is that of full; which parts have a basis; and which teeth give way.
+#include "../support/decided.h"
 #include "../support/scenes.h"
 
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/mesh/nodes.h>
 #include <chaindrive/reduction/basis.h>
-#include <chaindrive/scene/build.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <numeric>
@@ -30,7 +30,7 @@ Parameters drive_of(const Fidelity fidelity)
 scene::Scene build(const Parameters &p)
 {
   // no shape is needed here but a name
-  return scene::build_scene(p, drive::make_drive(p), {"."}, [](const mesh::Part &) {
+  return scene_of(p, [](const mesh::Part &) {
     reduction::Basis basis;
     basis.omega = {1.};
     return std::make_shared<const reduction::Basis>(basis);
@@ -88,8 +88,7 @@ void show_teeth(const std::string &what, const Parameters &p)
   for (const scene::ToothFamily &teeth : scene.teeth)
     if (teeth.elastic)
       std::cout << ' ' << 1e-9 * teeth.law.stiffness;
-  std::cout << (scene::is_on(scene.effects, scene::EffectKind::tooth_compliance) ? ", on\n" :
-                                                                                   ", off\n");
+  std::cout << (scene.effects.is_on(model::Effect::tooth_compliance) ? ", on\n" : ", off\n");
 }
 
 void check_teeth()

@@ -2,22 +2,17 @@
 // A driven inertia below that of the elastic rim alone, halves or not, is refused, and one just
 // above it is accepted. The rim's is computed anew, from the lumped masses of the cells of its
 // sector.
+#include "../support/decided.h"
 #include "../support/scenes.h"
 
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/mesh/sector.h>
-#include <chaindrive/scene/build.h>
 #include <chaindrive/utilities/errors.h>
 
 using namespace test;
 
 namespace
 {
-scene::Scene build(const Parameters &p)
-{
-  return scene::build_scene(p, drive::make_drive(p), {"."}, {});
-}
-
 /// Of the rim of the driven sprocket about its axis, kg m2.
 double rim_inertia(const scene::Scene &scene)
 {
@@ -32,7 +27,7 @@ void look(const std::string &what, const Parameters &p)
   std::cout << what << ": ";
   try
     {
-      build(p);
+      scene_of(p);
       std::cout << "accepted\n";
     }
   catch (const InputError &error)
@@ -55,7 +50,7 @@ int main()
     {
       p.model.half = half;
       p.model.driven_inertia.reset();
-      const scene::Scene scene = build(p);
+      const scene::Scene scene = scene_of(p);
       std::cout << (scene.half ? "halves" : "whole bodies") << '\n';
       const double rim = rim_inertia(scene);
       look("  auto", p);

@@ -3,11 +3,12 @@
 
 // Drives that run soundly until something is done to them.
 
+#include "decided.h"
+
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/dynamics/guard.h>
 #include <chaindrive/dynamics/newmark.h>
-#include <chaindrive/parameters/reader.h>
-#include <chaindrive/scene/build.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/utilities/ranks.h>
 
 #include <deal.II/base/mpi.h>
@@ -33,9 +34,8 @@ using Vector3 = dealii::Tensor<1, 3>;
 inline scene::Scene drive_scene(const std::string &file, const std::vector<std::string> &overrides)
 {
   const std::string repository = std::string(SOURCE_DIR) + "/../../";
-  const Parameters  parameters =
-      parameters::read_parameters(repository + file, overrides).parameters;
-  return scene::build_scene(parameters, drive::make_drive(parameters), {repository});
+  const Parameters  parameters = model::read_parameters(repository + file, overrides).parameters;
+  return scene_of(parameters, {}, {repository});
 }
 
 inline void push(System &system, const unsigned int body, const Vector3 &force)
@@ -69,6 +69,17 @@ inline bool places_differ(const std::string &message)
   return true;
 }
 
+/// The families of @p system that messages call @p name: of rigid bodies and of elastic ones.
+inline std::vector<const contact::Family *> families_called(const std::string &name,
+                                                            const System      &system)
+{
+  std::vector<const contact::Family *> found;
+  for (const auto &family : system.contacts.families())
+    if (family->name() == name)
+      found.push_back(family.get());
+  return found;
+}
+
 /// What is done to a system.
 using Change = std::function<void(System &)>;
 
@@ -98,7 +109,7 @@ public:
   {
     std::pair<const contact::Family *, unsigned int> found(nullptr, 0);
     double                                           largest = 0.;
-    for (const contact::Family *family : system.contacts.find(name))
+    for (const contact::Family *family : families_called(name, system))
       for (unsigned int i = 0; i < family->records().size(); ++i)
         if (const double force = family->records()[i].force.norm(); force > largest)
           {

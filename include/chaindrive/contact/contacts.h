@@ -49,8 +49,8 @@ public:
 
   const std::vector<std::unique_ptr<Family>> &families() const { return families_; }
 
-  /// The families called @p name: one for rigid bodies, one for elastic ones, or none.
-  std::vector<const Family *> find(const std::string &name) const;
+  /// The families of @p interface: one for rigid bodies, one for elastic ones, or none.
+  std::vector<const Family *> find(const scene::InterfaceOf &interface) const;
 
   /// Contacts of elastic nodes that the searches of this rank have missed: see Family.
   unsigned long n_missed() const;

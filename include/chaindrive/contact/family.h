@@ -5,6 +5,7 @@
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/closed_pair.h>
 #include <chaindrive/contact/penalty.h>
+#include <chaindrive/scene/interface.h>
 
 #include <algorithm>
 #include <limits>
@@ -82,7 +83,8 @@ public:
   /// The node of an elastic slave that overlaps most in pair @p i, if this rank evaluates it.
   virtual std::optional<unsigned int> deepest_node(const unsigned int) const { return {}; }
 
-  const std::string         &name() const { return name_; }
+  const std::string         &name() const { return name_; } ///< in words
+  const scene::InterfaceOf  &interface() const { return interface_; }
   const scene::ContactLaw   &law() const { return law_; }
   const std::vector<Record> &records() const { return records_; }
   unsigned int               n_touching() const;
@@ -93,7 +95,10 @@ public:
   }
 
 protected:
-  Family(std::string name, const scene::ContactLaw &law) : name_(std::move(name)), law_(law) {}
+  Family(std::string name, const scene::InterfaceOf &interface, const scene::ContactLaw &law)
+      : name_(std::move(name)), interface_(interface), law_(law)
+  {
+  }
 
   /// Appends the record of a pair of bodies, for the slave's @p joint.
   void add_record(const unsigned int master, const unsigned int slave, const unsigned int joint)
@@ -122,6 +127,7 @@ protected:
   }
 
   std::string               name_;
+  scene::InterfaceOf        interface_;
   scene::ContactLaw         law_; ///< of one pair
   std::vector<Record>       records_;
   std::vector<TouchState>   states_;

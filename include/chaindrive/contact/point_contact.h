@@ -22,7 +22,10 @@ public:
   void serialize(const Archive &archive, unsigned int rank) override;
 
 private:
-  PointContact(const std::string &name, const scene::ContactLaw &law, std::vector<Pair> pairs);
+  PointContact(const std::string        &name,
+               const scene::InterfaceOf &interface,
+               const scene::ContactLaw  &law,
+               std::vector<Pair>         pairs);
 
   /// add_forces() where all surfaces are of one class: the compiler then knows what they do, which
   /// halves the time of bores. SurfaceType is Surface where they differ.

@@ -42,7 +42,10 @@ public:
   unsigned int master() const { return pairs_.front().surface->body(); }
 
 protected:
-  SurfaceContact(std::string name, const scene::ContactLaw &law, std::vector<Pair> pairs);
+  SurfaceContact(std::string               name,
+                 const scene::InterfaceOf &interface,
+                 const scene::ContactLaw  &law,
+                 std::vector<Pair>         pairs);
 
   /// Each of @p slaves with @p surface.
   static std::vector<Pair> pairs_on(const std::shared_ptr<const Surface> &surface,

@@ -66,4 +66,8 @@ using StiffnessOf = std::function<PartStiffness(const Drive &drive, double load)
 Drive make_drive(const Parameters  &parameters,
                  const StiffnessOf &stiffness_of = {},
                  const JointShifts &shifts       = {});
+
+/// Refuses (InputError) a Contact/Tooth stiffness with which the load would press rollers deep into
+/// the teeth: for a model in which teeth give way, else the entry has no effect.
+void refuse_soft_teeth(const Parameters &parameters, const Drive &drive);
 } // namespace chaindrive::drive

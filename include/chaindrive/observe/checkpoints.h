@@ -6,7 +6,7 @@
 #include <chaindrive/files/checkpoint_file.h>
 #include <chaindrive/files/log.h>
 #include <chaindrive/observe/schedule.h>
-#include <chaindrive/parameters/parameters.h>
+#include <chaindrive/parameters/run.h>
 
 #include <chrono>
 #include <memory>
@@ -24,9 +24,11 @@ namespace chaindrive::observe
 class Checkpoints : public dynamics::Observer
 {
 public:
-  /// Checkpoints hold the system and the @p observers. They go to @p directory and belong to the
-  /// parameters @p fixed (parameters::Input). The run has @p n_steps steps of @p dt [s].
-  Checkpoints(const Parameters                 &parameters,
+  /// Sections @p time and @p output, which must outlive this, say when they are due. Checkpoints
+  /// hold the system and the @p observers, go to @p directory and belong to the parameters @p fixed
+  /// (parameters::Input). The run has @p n_steps steps of @p dt [s].
+  Checkpoints(const parameters::Time           &time,
+              const parameters::Output         &output,
               std::string                       directory,
               std::string                       fixed,
               unsigned long                     n_steps,
@@ -58,7 +60,8 @@ private:
   bool past_wall_clock_limit() const;
   void say_why(double time);
 
-  const Parameters                 &parameters_;
+  const parameters::Time           &time_;
+  const parameters::Output         &output_;
   std::string                       directory_, fixed_;
   unsigned long                     n_steps_;
   double                            dt_;

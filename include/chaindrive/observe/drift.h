@@ -2,7 +2,6 @@
 #pragma once
 
 #include <chaindrive/observe/settling.h>
-#include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/statistics.h>
@@ -23,7 +22,7 @@ class Drift
 public:
   /// Of a drive whose driver turns, and whose slowest resonance has a period of at most
   /// @p pitches_per_period pitch times.
-  Drift(const scene::Scene &scene, const Parameters &parameters, unsigned int pitches_per_period);
+  Drift(const scene::Scene &scene, unsigned int pitches_per_period);
 
   /// The first period begins at @p time [s].
   void begin(double time);

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <chaindrive/dynamics/system.h>
+#include <chaindrive/model/model.h>
 #include <chaindrive/observe/spans.h>
 #include <chaindrive/observe/window.h>
-#include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/scene.h>
 
 #include <vector>
@@ -18,7 +18,7 @@ class Observation
 public:
   /// @p pitches_per_period: whole pitch times that hold a period of the drive's slowest resonance.
   Observation(const scene::Scene     &scene,
-              const Parameters       &parameters,
+              const model::Model     &model,
               const dynamics::System &system,
               unsigned int            pitches_per_period = 1);
   Observation(const Observation &)            = delete;
@@ -41,7 +41,7 @@ public:
   void serialize(const Archive &archive) { window_.serialize(archive / "window"); }
 
   const scene::Scene       &scene;
-  const Parameters         &parameters;
+  const model::Model       &model;
   const dynamics::System   &system;
   std::vector<unsigned int> rollers;       ///< joints whose rollers histories are asked for
   std::vector<unsigned int> roller_bodies; ///< their bodies

@@ -3,12 +3,12 @@
 
 #include <chaindrive/dynamics/observer.h>
 #include <chaindrive/dynamics/system.h>
+#include <chaindrive/model/model.h>
 #include <chaindrive/observe/elastic_bodies.h>
 #include <chaindrive/observe/fields.h>
 #include <chaindrive/observe/schedule.h>
 #include <chaindrive/observe/spans.h>
 #include <chaindrive/observe/tooth_forces.h>
-#include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/scene.h>
 
 #include <map>
@@ -24,7 +24,7 @@ class Pictures : public dynamics::Observer
 public:
   /// Pictures go to @p directory. @p scene must outlive this.
   Pictures(const scene::Scene     &scene,
-           const Parameters       &parameters,
+           const model::Model     &model,
            const dynamics::System &system,
            const std::string      &directory,
            PhaseTimer             &timer);

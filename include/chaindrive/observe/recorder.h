@@ -20,7 +20,7 @@ class Recorder : public dynamics::Observer
 public:
   /// All three must outlive this. @p pitches_per_period: see Observation.
   Recorder(const scene::Scene &scene,
-           const Parameters   &parameters,
+           const model::Model &model,
            dynamics::System   &system,
            unsigned int        pitches_per_period);
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <chaindrive/files/json.h>
+#include <chaindrive/model/model.h>
 #include <chaindrive/observe/drift.h>
-#include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/archive.h>
 
@@ -23,7 +23,7 @@ class Window
 {
 public:
   /// @p pitches_per_period: see Drift.
-  Window(const scene::Scene &scene, const Parameters &parameters, unsigned int pitches_per_period);
+  Window(const scene::Scene &scene, const model::Model &model, unsigned int pitches_per_period);
 
   /// Looks at a step. The first rank decides, all ranks know it from the same step on. Collective.
   void look(const Observation &now);

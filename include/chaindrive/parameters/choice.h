@@ -63,4 +63,10 @@ enum class Switch
 template <>
 inline constexpr Texts<Switch, 3> texts_of<Switch>{
     {{Switch::automatic, "auto"}, {Switch::on, "on"}, {Switch::off, "off"}}};
+
+/// Whether what has this switch and this @p coefficient acts.
+constexpr bool acts(const Switch choice, const double coefficient)
+{
+  return choice != Switch::off && coefficient != 0.;
+}
 } // namespace chaindrive::parameters

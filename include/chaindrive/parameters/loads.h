@@ -52,7 +52,7 @@ struct Effects
   Switch roller_bush_clearance = Switch::automatic; ///< automatic: on in models that have joints
   Switch bush_pin_clearance    = Switch::automatic;
   Switch elastic_links    = Switch::automatic; ///< of these automatic: on where what is asked for
-  Switch elastic_rollers  = Switch::automatic; ///< needs them, see needs.h
+  Switch elastic_rollers  = Switch::automatic; ///< needs them, see model/needs.h
   Switch plate_bending    = Switch::automatic; ///< automatic: on in elastic links
   Switch tooth_compliance = Switch::automatic; ///< automatic: on under reduced rollers
 

@@ -118,7 +118,7 @@ struct Model
   Fidelity     fidelity = Fidelity::simple;
   Capabilities capabilities() const { return capabilities_of(fidelity); }
 
-  HalfModel             half = HalfModel::automatic; ///< see needs.h
+  HalfModel             half = HalfModel::automatic; ///< see model/decide.h
   std::optional<double> mass_per_pitch;              ///< kg, of the whole chain per pitch
   std::optional<double> stiffness_per_pitch; ///< N/m, of the chain in a pull test, per pitch
   StiffnessFrom         stiffness_from = StiffnessFrom::parts; ///< those that are auto

@@ -24,24 +24,38 @@ struct Input
   std::string fixed;
 };
 
-/// The number of links that suits the other entries of the drive, for Drive/Number of links = auto:
-/// it takes the tables of chains, which those who read entries have (drive::number_of_links).
-using LinksOf = std::function<unsigned int(const Drive &)>;
+/// What a file says has to be completed and checked by what is decided from all entries together,
+/// which this room does not know: whoever reads them says how (model/reading.h). What is empty is
+/// left out.
+struct Completion
+{
+  /// The number of links that suits the other entries of the drive, for Drive/Number of links =
+  /// auto, which is refused without it.
+  std::function<unsigned int(const Drive &)> n_links = {};
+
+  /// For Output/Field interval in ms = auto, s.
+  std::function<double(const Parameters &)> field_interval = {};
+
+  /// Throws InputError for contradictions, returns notes; @p changed are the paths of the entries
+  /// that were given another value than their default.
+  std::function<std::vector<std::string>(const Parameters               &parameters,
+                                         const std::vector<std::string> &changed)>
+      check = {};
+};
 
 /// Reads the .prm file @p file, then applies @p overrides ("Section/Entry=value", such as
-/// "Drive/Layout/Slack in mm=1") in their order, then checks across sections.
+/// "Drive/Layout/Slack in mm=1") in their order, then completes and checks as @p completion says.
 ///
 /// Throws InputError with a sentence for every mistake found, one per line: a file that cannot be
 /// read, a name that does not exist (with its line and the nearest valid name), a value that is not
 /// allowed (with what is), and contradictions.
-///
-/// Without @p links_of, Drive/Number of links = auto is refused.
 Input read_parameters(const std::string              &file,
-                      const std::vector<std::string> &overrides = {},
-                      const LinksOf                  &links_of  = {});
+                      const std::vector<std::string> &overrides  = {},
+                      const Completion               &completion = {});
 
 /// The same for entries at hand: their values by path. Input::text is empty.
-Input read_entries(const std::map<std::string, std::string> &values, const LinksOf &links_of = {});
+Input read_entries(const std::map<std::string, std::string> &values,
+                   const Completion                         &completion = {});
 
 /// Reads the study file @p file with the files that it includes (`include FILE`, from the folder of
 /// the file that says so), then applies @p overrides as above, before them those of Study/Quick if
@@ -52,6 +66,6 @@ read_study(const std::string &file, const std::vector<std::string> &overrides, b
 /// Writes a .prm file with every entry at its default, each with its meaning and allowed values.
 void write_template(std::ostream &out);
 
-/// The reference of all entries in Markdown: doc/parameters.md.
+/// The reference of all entries in Markdown: doc/parameters.md but for its table of needs.
 std::string parameter_documentation();
 } // namespace chaindrive::parameters

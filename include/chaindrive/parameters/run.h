@@ -79,7 +79,7 @@ struct Output
   std::string               directory;                ///< empty: results/<name of the .prm file>
   double                    history_interval = 20e-6; ///< s
   Precision                 precision        = Precision::single;
-  std::optional<double>     field_interval   = 1e-3;    ///< s; 0: none; empty: see field_interval()
+  std::optional<double>     field_interval   = 1e-3;    ///< s; 0: none; empty: auto
   std::vector<unsigned int> rollers;                    ///< chosen rollers; empty: all
   bool                      csv          = false;       ///< histories as CSV beside HDF5
   std::optional<double>     window_start = 10e-3;       ///< s, of the averages; empty: when settled

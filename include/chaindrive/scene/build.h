@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/drive/drive.h>
+#include <chaindrive/model/model.h>
 #include <chaindrive/scene/scene.h>
 
 #include <functional>
@@ -11,27 +12,27 @@ namespace chaindrive::scene
 /// The shapes of a part whose bodies are reduced ones.
 using BasisOf = std::function<std::shared_ptr<const reduction::Basis>(const mesh::Part &)>;
 
-/// The scene of the fidelity that @p parameters ask for. A fidelity is nothing but a choice of
+/// The scene of the fidelity that @p model asks for. A fidelity is nothing but a choice of
 /// bodies, motions and interfaces; what comes after knows only those. Imported meshes are looked
 /// for in @p folders. Without @p basis_of reduced bodies have no bases: such a scene is to look at.
 /// Throws InputError for masses or meshes that cannot be.
-Scene build_scene(const Parameters               &parameters,
+Scene build_scene(const model::Model             &model,
                   const drive::Drive             &drive,
                   const std::vector<std::string> &folders,
                   const BasisOf                  &basis_of = {});
 
 /// The simple model: one lumped roller of the mass of a pitch per joint, elastic bars between them.
 /// With friction on the teeth the ring of each roller has a spin, or it could not roll.
-void add_simple_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
+void add_simple_chain(const model::Model &model, const drive::Drive &drive, Scene &scene);
 
 /// The layered model: rigid rollers, inner and outer links with clearances between them. Plates and
 /// joint contact act in series in the bush-pin interface.
-void add_layered_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
+void add_layered_chain(const model::Model &model, const drive::Drive &drive, Scene &scene);
 
 /// The full model: the same bodies made of elastic finite elements, whose nodes touch; or only
-/// those of elastic_joints(), the others as in the layered model or reduced. The reduced model: the
-/// same with few shapes in the place of the nodes' own motion.
-void add_full_chain(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
+/// those of Model::elastic_joints, the others as in the layered model or reduced. The reduced
+/// model: the same with few shapes in the place of the nodes' own motion.
+void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene &scene);
 
 /// Finds the bases of reduced bodies and says what they keep.
 void add_bases(const BasisOf &basis_of, Scene &scene);
@@ -39,27 +40,23 @@ void add_bases(const BasisOf &basis_of, Scene &scene);
 /// Gives reduced bodies, whose parts must be there, the mass and inertia of their nodes.
 void weigh_reduced_bodies(Scene &scene);
 
-/// Per joint, whether its roller and bush are elastic in the full model: all of them, or for
-/// Model/Elastic links = arriving those that reach the driver in Output's window, from the first
-/// bush of an inner link to the second one of another; says so in the notes of @p scene. InputError
-/// when these are the whole chain.
-std::vector<char>
-elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
-
 /// Angular velocity [rad/s] of the roller of joint @p k at the start: that of its sprocket or, in a
 /// span, of the inner link that carries it; zero unless the start is settled.
 double roller_spin(const drive::Layout &layout, unsigned int k);
 
 /// Rollers, inner and outer links of a chain with clearances: elastic where the effect is on and
 /// @p elastic_joint says so of the roller's joint or of both joints of the link, else rigid.
-void add_chain_bodies(const Parameters        &parameters,
+void add_chain_bodies(const model::Model      &model,
                       const drive::Drive      &drive,
                       const std::vector<char> &elastic_joint,
                       Scene                   &scene);
 
 /// Roller-bush and bush-pin interfaces of bodies that both are rigid, as in the layered model: none
 /// where there are none.
-void add_rigid_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene);
+void add_rigid_joints(const model::Model &model, const drive::Drive &drive, Scene &scene);
+
+/// A family of @p interface without law and pairs.
+BoreFamily bores_of(Interface interface);
 
 /// At joint k meet its roller, the inner link whose bush it is and the outer link whose pin it is.
 struct Joint
@@ -73,17 +70,17 @@ struct Joint
 Joint joint_of(unsigned int k, const drive::Drive &drive, const DriveView &view);
 
 /// The sprockets and the interfaces of the rollers, which must be there, with their teeth.
-void add_sprockets(const Parameters               &parameters,
+void add_sprockets(const model::Model             &model,
                    const drive::Drive             &drive,
                    const std::vector<std::string> &folders,
                    Scene                          &scene);
 
-/// The law per area of a contact of elastic bodies whose elements below the surface are
-/// @p thickness [m] thick: stiffness from Contact/Penalty factor, the rest as make_law() does.
-ContactLaw make_area_law(const Parameters          &parameters,
-                         const std::vector<Effect> &effects,
-                         double                     thickness,
-                         std::optional<double>      friction);
+/// The law per area of a contact of elastic bodies of @p steel whose elements below the surface are
+/// @p thickness [m] thick: stiffness from the penalty factor, the rest as make_law() does.
+ContactLaw make_area_law(const model::Contact &contact,
+                         const Material       &steel,
+                         double                thickness,
+                         double                friction);
 
 /// @p law in series with a foundation of @p modulus [N/m3], with the same damping ratio.
 ContactLaw in_series(const ContactLaw &law, double modulus);
@@ -98,18 +95,14 @@ void let_give_way(ToothFamily    &teeth,
                   double          load,
                   const Material &steel);
 
-/// Meshes of parts at the refinement of section Mesh.
-std::shared_ptr<const mesh::Part> make_roller_part(const Parameters &, const drive::Drive &);
+/// Meshes of parts.
+std::shared_ptr<const mesh::Part> make_roller_part(const model::Meshes &, const drive::Drive &);
 std::shared_ptr<const mesh::Part>
-make_link_part(const Parameters &, const drive::Drive &, bool inner);
+make_link_part(const model::Meshes &, const drive::Drive &, bool inner);
 std::shared_ptr<const mesh::Part>
-make_sprocket_part(const Parameters &, const drive::Drive &, const drive::Sprocket &);
+make_sprocket_part(const model::Meshes &, const drive::Drive &, const drive::Sprocket &);
 
-/// A penalty law for an interface of stiffness @p k [N/m] between bodies whose reduced mass is
-/// @p mass [kg]: damping and tangential terms from section Contact, zero where effects are off.
-ContactLaw make_law(const Parameters          &parameters,
-                    const std::vector<Effect> &effects,
-                    double                     k,
-                    double                     mass,
-                    std::optional<double>      friction);
+/// A penalty law for an interface of stiffness @p k [N/m] and this coefficient of @p friction
+/// between bodies whose reduced mass is @p mass [kg]: damping and tangential terms from @p contact.
+ContactLaw make_law(const model::Contact &contact, double k, double mass, double friction);
 } // namespace chaindrive::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/parameters/choice.h>
 #include <chaindrive/scene/contact_law.h>
 
 #include <deal.II/base/numbers.h>
@@ -27,6 +28,50 @@ class Surface;
 
 namespace chaindrive::scene
 {
+/// Which two surfaces touch.
+enum class Interface
+{
+  roller_teeth, ///< of a sprocket, whose name the family has behind the text
+  roller_bush,
+  bush_pin,
+  plate_faces,
+  other ///< of what is no chain drive
+};
+} // namespace chaindrive::scene
+
+namespace chaindrive::parameters
+{
+template <>
+inline constexpr Texts<scene::Interface, 5> texts_of<scene::Interface>{
+    {{scene::Interface::roller_teeth, "roller"},
+     {scene::Interface::roller_bush, "roller-bush"},
+     {scene::Interface::bush_pin, "bush-pin"},
+     {scene::Interface::plate_faces, "plate faces"},
+     {scene::Interface::other, "surface"}}};
+} // namespace chaindrive::parameters
+
+namespace chaindrive::scene
+{
+/// Which interface a family is, by which those who look at contacts find it.
+struct InterfaceOf
+{
+  InterfaceOf(const Interface of, const unsigned int body = 0) : interface(of), sprocket(body) {}
+
+  Interface    interface;
+  unsigned int sprocket; ///< the body whose teeth they are, 0 for others
+
+  bool operator==(const InterfaceOf &other) const
+  {
+    return interface == other.interface && sprocket == other.sprocket;
+  }
+};
+
+/// What the interface of the rollers with the teeth of @p sprocket is called.
+inline std::string name_of_teeth(const std::string &sprocket)
+{
+  return parameters::text_of(Interface::roller_teeth) + "-" + sprocket;
+}
+
 constexpr double right_angle = 0.5 * dealii::numbers::PI;
 
 /// A point of a body's axis that carries a radius: the slave side of a rigid cylinder.
@@ -52,7 +97,8 @@ struct BorePair
 /// All bores of one kind in the scene: roller-bush or bush-pin.
 struct BoreFamily
 {
-  std::string           name;
+  std::string           name; ///< in words
+  Interface             interface = Interface::other;
   ContactLaw            law; ///< of elastic bodies, whose nodes touch: per m2
   std::vector<BorePair> pairs;
   bool   elastic    = false;       ///< nodes touch: one of each two bodies is elastic at least
@@ -71,7 +117,8 @@ struct FacePair
 /// All faces of one kind in the scene.
 struct FaceFamily
 {
-  std::string           name;
+  std::string           name; ///< in words
+  Interface             interface = Interface::other;
   ContactLaw            law;    ///< per m2
   double                radius; ///< about the axis, in which the master's face is a full ring, m
   std::vector<FacePair> pairs;
@@ -80,7 +127,7 @@ struct FaceFamily
 /// The flanks of one sprocket and every roller that could ever meet them.
 struct ToothFamily
 {
-  std::string                               name;
+  std::string                               name;     ///< in words
   unsigned int                              sprocket; ///< master body
   std::shared_ptr<const drive::ToothForm>   form;     ///< exact arcs
   std::shared_ptr<const mesh::FacetSurface> facets;   ///< of an imported mesh; null: the arcs rule
@@ -109,6 +156,7 @@ struct SurfaceFamily
   double       surface_stiffness = 0.; ///< of a rigid surface that gives way as a whole under each
                                        ///< elastic slave, N/m; 0: it does not
   double half_angle = right_angle; ///< up to which round slaves touch under the largest forces, rad
+  InterfaceOf interface = Interface::other;
 };
 
 /// A massless elastic bar between the centres of two bodies.

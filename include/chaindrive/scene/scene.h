@@ -2,9 +2,9 @@
 #pragma once
 
 #include <chaindrive/drive/programs.h>
+#include <chaindrive/model/effects.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/drive_view.h>
-#include <chaindrive/scene/effects.h>
 #include <chaindrive/scene/interface.h>
 #include <chaindrive/utilities/mirror_symmetry.h>
 #include <chaindrive/utilities/rotation.h>
@@ -152,7 +152,7 @@ struct Scene
   std::map<PartOf, std::shared_ptr<const reduction::Basis>> bases;   ///< of reduced bodies
   Material                                                  material;
   parameters::Elements                                      elements;
-  std::vector<Effect>                                       effects;
+  model::Effects                                            effects;
   std::vector<std::string> notes; ///< what the log must say about choices made
 
   DriveView drive; ///< empty in a scene without a chain

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace chaindrive
+namespace chaindrive::parameters
 {
-struct Parameters;
+struct Time;
 }
 
 /// The largest time step with which central differences remain bounded.
@@ -73,5 +73,5 @@ StepChoice choose_step(const World             &world,
                        const Bars              &bars,
                        const ForceElements     &forces,
                        const contact::Contacts &contacts,
-                       const Parameters        &parameters);
+                       const parameters::Time  &time);
 } // namespace chaindrive::stability

@@ -2,14 +2,18 @@
 #pragma once
 
 #include <chaindrive/drive/drive.h>
-#include <chaindrive/parameters/parameters.h>
+#include <chaindrive/model/model.h>
 #include <chaindrive/statics/library.h>
+
+#include <optional>
 
 namespace chaindrive::statics
 {
-/// How the parts of a drive give way at the reference load, from elastic solutions. What
-/// @p parameters give is not computed. Collective over @p comm.
-drive::StiffnessOf part_stiffness(const Parameters &parameters, MPI_Comm comm);
+/// How the parts of a drive of @p steel give way at the reference load: what is @p wanted from
+/// elastic solutions, all else estimated; empty if nothing is. Collective over @p comm.
+drive::StiffnessOf part_stiffness(const std::optional<model::PartStiffnesses> &wanted,
+                                  const Material                              &steel,
+                                  MPI_Comm                                     comm);
 
 /// The contact of @p make (number of patches about the line of pressure) under @p force [N]: with
 /// as many patches as it needs.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/quantity.h>
-#include <chaindrive/scene/effects.h>
 
 // The ledger. Histories have the lines that the scene's effects can fill, the summary has all.
 
@@ -20,19 +19,19 @@ bool always(const Observation &) { return true; }
 bool elastic(const Observation &now) { return now.scene.has_elastic_bodies(); }
 bool nodal(const Observation &now) { return now.system.world.n_nodal_groups() > 0; }
 
-template <scene::EffectKind kind>
+template <model::Effect effect>
 bool with(const Observation &now)
 {
-  return scene::is_on(now.scene.effects, kind);
+  return now.scene.effects.is_on(effect);
 }
 
 constexpr Line lines[] = {
     {"kinetic", &Ledger::kinetic, always, "Of all bodies but the prescribed hub"},
     {"potential",
      &Ledger::potential,
-     with<scene::EffectKind::gravity>,
+     with<model::Effect::gravity>,
      "Of gravity, zero at the start"},
-    {"bar", &Ledger::bar, with<scene::EffectKind::chain_bars>, "Strain energy of the bars"},
+    {"bar", &Ledger::bar, with<model::Effect::chain_bars>, "Strain energy of the bars"},
     {"strain", &Ledger::strain, elastic, "Strain energy of elastic bodies"},
     {"hourglass",
      &Ledger::hourglass,
@@ -41,17 +40,17 @@ constexpr Line lines[] = {
     {"contact", &Ledger::contact, always, "Stored in the contact springs"},
     {"friction_loss",
      &Ledger::friction,
-     with<scene::EffectKind::friction>,
+     with<model::Effect::friction>,
      "Lost by friction since the start"},
     {"contact_damping_loss",
      &Ledger::contact_damping,
-     with<scene::EffectKind::contact_damping>,
+     with<model::Effect::contact_damping>,
      "Lost by contact damping since the start"},
     {"chain_damping_loss",
      &Ledger::chain_damping,
-     with<scene::EffectKind::chain_damping>,
+     with<model::Effect::chain_damping>,
      "Lost in the bars' dashpots since the start"},
-    {"drag_loss", &Ledger::drag, with<scene::EffectKind::drag>, "Lost by drag since the start"}};
+    {"drag_loss", &Ledger::drag, with<model::Effect::drag>, "Lost by drag since the start"}};
 
 class Energy : public Quantity
 {

@@ -216,7 +216,7 @@ private:
   /// Whether @p engagement began in the window.
   bool in_window(const Engagement &engagement) const
   {
-    const double end = std::min(now_.window().end(), now_.parameters.time.end);
+    const double end = std::min(now_.window().end(), now_.model.time.end);
     return engagement.time >= now_.window().start() && engagement.time <= end;
   }
 

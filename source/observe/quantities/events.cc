@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/drive/catalogue.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/schedule.h>
 #include <chaindrive/observe/wrap.h>
@@ -66,11 +65,10 @@ std::string at(const double time) { return to_text(time * 1e3, 4) + " ms"; }
 /// From when on no speed that is prescribed changes its course, s.
 double last_change_of_speeds(const Observation &now)
 {
-  double last = now.parameters.time.start;
+  double last = now.scene.start_time;
   for (const scene::Shaft &shaft : now.scene.shafts)
     if (shaft.program.speed)
-      last = std::max(last,
-                      functions::last_breakpoint(*shaft.program.speed, now.parameters.time.start));
+      last = std::max(last, functions::last_breakpoint(*shaft.program.speed, now.scene.start_time));
   return last;
 }
 
@@ -79,19 +77,16 @@ class Events : public Quantity
 public:
   explicit Events(const Observation &now)
       : Quantity(now)
-      , pitch_time_(
-            std::min(2. * dealii::numbers::PI /
-                         (now.scene.drive.driver().teeth * now.parameters.loads.driver_speed),
-                     longest_pitch))
+      , pitch_time_(std::min(2. * dealii::numbers::PI /
+                                 (now.scene.drive.driver().teeth * now.scene.loads.driver_speed),
+                             longest_pitch))
       , started_(last_change_of_speeds(now) + pitch_time_)
-      , looks_(now.parameters.time.start, std::min(look_interval, pitch_time_ / looks_a_pitch))
-      , knows_tensions_(now.parameters.output.asks_for(parameters::QuantityGroup::tensions))
+      , looks_(now.scene.start_time, std::min(look_interval, pitch_time_ / looks_a_pitch))
+      , knows_tensions_(now.model.output.asks_for(parameters::QuantityGroup::tensions))
+      , strength_(now.model.tensile_strength)
   {
     for (unsigned int i = 0; i < now.scene.drive.sprockets.size(); ++i)
       sprockets_.emplace_back(now.scene, i);
-    const auto *row = drive::find_chain(now.parameters.drive.chain.designation);
-    if (row != nullptr)
-      strength_ = row->tensile_strength;
   }
 
   static bool exists(const Observation &start)
@@ -336,7 +331,7 @@ private:
   double                  started_;    ///< time from which the start-up is over, s
   Schedule                looks_;
   bool                    knows_tensions_;
-  double                  strength_ = 0.; ///< of the chain, N; 0: not known
+  double                  strength_; ///< of the chain, N; 0: not known
   std::vector<OnSprocket> sprockets_;
   Event                   slack_, broken_;
   Lasting                 slack_since_;

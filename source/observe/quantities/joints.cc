@@ -11,16 +11,26 @@ namespace chaindrive::observe
 {
 namespace
 {
+constexpr scene::Interface all_interfaces[] = {scene::Interface::roller_bush,
+                                               scene::Interface::bush_pin};
+
+/// With what the paths of the histories of a joint called @p name begin.
+std::string path_of(std::string name)
+{
+  std::replace(name.begin(), name.end(), '-', '_');
+  return "joints/" + name;
+}
+
 class Joints : public Quantity
 {
 public:
   explicit Joints(const Observation &now) : Quantity(now)
   {
-    std::set<std::string> named; // families of rigid and of elastic bodies share a name
+    std::set<scene::Interface> found; // there are families of rigid and of elastic bodies
     for (const scene::BoreFamily &bores : now.scene.bores)
-      if (named.insert(bores.name).second)
+      if (found.insert(bores.interface).second)
         kinds_.push_back({bores.name,
-                          now.system.contacts.find(bores.name),
+                          now.system.contacts.find(bores.interface),
                           std::vector<double>(now.scene.drive.n_joints, 0.),
                           std::vector<double>(now.scene.drive.n_joints, 0.)});
   }
@@ -30,18 +40,19 @@ public:
   static Contents contents()
   {
     Contents contents;
-    for (const char *name : {"roller_bush", "bush_pin"})
+    for (const scene::Interface interface : all_interfaces)
       {
-        const std::string path = std::string("joints/") + name;
+        const std::string path = path_of(parameters::text_of(interface));
         contents.histories.push_back({path + "_force", "N", "Normal force in the joint"});
         contents.histories.push_back(
             {path + "_force_peak", "N", "Its largest value since the last sample"});
         contents.histories.push_back(
             {path + "_gap", "m", "Smallest gap in the joint, negative: overlap"});
       }
-    for (const char *name : {"roller-bush", "bush-pin"})
-      contents.summary.push_back(
-          {std::string("overlap_max/") + name, "m", "overlap of the two sides, largest"});
+    for (const scene::Interface interface : all_interfaces)
+      contents.summary.push_back({"overlap_max/" + parameters::text_of(interface),
+                                  "m",
+                                  "overlap of the two sides, largest"});
     return contents;
   }
 
@@ -50,12 +61,11 @@ public:
     const unsigned int n = now_.scene.drive.n_joints;
     for (const Kind &kind : kinds_)
       {
-        std::string name = kind.name;
-        std::replace(name.begin(), name.end(), '-', '_');
+        const std::string              path   = path_of(kind.name);
         const std::vector<std::string> labels = labels_up_to(n);
-        channels.add("joints/" + name + "_force", labels, copy_of(kind.force));
-        channels.add("joints/" + name + "_force_peak", labels, copy_of(kind.peak));
-        channels.add("joints/" + name + "_gap", labels, smallest_gaps_of(kind.families));
+        channels.add(path + "_force", labels, copy_of(kind.force));
+        channels.add(path + "_force_peak", labels, copy_of(kind.peak));
+        channels.add(path + "_gap", labels, smallest_gaps_of(kind.families));
       }
   }
 

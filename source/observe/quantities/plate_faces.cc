@@ -15,7 +15,7 @@ public:
   explicit PlateFaces(const Observation &now) : Quantity(now)
   {
     for (const scene::FaceFamily &faces : now.scene.faces)
-      kinds_.push_back({faces.name, now.system.contacts.find(faces.name)});
+      kinds_.push_back({faces.name, now.system.contacts.find(faces.interface)});
   }
 
   static bool exists(const Observation &start) { return !start.scene.faces.empty(); }

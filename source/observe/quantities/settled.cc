@@ -14,14 +14,14 @@ class Settled : public Quantity
 {
 public:
   explicit Settled(const Observation &now)
-      : Quantity(now), drift_(now.scene, now.parameters, now.window().pitches_per_period())
+      : Quantity(now), drift_(now.scene, now.window().pitches_per_period())
   {
   }
 
   static bool exists(const Observation &start)
   {
     return !start.scene.drive.sprockets.empty() && start.scene.drive.n_joints > 0 &&
-           start.parameters.loads.driver_speed > 0.;
+           start.scene.loads.driver_speed > 0.;
   }
 
   static Contents contents()
@@ -37,7 +37,7 @@ public:
       return;
     if (!begun_ && now_.time() > window.start())
       {
-        drift_.begin(std::max(window.start(), now_.parameters.time.start));
+        drift_.begin(std::max(window.start(), now_.scene.start_time));
         begun_ = true;
       }
     if (!begun_)

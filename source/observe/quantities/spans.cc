@@ -92,7 +92,7 @@ public:
   void update() override
   {
     const Spans &spans = now_.spans();
-    if (now_.time() - now_.parameters.time.start <= start_time)
+    if (now_.time() - now_.scene.start_time <= start_time)
       tight_tension_start_ = std::max(tight_tension_start_, spans.tight().tension);
     statistics_.add({spans.tight().speed,
                      spans.tight().tension,

@@ -29,8 +29,9 @@ public:
       {
         for (const files::Described &history : histories_of(name))
           contents.histories.push_back(history);
-        contents.summary.push_back(
-            {"overlap_max/roller-" + name, "m", "overlap of the two sides, largest"});
+        contents.summary.push_back({"overlap_max/" + scene::name_of_teeth(name),
+                                    "m",
+                                    "overlap of the two sides, largest"});
       }
     return contents;
   }
@@ -68,7 +69,7 @@ public:
   void summarize(files::Json &summary) const override
   {
     for (const ToothForces &forces : sprockets_)
-      summary["overlap_max"]["roller-" + forces.name] = forces.overlap;
+      summary["overlap_max"][scene::name_of_teeth(forces.name)] = forces.overlap;
   }
 
   void serialize(const Archive &archive) override

@@ -1,15 +1,31 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/parameters/cross_checks.h>
+#include <chaindrive/model/cross_checks.h>
+#include <chaindrive/model/decide.h>
+#include <chaindrive/model/needs.h>
 #include <chaindrive/parameters/entries.h>
-#include <chaindrive/parameters/needs.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <algorithm>
 #include <tuple>
 #include <utility>
 
-namespace chaindrive::parameters
+namespace chaindrive::model
 {
+using parameters::CentreDistanceFrom;
+using parameters::ElasticLinks;
+using parameters::HalfModel;
+using parameters::OtherLinks;
+using parameters::PitchSet;
+using parameters::QuantityGroup;
+using parameters::SeatCentre;
+using parameters::Sprocket;
+using parameters::Sprockets;
+using parameters::Start;
+using parameters::Switch;
+using parameters::to_entry_text;
+using parameters::WornChain;
+namespace unit = parameters::unit;
+
 namespace
 {
 /// Sentences found so far: contradictions stop the run, notes do not.
@@ -55,7 +71,7 @@ void check_settled_window(const Parameters &p, Findings &findings)
 
 void check_window(const Parameters &p, Findings &findings)
 {
-  const Output &output = p.output;
+  const parameters::Output &output = p.output;
   if (!output.window_start)
     return check_settled_window(p, findings);
   const double from = *output.window_start, end = p.time.end;
@@ -78,11 +94,11 @@ void check_window(const Parameters &p, Findings &findings)
       "run.");
 }
 
-void check_times(const Parameters &p, Findings &findings)
+void check_times(const Parameters &p, const Effects &effects, Findings &findings)
 {
-  const Time   &time   = p.time;
-  const Output &output = p.output;
-  const double  start = time.start, end = time.end, duration = end - start;
+  const parameters::Time   &time   = p.time;
+  const parameters::Output &output = p.output;
+  const double              start = time.start, end = time.end, duration = end - start;
 
   findings.contradiction(end <= start,
                          "The run would end before it starts: Time/End time in ms must be above "
@@ -99,14 +115,14 @@ void check_times(const Parameters &p, Findings &findings)
       output.history_interval > duration,
       "Output/History interval in us is longer than the whole run: " + us(output.history_interval) +
           " against " + ms(duration) + "; choose a shorter interval.");
-  findings.note(fields(p).on && field_interval(p) > duration,
+  findings.note(effects.is_on(Effect::fields) && field_interval(p) > duration,
                 "Output/Field interval in ms is longer than the whole run: only its first state "
                 "is written for ParaView.");
 
   check_window(p, findings);
 }
 
-void check_facets(const Parameters &p, Findings &findings)
+void check_facets(const Parameters &p, const Effects &effects, Findings &findings)
 {
   const unsigned int facets = p.drive.sprockets.facets;
   if (facets == 0)
@@ -114,9 +130,10 @@ void check_facets(const Parameters &p, Findings &findings)
   const std::string entry = "Drive/Sprockets/Facets per tooth = " + std::to_string(facets);
   findings.contradiction(facets < 12 || facets % 2 == 1,
                          entry + " must be an even number from 12 on, or 0 for smooth teeth.");
-  for (const Sprocket &sprocket : p.drive.sprockets.list)
+  for (unsigned int i = 0; i < p.drive.sprockets.list.size(); ++i)
     {
-      const Decision elastic = elastic_sprocket(p, sprocket);
+      const Sprocket &sprocket = p.drive.sprockets.list[i];
+      const Decision &elastic  = effects.of(Effect::elastic_sprocket, i);
       findings.contradiction(
           elastic.on,
           entry + " is for rigid teeth, but those of the " + sprocket.in_words() +
@@ -130,14 +147,14 @@ void check_facets(const Parameters &p, Findings &findings)
     }
 }
 
-void check_chain(const Parameters &p, Findings &findings)
+void check_chain(const Parameters &p, const Effects &effects, Findings &findings)
 {
-  const Drive     &drive      = p.drive;
-  const Sprockets &sprockets  = drive.sprockets;
-  const bool       alternate  = p.model.capabilities().has_clearances;
-  const bool       odd        = drive.n_links % 2 != 0;
-  const bool       bottoms    = sprockets.seat_centre == SeatCentre::bottom_diameter;
-  const auto       has_bottom = [](const Sprocket &sprocket) {
+  const parameters::Drive &drive      = p.drive;
+  const Sprockets         &sprockets  = drive.sprockets;
+  const bool               alternate  = p.model.capabilities().has_clearances;
+  const bool               odd        = drive.n_links % 2 != 0;
+  const bool               bottoms    = sprockets.seat_centre == SeatCentre::bottom_diameter;
+  const auto               has_bottom = [](const Sprocket &sprocket) {
     return sprocket.bottom_diameter.has_value();
   };
 
@@ -185,7 +202,7 @@ void check_chain(const Parameters &p, Findings &findings)
             " touches with the flanks of its mesh; Drive/Sprockets/Tooth form serves only to lay "
             "the chain on it.");
 
-  check_facets(p, findings);
+  check_facets(p, effects, findings);
 
   findings.contradiction(
       !p.output.rollers.empty() && p.output.rollers.back() >= drive.n_links,
@@ -195,14 +212,15 @@ void check_chain(const Parameters &p, Findings &findings)
           std::to_string(drive.n_links - 1) + ".");
 }
 
-void check_mesh(const Mesh &mesh, Findings &findings)
+void check_mesh(const parameters::Mesh &mesh, Findings &findings)
 {
-  const auto insist_multiple =
-      [&findings](const std::string &entry, const Mesh::Cells &cells, const unsigned int of) {
-        findings.contradiction(cells.value_or(0) % of != 0,
-                               "Mesh/" + entry + " = " + std::to_string(cells.value_or(0)) +
-                                   " is not a multiple of " + std::to_string(of) + ".");
-      };
+  const auto insist_multiple = [&findings](const std::string             &entry,
+                                           const parameters::Mesh::Cells &cells,
+                                           const unsigned int             of) {
+    findings.contradiction(cells.value_or(0) % of != 0,
+                           "Mesh/" + entry + " = " + std::to_string(cells.value_or(0)) +
+                               " is not a multiple of " + std::to_string(of) + ".");
+  };
   insist_multiple("Roller/Cells around", mesh.roller_around, 4);
   insist_multiple("Roller/Cells along", mesh.roller_along, 2);
   insist_multiple("Inner link/Cells around", mesh.inner_link.around, 4);
@@ -278,21 +296,21 @@ void check_model(const Parameters &p, Findings &findings)
 }
 
 /// What is switched on or off in an elastic model must fit together.
-void check_elasticity(const Parameters &p, Findings &findings)
+void check_elasticity(const Parameters &p, const Effects &effects, Findings &findings)
 {
-  const Effects    &effects  = p.effects;
-  const std::string chosen   = chosen_fidelity(p);
-  const bool        elastic  = p.model.capabilities().is_elastic;
-  const bool        arriving = p.model.elastic_links == ElasticLinks::arriving;
+  const parameters::Effects &entries  = p.effects;
+  const std::string          chosen   = chosen_fidelity(p);
+  const bool                 elastic  = p.model.capabilities().is_elastic;
+  const bool                 arriving = p.model.elastic_links == ElasticLinks::arriving;
   std::vector<std::pair<std::string, Switch>> rims;
   for (const Sprocket &sprocket : p.drive.sprockets.list)
     rims.emplace_back("Effects/Elastic " + sprocket.name, sprocket.elastic);
   std::vector<std::pair<std::string, Switch>> all = {
-      {"Effects/Elastic links", effects.elastic_links},
-      {"Effects/Elastic rollers", effects.elastic_rollers}};
+      {"Effects/Elastic links", entries.elastic_links},
+      {"Effects/Elastic rollers", entries.elastic_rollers}};
   all.insert(all.end(), rims.begin(), rims.end());
-  all.emplace_back("Effects/Plate bending", effects.plate_bending);
-  all.emplace_back("Effects/Tooth compliance", effects.tooth_compliance);
+  all.emplace_back("Effects/Plate bending", entries.plate_bending);
+  all.emplace_back("Effects/Tooth compliance", entries.tooth_compliance);
   for (const auto &[name, choice] : all)
     findings.contradiction(!elastic && choice == Switch::on,
                            name + " = on contradicts " + chosen +
@@ -307,11 +325,11 @@ void check_elasticity(const Parameters &p, Findings &findings)
                              name + " = on contradicts Elastic links = arriving, in which all "
                                     "sprockets are rigid; choose auto or off, or Elastic links = "
                                     "all.");
-      findings.contradiction(choice == Switch::on && effects.elastic_rollers == Switch::off,
+      findings.contradiction(choice == Switch::on && entries.elastic_rollers == Switch::off,
                              name + " = on needs elastic rollers, whose nodes touch the teeth, but "
                                     "Effects/Elastic rollers = off; choose auto for one of them.");
     }
-  if (const Decision reduced = reduced_bodies(p); reduced.on)
+  if (const Decision &reduced = effects.of(Effect::reduced_bodies); reduced.on)
     {
       const std::string here = " reduced bodies (" + reduced.reason + ")";
       for (const auto &[name, choice] : rims)
@@ -321,22 +339,24 @@ void check_elasticity(const Parameters &p, Findings &findings)
       findings.contradiction(p.contact.plate_faces == Switch::on,
                              "Contact/Plate faces = on needs plates of finite elements, and not" +
                                  here + "; choose off, or Fidelity = full.");
-      findings.contradiction(effects.plate_bending == Switch::off,
+      findings.contradiction(entries.plate_bending == Switch::off,
                              "Effects/Plate bending = off is for plates of finite elements, and "
                              "not for" +
                                  here + "; choose auto, or Fidelity = full.");
     }
-  if (const Decision teeth = tooth_compliance(p); effects.tooth_compliance == Switch::on)
+  if (const Decision &teeth = effects.of(Effect::tooth_compliance);
+      entries.tooth_compliance == Switch::on)
     findings.contradiction(!teeth.on,
                            "Effects/Tooth compliance = on is for elastic rollers on a rigid "
                            "sprocket, but " +
                                teeth.reason + "; choose auto or off.");
-  findings.contradiction(effects.plate_bending == Switch::on && !elastic_links(p).on,
+  findings.contradiction(entries.plate_bending == Switch::on &&
+                             !effects.is_on(Effect::elastic_links),
                          "Effects/Plate bending = on needs elastic links; choose Effects/Elastic "
                          "links = on, or Plate bending = auto.");
   for (const auto &[name, body] :
-       {std::pair<const char *, Decision>{"Elastic links", elastic_links(p)},
-        {"Elastic rollers", elastic_rollers(p)}})
+       {std::pair<const char *, Decision>{"Elastic links", effects.of(Effect::elastic_links)},
+        {"Elastic rollers", effects.of(Effect::elastic_rollers)}})
     findings.contradiction(p.model.half == HalfModel::yes && !body.on,
                            std::string("Model/Half model = true needs elastic links and rollers, "
                                        "since rigid ones are whole, but Effects/") +
@@ -345,18 +365,18 @@ void check_elasticity(const Parameters &p, Findings &findings)
 }
 
 /// What is asked for by its name must be there.
-void check_quantities(const Parameters &p, Findings &findings)
+void check_quantities(const Parameters &p, const Effects &effects, Findings &findings)
 {
-  const Output     &output    = p.output;
-  const std::string chosen    = chosen_fidelity(p);
-  const bool        elastic   = p.model.capabilities().is_elastic;
-  const auto        asked_for = [](const QuantityGroup group) {
+  const parameters::Output &output    = p.output;
+  const std::string         chosen    = chosen_fidelity(p);
+  const bool                elastic   = p.model.capabilities().is_elastic;
+  const auto                asked_for = [](const QuantityGroup group) {
     return "Output/Quantities = " + text_of(group);
   };
   for (const auto &[group, what, decision] :
        {std::tuple<QuantityGroup, const char *, Decision>{
-            QuantityGroup::plate_stress, "Elastic links", elastic_links(p)},
-        {QuantityGroup::surface_velocity, "Elastic rollers", elastic_rollers(p)}})
+            QuantityGroup::plate_stress, "Elastic links", effects.of(Effect::elastic_links)},
+        {QuantityGroup::surface_velocity, "Elastic rollers", effects.of(Effect::elastic_rollers)}})
     findings.contradiction(output.names(group) && !decision.on,
                            asked_for(group) + " needs Effects/" + what + ", which " +
                                (elastic ? "is off (" + decision.reason + "); choose on" :
@@ -378,12 +398,12 @@ void check_quantities(const Parameters &p, Findings &findings)
                     ": plates do not bend out of their planes, since Effects/Plate bending = off.");
   if (!elastic || p.model.elastic_links == ElasticLinks::arriving)
     return;
-  for (const Sprocket &sprocket : p.drive.sprockets.list)
+  for (unsigned int i = 0; i < p.drive.sprockets.list.size(); ++i)
     for (const Needs &needs : all_needs)
       findings.note(needs.sprockets && output.names(needs.group) &&
-                        !elastic_sprocket(p, sprocket).on,
+                        !effects.is_on(Effect::elastic_sprocket, i),
                     asked_for(needs.group) + " would be more accurate with Effects/Elastic " +
-                        sprocket.name + ", which is off: " + needs.reason + ".");
+                        p.drive.sprockets.list[i].name + ", which is off: " + needs.reason + ".");
 }
 
 /// A run that ends with its noise must have what that is made of.
@@ -403,52 +423,46 @@ void check_noise(const Parameters &p, Findings &findings)
                          noise + " needs pitch times, but Loads/Driver speed in rad/s = 0.");
 }
 
-void check_effects(const Parameters &p, Findings &findings)
+void check_effects(const Parameters &p, const Effects &effects, Findings &findings)
 {
-  const Contact &contact    = p.contact;
-  const bool     clearances = p.model.capabilities().has_clearances;
-  const auto     insist     = [&findings](const std::string &name,
-                                  const Switch       choice,
-                                  const double       coefficient,
-                                  const std::string &coefficient_name) {
-    findings.contradiction(choice == Switch::on && coefficient == 0.,
+  const parameters::Contact &contact    = p.contact;
+  const parameters::Effects &entries    = p.effects;
+  const bool                 clearances = p.model.capabilities().has_clearances;
+  // what is switched on is off only if its coefficient is zero
+  const auto insist = [&](const std::string &name,
+                          const Switch       choice,
+                          const Effect       effect,
+                          const std::string &coefficient_name) {
+    findings.contradiction(choice == Switch::on && !effects.is_on(effect),
                            "Effects/" + name + " = on contradicts " + coefficient_name +
                                " = 0; give a value above zero, or choose auto or off.");
   };
-  const Effects &effects = p.effects;
-  // the largest coefficient that any interface of this fidelity has; where all have their own, the
-  // one for all does not act
-  double friction  = contact.roller_tooth_friction.value_or(contact.friction_coefficient);
-  bool   is_common = !contact.roller_tooth_friction;
-  if (clearances)
-    for (const auto &own : {contact.roller_bush_friction, contact.bush_pin_friction})
-      {
-        friction  = std::max(friction, own.value_or(contact.friction_coefficient));
-        is_common = is_common || !own;
-      }
+  // where all interfaces have coefficients of their own, the one for all does not act
+  const bool is_common =
+      !contact.roller_tooth_friction ||
+      (clearances && (!contact.roller_bush_friction || !contact.bush_pin_friction)) ||
+      effects.is_on(Effect::plate_faces);
   insist("Friction",
-         effects.friction,
-         friction,
+         entries.friction,
+         Effect::friction,
          is_common  ? "Contact/Friction coefficient" :
          clearances ? "Contact/Roller-tooth friction, Roller-bush friction and Bush-pin friction" :
                       "Contact/Roller-tooth friction");
   insist(
-      "Contact damping", effects.contact_damping, contact.damping_ratio, "Contact/Damping ratio");
-  insist("Gravity", effects.gravity, p.loads.gravity, "Loads/Gravity in m/s2");
-  insist("Drag", effects.drag, p.loads.drag, "Loads/Drag in 1/s");
+      "Contact damping", entries.contact_damping, Effect::contact_damping, "Contact/Damping ratio");
+  insist("Gravity", entries.gravity, Effect::gravity, "Loads/Gravity in m/s2");
+  insist("Drag", entries.drag, Effect::drag, "Loads/Drag in 1/s");
   if (!clearances)
-    insist("Chain damping",
-           effects.chain_damping,
-           p.model.chain_damping_ratio,
-           "Model/Chain damping ratio");
+    insist(
+        "Chain damping", entries.chain_damping, Effect::chain_damping, "Model/Chain damping ratio");
   else
     findings.contradiction(
-        effects.chain_damping == Switch::on,
+        entries.chain_damping == Switch::on,
         "Effects/Chain damping = on contradicts " + chosen_fidelity(p) +
             ", which has no bars: Contact/Damping ratio damps its joints. Choose auto or off.");
   for (const auto &[name, choice] :
-       {std::pair<const char *, Switch>{"Roller-bush clearance", effects.roller_bush_clearance},
-        {"Bush-pin clearance", effects.bush_pin_clearance}})
+       {std::pair<const char *, Switch>{"Roller-bush clearance", entries.roller_bush_clearance},
+        {"Bush-pin clearance", entries.bush_pin_clearance}})
     findings.contradiction(!clearances && choice == Switch::on,
                            std::string("Effects/") + name + " = on contradicts " +
                                chosen_fidelity(p) +
@@ -457,15 +471,15 @@ void check_effects(const Parameters &p, Findings &findings)
 }
 } // namespace
 
-std::vector<std::string> cross_check(const Parameters &parameters)
+std::vector<std::string> cross_check(const Parameters &parameters, const Effects &effects)
 {
   Findings findings;
-  check_times(parameters, findings);
-  check_chain(parameters, findings);
+  check_times(parameters, effects, findings);
+  check_chain(parameters, effects, findings);
   check_model(parameters, findings);
-  check_effects(parameters, findings);
-  check_elasticity(parameters, findings);
-  check_quantities(parameters, findings);
+  check_effects(parameters, effects, findings);
+  check_elasticity(parameters, effects, findings);
+  check_quantities(parameters, effects, findings);
   check_noise(parameters, findings);
   check_mesh(parameters.mesh, findings);
 
@@ -476,4 +490,4 @@ std::vector<std::string> cross_check(const Parameters &parameters)
     throw InputError(message);
   return findings.notes;
 }
-} // namespace chaindrive::parameters
+} // namespace chaindrive::model

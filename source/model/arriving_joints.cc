@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/scene/build.h>
+#include <chaindrive/model/arriving_joints.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <deal.II/base/numbers.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace chaindrive::scene
+namespace chaindrive::model
 {
 namespace
 {
@@ -18,18 +18,20 @@ constexpr int margin = 2; // links beside those that arrive: plates on both side
 
 } // namespace
 
-std::vector<char>
-elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &scene)
+std::vector<char> elastic_joints(const Parameters         &parameters,
+                                 const drive::Drive       &drive,
+                                 const Effects            &effects,
+                                 std::vector<std::string> &notes)
 {
-  const int n = static_cast<int>(scene.drive.n_joints);
-  if (parameters.model.elastic_links == parameters::ElasticLinks::all)
+  const int n = static_cast<int>(drive.layout.joints.size());
+  if (parameters.model.elastic_links == parameters::ElasticLinks::all ||
+      !parameters.model.capabilities().is_elastic)
     return std::vector<char>(n, true);
 
   // joint 0 sits where the chain comes in; with every pitch that the driver turns joint n-1, n-2,
   // ... comes after it
-  const auto turned = [&drive, &scene](const double time) {
-    return drive.driver().program.speed->integral(scene.start_time,
-                                                  std::max(time, scene.start_time));
+  const auto turned = [&drive, start = parameters.time.start](const double time) {
+    return drive.driver().program.speed->integral(start, std::max(time, start));
   };
   const double per_angle = drive.driver().form.teeth / (2. * PI);
   const double from      = parameters.output.window_start.value(),
@@ -50,14 +52,13 @@ elastic_joints(const Parameters &parameters, const drive::Drive &drive, Scene &s
   for (int k = first; k <= last; ++k)
     elastic[((k % n) + n) % n] = true;
   const auto name = [n](const int k) { return std::to_string(((k % n) + n) % n); };
-  scene.notes.push_back("Elastic: rollers " + name(first) + " to " + name(last) + ", " +
-                        std::to_string(last - first + 1) + " of " + std::to_string(n) +
-                        ", and the links between them: they arrive at the driver in Output's "
-                        "window, or up to " +
-                        std::to_string(margin) + " links before and after; all else is " +
-                        (is_on(scene.effects, EffectKind::reduced_bodies) ?
-                             text_of(parameters.model.other_links) :
-                             "rigid"));
+  notes.push_back(
+      "Elastic: rollers " + name(first) + " to " + name(last) + ", " +
+      std::to_string(last - first + 1) + " of " + std::to_string(n) +
+      ", and the links between them: they arrive at the driver in Output's "
+      "window, or up to " +
+      std::to_string(margin) + " links before and after; all else is " +
+      (effects.is_on(Effect::reduced_bodies) ? text_of(parameters.model.other_links) : "rigid"));
   return elastic;
 }
-} // namespace chaindrive::scene
+} // namespace chaindrive::model

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Entries that are allowed one by one but contradict each other.
-#include <chaindrive/parameters/cross_checks.h>
+#include <chaindrive/model/cross_checks.h>
+#include <chaindrive/model/decide.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <functional>
 #include <iostream>
 
 using chaindrive::Parameters;
+namespace model = chaindrive::model;
 using namespace chaindrive::parameters;
 
 void check(const std::function<void(Parameters &)> &change)
@@ -15,7 +17,7 @@ void check(const std::function<void(Parameters &)> &change)
   change(p);
   try
     {
-      for (const std::string &note : cross_check(p))
+      for (const std::string &note : model::cross_check(p, model::decide_effects(p)))
         std::cout << "note: " << note << std::endl;
     }
   catch (const chaindrive::InputError &error)
@@ -151,6 +153,14 @@ int main()
       change(p);
     });
   };
+  for (const double common : {0.1, 0.}) // of plate faces alone
+    full([common](Parameters &p) {
+      p.contact.plate_faces           = Switch::on;
+      p.effects.friction              = Switch::on;
+      p.contact.friction_coefficient  = common;
+      p.contact.roller_tooth_friction = p.contact.roller_bush_friction =
+          p.contact.bush_pin_friction = 0.;
+    });
   full([](Parameters &p) {
     p.effects.elastic_rollers          = Switch::off;
     p.drive.sprockets.driver().elastic = Switch::on;

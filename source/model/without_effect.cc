@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/parameters/needs.h>
-#include <chaindrive/parameters/without_effect.h>
+#include <chaindrive/model/without_effect.h>
 
-namespace chaindrive::parameters
+namespace chaindrive::model
 {
+using parameters::CentreDistanceFrom;
+using parameters::Switch;
+
 namespace
 {
 /// What holds of all entries of a section, or of one.
@@ -14,12 +16,15 @@ struct Rule
   std::string              reason;
 };
 
-std::vector<Rule> rules(const Parameters &p)
+std::vector<Rule> rules(const Parameters &p, const Effects &effects)
 {
   const auto [has_clearances, is_elastic, is_reduced] = p.model.capabilities();
-  const std::string        chosen = "Model/Fidelity = " + text_of(p.model.fidelity);
-  const CentreDistanceFrom from   = p.drive.layout.centre_distance_from;
-  const std::string        layout = "Drive/Layout/";
+  const std::string        chosen  = "Model/Fidelity = " + text_of(p.model.fidelity);
+  const CentreDistanceFrom from    = p.drive.layout.centre_distance_from;
+  const std::string        layout  = "Drive/Layout/";
+  const Decision          &reduced = effects.of(Effect::reduced_bodies),
+                 &teeth            = effects.of(Effect::tooth_compliance),
+                 &pictures         = effects.of(Effect::fields);
 
   std::vector<Rule> rules = {
       {p.drive.chain.elongation == 0.,
@@ -51,29 +56,27 @@ std::vector<Rule> rules(const Parameters &p)
         "Effects/Plate bending",
         "Effects/Tooth compliance"},
        chosen + " has no elastic bodies"},
-      {is_elastic && !reduced_bodies(p).on,
-       {"Reduction/"},
-       "no body is reduced: " + reduced_bodies(p).reason},
-      {!tooth_compliance(p).on,
+      {is_elastic && !reduced.on, {"Reduction/"}, "no body is reduced: " + reduced.reason},
+      {!teeth.on,
        {"Contact/Tooth stiffness in N/m"},
-       "Effects/Tooth compliance is off: " + tooth_compliance(p).reason},
+       "Effects/Tooth compliance is off: " + teeth.reason},
       {is_reduced, {"Elements/Column mass scaling"}, "rollers move by modes"},
-      {is_elastic && p.model.elastic_links == ElasticLinks::all,
+      {is_elastic && p.model.elastic_links == parameters::ElasticLinks::all,
        {"Model/Other links"},
        "Model/Elastic links = all leaves no others"},
-      {!is_elastic && !fields(p).on,
+      {!is_elastic && !pictures.on,
        {"Mesh/"},
-       chosen + " needs meshes for field output only, and none is written: " + fields(p).reason},
-      {!p.output.asks_for(QuantityGroup::fields),
+       chosen + " needs meshes for field output only, and none is written: " + pictures.reason},
+      {!p.output.asks_for(parameters::QuantityGroup::fields),
        {"Output/Field interval in ms"},
        "Output/Quantities do not name fields"},
       {p.output.window_start.has_value(),
        {"Output/Window length in pitches"},
        "Output/Window start in ms is a time"},
-      {p.drive.layout.start == Start::settled,
+      {p.drive.layout.start == parameters::Start::settled,
        {"Loads/Speed ramp", "Loads/Ramp time in ms", "Loads/Torque ramp angle in rad"},
        layout + "Start = settled begins at full speed under full load"},
-      {is_elastic && p.elements.formulation != Formulation::one_point,
+      {is_elastic && p.elements.formulation != parameters::Formulation::one_point,
        {"Elements/Hourglass coefficient"},
        "Elements/Formulation = " + text_of(p.elements.formulation) + " does not use it"}};
   for (const auto &[choice, entry] : {std::pair<CentreDistanceFrom, const char *>{
@@ -88,10 +91,11 @@ std::vector<Rule> rules(const Parameters &p)
 } // namespace
 
 std::vector<std::string> without_effect(const Parameters               &parameters,
+                                        const Effects                  &effects,
                                         const std::vector<std::string> &given)
 {
   std::vector<std::string> sentences;
-  for (const Rule &rule : rules(parameters))
+  for (const Rule &rule : rules(parameters, effects))
     {
       if (!rule.applies)
         continue;
@@ -109,4 +113,4 @@ std::vector<std::string> without_effect(const Parameters               &paramete
     }
   return sentences;
 }
-} // namespace chaindrive::parameters
+} // namespace chaindrive::model

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/parameters/choice.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace chaindrive::model
+{
+/// The pieces of physics that a model may do without.
+enum class Effect
+{
+  roller_bush_clearance,
+  bush_pin_clearance,
+  chain_bars,
+  friction,
+  contact_damping,
+  chain_damping,
+  gravity,
+  drag,
+  elastic_links,
+  elastic_rollers,
+  elastic_sprocket, ///< decided for each sprocket
+  tooth_compliance,
+  plate_bending,
+  reduced_bodies,
+  column_mass_scaling,
+  plate_faces,
+  half_model,
+  fields,
+  stress_recovery,
+  start_up
+};
+} // namespace chaindrive::model
+
+namespace chaindrive::parameters
+{
+template <>
+inline constexpr Texts<model::Effect, 20> texts_of<model::Effect>{
+    {{model::Effect::roller_bush_clearance, "roller-bush clearance"},
+     {model::Effect::bush_pin_clearance, "bush-pin clearance"},
+     {model::Effect::chain_bars, "chain bars"},
+     {model::Effect::friction, "friction"},
+     {model::Effect::contact_damping, "contact damping"},
+     {model::Effect::chain_damping, "chain damping"},
+     {model::Effect::gravity, "gravity"},
+     {model::Effect::drag, "drag"},
+     {model::Effect::elastic_links, "elastic links"},
+     {model::Effect::elastic_rollers, "elastic rollers"},
+     {model::Effect::elastic_sprocket, "elastic"},
+     {model::Effect::tooth_compliance, "tooth compliance"},
+     {model::Effect::plate_bending, "plate bending"},
+     {model::Effect::reduced_bodies, "reduced bodies"},
+     {model::Effect::column_mass_scaling, "column mass scaling"},
+     {model::Effect::plate_faces, "plate faces"},
+     {model::Effect::half_model, "half model"},
+     {model::Effect::fields, "fields"},
+     {model::Effect::stress_recovery, "stress recovery"},
+     {model::Effect::start_up, "start-up"}}};
+} // namespace chaindrive::parameters
+
+namespace chaindrive::model
+{
+/// Whether an effect is on, and why. What is off makes no object.
+struct Decision
+{
+  Effect      effect;
+  bool        on;
+  std::string reason;        ///< a phrase
+  std::string sprocket = {}; ///< its name, for what each sprocket has of its own
+
+  std::string name() const; ///< of the effect, in words
+};
+
+/// All decisions on effects, in the order in which the plan lists them.
+class Effects
+{
+public:
+  Effects() = default; ///< nothing is decided
+  explicit Effects(std::vector<Decision> decisions) : decisions_(std::move(decisions)) {}
+
+  /// The decision on @p effect; of what each sprocket has of its own that for sprocket number
+  /// @p sprocket of the drive. Throws std::logic_error for one that nobody decided.
+  const Decision &of(Effect effect, unsigned int sprocket = 0) const;
+
+  bool is_on(const Effect effect, const unsigned int sprocket = 0) const
+  {
+    return of(effect, sprocket).on;
+  }
+
+  std::vector<Decision>::const_iterator begin() const { return decisions_.begin(); }
+  std::vector<Decision>::const_iterator end() const { return decisions_.end(); }
+
+private:
+  std::vector<Decision> decisions_;
+};
+} // namespace chaindrive::model

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/model/decide.h>
+#include <chaindrive/model/needs.h>
+#include <chaindrive/parameters/entries.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace chaindrive::model
+{
+using parameters::QuantityGroup;
+using parameters::Switch;
+
+namespace
+{
+constexpr const char *nothing_elastic = "no group of bodies is elastic in this fidelity";
+
+bool is_elastic(const Parameters &p) { return p.model.capabilities().is_elastic; }
+
+/// The groups that @p p asks for and that need @p what: those named, or `all`; empty if none does.
+std::string who_needs(const Parameters &p, bool Needs::*what)
+{
+  if (p.output.quantities.empty())
+    return "all";
+  std::string names;
+  for (const Needs &needs : all_needs)
+    if (needs.*what && p.output.names(needs.group))
+      names += (names.empty() ? "" : ", ") + text_of(needs.group);
+  return names;
+}
+
+std::string switched(const Switch choice, const char *section)
+{
+  return "switched " + text_of(choice) + " in section " + section;
+}
+
+/// What has a coefficient, which is called @p coefficient_text.
+Decision decide(const Effect       effect,
+                const Switch       choice,
+                const double       coefficient,
+                const std::string &coefficient_text)
+{
+  if (choice == Switch::off)
+    return {effect, false, switched(choice, "Effects")};
+  const bool on = acts(choice, coefficient);
+  return {effect, on, coefficient_text + (on ? "" : " is zero")};
+}
+
+/// What an elastic fidelity has if something that is asked for needs it.
+Decision decide(const Effect effect, const Parameters &p, const Switch choice, bool Needs::*what)
+{
+  if (!is_elastic(p))
+    return {effect, false, nothing_elastic};
+  if (choice != Switch::automatic)
+    return {effect, choice == Switch::on, switched(choice, "Effects")};
+  const std::string who = who_needs(p, what);
+  return {effect,
+          !who.empty(),
+          who.empty() ? "nothing in Output/Quantities needs it" : "for Output/Quantities = " + who};
+}
+
+bool arrive(const Parameters &p)
+{
+  return is_elastic(p) && p.model.elastic_links == parameters::ElasticLinks::arriving;
+}
+
+/// What holds of links and rollers alike.
+Decision where_they_arrive(const Parameters &p, Decision decision)
+{
+  if (decision.on && arrive(p))
+    decision.reason = "those that arrive in the window: Model/Elastic links";
+  return decision;
+}
+
+Switch choice_for(const Parameters &p, const parameters::Sprocket &sprocket)
+{
+  return sprocket.elastic != Switch::automatic ? sprocket.elastic : p.model.elastic_sprockets;
+}
+
+Decision elastic_rollers(const Parameters &p)
+{
+  const Decision rollers = where_they_arrive(
+      p, decide(Effect::elastic_rollers, p, p.effects.elastic_rollers, &Needs::rollers));
+  if (!rollers.on && is_elastic(p) && p.effects.elastic_rollers == Switch::automatic)
+    for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
+      if (choice_for(p, sprocket) == Switch::on)
+        return {Effect::elastic_rollers, true, "an elastic sprocket needs them"};
+  return rollers;
+}
+
+Decision
+elastic_sprocket(const Parameters &p, const parameters::Sprocket &sprocket, const bool rollers)
+{
+  constexpr Effect effect = Effect::elastic_sprocket;
+  Decision         rim    = decide(effect, p, choice_for(p, sprocket), &Needs::sprockets);
+  rim.sprocket            = sprocket.name;
+  if (rim.on && arrive(p))
+    return {effect, false, "rigid next to rigid links: Elastic links = arriving", sprocket.name};
+  if (rim.on && p.model.capabilities().is_reduced)
+    return {effect, false, "rigid next to reduced rollers", sprocket.name};
+  if (rim.on && !rollers)
+    return {effect,
+            false,
+            "a rigid roller meets rigid teeth, whose compliance is not its own",
+            sprocket.name};
+  if (sprocket.elastic == Switch::automatic && p.model.elastic_sprockets != Switch::automatic &&
+      is_elastic(p))
+    rim.reason = switched(p.model.elastic_sprockets, "Model");
+  return rim;
+}
+
+Decision
+tooth_compliance(const Parameters &p, const bool rollers, const std::vector<Decision> &rims)
+{
+  constexpr Effect effect = Effect::tooth_compliance;
+  const Switch     choice = p.effects.tooth_compliance;
+  if (!is_elastic(p))
+    return {effect, false, nothing_elastic};
+  if (!rollers)
+    return {effect, false, "rollers are rigid: their contact with rigid teeth has one stiffness"};
+  if (std::all_of(rims.begin(), rims.end(), [](const Decision &rim) { return rim.on; }))
+    return {effect, false, "sprockets are elastic"};
+  if (choice != Switch::automatic)
+    return {effect, choice == Switch::on, switched(choice, "Effects")};
+  const bool reduced = p.model.capabilities().is_reduced;
+  return {effect,
+          reduced,
+          reduced ? "reduced rollers press rigid sprockets" : "teeth of rigid sprockets are rigid"};
+}
+
+Decision plate_bending(const Parameters &p, const bool links)
+{
+  constexpr Effect effect = Effect::plate_bending;
+  if (!links)
+    return {effect, false, "links are not elastic"};
+  if (p.effects.plate_bending == Switch::off)
+    return {effect, false, "switched off in section Effects: middle surfaces stay in their planes"};
+  return {effect, true, "out of their planes; in them it comes with elastic links"};
+}
+
+Decision plate_faces(const Parameters &p, const bool links)
+{
+  constexpr Effect effect = Effect::plate_faces;
+  if (!links)
+    return {effect, false, "links are not elastic"};
+  if (p.contact.plate_faces == Switch::on)
+    return {effect, true, "asked for in section Contact: between elastic links"};
+  return {effect,
+          false,
+          p.contact.plate_faces == Switch::off ?
+              "Contact/Plate faces: plates pass through each other" :
+              "nothing pushes the chain sideways"};
+}
+
+Decision reduced_bodies(const Parameters &p, const bool links, const bool rollers)
+{
+  constexpr Effect effect = Effect::reduced_bodies;
+  if (!links && !rollers)
+    return {effect, false, "neither links nor rollers are elastic"};
+  if (p.model.capabilities().is_reduced)
+    return {effect, true, "fidelity " + text_of(p.model.fidelity)};
+  if (!arrive(p))
+    return {effect, false, "elastic bodies move by their nodes"};
+  const bool others = p.model.other_links == parameters::OtherLinks::reduced;
+  return {effect, others, "Model/Other links = " + text_of(p.model.other_links)};
+}
+
+Decision column_mass_scaling(const Parameters &p, const bool rollers)
+{
+  constexpr Effect effect = Effect::column_mass_scaling;
+  if (!rollers)
+    return {effect, false, "rollers are not elastic"};
+  if (p.model.capabilities().is_reduced)
+    return {effect, false, "rollers move by modes"};
+  const double factor = p.elements.column_mass_scaling;
+  return {effect,
+          factor > 0.,
+          "Elements/Column mass scaling = " +
+              parameters::to_entry_text(factor, parameters::unit::si)};
+}
+
+Decision fields(const Parameters &p)
+{
+  if (!p.output.asks_for(QuantityGroup::fields))
+    return {Effect::fields, false, "Output/Quantities do not name them"};
+  const double interval = field_interval(p);
+  return {Effect::fields,
+          interval > 0.,
+          "field interval " + parameters::to_entry_text(interval, parameters::unit::milli) + " ms"};
+}
+
+Decision half_model(const Parameters &p,
+                    const bool        links,
+                    const bool        rollers,
+                    const bool        plate_faces,
+                    const bool        pictures)
+{
+  constexpr Effect effect = Effect::half_model;
+  if (!is_elastic(p))
+    return {effect, false, nothing_elastic};
+  if (p.model.half == parameters::HalfModel::yes)
+    return {effect, true, "asked for: the middle plane is a plane of symmetry"};
+  if (p.model.half == parameters::HalfModel::no)
+    return {effect, false, "asked for: whole bodies"};
+  if (!links || !rollers)
+    return {effect, false, "whole bodies: rigid ones are"};
+  if (plate_faces)
+    return {effect, false, "whole bodies: plates touch where something pushes them sideways"};
+  for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
+    if (!sprocket.mesh.empty())
+      return {effect, false, "whole bodies: an imported mesh may lack symmetry"};
+  // pictures show both halves: without any, nobody needs them
+  const std::string who = pictures ? who_needs(p, &Needs::both_halves) : "";
+  if (!who.empty())
+    return {effect, false, "whole bodies: for Output/Quantities = " + who};
+  return {effect,
+          true,
+          "the middle plane is a plane of symmetry, and nothing asked for needs both halves"};
+}
+
+Decision
+stress_recovery(const Parameters &p, const bool links, const bool rollers, const bool pictures)
+{
+  constexpr Effect effect = Effect::stress_recovery;
+  const bool       plates = links && p.output.asks_for(QuantityGroup::plate_stress);
+  const bool       bodies = (links || rollers) && pictures;
+  if (!plates && !bodies)
+    return {effect,
+            false,
+            is_elastic(p) ? "neither plate stress nor fields of elastic bodies are requested" :
+                            "no body is elastic"};
+  return {effect,
+          true,
+          std::string(plates ? "at the waists of plates" : "") + (plates && bodies ? ", " : "") +
+              (bodies ? "in field output" : "")};
+}
+
+/// Whether the cylinders of a joint have play.
+Decision clearance(const Effect effect, const Parameters &p, const Switch choice)
+{
+  const std::string fidelity = "fidelity " + text_of(p.model.fidelity);
+  if (!p.model.capabilities().has_clearances)
+    return {effect, false, fidelity + ": roller, bush and pin are one lump"};
+  if (choice == Switch::off)
+    return {effect, false, "switched off in section Effects: the bore fits"};
+  return {effect, true, fidelity + ": roller, bush and pin are separate bodies"};
+}
+
+Decision chain_bars(const Parameters &p)
+{
+  const auto [has_clearances, elastic, reduced] = p.model.capabilities();
+  return {Effect::chain_bars,
+          !has_clearances,
+          "fidelity " + text_of(p.model.fidelity) + ": " +
+              (reduced        ? "links deform by shapes" :
+               elastic        ? "links are made of finite elements" :
+               has_clearances ? "links are rigid, their compliance sits in the joints" :
+                                "plates are elastic bars")};
+}
+
+/// The largest friction coefficient of the interfaces that the fidelity of @p p has.
+double largest_friction(const Parameters &p, const bool plate_faces)
+{
+  const parameters::Contact &contact = p.contact;
+  const auto                 of      = [&contact](const std::optional<double> &own) {
+    return own.value_or(contact.friction_coefficient);
+  };
+  double largest = of(contact.roller_tooth_friction);
+  if (p.model.capabilities().has_clearances)
+    largest = std::max({largest, of(contact.roller_bush_friction), of(contact.bush_pin_friction)});
+  if (plate_faces)
+    largest = std::max(largest, contact.friction_coefficient);
+  return largest;
+}
+
+Decision chain_damping(const Parameters &p)
+{
+  const double ratio = p.model.chain_damping_ratio;
+  if (p.model.capabilities().has_clearances)
+    return {Effect::chain_damping, false, "there are no bars: the joints' contact damping acts"};
+  return decide(Effect::chain_damping,
+                p.effects.chain_damping,
+                ratio,
+                "chain damping ratio " + to_text(ratio));
+}
+
+Decision start_up(const Parameters &p)
+{
+  const parameters::Start start   = p.drive.layout.start;
+  const bool              settled = start == parameters::Start::settled;
+  return {Effect::start_up,
+          !settled,
+          "Drive/Layout/Start = " + text_of(start) + (settled ? ": at full speed" : ": from rest")};
+}
+} // namespace
+
+double field_interval(const Parameters &p)
+{
+  const double frequency = p.drive.sprockets.driver().teeth * p.loads.driver_speed;
+  return p.output.field_interval.value_or(
+      frequency > 0. ? 0.1 * 2. * dealii::numbers::PI / frequency : 1e-3);
+}
+
+Effects decide_effects(const Parameters &p)
+{
+  // what others depend on comes first
+  const Decision links = where_they_arrive(
+      p, decide(Effect::elastic_links, p, p.effects.elastic_links, &Needs::links));
+  const Decision        rollers = elastic_rollers(p);
+  std::vector<Decision> rims;
+  for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
+    rims.push_back(elastic_sprocket(p, sprocket, rollers.on));
+  const Decision faces = plate_faces(p, links.on), pictures = fields(p);
+  const double   friction = largest_friction(p, faces.on);
+
+  std::vector<Decision> all{
+      clearance(Effect::roller_bush_clearance, p, p.effects.roller_bush_clearance),
+      clearance(Effect::bush_pin_clearance, p, p.effects.bush_pin_clearance),
+      chain_bars(p),
+      decide(Effect::friction,
+             p.effects.friction,
+             friction,
+             "friction coefficient " + to_text(friction)),
+      decide(Effect::contact_damping,
+             p.effects.contact_damping,
+             p.contact.damping_ratio,
+             "damping ratio " + to_text(p.contact.damping_ratio)),
+      chain_damping(p),
+      decide(Effect::gravity,
+             p.effects.gravity,
+             p.loads.gravity,
+             "acceleration " + to_text(p.loads.gravity) + " m/s2"),
+      decide(Effect::drag,
+             p.effects.drag,
+             p.loads.drag,
+             "coefficient " + to_text(p.loads.drag) + " 1/s"),
+      links,
+      rollers};
+  all.insert(all.end(), rims.begin(), rims.end());
+  all.insert(all.end(),
+             {tooth_compliance(p, rollers.on, rims),
+              plate_bending(p, links.on),
+              reduced_bodies(p, links.on, rollers.on),
+              column_mass_scaling(p, rollers.on),
+              faces,
+              half_model(p, links.on, rollers.on, faces.on, pictures.on),
+              pictures,
+              stress_recovery(p, links.on, rollers.on, pictures.on),
+              start_up(p)});
+  return Effects(all);
+}
+} // namespace chaindrive::model
