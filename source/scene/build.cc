@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/scene/addition.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/placement.h>
 
@@ -172,6 +173,7 @@ Scene build_scene(const Parameters               &parameters,
 
   builder_of(parameters.model.fidelity)(parameters, drive, scene);
   add_sprockets(parameters, drive, folders, scene);
+  add_additions(parameters.sections, scene);
   if (is_on(scene.effects, EffectKind::reduced_bodies) && basis_of)
     add_bases(basis_of, scene);
   return scene;
