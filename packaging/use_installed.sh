@@ -58,6 +58,11 @@ mv /usr/share/chaindrive/python /usr/share/chaindrive/aside
 refuses 2 "no folder /usr/share/chaindrive/python, " "chaindrive report simple"
 mv /usr/share/chaindrive/aside /usr/share/chaindrive/python
 
+echo "== plug-ins"
+install chaindrive-dev_*.deb
+as_user "cp -r /usr/share/doc/chaindrive/doc/plugin-example . && cmake -S plugin-example -B plugin && cmake --build plugin" >plugin.log
+as_user "chaindrive plan plugin-example/example.prm --plugin plugin/example.so" | grep '^Plug-in example'
+
 echo "== reports"
 install chaindrive-report_*.deb
 as_user "chaindrive report simple two --output page.html && grep -c plotly.js page.html"

@@ -121,6 +121,10 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
       "rpm", value_of(c.design.rpm)->value_name("RPM"), "template: speed of the driver");
   visible.add_options()(
       "kW", value_of(c.design.kilowatt)->value_name("KW"), "template: power of the load");
+  visible.add_options()("plugin",
+                        options::value(&c.plugins)->value_name("LIBRARY"),
+                        "run, plan, parts, noise, template, document: load this shared library, "
+                        "which adds to the program; may be repeated");
   add("man", c.man, "document: print the manual page (troff)");
   add("schema", c.schema, "document: print all histories and summary members of runs (JSON)");
   visible.add_options()("completion",
@@ -161,6 +165,8 @@ void check_values(const options::variables_map &values, const CommandLine &c)
     check("resume", c.resume, "auto or a checkpoint");
   for (const std::string &text : c.overrides)
     check("set", text, "Section/Entry=value");
+  for (const std::string &file : c.plugins)
+    check("plugin", file, "a shared library");
 }
 
 /// The widest vector instructions of this processor that a compiler of today would use.

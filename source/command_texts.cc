@@ -41,6 +41,9 @@ std::string values_of(const OptionText &option)
     return "compopt -o filenames; COMPREPLY=($(compgen -d -- \"$word\"))";
   if (option.value.find("CHECKPOINT") != std::string::npos)
     return "compopt -o filenames; COMPREPLY=($(compgen -W auto -f -- \"$word\"))";
+  if (option.value == "LIBRARY")
+    return "compopt -o filenames; COMPREPLY=($(compgen -d -- \"$word\") $(compgen -f -X '!*.so' -- "
+           "\"$word\"))";
   if (option.value == "SHELL")
     return "COMPREPLY=($(compgen -W bash -- \"$word\"))";
   return ":"; // numbers and names that only the user knows

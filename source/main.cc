@@ -6,6 +6,7 @@
 #include <chaindrive/observe/schema.h>
 #include <chaindrive/packages.h>
 #include <chaindrive/parameters/reader.h>
+#include <chaindrive/plugins.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/signals.h>
 
@@ -50,6 +51,7 @@ struct Successor
 int run(const int argc, char **argv, const bool is_first_rank, Successor &successor)
 {
   const CommandLine command_line = parse_command_line(argc, argv);
+  load_plugins(command_line.plugins, MPI_COMM_WORLD);
   switch (command_line.command)
     {
     case Command::run:

@@ -13,6 +13,7 @@
 #include <chaindrive/observe/checkpoints.h>
 #include <chaindrive/observe/pictures.h>
 #include <chaindrive/observe/progress.h>
+#include <chaindrive/plugins.h>
 #include <chaindrive/scene/plan.h>
 #include <chaindrive/simulation.h>
 #include <chaindrive/utilities/checksum.h>
@@ -27,6 +28,7 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -67,17 +69,39 @@ std::string far_away(const CommandLine &command_line, const std::string &output)
          "there.";
 }
 
-/// What a resumed run must find as it was: parameters::Input::fixed and the contents of meshes.
+/// What a resumed run must find as it was: plug-ins, parameters::Input::fixed and the contents of
+/// meshes.
 std::string fixed_text(const parameters::Input        &input,
                        const drive::Drive             &drive,
                        const std::vector<std::string> &folders)
 {
-  std::string text = input.fixed;
+  std::string text = plugins_text() + "\n" + input.fixed;
   for (const drive::Sprocket &sprocket : drive.sprockets)
     if (!sprocket.mesh.empty())
       text += "the checksum of the mesh '" + sprocket.mesh +
               "' = " + checksum(files::read_text(mesh::find_file(sprocket.mesh, folders))) + "\n";
   return text;
+}
+
+/// All entries as a .prm file, which says with which plug-ins they were read.
+std::string record_of(const parameters::Input &input)
+{
+  std::ostringstream text;
+  print_plugins(text, "# ");
+  text << input.resolved;
+  return text.str();
+}
+
+/// The loaded plug-ins, as summary.json has them.
+files::Json plugins_as_json()
+{
+  files::Json all = files::Json::array();
+  for (const Plugin &plugin : loaded_plugins())
+    all.push_back({{"name", plugin.name},
+                   {"version", plugin.version},
+                   {"path", plugin.path},
+                   {"checksum", plugin.checksum}});
+  return all;
 }
 
 /// A .prm file that can be run, and a log that says so.
@@ -163,6 +187,7 @@ void print_plan(Prepared &prepared)
   if (parameters.acoustics.noise)
     check_noise(simulation.drive, simulation.facts, parameters);
   drive::print(log, simulation.facts);
+  print_plugins(log);
   for (const std::string &note : prepared.input.notes)
     log << note << '\n';
   for (const std::string &warning : prepared.input.warnings)
@@ -202,7 +227,7 @@ void begin_files(Prepared &prepared, const bool resumes)
     warn(prepared.log, directory.take_over(resumes, input.parameters.output.csv));
     prepared.log.open(directory.path() + "/log.txt", resumes);
     files::write_text(directory.path() + "/input.prm", input.text);
-    files::write_text(directory.path() + "/parameters.prm", input.resolved);
+    files::write_text(directory.path() + "/parameters.prm", record_of(input));
   });
   for (files::Console *console : {&prepared.out, &prepared.err})
     console->give_up_after(std::chrono::seconds(2)); // it is all in the file
@@ -271,10 +296,12 @@ void try_noise(Prepared &prepared)
 /// Writes summary.json and the end of the log. Collective.
 void end_files(Prepared &prepared)
 {
-  const observe::Summary summary = prepared.simulation.summary();
+  observe::Summary summary = prepared.simulation.summary();
   if (!prepared.simulation.system().world.is_first_rank())
     return;
   files::Log &log = prepared.log;
+  if (!loaded_plugins().empty())
+    summary.values["plugins"] = plugins_as_json();
   files::write_json(prepared.directory.path() + "/summary.json", summary.values);
   warn(log, window_sentence(prepared.simulation));
   warn_of_events(log, summary.values);
@@ -336,7 +363,7 @@ std::optional<std::string> run_command(const CommandLine &command_line, const MP
   observe::Recorder &recorder   = simulation.recorder();
   files::Log        &log        = prepared.log;
   const std::string &path       = prepared.directory.path();
-  recorder.write_histories(path, prepared.input.resolved, simulation.n_steps());
+  recorder.write_histories(path, record_of(prepared.input), simulation.n_steps());
   observe::Pictures pictures(simulation.scene, simulation.model, system, path, system.timer);
   observe::Progress progress(log, parameters.time.start, parameters.time.end);
 

@@ -52,6 +52,10 @@ SEAMS = {
         [Interface("Quantity", "include/chaindrive/observe/quantity.h"),
          Code("Registered&lt;T&gt;", "include/chaindrive/observe/quantity.h", ("exists", "Registration"))],
         [Implementations("Quantity")]]),
+    "addition to a scene": Seam("scene", "When all bodies of a drive are there, each addition that is active changes its scene, after those that it names.", [
+        [calls("build_scene()", "source/scene/build.cc", "add_additions")],
+        [Code("Addition&lt;T&gt;", "include/chaindrive/scene/addition.h", ("add_to", "AdditionRegistration", "AdditionSection"))],
+        [Code("entries", "include/chaindrive/parameters/sections.h", ("Section", "SectionOf", "Sections"))]]),
     "element block": Seam("element", "A part is a list of blocks. Bodies ask for the forces of a batch, statics and reduction for stiffness, results for stresses.", [
         [calls("ElasticPart", "source/element/elastic_part.cc", "add_forces"),
          calls("assemble()", "source/element/element_block.cc", "unknowns_per_node", "nodes_of", "element_stiffness"),

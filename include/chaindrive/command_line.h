@@ -29,6 +29,7 @@ struct CommandLine
   Command                  command = Command::run;
   std::string              parameter_file;   ///< noise: the directory of a run
   std::vector<std::string> overrides;        ///< "Section/Entry=value", in the order given
+  std::vector<std::string> plugins;          ///< shared libraries to load, in the order given
   std::string              output_directory; ///< empty: what the .prm file says
   std::string              resume;           ///< empty: what the .prm file says
   bool                     quiet  = false;   ///< warnings and errors only

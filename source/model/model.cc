@@ -107,6 +107,7 @@ Model make_model(const Parameters &p, const drive::Drive &drive, const Effects &
   model.elastic_joints = elastic_joints(p, drive, effects, model.notes);
   model.mass_per_pitch = value_of(p.model.mass_per_pitch, drive.mass_per_pitch);
   model.driven_inertia = p.model.driven_inertia;
+  model.sections       = p.sections;
   model.material       = p.material;
   model.elements       = p.elements;
   model.meshes         = meshes_of(p, effects);

@@ -86,6 +86,8 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
                                       {CentreDistanceFrom::pretension, "Pretension in N"}})
     rules.push_back(
         {from != choice, {layout + entry}, layout + "Centre distance from = " + text_of(from)});
+  for (const std::string &section : p.sections.inactive())
+    rules.push_back({true, {section + "/"}, section + "/Active = false"});
   return rules;
 }
 } // namespace

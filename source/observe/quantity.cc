@@ -4,25 +4,22 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <map>
 #include <utility>
 
 namespace chaindrive::observe
 {
 namespace
 {
-struct Known
+struct KindOfQuantity
 {
-  std::string                              name;
   std::optional<parameters::QuantityGroup> group;
   Registration::Make                       make;
   Contents                                 contents;
 };
 
-/// By their order. A function, so that it exists before the registrations of other sources.
-std::map<int, Known> &all_known()
+Registry<KindOfQuantity> &all_known()
 {
-  static std::map<int, Known> known;
+  static Registry<KindOfQuantity> known("quantity");
   return known;
 }
 
@@ -36,7 +33,7 @@ files::Channel channel_of(const files::Described &history)
 /// The history @p path as its quantity describes it.
 files::Described described(const std::string &path)
 {
-  for (const auto &[order, known] : all_known())
+  for (const KindOfQuantity &known : all_known().items())
     for (const files::Described &history : known.contents.histories)
       if (history.path == path)
         return history;
@@ -45,35 +42,29 @@ files::Described described(const std::string &path)
 }
 } // namespace
 
-Registration::Registration(const std::string                             &name,
-                           const int                                      order,
+Registration::Registration(const About                                   &about,
                            const std::optional<parameters::QuantityGroup> group,
                            Make                                           make,
                            const Contents                                &contents)
 {
-  for (const auto &[other_order, other] : all_known())
-    AssertThrow(other_order != order && other.name != name,
-                dealii::ExcMessage("The quantities " + name + " and " + other.name +
-                                   " have the same name or order"));
-  all_known()[order] = {name, group, std::move(make), contents};
+  all_known().add(about, {group, std::move(make), contents});
 }
 
 std::vector<NamedQuantity> make_quantities(const Observation &start)
 {
   std::vector<NamedQuantity> quantities;
-  for (const auto &[order, known] : all_known())
+  for (const auto &[entry, known] : all_known().in_order())
     if (known.group && !start.model.output.asks_for(*known.group))
       continue;
     else if (auto quantity = known.make(start))
-      quantities.push_back({known.name, std::move(quantity)});
+      quantities.push_back({entry.about.name, std::move(quantity)});
   return quantities;
 }
 
 std::vector<std::pair<std::optional<parameters::QuantityGroup>, Contents>> all_contents()
 {
   std::vector<std::pair<std::optional<parameters::QuantityGroup>, Contents>> all;
-  all.reserve(all_known().size());
-  for (const auto &[order, known] : all_known())
+  for (const auto &[entry, known] : all_known().in_order())
     all.emplace_back(known.group, known.contents);
   return all;
 }

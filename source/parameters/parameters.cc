@@ -17,5 +17,6 @@ void Parameters::declare(parameters::Declarations &declarations)
   time.declare(declarations);
   output.declare(declarations);
   acoustics.declare(declarations);
+  sections.declare(declarations);
 }
 } // namespace chaindrive

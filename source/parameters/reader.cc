@@ -3,6 +3,7 @@
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/parameter_file.h>
 #include <chaindrive/parameters/reader.h>
+#include <chaindrive/parameters/sections.h>
 #include <chaindrive/parameters/suggestions.h>
 #include <chaindrive/parameters/writer.h>
 #include <chaindrive/utilities/errors.h>
@@ -276,6 +277,8 @@ private:
         (outer.empty() ? "there is" : "section " + outer + " has") + " no section '" + name + "'.";
     if (name == "Study" && outer.empty())
       return begin + " It belongs to a study, which is run by: chaindrive study FILE.prm.";
+    if (is_heading_of_plugins(outer.empty() ? name : outer))
+      return begin + plugin_advice();
     for (const std::string &path : declarations_.sections())
       if (last_part(path) == name)
         return begin + (enclosing(path).empty() ?
@@ -286,6 +289,13 @@ private:
     return begin + (!nearest.empty() ? " Did you mean '" + nearest + "'?" :
                     names.empty()    ? "" :
                                        " There are: " + join(names) + ".");
+  }
+
+  /// What to do about an unknown section where plug-ins have theirs.
+  static std::string plugin_advice()
+  {
+    return " Such sections belong to plug-ins, which the option --plugin FILE loads: is one "
+           "missing?";
   }
 
   void close_section(const std::string &rest, const std::string &where)
@@ -337,6 +347,8 @@ private:
         return " Did you mean '" + entry.path() + "'?";
     if (!bare && !declarations_.has_section(section))
       {
+        if (is_heading_of_plugins(section.substr(0, section.find('/'))))
+          return " There is no section '" + section + "'." + plugin_advice();
         const std::string nearest = nearest_name(section, declarations_.sections());
         return " There is no section '" + section + "'" +
                (nearest.empty() ? "; chaindrive template lists all entries." :

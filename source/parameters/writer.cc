@@ -4,6 +4,7 @@
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/parameters/study.h>
 #include <chaindrive/parameters/writer.h>
+#include <chaindrive/utilities/registry.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -48,6 +49,24 @@ std::string cell(const std::string &text)
   for (const char c : text)
     escaped += c == '|' ? std::string("\\|") : std::string(1, c);
   return escaped;
+}
+
+/// What the loaded plug-ins have registered; nothing without any.
+std::string documentation_of_plugins()
+{
+  std::string rows;
+  for (const AnyRegistry *registry : AnyRegistry::all())
+    for (const std::size_t i : registry->order())
+      {
+        const AnyRegistry::Entry &entry = registry->entries()[i];
+        if (!entry.plugin.empty())
+          rows += "| " + entry.plugin + " | " + registry->kind() + " | " + entry.about.name +
+                  " | " + cell(entry.about.documentation) + " |\n";
+      }
+  return rows.empty() ? "" :
+                        "\n## Plug-ins\n\n| Plug-in | Adds | Name | Meaning |\n"
+                        "|---|---|---|---|\n" +
+                            rows;
 }
 } // namespace
 
@@ -127,6 +146,7 @@ std::string parameter_documentation()
           << cell(entry.allowed) << " | " << cell(entry.meaning) << " |\n";
     }
   out << study_output_documentation();
+  out << documentation_of_plugins();
   return out.str();
 }
 } // namespace chaindrive::parameters

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/scene/addition.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/placement.h>
 
@@ -137,6 +138,7 @@ Scene build_scene(const model::Model             &model,
 
   builder_of(model.fidelity)(model, drive, scene);
   add_sprockets(model, drive, folders, scene);
+  add_additions(model.sections, scene);
   if (model.effects.is_on(Effect::reduced_bodies) && basis_of)
     add_bases(basis_of, scene);
   return scene;

@@ -55,7 +55,7 @@ public:
 private:
   double largest_ = 0.; ///< W
 };
-const Registered<Power> power("driven power", 45);
+const Registered<Power> power({"driven power", "What the driven hub delivers."});
 
 class Never : public Quantity
 {
@@ -64,7 +64,7 @@ public:
 
   static bool exists(const Observation &start) { return start.scene.has_elastic_bodies(); }
 };
-const Registered<Never> never("never", 1000);
+const Registered<Never> never({"never", "In no scene.", {"driven power"}});
 
 class StopAt : public dynamics::Observer
 {

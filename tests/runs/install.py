@@ -175,7 +175,7 @@ def package():
     forget_texts()
     done("cpack", "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", pathlib.Path(".").resolve())
     files = {file.name.split("_")[0]: file for file in pathlib.Path(".").glob("*.deb")}
-    check(sorted(files) == ["chaindrive", "chaindrive-report", "chaindrive-study"], f"packages: {files}")
+    check(sorted(files) == ["chaindrive", "chaindrive-dev", "chaindrive-report", "chaindrive-study"], f"packages: {files}")
     file = files["chaindrive"]
 
     def names(name, field):
@@ -189,7 +189,7 @@ def package():
     # nodes of a cluster run the program alone
     others = set(packages("report") + packages("study") + packages("check") + packages("build")) - set(packages("program"))
     check(not others & set(depends) and not names("chaindrive", "Recommends"), f"more than the program needs: {depends}")
-    for use in ("report", "study"):
+    for use in ("dev", "report", "study"):
         name = f"chaindrive-{use}"
         check(names(name, "Depends") == ["chaindrive", *packages(use)], f"{name}: {names(name, 'Depends')}")
         check(f"chaindrive (= {full_version})" in done("dpkg-deb", "--field", files[name], "Depends"), f"{name} goes with any version")

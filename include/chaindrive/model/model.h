@@ -80,6 +80,7 @@ struct Model
   parameters::Output output;
   Window             window;
   double             field_interval = 0.; ///< between pictures, s; 0: none are written
+  parameters::Sections sections; ///< entries of what registers itself
 
   std::vector<std::string> notes; ///< what the log must say about decisions
 };

@@ -5,7 +5,9 @@
 #include <chaindrive/files/histories.h>
 #include <chaindrive/files/json.h>
 #include <chaindrive/observe/observation.h>
+#include <chaindrive/parameters/sections.h>
 #include <chaindrive/utilities/archive.h>
+#include <chaindrive/utilities/registry.h>
 
 #include <functional>
 #include <memory>
@@ -65,7 +67,8 @@ struct Contents
 };
 
 /// Something that is observed of a run: its channels in the histories, its members of the summary.
-/// A new one is one file in source/observe/quantities, which ends with its registration:
+/// A new one is one file in source/observe/quantities, or in a plug-in (doc/plugins.md), which ends
+/// with its registration:
 ///
 ///     class Speed : public Quantity
 ///     {
@@ -76,7 +79,19 @@ struct Contents
 ///       void add_channels(Channels &channels) override;
 ///       ...
 ///     };
-///     const Registered<Speed> registered_speed("speed", 45, parameters::QuantityGroup::speeds);
+///     const Registered<Speed> registered_speed({"speed", "How fast rollers are.", {"rollers"}},
+///                                              parameters::QuantityGroup::speeds);
+///
+/// One that has entries of its own in the .prm file holds them in a struct:
+///
+///       struct Parameters
+///       {
+///         double limit = 1.; ///< m/s
+///         void   declare(parameters::Declarations &declarations);
+///       };
+///       Speed(const Observation &now, const Parameters &parameters);
+///
+/// They form the section `Quantities/speed`.
 ///
 /// Every rank has all quantities of its scene. Functions do nothing unless overridden.
 class Quantity
@@ -124,33 +139,45 @@ public:
   /// Makes the quantity; null when the scene has nothing of the kind, which then costs nothing.
   using Make = std::function<std::unique_ptr<Quantity>(const Observation &start)>;
 
-  /// Quantities follow each other by @p order, in histories as in checkpoints, where each has its
-  /// @p name; both must differ from those of all others. One of a @p group is made only when
-  /// Output/Quantities ask for that; one without, always.
-  Registration(const std::string                       &name,
-               int                                      order,
+  /// Quantities are asked, and their histories follow each other, in the order of @p about: each
+  /// after those that it names. One of a @p group is made only when Output/Quantities ask for that;
+  /// one without, always.
+  Registration(const About                             &about,
                std::optional<parameters::QuantityGroup> group,
                Make                                     make,
                const Contents                          &contents = {});
 };
 
-/// Registers T, which says with T::exists(start) whether a scene has it, and with T::contents()
-/// what it writes.
+/// Registers T, which says with T::exists(start) whether a scene has it, with T::contents() what it
+/// writes, and with T::Parameters, if there are any, what entries it has.
 template <typename T>
 struct Registered : Registration
 {
-  Registered(const std::string                              &name,
-             const int                                       order,
-             const std::optional<parameters::QuantityGroup> &group = std::nullopt)
-      : Registration(
-            name,
-            order,
-            group,
-            [](const Observation &start) -> std::unique_ptr<Quantity> {
-              return T::exists(start) ? std::make_unique<T>(start) : nullptr;
-            },
-            T::contents())
+  explicit Registered(const About                                    &about,
+                      const std::optional<parameters::QuantityGroup> &group = std::nullopt)
+      : Registration(about, group, maker(section_of(about.name)), T::contents())
   {
+    if constexpr (parameters::has_parameters<T>)
+      parameters::register_section<parameters::SectionOf<typename T::Parameters>>(
+          section_of(about.name));
+  }
+
+private:
+  static std::string section_of(const std::string &name) { return "Quantities/" + name; }
+
+  static Make maker(const std::string &section)
+  {
+    return [section](const Observation &start) -> std::unique_ptr<Quantity> {
+      if (!T::exists(start))
+        return nullptr;
+      if constexpr (parameters::has_parameters<T>)
+        return std::make_unique<T>(
+            start,
+            start.model.sections.get<parameters::SectionOf<typename T::Parameters>>(section)
+                .values);
+      else
+        return std::make_unique<T>(start);
+    };
   }
 };
 

@@ -7,6 +7,7 @@
 #include <chaindrive/parameters/loads.h>
 #include <chaindrive/parameters/model.h>
 #include <chaindrive/parameters/run.h>
+#include <chaindrive/parameters/sections.h>
 
 #include <string>
 #include <utility>
@@ -29,6 +30,7 @@ struct Parameters
   parameters::Time      time;
   parameters::Output    output;
   parameters::Acoustics acoustics;
+  parameters::Sections  sections; ///< of what registers itself
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.

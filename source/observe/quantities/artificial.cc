@@ -51,6 +51,7 @@ private:
   double hourglass_ = 0., all_ = 0.; ///< integrals over time, J s
 };
 
-const Registered<Artificial> registered_artificial("artificial", 87);
+const Registered<Artificial> registered_artificial(
+    {"artificial", "The share of hourglass modes in the energy of elastic bodies.", {"losses"}});
 } // namespace
 } // namespace chaindrive::observe

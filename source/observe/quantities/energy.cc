@@ -17,6 +17,7 @@ struct Line
 
 bool always(const Observation &) { return true; }
 bool elastic(const Observation &now) { return now.scene.has_elastic_bodies(); }
+bool with_forces(const Observation &now) { return !now.scene.forces.empty(); }
 bool nodal(const Observation &now) { return now.system.world.n_nodal_groups() > 0; }
 
 template <model::Effect effect>
@@ -38,6 +39,7 @@ constexpr Line lines[] = {
      nodal,
      "In the hourglass stiffness of elastic bodies; physical bending for the enhanced elements"},
     {"contact", &Ledger::contact, always, "Stored in the contact springs"},
+    {"spring", &Ledger::spring, with_forces, "Stored in force elements other than bars"},
     {"friction_loss",
      &Ledger::friction,
      with<model::Effect::friction>,
@@ -50,7 +52,11 @@ constexpr Line lines[] = {
      &Ledger::chain_damping,
      with<model::Effect::chain_damping>,
      "Lost in the bars' dashpots since the start"},
-    {"drag_loss", &Ledger::drag, with<model::Effect::drag>, "Lost by drag since the start"}};
+    {"drag_loss", &Ledger::drag, with<model::Effect::drag>, "Lost by drag since the start"},
+    {"spring_damping_loss",
+     &Ledger::spring_damping,
+     with_forces,
+     "Lost in force elements other than bars since the start"}};
 
 class Energy : public Quantity
 {
@@ -106,6 +112,8 @@ public:
   }
 };
 
-const Registered<Energy> registered_energy("energy", 80, parameters::QuantityGroup::energy);
+const Registered<Energy>
+    registered_energy({"energy", "The energy balance, line by line.", {"plate faces"}},
+                      parameters::QuantityGroup::energy);
 } // namespace
 } // namespace chaindrive::observe

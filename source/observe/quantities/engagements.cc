@@ -269,6 +269,7 @@ private:
 };
 
 const Registered<Engagements>
-    registered_engagements("engagements", 110, parameters::QuantityGroup::engagements);
+    registered_engagements({"engagements", "How rollers meet the teeth.", {"plate stress"}},
+                           parameters::QuantityGroup::engagements);
 } // namespace
 } // namespace chaindrive::observe

@@ -338,6 +338,9 @@ private:
   OfPitch                 pitch_;
 };
 
-const Registered<Events> registered_events("events", 130);
+const Registered<Events>
+    registered_events({"events",
+                       "What makes the figures of a run meaningless: a chain that jumps or breaks.",
+                       {"search"}});
 } // namespace
 } // namespace chaindrive::observe

@@ -114,6 +114,7 @@ private:
   WindowStatistics statistics_;
 };
 
-const Registered<Hubs> registered_hubs("hubs", 10, parameters::QuantityGroup::speeds);
+const Registered<Hubs> registered_hubs({"hubs", "How the sprockets turn, and the torques on them."},
+                                       parameters::QuantityGroup::speeds);
 } // namespace
 } // namespace chaindrive::observe

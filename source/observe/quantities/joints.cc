@@ -118,6 +118,8 @@ private:
   std::vector<Kind> kinds_;
 };
 
-const Registered<Joints> registered_joints("joints", 60, parameters::QuantityGroup::joint_forces);
+const Registered<Joints>
+    registered_joints({"joints", "The contact forces in each joint.", {"teeth"}},
+                      parameters::QuantityGroup::joint_forces);
 } // namespace
 } // namespace chaindrive::observe

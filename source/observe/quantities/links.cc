@@ -53,6 +53,7 @@ private:
   std::vector<double> peak_; ///< since the last sample, N
 };
 
-const Registered<Links> registered_links("links", 30, parameters::QuantityGroup::tensions);
+const Registered<Links> registered_links({"links", "The tension of each link.", {"rollers"}},
+                                         parameters::QuantityGroup::tensions);
 } // namespace
 } // namespace chaindrive::observe

@@ -146,6 +146,8 @@ private:
   std::vector<double>      within_; ///< what has come to it within the window, J
 };
 
-const Registered<Losses> registered_losses("losses", 85, parameters::QuantityGroup::energy);
+const Registered<Losses>
+    registered_losses({"losses", "The power lost in each kind of contact.", {"energy"}},
+                      parameters::QuantityGroup::energy);
 } // namespace
 } // namespace chaindrive::observe

@@ -55,7 +55,8 @@ private:
   std::vector<Kind> kinds_;
 };
 
-const Registered<PlateFaces>
-    registered_plate_faces("plate faces", 70, parameters::QuantityGroup::joint_forces);
+const Registered<PlateFaces> registered_plate_faces(
+    {"plate faces", "How deep the faces of plates have been in each other.", {"joints"}},
+    parameters::QuantityGroup::joint_forces);
 } // namespace
 } // namespace chaindrive::observe

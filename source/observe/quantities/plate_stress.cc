@@ -101,7 +101,8 @@ private:
   std::vector<WaistStress> stress_; ///< per link, at the present sample
 };
 
-const Registered<PlateStressQuantity>
-    registered_plate_stress("plate stress", 100, parameters::QuantityGroup::plate_stress);
+const Registered<PlateStressQuantity> registered_plate_stress(
+    {"plate stress", "The stress in the plates of elastic links.", {"surface velocity"}},
+    parameters::QuantityGroup::plate_stress);
 } // namespace
 } // namespace chaindrive::observe

@@ -95,7 +95,7 @@ private:
   std::vector<double> spin_of_nodes_; ///< of rollers that move by nodes, by body, rad/s
 };
 
-const Registered<Rollers>
-    registered_rollers("rollers", 20, parameters::QuantityGroup::roller_motion);
+const Registered<Rollers> registered_rollers({"rollers", "How the rollers move.", {"shafts"}},
+                                             parameters::QuantityGroup::roller_motion);
 } // namespace
 } // namespace chaindrive::observe

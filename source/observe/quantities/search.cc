@@ -37,6 +37,7 @@ public:
   }
 };
 
-const Registered<Search> registered_search("search", 120);
+const Registered<Search>
+    registered_search({"search", "How often contacts were searched for.", {"engagements"}});
 } // namespace
 } // namespace chaindrive::observe

@@ -69,6 +69,8 @@ private:
   bool  begun_ = false;
 };
 
-const Registered<Settled> registered_settled("settled", 42, parameters::QuantityGroup::tensions);
+const Registered<Settled> registered_settled(
+    {"settled", "Whether the drive had settled in the window of the means.", {"spans"}},
+    parameters::QuantityGroup::tensions);
 } // namespace
 } // namespace chaindrive::observe

@@ -142,6 +142,7 @@ private:
   std::vector<double> values_; ///< of the signals
 };
 
-const Registered<Shafts> registered_shafts("shafts", 15, parameters::QuantityGroup::tooth_forces);
+const Registered<Shafts> registered_shafts({"shafts", "The forces on the shafts.", {"hubs"}},
+                                           parameters::QuantityGroup::tooth_forces);
 } // namespace
 } // namespace chaindrive::observe

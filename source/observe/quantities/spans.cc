@@ -184,6 +184,8 @@ private:
   double             tight_tension_start_ = 0.; ///< largest, N
 };
 
-const Registered<SpansQuantity> registered_spans("spans", 40, parameters::QuantityGroup::tensions);
+const Registered<SpansQuantity>
+    registered_spans({"spans", "Tension, motion and sag of each span.", {"links"}},
+                     parameters::QuantityGroup::tensions);
 } // namespace
 } // namespace chaindrive::observe

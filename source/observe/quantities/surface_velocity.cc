@@ -80,6 +80,7 @@ private:
 };
 
 const Registered<SurfaceVelocity> registered_surface_velocity(
-    "surface velocity", 90, parameters::QuantityGroup::surface_velocity);
+    {"surface velocity", "How fast the surfaces of elastic parts vibrate.", {"artificial"}},
+    parameters::QuantityGroup::surface_velocity);
 } // namespace
 } // namespace chaindrive::observe

@@ -103,6 +103,7 @@ private:
   std::vector<ToothForces> sprockets_;
 };
 
-const Registered<Teeth> registered_teeth("teeth", 50, parameters::QuantityGroup::tooth_forces);
+const Registered<Teeth> registered_teeth({"teeth", "The forces on the teeth.", {"settled"}},
+                                         parameters::QuantityGroup::tooth_forces);
 } // namespace
 } // namespace chaindrive::observe
