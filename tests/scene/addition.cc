@@ -3,6 +3,7 @@
 // a drive, after it a load that grows with the time on one of them. Their entries are read, checked
 // and written; without `Active` nothing is added, and what they say besides is told to have no
 // effect.
+#include "../support/decided.h"
 #include "../support/scenes.h"
 
 #include <chaindrive/drive/drive.h>
@@ -69,7 +70,7 @@ const scene::Addition<GrowingLoad> growing_load({"growing load",
 
 scene::Scene build(const Parameters &parameters)
 {
-  return scene::build_scene(parameters, drive::make_drive(parameters), {"."});
+  return test::scene_of(parameters);
 }
 
 void refuse(const std::string &what, const std::string &path, const std::string &value)
