@@ -213,7 +213,7 @@ std::vector<const Family *> Contacts::find(const std::string &name) const
   std::vector<const Family *> found;
   for (const auto &family : families_)
     if (family->name() == name)
-      found.push_back(family.get());
+      found.push_back(family);
   return found;
 }
 

@@ -4,8 +4,8 @@
 #include <chaindrive/contact/family.h>
 #include <chaindrive/contact/near_flanks.h>
 #include <chaindrive/contact/search_cadence.h>
+#include <chaindrive/utilities/pointer_list.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -47,7 +47,7 @@ public:
   /// the joint and the overlap.
   void refuse_overlap(World &world, double prestress);
 
-  const std::vector<std::unique_ptr<Family>> &families() const { return families_; }
+  const PointerList<Family> &families() const { return families_; }
 
   /// The families called @p name: one for rigid bodies, one for elastic ones, or none.
   std::vector<const Family *> find(const std::string &name) const;
@@ -62,14 +62,14 @@ private:
   /// Returns whether it was.
   bool search_if_due(const World &world, double dt);
 
-  std::vector<std::unique_ptr<Family>> families_;
-  bool                                 every_step_;
-  bool                                 needs_search_ = false;
-  double                               reach_;   ///< m
-  SearchCadence                        cadence_; ///< of approach, m
-  NearFlanks                           near_flanks_;
-  SearchStatistics                     statistics_;
-  unsigned long                        missed_before_ = 0; ///< the run was resumed, by any rank
-  std::vector<std::vector<double>>     messages_;          ///< of gather_records(), by rank
+  OwningList<Family>               families_;
+  bool                             every_step_;
+  bool                             needs_search_ = false;
+  double                           reach_;   ///< m
+  SearchCadence                    cadence_; ///< of approach, m
+  NearFlanks                       near_flanks_;
+  SearchStatistics                 statistics_;
+  unsigned long                    missed_before_ = 0; ///< the run was resumed, by any rank
+  std::vector<std::vector<double>> messages_;          ///< of gather_records(), by rank
 };
 } // namespace chaindrive::contact
