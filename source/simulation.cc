@@ -197,7 +197,7 @@ Simulation::Simulation(const Parameters               &parameters,
                                              parameters.time.guard,
                                              overload(parameters, facts));
   recorder_ = std::make_unique<observe::Recorder>(
-      scene, parameters, *system_, drive::pitches_per_resonance(facts));
+      scene, parameters, *system_, system_->timer, drive::pitches_per_resonance(facts));
 }
 
 unsigned long Simulation::n_steps() const
