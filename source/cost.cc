@@ -27,10 +27,13 @@ constexpr double change_of_elastic = 1.22;
 class Stopwatch : public dynamics::Observer
 {
 public:
-  bool observe(dynamics::System &system, const unsigned long step, const double) override
+  void observe(const dynamics::System &system,
+               const unsigned long     step,
+               const double,
+               dynamics::Services &services) override
   {
     if (step < first || step % 4 != 0)
-      return true;
+      return;
     const double now = PhaseTimer::total();
     if (step == first)
       begin_ = now;
@@ -38,7 +41,8 @@ public:
     end_  = now;
     // every rank asks, so that all stop at the same step
     const double spent = dealii::Utilities::MPI::max(now - begin_, system.world.communicator());
-    return spent < (steps() < enough ? longest : shortest);
+    if (spent >= (steps() < enough ? longest : shortest))
+      services.stop_run();
   }
 
   std::string name() const override { return "stopwatch"; }
@@ -101,7 +105,8 @@ void time_outputs(Simulation &simulation, Cost &cost)
     return;
   observe::Pictures pictures(
       simulation.scene, simulation.model, system, scratch.path(), system.timer);
-  cost.picture  = cpu_time(comm, [&] { pictures.observe(system, 0, 0.); });
+  dynamics::Services services(system);
+  cost.picture  = cpu_time(comm, [&] { pictures.observe(system, 0, 0., services); });
   cost.pictures = 1. + std::min(std::floor(duration / interval), double(cost.steps));
 }
 } // namespace

@@ -69,22 +69,23 @@ Vector3 in_space(const dealii::Tensor<1, 2> &v)
 
 acoustics::Site make_site(const drive::Drive &drive, const drive::Facts &facts)
 {
-  const drive::Layout           &layout = drive.layout;
-  const drive::Layout::Span     &tight  = layout.tight();
-  const drive::Layout::Sprocket &driver = layout.sprockets[0];
-  acoustics::Site                site{};
-  site.outward       = in_space(tight.normal);
-  site.along         = -in_space(tight.direction); // the driver pulls it in
-  site.engagement    = in_space(driver.centre) + 0.5 * facts.driver().pitch_diameter * site.outward;
-  site.middle        = 0.5 * (driver.centre[0] + layout.sprockets[layout.moved].centre[0]);
+  const drive::Layout       &layout = drive.layout;
+  const drive::Layout::Span &tight  = layout.tight();
+  acoustics::Site            site{};
+  site.outward    = in_space(tight.normal);
+  site.along      = -in_space(tight.direction); // the driver pulls it in
+  site.engagement = in_space(layout.sprockets.front().centre) +
+                    0.5 * facts.driver().pitch_diameter * site.outward;
   site.pitch         = drive.chain.pitch;
   site.roller_radius = 0.5 * drive.chain.roller_diameter;
   site.roller_length = drive.chain.roller_length;
   site.pitch_time    = facts.pitch_time;
   site.lowest        = std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < layout.sprockets.size(); ++s)
-    site.sprockets.emplace_back(in_space(layout.sprockets[s].centre),
-                                0.5 * drive.sprockets[s].form.outside_diameter);
+    site.sprockets.push_back({drive.sprockets[s].name,
+                              drive.sprockets[s].title,
+                              in_space(layout.sprockets[s].centre),
+                              0.5 * drive.sprockets[s].form.outside_diameter});
   for (const drive::Layout::Joint &joint : layout.joints)
     {
       const Vector3 place = in_space(joint.roller);
@@ -156,10 +157,12 @@ read_motion(const files::TableFile &file, const unsigned int n, const double fro
   return motion;
 }
 
-Json to_json(const acoustics::Noise &noise, const double tooth_frequency)
+Json to_json(const acoustics::Noise &noise,
+             const acoustics::Site  &site,
+             const double            tooth_frequency)
 {
   Json json = Json::object(), observers = Json::array(), bands = Json::array(),
-       rollers = Json::array();
+       rollers = Json::array(), contributions = Json::object();
   for (const acoustics::Heard &heard : noise.observers)
     {
       const Vector3 &x = heard.observer.position;
@@ -176,6 +179,8 @@ Json to_json(const acoustics::Noise &noise, const double tooth_frequency)
     bands.push_back(band.middle);
   for (std::size_t k = 0; k < noise.rollers.size(); ++k)
     rollers.push_back({{"roller", k}, {"level", noise.rollers[k]}});
+  for (std::size_t s = 0; s < site.sprockets.size(); ++s)
+    contributions[site.sprockets[s].name] = noise.contributions[s];
   const double start        = noise.grid.start;
   json["observers"]         = observers;
   json["third_octaves"]     = bands;
@@ -183,7 +188,7 @@ Json to_json(const acoustics::Noise &noise, const double tooth_frequency)
   json["highest_frequency"] = noise.highest;
   json["periods"]           = noise.periods;
   json["window"]        = {{"start", start}, {"end", start + noise.grid.step * noise.grid.size}};
-  json["contributions"] = {{"driver", noise.contributions[0]}, {"driven", noise.contributions[1]}};
+  json["contributions"] = contributions;
   json["rollers"]       = rollers;
   json["directivity"]   = {{"angle", noise.angles}, {"level", noise.directivity}};
   return json;
@@ -222,7 +227,10 @@ void write_pressures(const std::string &file, const acoustics::Noise &noise)
                       {time, pressure, frequency, spectrum});
 }
 
-void print(std::ostream &out, const acoustics::Noise &noise, const double tooth_frequency)
+void print(std::ostream           &out,
+           const acoustics::Noise &noise,
+           const acoustics::Site  &site,
+           const double            tooth_frequency)
 {
   out << "Noise of the rollers over " << noise.periods
       << (noise.periods == 1 ? " pitch time" : " pitch times") << ", from "
@@ -242,9 +250,11 @@ void print(std::ostream &out, const acoustics::Noise &noise, const double tooth_
       out << std::setprecision(1) << std::setw(12) << heard.level << std::setw(8) << heard.level_a
           << std::setprecision(3) << std::setw(11) << heard.peak << '\n';
     }
-  out << std::setprecision(1) << "  at " << noise.observers.front().observer.name
-      << ": rollers at the driver " << noise.contributions[0] << " dB, at the driven sprocket "
-      << noise.contributions[1] << " dB\n";
+  out << std::setprecision(1) << "  at " << noise.observers.front().observer.name << ": rollers";
+  for (std::size_t s = 0; s < site.sprockets.size(); ++s)
+    out << (s == 0 ? "" : ",") << " at the " << site.sprockets[s].title << ' '
+        << noise.contributions[s] << " dB";
+  out << '\n';
   out.flags(flags);
   for (const std::string &note : noise.notes)
     out << "  " << note << '\n';
@@ -285,8 +295,8 @@ void write_noise(const std::string &directory, const Parameters &parameters, std
   const acoustics::Noise  noise =
       acoustics::listen(motion, site, parameters.acoustics, start, end, file.path());
   write_pressures(directory + "/acoustics.h5", noise);
-  files::write_json(directory + "/acoustics.json", to_json(noise, facts.tooth_frequency));
-  print(out, noise, facts.tooth_frequency);
+  files::write_json(directory + "/acoustics.json", to_json(noise, site, facts.tooth_frequency));
+  print(out, noise, site, facts.tooth_frequency);
 }
 
 void noise_command(const CommandLine &command_line)

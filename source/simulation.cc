@@ -213,7 +213,7 @@ Simulation::Simulation(const Parameters                            &parameters,
                                              model.time.guard,
                                              overload(parameters, facts));
   recorder_ = std::make_unique<observe::Recorder>(
-      scene, model, *system_, drive::pitches_per_resonance(facts));
+      scene, model, *system_, system_->timer, drive::pitches_per_resonance(facts));
 }
 
 unsigned long Simulation::n_steps() const

@@ -112,7 +112,8 @@ SEAMS = {
     "observer": Seam("dynamics", "The time loop shows the system to all observers before the first step and after each step; a checkpoint holds their state.", [
         [calls("run()", "source/dynamics/time_loop.cc", "advance", "observe"),
          calls("Checkpoints", "source/observe/checkpoints.cc", "name", "serialize")],
-        [Interface("Observer", "include/chaindrive/dynamics/observer.h")],
+        [Interface("Observer", "include/chaindrive/dynamics/observer.h"),
+         Code("Services", "include/chaindrive/dynamics/services.h", ("stop_run", "ask", "asked", "gather_records", "write_state", "timer"))],
         [Implementations("Observer")]]),
     "fidelity": Seam("scene", "A fidelity is a row of capabilities and a builder; everything else sees bodies, bars and interfaces.", [
         [Code("Fidelity", "include/chaindrive/parameters/model.h", ("Fidelity", "simple", "layered", "reduced", "full")),

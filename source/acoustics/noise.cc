@@ -179,13 +179,43 @@ Source mirrored(Source source, const double floor)
   return source;
 }
 
-/// The part of @p source for which the driver stands: all on its side of the middle, half in it.
-Source driver_part(Source source, const Site &site)
+/// How much of a roller at @p x is each sprocket's; the sum is one. Of two sprockets it is all that
+/// of the nearer one, and half of it midway between them. Of several, each takes the product of
+/// what would be its own beside each of the others: the nearest one has at least half of every
+/// factor.
+void share_out(const Vector3 &x, const Site &site, std::vector<double> &shares)
 {
+  const std::size_t n = site.sprockets.size();
+  shares.assign(n, 1.);
+  double sum = 0.;
+  for (std::size_t s = 0; s < n; ++s)
+    {
+      for (std::size_t other = 0; other < n; ++other)
+        if (other != s)
+          {
+            const Vector3 &own = site.sprockets[s].centre, &far = site.sprockets[other].centre;
+            const double   inside = (0.5 * (own + far) - x) * (far - own) / (far - own).norm();
+            shares[s] *= std::clamp(0.5 + inside / site.pitch, 0., 1.);
+          }
+      sum += shares[s];
+    }
+  for (double &share : shares)
+    share /= sum;
+}
+
+/// The parts of @p source for which the sprockets stand, but for the last one, whose part is the
+/// rest.
+std::vector<Source> parts_of(const Source &source, const Site &site)
+{
+  std::vector<Source> parts(site.sprockets.size() - 1, source);
+  std::vector<double> shares;
   for (std::size_t i = 0; i < source.grid.size; ++i)
-    source.acceleration[i] *=
-        std::clamp(0.5 + (site.middle - source.position[i][0]) / site.pitch, 0., 1.);
-  return source;
+    {
+      share_out(source.position[i], site, shares);
+      for (std::size_t s = 0; s < parts.size(); ++s)
+        parts[s].acceleration[i] *= shares[s];
+    }
+  return parts;
 }
 
 void check_distance(const Observer &observer, const Source &source, const Site &site)
@@ -230,9 +260,10 @@ void check_rollers(const parameters::Acoustics &settings, const Site &site)
 void check_observers(const Site &site, const std::vector<Observer> &observers)
 {
   for (const Observer &observer : observers)
-    for (const auto &[centre, radius] : site.sprockets)
+    for (const Site::Sprocket &sprocket : site.sprockets)
       {
-        const Vector3 arm = observer.position - centre;
+        const double  radius = sprocket.tip_radius;
+        const Vector3 arm    = observer.position - sprocket.centre;
         if (std::hypot(arm[0], arm[1]) < radius && std::abs(arm[2]) < site.pitch)
           throw InputError("Acoustics/Observers: the observer " + observer.name + " at " +
                            to_text(observer.position[0]) + " " + to_text(observer.position[1]) +
@@ -396,10 +427,10 @@ Noise listen(const Motion                &motion,
   for (const Observer &observer : observers)
     noise.observers.push_back({observer, silence, {}, 0., 0., 0., {}, {}, {}});
 
-  const Air           air{settings.air_density, settings.speed_of_sound};
-  const Sources       sources(motion, regular, site, settings, highest);
-  std::vector<double> of_driver = silence;
-  const auto          level_of  = [&noise](const std::vector<double> &pressure) {
+  const Air                        air{settings.air_density, settings.speed_of_sound};
+  const Sources                    sources(motion, regular, site, settings, highest);
+  std::vector<std::vector<double>> of_sprocket(site.sprockets.size() - 1, silence);
+  const auto                       level_of = [&noise](const std::vector<double> &pressure) {
     return level(mean_square(make_spectrum(pressure, noise.grid.step), noise.highest));
   };
   const auto hear = [&](const Source &source, const Vector3 &at, std::vector<double> &pressure) {
@@ -422,7 +453,9 @@ Noise listen(const Motion                &motion,
         }
       for (Heard &heard : arc)
         hear(source, heard.observer.position, heard.pressure);
-      hear(driver_part(source, site), observers.front().position, of_driver);
+      const std::vector<Source> own_parts = parts_of(source, site);
+      for (std::size_t s = 0; s < own_parts.size(); ++s)
+        hear(own_parts[s], observers.front().position, of_sprocket[s]);
     }
 
   for (Heard &heard : noise.observers)
@@ -432,10 +465,14 @@ Noise listen(const Motion                &motion,
         noise.notes.push_back("Nothing is heard at " + heard.observer.name +
                               ": no roller is accelerated in the window. It has no level.");
     }
-  std::vector<double> of_driven = noise.observers.front().pressure;
-  for (std::size_t i = 0; i < of_driven.size(); ++i)
-    of_driven[i] -= of_driver[i];
-  noise.contributions = {{level_of(of_driver), level_of(of_driven)}};
+  std::vector<double> rest = noise.observers.front().pressure;
+  for (const std::vector<double> &part : of_sprocket)
+    {
+      noise.contributions.push_back(level_of(part));
+      for (std::size_t i = 0; i < rest.size(); ++i)
+        rest[i] -= part[i];
+    }
+  noise.contributions.push_back(level_of(rest));
   for (const Heard &heard : arc)
     noise.directivity.push_back(level_of(heard.pressure));
   return noise;

@@ -68,31 +68,24 @@ void NodeExchange::exchange(Neighbours        &from,
                             const int          tag)
 {
   requests_.clear();
+  const auto begin_all = [&](Neighbours &neighbours, const auto &begin) {
+    for (auto &[rank, other] : neighbours)
+      {
+        requests_.emplace_back();
+        const int status = begin(other.message.data(),
+                                 int(other.message.size()),
+                                 MPI_DOUBLE,
+                                 int(rank),
+                                 tag,
+                                 comm_,
+                                 &requests_.back());
+        AssertThrowMPI(status);
+      }
+  };
   for (auto &[rank, other] : to)
-    {
-      other.message.resize(fields * other.size());
-      requests_.emplace_back();
-      const int status = MPI_Irecv(other.message.data(),
-                                   int(other.message.size()),
-                                   MPI_DOUBLE,
-                                   int(rank),
-                                   tag,
-                                   comm_,
-                                   &requests_.back());
-      AssertThrowMPI(status);
-    }
-  for (auto &[rank, other] : from)
-    {
-      requests_.emplace_back();
-      const int status = MPI_Isend(other.message.data(),
-                                   int(other.message.size()),
-                                   MPI_DOUBLE,
-                                   int(rank),
-                                   tag,
-                                   comm_,
-                                   &requests_.back());
-      AssertThrowMPI(status);
-    }
+    other.message.resize(fields * other.size());
+  begin_all(to, MPI_Irecv);
+  begin_all(from, MPI_Isend);
   if (requests_.empty()) // on one rank there need be no MPI
     return;
   const int status = MPI_Waitall(int(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);

@@ -159,26 +159,21 @@ void World::clear_resultants()
   for (Rim &rim : rims)
     rim.momentum = dealii::Tensor<1, 3>();
   ledger.clear_stored();
-  before_        = ledger;
-  losses_before_ = losses;
+  before_ = ledger;
 }
 
-void World::sum_over_ranks()
+void World::sum_over_ranks(const std::initializer_list<Summands> others)
 {
   if (n_ranks_ == 1 && !symmetry.is_half())
     return;
   std::vector<double> booked; // since clear_resultants()
   for (double Ledger::*term : Ledger::added)
     booked.push_back(ledger.*term - before_.*term);
-  for (std::size_t i = 0; i < losses.size(); ++i)
-    for (double Loss::*term : {&Loss::friction, &Loss::damping})
-      booked.push_back(losses[i].*term - losses_before_[i].*term);
 
   // Visits all numbers to be summed, so many at a time, and with which share they count; frames of
   // bodies that move by nodes have one share only, their owner's.
   const double whole = symmetry.multiplicity();
   const auto   visit = [&](const auto &numbers) {
-    numbers(&alarm, 1, 1.);
     for (Rim &rim : rims)
       numbers(rim.momentum.begin_raw(), 3, whole);
     for (Vector *vector : {&force, &moment})
@@ -186,7 +181,8 @@ void World::sum_over_ranks()
     for (ModalGroup *group : groups.modal())
       for (const dealii::ArrayView<double> &forces : group->shared_forces(*this))
         numbers(forces.data(), forces.size(), 1.);
-    numbers(requests.data(), requests.size(), 1.);
+    for (const Summands &other : others)
+      numbers(other.numbers.data(), other.numbers.size(), other.of_bodies ? whole : 1.);
     numbers(booked.data(), booked.size(), whole);
     for (unsigned int body = 0; body < n_bodies(); ++body)
       if (moves_by_nodes(body))
@@ -215,9 +211,6 @@ void World::sum_over_ranks()
   auto increment = booked.cbegin();
   for (double Ledger::*term : Ledger::added)
     ledger.*term = before_.*term + *increment++;
-  for (std::size_t i = 0; i < losses.size(); ++i)
-    for (double Loss::*term : {&Loss::friction, &Loss::damping})
-      losses[i].*term = losses_before_[i].*term + *increment++;
 
   for (unsigned int body = 0; body < n_bodies(); ++body)
     {
@@ -246,7 +239,6 @@ void World::serialize(const Archive &archive)
 {
   archive("time", time);
   archive("ledger", ledger);
-  archive.numbers("losses", losses);
   for (const auto &[name, vector] : {std::make_pair("displacement", &displacement),
                                      std::make_pair("velocity", &velocity),
                                      std::make_pair("force", &force),
@@ -256,7 +248,7 @@ void World::serialize(const Archive &archive)
   archive.numbers("rotations", rotations);
   archive.numbers("spins", spins);
   archive.numbers("hubs", hubs);
-  for (unsigned int g = 0; g < groups.all().size(); ++g)
+  for (std::size_t g = 0; g < groups.all().size(); ++g)
     groups.all()[g]->serialize(archive / ("group " + std::to_string(g)), *this);
 }
 

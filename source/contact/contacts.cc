@@ -60,7 +60,8 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
         needs_search_ = true;
         reach_        = std::min(reach_, family->smallest_radius());
       }
-  world.losses.resize(families_.size());
+  lost_now_.resize(2 * families_.size());
+  losses_.resize(families_.size());
 }
 
 bool Contacts::search_if_due(const World &world, const double dt)
@@ -93,16 +94,26 @@ void Contacts::add_forces(World &world, const double dt)
     family->announce(world, dt);
   world.place_surfaces(0.5 * dt);
   world.node_exchange.fetch(world.copies);
+  std::fill(lost_now_.begin(), lost_now_.end(), 0.);
   for (std::size_t i = 0; i < families_.size(); ++i)
     if (families_[i]->is_dealt_out() || world.is_first_rank())
       {
         const double friction = world.ledger.friction, damping = world.ledger.contact_damping;
         families_[i]->add_forces(world, dt);
-        world.losses[i].friction += world.ledger.friction - friction;
-        world.losses[i].damping += world.ledger.contact_damping - damping;
+        lost_now_[2 * i]     = world.ledger.friction - friction;
+        lost_now_[2 * i + 1] = world.ledger.contact_damping - damping;
       }
   world.node_exchange.send_forces(world.copies);
   world.gather_forces();
+}
+
+void Contacts::book_losses()
+{
+  for (std::size_t i = 0; i < losses_.size(); ++i)
+    {
+      losses_[i].friction += lost_now_[2 * i];
+      losses_[i].damping += lost_now_[2 * i + 1];
+    }
 }
 
 void Contacts::gather_records(const World &world)
@@ -151,6 +162,7 @@ void Contacts::serialize(const Archive &archive, World &world)
 {
   cadence_.serialize(archive);
   archive("statistics", statistics_);
+  archive.numbers("losses", losses_);
   unsigned long missed = dealii::Utilities::MPI::sum(n_missed(), world.communicator());
   archive("missed", missed);
   if (archive.reads() && world.is_first_rank())
@@ -194,7 +206,6 @@ void Contacts::refuse_overlap(World &world, const double prestress)
           }
       }
   world.ledger = ledger;
-  world.losses.assign(families_.size(), {});
   world.clear_forces();
   std::string message;
   if (worst != nullptr)
@@ -213,7 +224,7 @@ std::vector<const Family *> Contacts::find(const scene::InterfaceOf &interface) 
   std::vector<const Family *> found;
   for (const auto &family : families_)
     if (family->interface() == interface)
-      found.push_back(family.get());
+      found.push_back(family);
   return found;
 }
 

@@ -45,15 +45,31 @@ unsigned int number_of_links(const parameters::Drive &drive)
   parameters::Chain chain = drive.chain;
   chain.elongation        = 0.;
   const double pitch      = make_chain(chain).loaded_pitch();
-  const double z1 = drive.sprockets.driver().teeth, z2 = drive.sprockets.driven().teeth;
-  const auto   radius = [pitch](const double z) { return 0.5 * pitch / std::sin(PI / z); };
-  const double c      = drive.layout.centre_distance;
-  if (c <= radius(z1) + radius(z2))
-    throw InputError("Drive/Layout/Centre distance in mm = " + to_text(c * 1e3, 7) +
-                     ": the sprockets overlap; for Drive/Number of links = auto it must exceed " +
-                     at_least(radius(z1) + radius(z2)) + ".");
-  const double a     = std::asin((radius(z2) - radius(z1)) / c);
-  const double pairs = c * std::cos(a) / pitch + 0.25 * (z1 + z2) + 0.5 * (z2 - z1) * a / PI;
+  const double c          = drive.layout.centre_distance;
+  Fitter       fitter;
+  fitter.sprockets                      = wheels_of(drive.sprockets);
+  fitter.chain.seats                    = {pitch, pitch};
+  const std::vector<path::Wheel> wheels = fitter.wheels(c);
+  const std::size_t              n      = wheels.size();
+  double                         links  = 0.;
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const path::Wheel &before = wheels[(i + n - 1) % n], &wheel = wheels[i],
+                        &after = wheels[(i + 1) % n];
+      const double far         = wheel.centre.distance(after.centre);
+      const double least       = wheel.roller_radius + after.roller_radius;
+      if (far <= least)
+        throw InputError(
+            "Drive/Layout/Centre distance in mm = " + to_text(c * 1e3, 7) +
+            ": the sprockets overlap; for Drive/Number of links = auto it must exceed " +
+            at_least(least) + ".");
+      const double across = wheel.turn * wheel.roller_radius - after.turn * after.roller_radius;
+      const double turned =
+          wheel.turn * (path::tangent_angle(wheel, after) - path::tangent_angle(before, wheel));
+      const double wrap = turned - 2. * PI * std::floor(turned / (2. * PI));
+      links += std::sqrt(far * far - across * across) / pitch + wrap / wheel.pitch_angle;
+    }
+  const double pairs = 0.5 * links;
   const bool   given = drive.layout.centre_distance_from == parameters::CentreDistanceFrom::given;
   return 2 * static_cast<unsigned int>(given ? std::ceil(pairs - 1e-9) : std::round(pairs));
 }

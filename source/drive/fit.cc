@@ -39,20 +39,43 @@ std::vector<path::Wheel> Fitter::wheels(const double centre_distance) const
   return at;
 }
 
+std::vector<Fitter::Wheel> wheels_of(const parameters::Sprockets &sprockets)
+{
+  std::vector<Fitter::Wheel> wheels;
+  for (const parameters::Sprocket &sprocket : sprockets.list)
+    {
+      const bool at_origin = !sprocket.centre && wheels.empty();
+      wheels.push_back({sprocket.teeth, sprocket.turn, !sprocket.centre && !at_origin});
+      if (sprocket.centre)
+        wheels.back().centre = Point<2>((*sprocket.centre)[0], (*sprocket.centre)[1]);
+    }
+  return wheels;
+}
+
+int Fitter::bulge(const std::vector<path::Wheel> &at) const
+{
+  // the angle is that of the outward normal
+  return gravity * std::sin(path::tangent_angle(at[0], at[1])) < 0. ? -1 : 1;
+}
+
 std::vector<Fit>
 Fitter::fits(const double centre_distance, const bool straight, const unsigned int most_tight) const
 {
-  const std::vector<path::Wheel> at = wheels(centre_distance);
-  std::vector<Fit>               result;
-  for (path::Laid &laid : path::lay_all(at, chain, straight, most_tight))
+  const std::vector<path::Wheel> at      = wheels(centre_distance);
+  path::Chain                    hanging = chain;
+  hanging.bulge                          = bulge(at);
+  std::vector<Fit> result;
+  for (path::Laid &laid : path::lay_all(at, hanging, straight, most_tight))
     result.push_back({centre_distance, at, std::move(laid)});
   return result;
 }
 
 std::optional<Fit> Fitter::fit(const double centre_distance, const path::Route &route) const
 {
-  std::vector<path::Wheel> at   = wheels(centre_distance);
-  const auto               laid = path::lay(at, chain, route);
+  std::vector<path::Wheel> at      = wheels(centre_distance);
+  path::Chain              hanging = chain;
+  hanging.bulge                    = bulge(at);
+  const auto laid                  = path::lay(at, hanging, route);
   if (!laid)
     return {};
   return Fit{centre_distance, std::move(at), *laid};

@@ -44,18 +44,14 @@ Fitter make_fitter(const parameters::Drive &drive,
 {
   const parameters::Layout &layout = drive.layout;
   Fitter                    fitter;
-  for (const parameters::Sprocket &sprocket : drive.sprockets.list)
-    {
-      const bool at_origin = !sprocket.centre && fitter.sprockets.empty();
-      fitter.sprockets.push_back({sprocket.teeth, sprocket.turn, !sprocket.centre && !at_origin});
-      if (sprocket.centre)
-        fitter.sprockets.back().centre = Point<2>((*sprocket.centre)[0], (*sprocket.centre)[1]);
-    }
+  fitter.sprockets  = wheels_of(drive.sprockets);
   path::Chain &laid = fitter.chain;
   laid.n_links      = drive.n_links;
   laid.phase        = layout.start_phase;
-  // the tight span above: the slack one hangs away from it; below: it sags towards it
-  laid.bulge = layout.tight_span == parameters::TightSide::lower && !weightless ? -1 : 1;
+  if (weightless)
+    fitter.gravity = 0;
+  else if (layout.tight_span == parameters::TightSide::lower) // the drive is mirrored
+    fitter.gravity = 1;
 
   const double mean = chain.loaded_pitch();
   laid.seats        = clearances ?

@@ -191,11 +191,10 @@ std::string list_of(const std::vector<FaultSite> &places, const unsigned int n)
   return text.empty() ? "no place stands out" : text;
 }
 
-std::vector<FaultSite> faults_not_finite(const scene::Scene &scene, System &system)
+std::vector<FaultSite> faults_not_finite(const scene::Scene &scene, const System &system)
 {
   const World           &world = system.world;
   std::vector<FaultSite> places;
-  system.contacts.gather_records(world);
   for_each_own_copy(world, [&](const unsigned int g, const unsigned int copy) {
     const BodyBatches        &copies = world.copies[g];
     std::vector<unsigned int> nodes;
@@ -242,13 +241,14 @@ std::vector<FaultSite> faults_not_finite(const scene::Scene &scene, System &syst
   return gather(places, world);
 }
 
-std::vector<FaultSite>
-faults_of_balance(const scene::Scene &scene, System &system, const LastStep *last, const double dt)
+std::vector<FaultSite> faults_of_balance(const scene::Scene &scene,
+                                         const System       &system,
+                                         const LastStep     *last,
+                                         const double        dt)
 {
   const World           &world = system.world;
   std::vector<FaultSite> places;
-  system.contacts.gather_records(world);
-  const double drag = system.loads.drag(), gravity = system.loads.gravity();
+  const double           drag = system.loads.drag(), gravity = system.loads.gravity();
 
   if (world.is_first_rank())
     {
@@ -306,7 +306,7 @@ faults_of_balance(const scene::Scene &scene, System &system, const LastStep *las
   return gather(places, world);
 }
 
-std::vector<FaultSite> faults_of_overlap(const scene::Scene &scene, System &system)
+std::vector<FaultSite> faults_of_overlap(const scene::Scene &scene, const System &system)
 {
   const World           &world = system.world;
   std::vector<FaultSite> places;
@@ -329,11 +329,10 @@ std::vector<FaultSite> faults_of_overlap(const scene::Scene &scene, System &syst
   return gather(places, world);
 }
 
-std::vector<FaultSite> extremes(const scene::Scene &scene, System &system)
+std::vector<FaultSite> extremes(const scene::Scene &scene, const System &system)
 {
   const World           &world = system.world;
   std::vector<FaultSite> result, bodies, bars, contacts, nodes;
-  system.contacts.gather_records(world);
   if (world.is_first_rank())
     {
       for (unsigned int b = 0; b < world.n_bodies(); ++b)

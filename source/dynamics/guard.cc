@@ -176,25 +176,34 @@ Guard::Vector3 Guard::force_on_hubs(const World &world)
   return sum;
 }
 
-std::vector<FaultSite> Guard::suspects(System &system, const LastStep *last, const double dt) const
+std::vector<FaultSite> Guard::suspects(const System   &system,
+                                       const LastStep *last,
+                                       const double    dt,
+                                       Services       &services) const
 {
+  services.gather_records();
   std::vector<FaultSite> places = faults_of_balance(scene_, system, last, dt);
   return places.empty() ? extremes(scene_, system) : places;
 }
 
-Guard::Finding Guard::ledger_does_not_close(System &system) const
+Guard::Finding Guard::ledger_does_not_close(const System &system, Services &services) const
 {
   const double imbalance = system.world.ledger.imbalance();
   if (!std::isfinite(imbalance))
-    return {"The energy balance is not a number", smaller_step, faults_not_finite(scene_, system)};
+    {
+      services.gather_records();
+      return {
+          "The energy balance is not a number", smaller_step, faults_not_finite(scene_, system)};
+    }
   return {"The energy balance does not close: imbalance " + to_text(imbalance) + " J of " +
               to_text(energy_.turned_over()) + " J turned over, more than the accepted " +
               to_text(energy_.limit() * 100.) + " % (Time/Energy limit in percent)",
           smaller_step,
-          suspects(system, nullptr, 0.)};
+          suspects(system, nullptr, 0., services)};
 }
 
-std::optional<Guard::Finding> Guard::look_at_momentum(System &system, const double dt)
+std::optional<Guard::Finding>
+Guard::look_at_momentum(const System &system, const double dt, Services &services)
 {
   const World &world = system.world;
   double       size;
@@ -215,7 +224,7 @@ std::optional<Guard::Finding> Guard::look_at_momentum(System &system, const doub
           " N s comes from nowhere, more than the accepted " + to_text(limit, 3) +
           " N s: a force acts without its reaction",
       error_of_program("Time/Guard = false, which looks at nothing but the energy balance"),
-      suspects(system, &last_, dt)};
+      suspects(system, &last_, dt, services)};
 }
 
 double Guard::smallest_turned_over(const double dt) const
@@ -229,7 +238,8 @@ double Guard::error_of_step(const double dt) const
   return part <= 1. ? part * part : 0.; // larger ones are not accepted: nothing excuses them
 }
 
-std::optional<Guard::Finding> Guard::look_at_energy(System &system, const double dt)
+std::optional<Guard::Finding>
+Guard::look_at_energy(const System &system, const double dt, Services &services)
 {
   const Ledger &now     = system.world.ledger;
   const double  springs = std::max(10. * least_energy_, smallest_turned_over(dt)) + now.bar +
@@ -265,7 +275,7 @@ std::optional<Guard::Finding> Guard::look_at_energy(System &system, const double
                    error_of_program(line.entry),
                    {}};
   if (finding)
-    finding->places = suspects(system, &last_, dt);
+    finding->places = suspects(system, &last_, dt, services);
   return finding;
 }
 
@@ -281,34 +291,40 @@ bool Guard::overlaps(const System &system) const
   return false;
 }
 
-std::optional<Guard::Finding> Guard::look(System &system, const double dt)
+std::optional<Guard::Finding> Guard::look(const System &system, const double dt, Services &services)
 {
   // a fault takes up to 100 steps to be found: what was before that is sound
   sound_until_ = looked_.front();
   std::move(looked_.begin() + 1, looked_.end(), looked_.begin());
   looked_.back()                 = system.world.time;
-  std::optional<Finding> finding = look_at_momentum(system, dt);
+  std::optional<Finding> finding = look_at_momentum(system, dt, services);
   if (!finding)
-    finding = look_at_energy(system, dt);
+    finding = look_at_energy(system, dt, services);
   if (!finding && overlaps(system))
-    system.world.alarm = 1.;
+    services.ask(Request::alarm);
   return finding;
 }
 
-bool Guard::observe(System &system, const unsigned long step, const double dt)
+void Guard::observe(const System       &system,
+                    const unsigned long step,
+                    const double        dt,
+                    Services           &services)
 {
   if (step == 0)
-    return true; // what the start is like the constructor has seen
+    return; // what the start is like the constructor has seen
   const World           &world = system.world;
   std::optional<Finding> finding;
-  if (world.alarm > 0.)
-    finding = {
-        "Bodies run through each other",
-        "Try a smaller Time/Step in us, or a stiffer contact: Contact/Roller-tooth stiffness in "
-        "N/m, Roller-bush stiffness in N/m, of elastic bodies Penalty factor.",
-        faults_of_overlap(scene_, system)};
+  if (services.asked(Request::alarm))
+    {
+      services.gather_records();
+      finding = {
+          "Bodies run through each other",
+          "Try a smaller Time/Step in us, or a stiffer contact: Contact/Roller-tooth stiffness in "
+          "N/m, Roller-bush stiffness in N/m, of elastic bodies Penalty factor.",
+          faults_of_overlap(scene_, system)};
+    }
   else if (!energy_.closes(world.ledger, smallest_turned_over(dt)))
-    finding = ledger_does_not_close(system);
+    finding = ledger_does_not_close(system, services);
   else if (on_)
     {
       const Vector3 before = hub_force_; // by the trapezoidal rule, as the bodies move
@@ -317,7 +333,7 @@ bool Guard::observe(System &system, const unsigned long step, const double dt)
       if (++calls_ == interval)
         {
           calls_  = 0;
-          finding = look(system, dt);
+          finding = look(system, dt, services);
         }
       else if (calls_ + 1 == interval)
         {
@@ -326,7 +342,7 @@ bool Guard::observe(System &system, const unsigned long step, const double dt)
         }
     }
   if (!finding)
-    return true;
+    return;
 
   throw Fault(
       finding->what + ", at " + to_text(world.time * 1e3, 8) + " ms, step " + std::to_string(step) +

@@ -109,7 +109,7 @@ void System::evaluate(const Step &step)
     {
       const PhaseTimer::Scope scope(timer, internal_force_);
       bars.add_forces(world, step.dt);
-      for (const auto &element : forces)
+      for (ForceElement *element : forces)
         element->add_forces(world, step.dt);
     }
   for (ForceGroup *group : world.groups.force())
@@ -123,7 +123,14 @@ void System::evaluate(const Step &step)
     world.node_exchange.send_forces(world.copies);
   for (ElasticGroup *group : world.groups.elastic())
     group->advance(world, step, force_timer);
-  world.sum_over_ranks();
+  if (step.moves)
+    {
+      world.sum_over_ranks({{contacts.lost_now(), true}, {requests.asks(), false}});
+      requests.conclude();
+    }
+  else
+    world.sum_over_ranks({{contacts.lost_now(), true}});
+  contacts.book_losses();
   for (ModalGroup *group : world.groups.modal())
     group->advance_shared(world, step);
   loads.add_work(world);

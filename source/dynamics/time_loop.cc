@@ -27,11 +27,11 @@ unsigned long run(System                        &system,
                   const double                   dt,
                   unsigned long                  done)
 {
+  Services   services(system);
   const auto goes_on = [&](const unsigned long step, const double led_here) {
-    bool all = true;
     for (Observer *observer : observers)
-      all = observer->observe(system, step, led_here) && all;
-    return all;
+      observer->observe(system, step, led_here, services);
+    return !services.stops();
   };
   const unsigned long last  = n_steps(start, end, dt);
   bool                going = done > 0 || goes_on(0, 0.);

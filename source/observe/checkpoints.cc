@@ -11,15 +11,13 @@
 
 namespace chaindrive::observe
 {
+using dynamics::Request;
+
 namespace
 {
 constexpr unsigned int n_kept = 2;
 
-enum Request : unsigned int // in World::requests
-{
-  checkpoint,
-  stop
-};
+constexpr const char *name_of_system = "system";
 
 double seconds_since(const std::chrono::steady_clock::time_point begin)
 {
@@ -49,34 +47,36 @@ Checkpoints::Checkpoints(const parameters::Time           &time,
 {
 }
 
-bool Checkpoints::observe(dynamics::System &system, const unsigned long step, const double)
+void Checkpoints::observe(const dynamics::System &system,
+                          const unsigned long     step,
+                          const double,
+                          dynamics::Services &services)
 {
-  const bool stopped = system.world.requests[stop] > 0.;
+  const bool stopped = services.asked(Request::stop);
   const bool due     = schedule_.due(system.world.time);
   const bool ended   = step == n_steps_ && (output_.checkpoint_interval > 0. ||
                                           !last_.empty()); // who wants more time can go on
-  if (step > 0 && (due || ended || stopped || system.world.requests[checkpoint] > 0.))
-    write(system, step);
+  if (step > 0 && (due || ended || stopped || services.asked(Request::checkpoint)))
+    write(system, step, services);
   if (stopped && step < n_steps_)
     {
       say_why(system.world.time);
-      return false;
+      services.stop_run();
+      return;
     }
-  ask(system.world);
-  return true;
+  ask(system.world, services);
 }
 
-void Checkpoints::ask(World &world) const
+void Checkpoints::ask(const World &world, dynamics::Services &services) const
 {
-  world.requests = {{0., 0.}};
   if (stop_signal() != 0)
-    world.requests[stop] = 1.;
+    services.ask(Request::stop);
   if (!world.is_first_rank())
     return;
   if (past_wall_clock_limit())
-    world.requests[stop] = 1.;
+    services.ask(Request::stop);
   if (output_.checkpoint_wait > 0. && seconds_since(written_) > output_.checkpoint_wait)
-    world.requests[checkpoint] = 1.;
+    services.ask(Request::checkpoint);
 }
 
 bool Checkpoints::past_wall_clock_limit() const
@@ -101,28 +101,33 @@ void Checkpoints::serialize(const Archive &archive, const dynamics::System &syst
   schedule_.serialize(archive, system.world.time);
 }
 
-void Checkpoints::serialize_all(const Archive &archive, dynamics::System &system)
+void Checkpoints::serialize_observers(const Archive          &archive,
+                                      const dynamics::System &system,
+                                      PhaseTimer             &timer)
 {
-  system.serialize(archive / "system");
   for (dynamics::Observer *observer : observers_)
     observer->serialize(archive / observer->name(), system);
   serialize(archive / name(), system);
 
   std::vector<double> cpu_seconds;
-  for (const auto &row : rows_of_all_ranks(system.timer, system.world.communicator()))
+  for (const auto &row : rows_of_all_ranks(timer, system.world.communicator()))
     cpu_seconds.push_back(row.cpu_seconds);
-  double elapsed = system.timer.elapsed();
+  double elapsed = timer.elapsed();
   archive("cpu seconds", cpu_seconds);
   archive("elapsed", elapsed);
   if (archive.reads() && system.world.is_first_rank())
-    system.timer.go_on_from(cpu_seconds, elapsed);
+    timer.go_on_from(cpu_seconds, elapsed);
 }
 
-void Checkpoints::write(dynamics::System &system, const unsigned long step)
+void Checkpoints::write(const dynamics::System &system,
+                        const unsigned long     step,
+                        dynamics::Services     &services)
 {
-  const PhaseTimer::Scope scope(system.timer, system.timer.add("Output"));
+  PhaseTimer             &timer = services.timer();
+  const PhaseTimer::Scope scope(timer, timer.add("Output"));
   files::CheckpointItems  items(system.world.communicator());
-  serialize_all(items.archive(), system);
+  services.write_state(items.archive() / name_of_system);
+  serialize_observers(items.archive(), system, timer);
   const std::string path = files::checkpoint_path(directory_, step);
   items.write(path, {step, system.world.time, dt_}, fixed_);
   last_    = path; // not before it is there
@@ -148,7 +153,8 @@ unsigned long Checkpoints::resume(dynamics::System &system, const files::Checkpo
                      " ms, after Time/End time in ms = " + to_text(time_.end * 1e3) + ".");
   try
     {
-      serialize_all(file.archive(), system);
+      system.serialize(file.archive() / name_of_system);
+      serialize_observers(file.archive(), system, system.timer);
     }
   catch (const InputError &error)
     {

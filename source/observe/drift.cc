@@ -15,15 +15,17 @@ enum Signal : unsigned int
 {
   tight_tension,
   slack_tension,
-  driven_speed,
   driver_torque,
-  n_signals
+  first_speed ///< of the sprockets with a load, one after the other
 };
 } // namespace
 
 Drift::Drift(const scene::Scene &scene, const unsigned int pitches_per_period)
 {
-  radius_     = scene.drive.driver().pitch_radius;
+  radius_ = scene.drive.driver().pitch_radius;
+  for (const scene::Sprocket &sprocket : scene.drive.sprockets)
+    if (sprocket.role == parameters::Role::driven)
+      ++n_loads_;
   pitch_time_ = 2. * dealii::numbers::PI / (scene.drive.driver().teeth * scene.loads.driver_speed);
   period_     = pitches_per_period * pitch_time_;
   begin(0.);
@@ -32,33 +34,41 @@ Drift::Drift(const scene::Scene &scene, const unsigned int pitches_per_period)
 void Drift::begin(const double time)
 {
   from_ = time;
-  means_.assign(n_signals, WindowMean(from_, period_end()));
+  means_.assign(first_speed + n_loads_, WindowMean(from_, period_end()));
 }
 
 void Drift::add(const Observation &now)
 {
   if (!now.system.world.is_first_rank() || now.time() <= from_)
     return;
-  const scene::Sprocket &driver = now.scene.drive.driver(), &driven = now.scene.drive.driven();
-  const double           first = now.time() - now.dt();
-  const auto             take  = [&](const Signal signal, const double value) {
+  const scene::Sprocket &driver = now.scene.drive.driver();
+  const double           first  = now.time() - now.dt();
+  const auto             take   = [&](const unsigned int signal, const double value) {
     means_[signal].add(first, now.dt(), value);
   };
   take(tight_tension, now.spans().tight().tension);
   take(slack_tension, now.spans().slack().tension);
-  take(driven_speed, driven.sense * now.system.world.frames[driven.body].angular_velocity[2]);
   take(driver_torque, driver.sense * now.system.loads.torque(driver.body));
+  unsigned int speed = first_speed;
+  for (const scene::Sprocket &sprocket : now.scene.drive.sprockets)
+    if (sprocket.role == parameters::Role::driven)
+      take(speed++, sprocket.sense * now.system.world.frames[sprocket.body].angular_velocity[2]);
 }
 
 void Drift::next_period(const Observation &now)
 {
   if (now.system.world.is_first_rank())
     {
-      const auto   mean    = [this](const Signal signal) { return means_[signal].mean(); };
+      const auto   mean    = [this](const unsigned int signal) { return means_[signal].mean(); };
       const double tension = std::abs(mean(tight_tension)) + std::abs(mean(slack_tension));
-      settling_.add(
-          {mean(tight_tension) - mean(slack_tension), mean(driven_speed), mean(driver_torque)},
-          {tension, 0.2 * std::abs(mean(driven_speed)), tension * radius_});
+      std::vector<double> means{mean(tight_tension) - mean(slack_tension), mean(driver_torque)},
+          scales{tension, tension * radius_};
+      for (unsigned int speed = first_speed; speed < means_.size(); ++speed)
+        {
+          means.push_back(mean(speed));
+          scales.push_back(0.2 * std::abs(mean(speed)));
+        }
+      settling_.add(means, scales);
     }
   ++n_;
   begin(period_end());

@@ -35,14 +35,16 @@ Pictures::Pictures(const scene::Scene     &scene,
     drawing_ = std::make_unique<Drawing>(scene, system, directory);
 }
 
-bool Pictures::observe(dynamics::System &system, const unsigned long, const double)
+void Pictures::observe(const dynamics::System &system,
+                       const unsigned long,
+                       const double,
+                       dynamics::Services &services)
 {
-  const PhaseTimer::Scope scope(system.timer, phase_);
+  const PhaseTimer::Scope scope(services.timer(), phase_);
   if (!schedule_.due(system.world.time))
-    return true;
-  system.contacts.gather_records(system.world);
+    return;
+  services.gather_records();
   write(system);
-  return true;
 }
 
 void Pictures::serialize(const Archive &archive, const dynamics::System &system)

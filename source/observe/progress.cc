@@ -47,11 +47,13 @@ Progress::Progress(files::Log &log, const double start, const double end, const 
 {
 }
 
-bool Progress::observe(dynamics::System &system, const unsigned long, const double)
+void Progress::observe(const dynamics::System &system,
+                       const unsigned long,
+                       const double,
+                       dynamics::Services &)
 {
   if (system.world.is_first_rank())
     update(system.world.time);
-  return true;
 }
 
 void Progress::serialize(const Archive &archive, const dynamics::System &system)

@@ -27,11 +27,12 @@ std::string axis_text(const dealii::Tensor<1, 3> &axis)
 }
 } // namespace
 
-Recorder::Recorder(const scene::Scene &scene,
-                   const model::Model &model,
-                   dynamics::System   &system,
-                   const unsigned int  pitches_per_period)
-    : phase_(system.timer.add("Output"))
+Recorder::Recorder(const scene::Scene     &scene,
+                   const model::Model     &model,
+                   const dynamics::System &system,
+                   PhaseTimer             &timer,
+                   const unsigned int      pitches_per_period)
+    : phase_(timer.add("Output"))
     , now_(scene, model, system, pitches_per_period)
     , quantities_(make_quantities(now_))
     , samples_(model.time.start, model.output.history_interval)
@@ -69,11 +70,14 @@ void Recorder::write_histories(const std::string  &directory,
     item.quantity->add_channels(sampling_->channels);
 }
 
-bool Recorder::observe(dynamics::System &system, const unsigned long, const double dt)
+void Recorder::observe(const dynamics::System &system,
+                       const unsigned long,
+                       const double        dt,
+                       dynamics::Services &services)
 {
-  const PhaseTimer::Scope scope(system.timer, phase_);
+  const PhaseTimer::Scope scope(services.timer(), phase_);
   if (reads_contacts_) // at every step, since peaks, means and engagements are of every step
-    system.contacts.gather_records(system.world);
+    services.gather_records();
   now_.next(dt);
   if (system.world.is_first_rank())
     for (const NamedQuantity &item : quantities_)
@@ -81,7 +85,8 @@ bool Recorder::observe(dynamics::System &system, const unsigned long, const doub
 
   if (takes_samples_ && samples_.due(now_.time()))
     take_sample();
-  return !now_.window().is_full(now_.time());
+  if (now_.window().is_full(now_.time()))
+    services.stop_run();
 }
 
 void Recorder::take_sample()

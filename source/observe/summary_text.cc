@@ -4,9 +4,11 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <string>
+#include <vector>
 
 namespace chaindrive::observe
 {
@@ -17,21 +19,21 @@ constexpr double degrees = 180. / dealii::numbers::PI; // in a radian
 /// A signal of `statistics` as the log has it.
 struct Row
 {
-  const char *text, *member, *unit;
+  std::string text, member, unit;
   double      scale = 1.;
 };
 
-constexpr Row rows[] = {{"driven speed", "driven_speed", "rad/s"},
-                        {"driver torque", "driver_torque", "N m"},
-                        {"tight-span speed", "span_speed", "m/s"},
-                        {"tight tension", "tight_tension", "N"},
-                        {"slack tension", "slack_tension", "N"},
-                        {"tight-span offset", "tight_offset", "mm", 1e3},
-                        {"slack-span offset", "slack_offset", "mm", 1e3},
-                        {"driver shaft load", "driver_load", "N"},
-                        {"its direction", "driver_load_direction", "deg", degrees},
-                        {"driven shaft load", "driven_load", "N"},
-                        {"its direction", "driven_load_direction", "deg", degrees}};
+const std::vector<Row> rows = {{"driven speed", "driven_speed", "rad/s"},
+                               {"driver torque", "driver_torque", "N m"},
+                               {"tight-span speed", "span_speed", "m/s"},
+                               {"tight tension", "tight_tension", "N"},
+                               {"slack tension", "slack_tension", "N"},
+                               {"tight-span offset", "tight_offset", "mm", 1e3},
+                               {"slack-span offset", "slack_offset", "mm", 1e3},
+                               {"driver shaft load", "driver_load", "N"},
+                               {"its direction", "driver_load_direction", "deg", degrees},
+                               {"driven shaft load", "driven_load", "N"},
+                               {"its direction", "driven_load_direction", "deg", degrees}};
 
 void number(std::ostream      &out,
             const files::Json &value,
@@ -46,10 +48,30 @@ void number(std::ostream      &out,
     out << "-";
 }
 
+/// Those of all sprockets that are no driver and not called driven.
+std::vector<Row> rows_of_others(const files::Json &statistics)
+{
+  std::vector<Row> others;
+  for (const auto &[member, found] : statistics.items())
+    for (const Row &kind : {Row{" speed", "_speed", "rad/s"},
+                            Row{" shaft load", "_load", "N"},
+                            Row{": its direction", "_load_direction", "deg", degrees}})
+      if (const std::size_t end = member.rfind(kind.member);
+          end != std::string::npos && end + kind.member.size() == member.size() &&
+          std::none_of(rows.begin(), rows.end(), [&member = member](const Row &row) {
+            return row.member == member;
+          }))
+        others.push_back({member.substr(0, end) + kind.text, member, kind.unit, kind.scale});
+  return others;
+}
+
 void print_statistics(std::ostream &out, const files::Json &statistics)
 {
-  bool headed = false;
-  for (const Row &row : rows)
+  bool             headed = false;
+  std::vector<Row> all    = rows;
+  for (const Row &row : rows_of_others(statistics))
+    all.push_back(row);
+  for (const Row &row : all)
     {
       if (!statistics.contains(row.member))
         continue; // not asked for

@@ -3,8 +3,6 @@
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/placement.h>
 
-#include <deal.II/base/numbers.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,7 +54,7 @@ void describe(const drive::Drive &drive, DriveView &view)
     view.seated.push_back(joint.tooth_gap >= 0);
   const auto n      = static_cast<unsigned int>(drive.sprockets.size());
   const auto radius = [&](const unsigned int i) {
-    return 0.5 * view.pitch / std::sin(dealii::numbers::PI / drive.sprockets[i].form.teeth);
+    return view.pitch_radius_of(drive.sprockets[i].form.teeth);
   };
   for (unsigned int i = 0; i < n; ++i)
     {

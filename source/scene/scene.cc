@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/scene/scene.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace chaindrive::scene
@@ -25,6 +28,11 @@ double Scene::nominal_energy() const
     return 0.;
   const double speed = drive.driver().pitch_radius * loads.driver_speed;
   return 0.5 * drive.n_joints * drive.mass_per_pitch * speed * speed;
+}
+
+double DriveView::pitch_radius_of(const unsigned int n_teeth) const
+{
+  return 0.5 * pitch / std::sin(dealii::numbers::PI / n_teeth);
 }
 
 const Sprocket &DriveView::driven() const

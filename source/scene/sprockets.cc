@@ -9,8 +9,6 @@
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
-#include <deal.II/base/numbers.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -247,15 +245,14 @@ void add_sprockets(const model::Model             &model,
       const auto             number   = static_cast<unsigned int>(scene.bodies.size());
       scene.bodies.push_back(body);
       const int sense = drive.layout.sense * drive.layout.sprockets[i].turn;
-      scene.drive.sprockets.push_back(
-          {sprocket.name,
-           sprocket.title,
-           sprocket.role,
-           number,
-           sprocket.form.teeth,
-           sense,
-           0.5 * scene.drive.pitch / std::sin(dealii::numbers::PI / sprocket.form.teeth),
-           entry_normal(drive.layout, i, scene.drive)});
+      scene.drive.sprockets.push_back({sprocket.name,
+                                       sprocket.title,
+                                       sprocket.role,
+                                       number,
+                                       sprocket.form.teeth,
+                                       sense,
+                                       scene.drive.pitch_radius_of(sprocket.form.teeth),
+                                       entry_normal(drive.layout, i, scene.drive)});
       scene.shafts.push_back({number, sense, sprocket.program});
       if (part)
         scene.parts[body.part()] = part;

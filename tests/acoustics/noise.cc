@@ -43,7 +43,8 @@ Site make_site()
   site.engagement    = vector(0., 0.04);
   site.along         = vector(1., 0.);
   site.outward       = vector(0., 1.);
-  site.middle        = 0.32;
+  site.sprockets     = {{"driver", "driver", vector(0., 0.), 0.03},
+                        {"driven", "driven sprocket", vector(0.64, 0.), 0.03}};
   site.extent        = 0.8;
   site.lowest        = -0.15;
   site.pitch         = 15.875e-3;
@@ -91,9 +92,11 @@ std::complex<double> dipole(const Vector3 &place, const Vector3 &at, const doubl
 
 double level_of(const std::complex<double> &amplitude) { return level(0.5 * std::norm(amplitude)); }
 
-Noise listen_to(const Motion &motion, const parameters::Acoustics &settings)
+Noise listen_to(const Motion                &motion,
+                const parameters::Acoustics &settings,
+                const Site                  &site = make_site())
 {
-  return listen(motion, make_site(), settings, 10e-3, 30e-3, "histories.h5");
+  return listen(motion, site, settings, 10e-3, 30e-3, "histories.h5");
 }
 
 template <typename Function>
@@ -178,6 +181,42 @@ void floor_and_contributions()
               std::abs(noise.contributions[1] - driven) < 0.02);
 }
 
+/// Rollers beside each of three sprockets; one where the lines midway between two of them meet, a
+/// third of which is each one's; one midway between the first two and far from the third.
+void three_sprockets()
+{
+  Site          site  = make_site();
+  const Vector3 third = vector(0.32, 0.4);
+  site.sprockets.insert(site.sprockets.begin() + 1, Site::Sprocket{"idler", "idler", third, 0.03});
+  parameters::Acoustics settings;
+  settings.observers                = {Point{{0.1, 0.5, 0.2}}};
+  const std::vector<Vector3> places = {vector(0.01, 0.04), vector(0.35, 0.44), vector(0.6, 0.1)};
+  const std::vector<double>  amplitudes = {100., 60., -50.};
+  const Vector3              at         = vector(0.1, 0.5, 0.2);
+  double                     worst      = 0.;
+  const Noise                apart = listen_to(make_motion(places, amplitudes), settings, site);
+  for (std::size_t s = 0; s < 3; ++s)
+    worst = std::max(
+        worst, std::abs(apart.contributions[s] - level_of(dipole(places[s], at, amplitudes[s]))));
+  verdict("three sprockets: each has its own roller, to 0.02 dB",
+          apart.contributions.size() == 3 && worst < 0.02);
+
+  const Vector3 amid = vector(0.32, 0.5 * (0.4 - 0.32 * 0.32 / 0.4));
+  const Noise   even = listen_to(make_motion({amid}, {100.}), settings, site);
+  worst              = 0.;
+  for (const double level : even.contributions)
+    worst = std::max(worst, std::abs(level - level_of(dipole(amid, at, 100. / 3.))));
+  verdict("a third of a roller amid them is each one's, to 0.02 dB", worst < 0.02);
+
+  const Vector3 between = vector(0.32, -0.1);
+  const Noise   halves  = listen_to(make_motion({between}, {100.}), settings, site);
+  const double  half    = level_of(dipole(between, at, 50.));
+  verdict("half of one between two is either one's, to 0.02 dB, and nothing the third one's",
+          std::abs(halves.contributions[0] - half) < 0.02 &&
+              std::abs(halves.contributions[2] - half) < 0.02 &&
+              halves.contributions[1] < half - 100.);
+}
+
 void refusals()
 {
   parameters::Acoustics settings;
@@ -207,5 +246,6 @@ int main()
 {
   one_roller();
   floor_and_contributions();
+  three_sprockets();
   refusals();
 }

@@ -3,10 +3,15 @@
 // on a spring inside a lump: it must be called in the order that dynamics/system.cc says, vibrate
 // with w^2 = k (1/m + 1/M), keep the momentum, close the ledger to second order, and go through a
 // checkpoint without a bit changed. The second has no capability but to place and gather nodes that
-// touch. Each is listed under what it implements, and under nothing else.
+// touch. Each is listed under what it implements, and under nothing else. Classes that lack what
+// their groups need are refused.
 #include "../support/scenes.h"
 
+#include <chaindrive/bodies/make_world.h>
+#include <chaindrive/bodies/reduced_bodies.h>
+
 #include <map>
+#include <memory>
 #include <string>
 
 using namespace test;
@@ -57,6 +62,34 @@ public:
   std::string &calls;
 };
 
+class Loud : public InnerMass, public SurfaceGroup
+{
+  void place_surface(World &, double) override {}
+  void gather_forces(World &) override {}
+};
+
+// Classes that would compile as groups, and whose bodies would stand still or never touch.
+class Idle : public BodyGroup // does nothing
+{
+  double kinetic_energy(const World &) const override { return 1.; }
+};
+class Unmoved : public ElasticGroup // by nodes or by modes?
+{
+};
+class Untouched : public ModalGroup // who places its nodes?
+{
+};
+class Alone : public ForceGroup // is no group
+{
+};
+template <typename Group>
+constexpr bool keeps_all_rules()
+{
+  using Rules = GroupRules<Group>;
+  return Rules::is_complete && Rules::moves_one_way && Rules::places_its_nodes &&
+         Rules::does_something;
+}
+
 struct Case
 {
   Case() : system(scene(), false)
@@ -97,9 +130,34 @@ void list_capabilities()
   std::cout << "calls of the second one: " << calls.substr(0, calls.size() - 1) << '\n';
 }
 
+void refuse_incomplete_classes()
+{
+  verdict("classes that do what they should are groups",
+          keeps_all_rules<InnerMass>() && keeps_all_rules<Skin>() &&
+              keeps_all_rules<ReducedBodies>());
+  verdict("one that does nothing is none", !GroupRules<Idle>::does_something);
+  verdict("nor is a class that is known by its base alone",
+          !GroupRules<BodyGroup>::is_complete && !GroupRules<NodalGroup>::is_complete);
+  verdict("nor one without a motion", !GroupRules<Unmoved>::moves_one_way);
+  verdict("nor one with modes whose nodes nobody places", !GroupRules<Untouched>::places_its_nodes);
+  verdict("nor a capability by itself", !GroupRules<Alone>::is_complete);
+  World                      world   = make_world(Case::scene(), MPI_COMM_SELF);
+  std::unique_ptr<InnerMass> derived = std::make_unique<Loud>();
+  try
+    {
+      world.groups.add(std::move(derived));
+      verdict("nor a class behind a pointer to its base", false);
+    }
+  catch (const dealii::ExceptionBase &)
+    {
+      verdict("nor a class behind a pointer to its base", true);
+    }
+}
+
 int main()
 {
   list_capabilities();
+  refuse_incomplete_classes();
   double before = 0.;
   for (const unsigned int n : {100, 200})
     {

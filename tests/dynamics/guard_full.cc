@@ -83,6 +83,6 @@ int main(int argc, char **argv)
   last.expect_stop("an alarm of the last rank", {"run through each other"}, {}, [](System &s) {
     const World &world = s.world;
     if (rank_in(world.communicator()) + 1 == n_ranks_in(world.communicator()))
-      s.world.alarm = 1.;
+      s.requests.ask(dynamics::Request::alarm);
   });
 }

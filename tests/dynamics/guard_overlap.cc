@@ -26,14 +26,15 @@ unsigned int stopped_at(const scene::Scene &scene, const unsigned int n, std::st
 {
   dynamics::System system(scene, false);
   // of the spring alone: a dashpot that feeds energy has no stable step
-  const double    limit = 2. * std::sqrt(scene.bodies[0].mass / scene.surfaces[0].law.stiffness);
-  const double    dt    = 0.01 * limit;
-  dynamics::Guard guard(scene, system, 0.05, limit);
+  const double       limit = 2. * std::sqrt(scene.bodies[0].mass / scene.surfaces[0].law.stiffness);
+  const double       dt    = 0.01 * limit;
+  dynamics::Guard    guard(scene, system, 0.05, limit);
+  dynamics::Services services(system);
   for (unsigned int i = 1; i <= n; ++i)
     try
       {
         system.advance(dt, i * dt);
-        guard.observe(system, i, dt);
+        guard.observe(system, i, dt, services);
       }
     catch (const dynamics::Fault &fault)
       {

@@ -70,14 +70,15 @@ Outcome run(const bool layered, const bool stiff_link)
   dynamics::System   system(scene, false);
   const World       &world = system.world;
   Outcome            outcome;
-  outcome.limit         = system.stable_step_limit();
-  const double    dt    = 0.14 * outcome.limit;
-  const double    start = layered ? bend(world) : 0.;
-  dynamics::Guard guard(scene, system, 0.05, system.stable_step_limit());
-  unsigned long   step = 0;
+  outcome.limit            = system.stable_step_limit();
+  const double       dt    = 0.14 * outcome.limit;
+  const double       start = layered ? bend(world) : 0.;
+  dynamics::Guard    guard(scene, system, 0.05, system.stable_step_limit());
+  dynamics::Services services(system);
+  unsigned long      step = 0;
   advance(system, static_cast<unsigned long>((layered ? 4e-3 : 1e-3) / dt), dt, [&]() {
     outcome.worst = std::max(outcome.worst, std::abs(world.ledger.imbalance()));
-    guard.observe(system, ++step, dt);
+    guard.observe(system, ++step, dt, services);
     if (layered)
       outcome.bent = std::max(outcome.bent, std::abs(bend(world) - start));
   });

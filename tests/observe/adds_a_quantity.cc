@@ -71,9 +71,13 @@ class StopAt : public dynamics::Observer
 public:
   explicit StopAt(const unsigned long step) : step_(step) {}
 
-  bool observe(dynamics::System &, const unsigned long step, double) override
+  void observe(const dynamics::System &,
+               const unsigned long step,
+               double,
+               dynamics::Services &services) override
   {
-    return step < step_;
+    if (step >= step_)
+      services.stop_run();
   }
   std::string name() const override { return "stop"; }
 

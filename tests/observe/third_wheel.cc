@@ -6,9 +6,14 @@
 
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/observe/observation.h>
+#include <chaindrive/observe/quantity.h>
+#include <chaindrive/observe/summary.h>
 #include <chaindrive/observe/wrap.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/utilities/statistics.h>
+
+#include <sstream>
+#include <utility>
 
 using namespace test;
 using parameters::Role;
@@ -43,6 +48,10 @@ void run(const std::string &what, Parameters p)
   std::vector<observe::Wrap> wraps;
   for (unsigned int i = 0; i < n; ++i)
     wraps.emplace_back(scene, i);
+  std::vector<observe::NamedQuantity> quantities;
+  for (observe::NamedQuantity &item : observe::make_quantities(now))
+    if (item.name == "hubs" || item.name == "shafts")
+      quantities.push_back(std::move(item));
   std::vector<double> start;
   for (const World::Hub &hub : system.world.hubs)
     start.push_back(hub.angle);
@@ -57,6 +66,8 @@ void run(const std::string &what, Parameters p)
         tension[i].add(now.time() - dt, dt, now.spans().of(i).tension);
         speed[i].add(now.time() - dt, dt, now.spans().of(i).speed);
       }
+    for (const observe::NamedQuantity &item : quantities)
+      item.quantity->update();
     for (const auto &family : system.contacts.families())
       for (const contact::Record &record : family->records())
         overlap = std::max(overlap, -record.gap);
@@ -68,9 +79,17 @@ void run(const std::string &what, Parameters p)
         }
   });
 
+  files::Json summary;
+  for (const observe::NamedQuantity &item : quantities)
+    item.quantity->summarize(summary);
+  std::ostringstream text;
+  summary["window"] = {{"start", 0.}, {"end", p.time.end}, {"settled", nullptr}};
+  observe::print_summary(text, summary);
+  const files::Json statistics = summary["statistics"];
   for (unsigned int i = 0; i < n; ++i)
     {
       const scene::Sprocket    &sprocket = scene.drive.sprockets[i];
+      const std::string        &name     = sprocket.name;
       const drive::Facts::Span &span     = facts.spans[i];
       const World::Hub         &hub      = system.world.hubs[i];
       const double              by_teeth = sprocket.sense * scene.drive.driver().sense *
@@ -79,6 +98,15 @@ void run(const std::string &what, Parameters p)
       // a tooth of the driver is the measure: how far its angle is from that of the teeth
       verdict("  " + sprocket.name + " turns by its teeth, to a quarter of a tooth",
               std::abs(hub.angle - by_teeth) * sprocket.teeth < 0.5 * dealii::numbers::PI);
+      const double by_ratio =
+          p.loads.driver_speed * scene.drive.driver().teeth / double(sprocket.teeth);
+      verdict("  its statistics and its shaft's are in the summary and in its text",
+              (sprocket.role == Role::driven) == statistics.contains(name + "_speed") &&
+                  (sprocket.role != Role::driven ||
+                   std::abs(statistics[name + "_speed"]["mean"].get<double>() / by_ratio - 1.) <
+                       0.02) &&
+                  statistics[name + "_load"]["mean"].get<double>() > 0. &&
+                  text.str().find("  " + name + " shaft load ") != std::string::npos);
       const double chain = scene.drive.driver().pitch_radius * p.loads.driver_speed;
       // links of a slack span lie across its direction
       verdict("  " + scene.drive.spans[i].name +

@@ -25,7 +25,7 @@ blow_up(const scene::Scene &scene, const unsigned long settling, const unsigned 
   for (double share = 0.98; share < 2.; share += 0.02)
     {
       for (const auto &group : system.world.groups.all())
-        if (auto *reduced = dynamic_cast<ReducedBodies *>(group.get()))
+        if (auto *reduced = dynamic_cast<ReducedBodies *>(group))
           for (unsigned int m = 0; m < reduced->n_modes(); ++m)
             reduced->rate(system.world, 0, m) += 1e-2 * uniform(random); // m/s sqrt(kg)
       for (BodyBatches &copies : system.world.copies)

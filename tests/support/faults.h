@@ -95,12 +95,13 @@ public:
       , system(scene, false, comm)
       , limit(system.stable_step_limit())
       , guard(scene, system, 0.05, limit)
+      , services(system)
       , dt(part_of_limit * limit)
   {
     for (unsigned int i = 0; i < n_sound; ++i)
       {
         system.advance(dt, system.world.time + dt);
-        guard.observe(system, ++step_, dt);
+        guard.observe(system, ++step_, dt, services);
       }
   }
 
@@ -153,7 +154,7 @@ public:
             advance(times * dt, on_nodes, on_bodies);
           else
             system.advance(times * dt, system.world.time + times * dt);
-          guard.observe(system, ++step_, times * dt);
+          guard.observe(system, ++step_, times * dt, services);
         }
       catch (const dynamics::Fault &stopped)
         {
@@ -187,6 +188,7 @@ public:
   System             system;
   const double       limit; ///< stable step, s
   dynamics::Guard    guard;
+  dynamics::Services services;
   const double       dt; ///< s
 
 private:

@@ -44,7 +44,7 @@ inline void reduce(scene::Scene &scene, const reduction::BasisOptions &options =
 inline ReducedBodies &reduced_group(World &world, const unsigned int copies)
 {
   for (const auto &group : world.groups.all())
-    if (auto *found = dynamic_cast<ReducedBodies *>(group.get());
+    if (auto *found = dynamic_cast<ReducedBodies *>(group);
         found != nullptr && found->copies() == copies)
       return *found;
   throw std::logic_error("no such group");

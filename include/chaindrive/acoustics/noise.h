@@ -10,7 +10,6 @@
 
 #include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace chaindrive::acoustics
@@ -32,15 +31,19 @@ struct Site
   dealii::Tensor<1, 3> engagement; ///< where the tight span meets the driver's pitch circle
   dealii::Tensor<1, 3> along;      ///< unit, from there along the tight span
   dealii::Tensor<1, 3> outward;    ///< unit, away from the other span
-  double               middle;     ///< x midway between the shafts
   double               extent;     ///< no roller is farther from the engagement point
   double               lowest;     ///< y below which there is no roller
   double               pitch;      ///< of the chain
   double               roller_radius, roller_length;
   double               pitch_time; ///< of the driver, s
 
-  /// Sprockets: their centres and tip radii, m.
-  std::vector<std::pair<dealii::Tensor<1, 3>, double>> sprockets;
+  struct Sprocket
+  {
+    std::string          name, title; ///< in files and in sentences
+    dealii::Tensor<1, 3> centre;
+    double               tip_radius;
+  };
+  std::vector<Sprocket> sprockets; ///< at least one
 };
 
 struct Observer
@@ -88,7 +91,7 @@ struct Noise
   double                   highest; ///< frequency, Hz
   std::vector<Band>        bands;
   std::vector<Heard>       observers;
-  std::array<double, 2>    contributions; ///< driver and driven: levels at the first observer
+  std::vector<double>      contributions; ///< of Site::sprockets: levels at the first observer
   std::vector<double>      rollers;       ///< levels at the first observer
   std::vector<double>      angles;        ///< of the directivity, from Site::along, rad
   std::vector<double>      directivity;   ///< levels
@@ -101,7 +104,7 @@ struct Noise
 ///
 /// Accelerations are means over the samples, never picked ones: differences of velocities, made
 /// good for the mean, limited to the highest frequency and refined before sound arrives. Each
-/// roller is attributed to the sprocket that it is nearer to, gradually over a pitch.
+/// roller is attributed to the sprocket that it is nearest to, gradually over a pitch.
 ///
 /// @throws InputError, calling the histories @p name, for samples that are not equally far apart,
 /// too few for a pitch period or too far apart for the highest frequency, and for an observer or a

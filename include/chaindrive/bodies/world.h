@@ -11,10 +11,10 @@
 #include <chaindrive/utilities/mirror_symmetry.h>
 #include <chaindrive/utilities/rotation.h>
 
+#include <deal.II/base/array_view.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <array>
-#include <memory>
+#include <initializer_list>
 #include <vector>
 
 namespace chaindrive
@@ -106,11 +106,18 @@ public:
   /// The same but for the forces on nodes, which elastic bodies use up.
   void clear_resultants();
 
+  /// Numbers that others sum along with those of bodies.
+  struct Summands
+  {
+    dealii::ArrayView<double> numbers;
+    bool                      of_bodies; ///< with halves, those of whole bodies are wanted
+  };
+
   /// Sums what the ranks have added since clear_forces(): forces and moments on bodies, forces on
-  /// shared shapes, the ledger but for the work of the hubs, losses of interfaces, and requests;
+  /// shared shapes, the ledger but for the work of the hubs, and what @p others have to be summed;
   /// with halves, of whole bodies, but for the shapes. Shares out frames of elastic bodies.
   /// Collective.
-  void sum_over_ranks();
+  void sum_over_ranks(std::initializer_list<Summands> others = {});
 
   /// A force @p f [N] that acts on @p body at the world point @p at [m].
   void
@@ -207,22 +214,6 @@ public:
   double time = 0.; ///< s
   Ledger ledger;
 
-  /// Lost in each interface (contact::Contacts::families()) since the start, J: parts of the
-  /// ledger's lines `friction` and `contact_damping`.
-  struct Loss
-  {
-    double friction = 0., damping = 0.;
-  };
-  std::vector<Loss> losses;
-
-  /// What ranks ask of all: each adds its own before a step, and after it all see the same sums.
-  /// Nothing in the motion depends on them.
-  std::array<double, 2> requests{};
-
-  /// Positive: a rank has found something wrong that only it can see. Any rank may set it to 1; the
-  /// next sum_over_ranks() tells all others.
-  double alarm = 0.;
-
   /// What makes forces, masses and energies of whole bodies of those that are computed. Until
   /// sum_over_ranks() they are those of what is computed.
   MirrorSymmetry symmetry;
@@ -234,8 +225,7 @@ private:
 
   MPI_Comm            comm_;
   unsigned int        rank_, n_ranks_;
-  Ledger              before_;        ///< the ledger at clear_forces()
-  std::vector<Loss>   losses_before_; ///< #losses then
-  std::vector<double> shared_;        ///< what sum_over_ranks() sums
+  Ledger              before_; ///< the ledger at clear_forces()
+  std::vector<double> shared_; ///< what sum_over_ranks() sums
 };
 } // namespace chaindrive

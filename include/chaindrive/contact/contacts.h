@@ -4,8 +4,10 @@
 #include <chaindrive/contact/family.h>
 #include <chaindrive/contact/near_flanks.h>
 #include <chaindrive/contact/search_cadence.h>
+#include <chaindrive/utilities/pointer_list.h>
 
-#include <memory>
+#include <deal.II/base/array_view.h>
+
 #include <string>
 #include <vector>
 
@@ -15,6 +17,12 @@ namespace chaindrive::contact
 struct SearchStatistics
 {
   unsigned long searches = 0, evaluations = 0;
+};
+
+/// Lost in an interface, J: parts of the ledger's lines `friction` and `contact_damping`.
+struct Loss
+{
+  double friction = 0., damping = 0.;
 };
 
 /// All interfaces of the scene behind one call, add_forces().
@@ -32,6 +40,14 @@ public:
   /// at the first one. Collective.
   void add_forces(World &world, double dt);
 
+  /// What this rank has lost in each interface at the last add_forces(), friction and damping in
+  /// turn [J]: World::sum_over_ranks() makes totals of it, which book_losses() then books.
+  dealii::ArrayView<double> lost_now() { return {lost_now_.data(), lost_now_.size()}; }
+  void                      book_losses();
+
+  /// Lost in each of families() since the start.
+  const std::vector<Loss> &losses() const { return losses_; }
+
   /// Brings the records of all pairs that are near to the first rank: one message from each other,
   /// which goes on. Collective.
   void gather_records(const World &world);
@@ -47,7 +63,7 @@ public:
   /// the joint and the overlap.
   void refuse_overlap(World &world, double prestress);
 
-  const std::vector<std::unique_ptr<Family>> &families() const { return families_; }
+  const PointerList<Family> &families() const { return families_; }
 
   /// The families of @p interface: one for rigid bodies, one for elastic ones, or none.
   std::vector<const Family *> find(const scene::InterfaceOf &interface) const;
@@ -62,14 +78,16 @@ private:
   /// Returns whether it was.
   bool search_if_due(const World &world, double dt);
 
-  std::vector<std::unique_ptr<Family>> families_;
-  bool                                 every_step_;
-  bool                                 needs_search_ = false;
-  double                               reach_;   ///< m
-  SearchCadence                        cadence_; ///< of approach, m
-  NearFlanks                           near_flanks_;
-  SearchStatistics                     statistics_;
-  unsigned long                        missed_before_ = 0; ///< the run was resumed, by any rank
-  std::vector<std::vector<double>>     messages_;          ///< of gather_records(), by rank
+  OwningList<Family>               families_;
+  bool                             every_step_;
+  bool                             needs_search_ = false;
+  double                           reach_;   ///< m
+  SearchCadence                    cadence_; ///< of approach, m
+  NearFlanks                       near_flanks_;
+  SearchStatistics                 statistics_;
+  std::vector<double>              lost_now_;
+  std::vector<Loss>                losses_;
+  unsigned long                    missed_before_ = 0; ///< the run was resumed, by any rank
+  std::vector<std::vector<double>> messages_;          ///< of gather_records(), by rank
 };
 } // namespace chaindrive::contact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/parameters/drive.h>
 #include <chaindrive/path/route.h>
 
 #include <optional>
@@ -28,7 +29,11 @@ struct Fitter
     dealii::Point<2> centre = {};    ///< of one that does not move
   };
   std::vector<Wheel> sprockets; ///< in the order in which the chain runs over them
-  path::Chain        chain;
+  path::Chain        chain{};   ///< its bulge follows from the wheels, see bulge()
+
+  /// Which way along y gravity pulls while the chain is laid, counter-clockwise: -1, +1 in a drive
+  /// that is mirrored afterwards, 0 without gravity.
+  int gravity = -1;
 
   /// What a centre distance is solved for: the part of the slack span that is excess, as a length
   /// or through its sag.
@@ -45,6 +50,10 @@ struct Fitter
 
   /// The wheels, those that move at this distance from wheel 0.
   std::vector<path::Wheel> wheels(double centre_distance) const;
+
+  /// Which way the slack span bulges between these wheels (path::slack_span()): along gravity,
+  /// outwards where there is none.
+  int bulge(const std::vector<path::Wheel> &at) const;
 
   /// Routes at this centre distance, the best first; at least one unless the sprockets are within
   /// each other. @p straight: with a straight slack span, which makes the slack of the best route a
@@ -63,4 +72,8 @@ struct Fitter
   /// The chain that meets the target on one route, near @p guess; nothing if there is none.
   std::optional<Fit> solve(const Target &target, const path::Route &route, double guess) const;
 };
+
+/// The sprockets of a drive, as the chain is laid on them. Without a centre of its own the driver,
+/// the first one, is at the origin, and another one moves.
+std::vector<Fitter::Wheel> wheels_of(const parameters::Sprockets &sprockets);
 } // namespace chaindrive::drive

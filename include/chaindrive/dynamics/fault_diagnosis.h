@@ -29,22 +29,23 @@ struct LastStep
 double free_mass(const World &world, unsigned int body);
 
 // The slow search for a place, when something is known to be wrong. All functions are collective
-// and give the same on all ranks, the worst places first.
+// and give the same on all ranks, the worst places first. The first rank must have the contact
+// records of all (Services::gather_records()).
 
 /// What is not a number: nodes first, then positions of bodies, contacts, bars, velocities.
-std::vector<FaultSite> faults_not_finite(const scene::Scene &scene, System &system);
+std::vector<FaultSite> faults_not_finite(const scene::Scene &scene, const System &system);
 
 /// Bodies whose resultant is not the sum of what contacts, bars and loads report, and elastic ones
 /// whose momentum has not changed in the last step @p dt [s] as the resultant says. Sizes are
 /// forces, N. Leaves out what is below 1e-6 of the forces on a body. Without the step before, @p
 /// last null, only the former.
 std::vector<FaultSite>
-faults_of_balance(const scene::Scene &scene, System &system, const LastStep *last, double dt);
+faults_of_balance(const scene::Scene &scene, const System &system, const LastStep *last, double dt);
 
 /// The largest overlap of each interface in parts of Family::senseless_overlap().
-std::vector<FaultSite> faults_of_overlap(const scene::Scene &scene, System &system);
+std::vector<FaultSite> faults_of_overlap(const scene::Scene &scene, const System &system);
 
 /// What moves or pulls most: the largest acceleration of a body, the largest forces of bars and
 /// contacts, the fastest node relative to its body.
-std::vector<FaultSite> extremes(const scene::Scene &scene, System &system);
+std::vector<FaultSite> extremes(const scene::Scene &scene, const System &system);
 } // namespace chaindrive::dynamics

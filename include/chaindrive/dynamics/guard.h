@@ -80,7 +80,7 @@ private:
 /// - Energy. No loss and no stored energy is negative, the imbalance does not jump from one look to
 ///   the next by more than the step explains, and the losses do not fall.
 /// - Overlap. No surfaces overlap by Family::senseless_overlap(): a contact that pulls instead of
-///   pushing gets there in a few steps. What one rank sees goes into World::alarm, and all ranks
+///   pushing gets there in a few steps. What one rank sees is a Request::alarm, and all ranks
 ///   stop at the next step.
 ///
 /// A step above the stable one is found when something blows up: in the simple and full models
@@ -107,7 +107,7 @@ public:
         std::string         overload = "");
 
   /// Checks the state after a step; throws Fault. Collective.
-  bool observe(System &system, unsigned long step, double dt) override;
+  void observe(const System &system, unsigned long step, double dt, Services &services) override;
 
   std::string name() const override { return "guard"; }
   void        serialize(const Archive &archive, const System &system) override;
@@ -132,12 +132,12 @@ private:
     std::vector<FaultSite> places;
   };
 
-  Finding ledger_does_not_close(System &system) const;
+  Finding ledger_does_not_close(const System &system, Services &services) const;
 
   /// What is wrong at a look, @p dt [s] after the step before it.
-  std::optional<Finding> look(System &system, double dt);
-  std::optional<Finding> look_at_momentum(System &system, double dt);
-  std::optional<Finding> look_at_energy(System &system, double dt);
+  std::optional<Finding> look(const System &system, double dt, Services &services);
+  std::optional<Finding> look_at_momentum(const System &system, double dt, Services &services);
+  std::optional<Finding> look_at_energy(const System &system, double dt, Services &services);
 
   /// What the step @p dt [s] makes wrong of the energy of the fastest vibration.
   double error_of_step(double dt) const;
@@ -150,7 +150,8 @@ private:
 
   /// Where forces do not balance; or else, what moves and pulls most. @p last as in
   /// faults_of_balance().
-  std::vector<FaultSite> suspects(System &system, const LastStep *last, double dt) const;
+  std::vector<FaultSite>
+  suspects(const System &system, const LastStep *last, double dt, Services &services) const;
 
   /// Momentum of all that moves freely [kg m/s]; @p size becomes the sum of its parts' sizes.
   Vector3 momentum(const World &world, double &size) const;

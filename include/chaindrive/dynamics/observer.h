@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/dynamics/services.h>
 #include <chaindrive/utilities/archive.h>
 
 #include <string>
@@ -9,7 +10,8 @@ namespace chaindrive::dynamics
 {
 class System;
 
-/// Something that looks at the system after every step and never changes its motion.
+/// Something that looks at the system after every step. It cannot change it; what it may ask for
+/// are the Services.
 class Observer
 {
 public:
@@ -17,8 +19,8 @@ public:
 
   /// Called once before the first step and then after each; @p step counts from 0, @p dt is the
   /// step that led here [s], zero at the first call. All of the system belongs to
-  /// system.world.time. Returns whether the run is to go on, on all ranks the same.
-  virtual bool observe(System &system, unsigned long step, double dt) = 0;
+  /// system.world.time.
+  virtual void observe(const System &system, unsigned long step, double dt, Services &services) = 0;
 
   /// What it is called in checkpoints.
   virtual std::string name() const = 0;

@@ -3,6 +3,7 @@
 
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/contacts.h>
+#include <chaindrive/dynamics/requests.h>
 #include <chaindrive/forces/bars.h>
 #include <chaindrive/load/loads.h>
 #include <chaindrive/stability/step_limit.h>
@@ -53,7 +54,8 @@ public:
   ForceElements     forces; ///< others than bars, in the scene's order
   contact::Contacts contacts;
   load::Loads       loads;
-  PhaseTimer        timer; ///< loads count as time integration
+  Requests          requests; ///< of ranks to each other, see Services
+  PhaseTimer        timer;    ///< loads count as time integration
 
 private:
   /// One evaluation of all forces, in which bodies move if @p step says so.

@@ -4,6 +4,7 @@
 #include <chaindrive/bodies/spring.h>
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/utilities/archive.h>
+#include <chaindrive/utilities/pointer_list.h>
 
 #include <memory>
 #include <string>
@@ -45,5 +46,5 @@ protected:
   ForceElement &operator=(const ForceElement &) = default;
 };
 
-using ForceElements = std::vector<std::unique_ptr<ForceElement>>;
+using ForceElements = OwningList<ForceElement>;
 } // namespace chaindrive

@@ -19,8 +19,7 @@ namespace chaindrive::observe
 /// by the wall-clock limit. Two checkpoints are kept. It must be the last of a run's observers:
 /// those before it have looked at the step that a checkpoint holds.
 ///
-/// Ranks agree on a checkpoint at no cost: their requests ride on the sum that they form at every
-/// step (World::requests), so that it comes one step later.
+/// Ranks agree on a checkpoint at no cost, by dynamics::Request: it comes one step later.
 class Checkpoints : public dynamics::Observer
 {
 public:
@@ -36,7 +35,10 @@ public:
               std::vector<dynamics::Observer *> observers,
               files::Log                       &log);
 
-  bool        observe(dynamics::System &system, unsigned long step, double dt) override;
+  void        observe(const dynamics::System &system,
+                      unsigned long           step,
+                      double                  dt,
+                      dynamics::Services     &services) override;
   std::string name() const override { return "checkpoints"; }
   void        serialize(const Archive &archive, const dynamics::System &system) override;
 
@@ -54,9 +56,11 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  void serialize_all(const Archive &archive, dynamics::System &system);
-  void write(dynamics::System &system, unsigned long step);
-  void ask(World &world) const;
+  /// What the observers remember, and the time that the run has taken up to now.
+  void
+  serialize_observers(const Archive &archive, const dynamics::System &system, PhaseTimer &timer);
+  void write(const dynamics::System &system, unsigned long step, dynamics::Services &services);
+  void ask(const World &world, dynamics::Services &services) const;
   bool past_wall_clock_limit() const;
   void say_why(double time);
 

@@ -13,9 +13,9 @@ namespace chaindrive::observe
 class Observation;
 
 /// Watches from period to period whether the drive has settled (Settling), by the tension of the
-/// tight span less that of the slack one, the driven speed and the driver torque. A period is as
-/// many whole pitch times as hold one of the drive's slowest resonance, which would look like a
-/// drift over fewer. Their scales are the sum of both tensions; a fifth of the speed, whose mean
+/// tight span less that of the slack one, the speeds of all loads and the driver torque. A period
+/// is as many whole pitch times as hold one of the drive's slowest resonance, which would look like
+/// a drift over fewer. Their scales are the sum of both tensions; a fifth of the speed, whose mean
 /// the numbers of teeth fix; and the torque of that sum on the driver's pitch circle.
 class Drift
 {
@@ -49,7 +49,8 @@ private:
   double                  period_     = 0.; ///< s
   double                  radius_     = 0.; ///< of the driver's pitch circle, m
   unsigned int            n_          = 0;
-  std::vector<WindowMean> means_; ///< over the present period
+  unsigned int            n_loads_    = 0; ///< sprockets that have one
+  std::vector<WindowMean> means_;          ///< over the present period
   Settling                settling_;
 };
 } // namespace chaindrive::observe

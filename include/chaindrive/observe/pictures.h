@@ -29,7 +29,10 @@ public:
            const std::string      &directory,
            PhaseTimer             &timer);
 
-  bool        observe(dynamics::System &system, unsigned long step, double dt) override;
+  void        observe(const dynamics::System &system,
+                      unsigned long           step,
+                      double                  dt,
+                      dynamics::Services     &services) override;
   std::string name() const override { return "pictures"; }
 
   /// A resumed run may have another interval.

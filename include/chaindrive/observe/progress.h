@@ -21,7 +21,10 @@ public:
   ~Progress() override;
 
   /// Says it on the first rank.
-  bool        observe(dynamics::System &system, unsigned long step, double dt) override;
+  void        observe(const dynamics::System &system,
+                      unsigned long           step,
+                      double                  dt,
+                      dynamics::Services     &services) override;
   std::string name() const override { return "progress"; }
 
   /// A run that comes out of a checkpoint begins there: what is before has been computed earlier.

@@ -18,11 +18,13 @@ namespace chaindrive::observe
 class Recorder : public dynamics::Observer
 {
 public:
-  /// All three must outlive this. @p pitches_per_period: see Observation.
-  Recorder(const scene::Scene &scene,
-           const model::Model &model,
-           dynamics::System   &system,
-           unsigned int        pitches_per_period);
+  /// The first three must outlive this. The time that it takes is counted by @p timer. @p
+  /// pitches_per_period: see Observation.
+  Recorder(const scene::Scene     &scene,
+           const model::Model     &model,
+           const dynamics::System &system,
+           PhaseTimer             &timer,
+           unsigned int            pitches_per_period);
 
   /// From now on samples go to @p directory, which must exist when the first is taken. The run will
   /// have @p n_steps steps; @p parameter_text is stored with the histories. Without this call there
@@ -32,7 +34,10 @@ public:
                        unsigned long      n_steps);
 
   /// The run ends when a window that begins with the settled drive is full.
-  bool        observe(dynamics::System &system, unsigned long step, double dt) override;
+  void        observe(const dynamics::System &system,
+                      unsigned long           step,
+                      double                  dt,
+                      dynamics::Services     &services) override;
   std::string name() const override { return "recorder"; }
 
   /// A sample of what was observed last; write_histories() must have been called. Collective.

@@ -51,6 +51,9 @@ struct DriveView
   double                    mass_per_pitch      = 0.; ///< kg
   double                    stiffness_per_pitch = 0.; ///< N/m
 
+  /// Of the pitch circle of a sprocket with so many teeth, m.
+  double pitch_radius_of(unsigned int n_teeth) const;
+
   const Sprocket &driver() const { return sprockets.front(); }
   const Sprocket &driven() const; ///< the first one with a load; there must be one
 

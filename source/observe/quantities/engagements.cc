@@ -58,7 +58,7 @@ public:
 
     for (const scene::Sprocket &sprocket : scene.drive.sprockets)
       for (const auto &family : system.contacts.families())
-        if (const auto *found = dynamic_cast<const contact::SurfaceContact *>(family.get());
+        if (const auto *found = dynamic_cast<const contact::SurfaceContact *>(family);
             found != nullptr && found->master() == sprocket.body)
           sprockets_.push_back(
               {sprocket.name,

@@ -13,7 +13,10 @@ namespace
 class Hubs : public Quantity
 {
 public:
-  explicit Hubs(const Observation &now) : Quantity(now), statistics_(now, signals()) {}
+  explicit Hubs(const Observation &now)
+      : Quantity(now), statistics_(now, signals(now.scene.drive.sprockets))
+  {
+  }
 
   static bool exists(const Observation &start) { return !start.scene.drive.sprockets.empty(); }
 
@@ -25,7 +28,7 @@ public:
         contents.histories.push_back(history);
     contents.histories.push_back(
         {"hubs/load_torque", "N m", "The same as driven_torque, which it was called before"});
-    contents.summary = WindowStatistics::members(signals());
+    contents.summary = WindowStatistics::members(signals(parameters::Sprockets().list));
     contents.summary.insert(contents.summary.end(),
                             {{"driven_angle_end", "rad", "angle of the driven sprocket at the end"},
                              {"driven_speed_mean", "rad/s", "driven speed, mean"},
@@ -56,15 +59,19 @@ public:
 
   void update() override
   {
-    const scene::DriveView &drive = now_.scene.drive;
-    statistics_.add({drive.driven().sense * hub_of(drive.driven()).speed, torque(drive.driver())});
+    values_.clear();
+    for (const scene::Sprocket &sprocket : now_.scene.drive.sprockets)
+      if (sprocket.role == parameters::Role::driven)
+        values_.push_back(sprocket.sense * hub_of(sprocket).speed);
+    values_.push_back(torque(now_.scene.drive.driver()));
+    statistics_.add(values_);
   }
 
   void summarize(files::Json &summary) const override
   {
     const scene::Sprocket &driven = now_.scene.drive.driven();
     summary["driven_angle_end"]   = driven.sense * hub_of(driven).angle;
-    summary["driven_speed_mean"]  = statistics_.mean("driven_speed");
+    summary["driven_speed_mean"]  = statistics_.mean(driven.name + "_speed");
     summary["driver_torque_mean"] = statistics_.mean("driver_torque");
     statistics_.summarize(summary);
   }
@@ -72,9 +79,16 @@ public:
   void serialize(const Archive &archive) override { statistics_.serialize(archive / "statistics"); }
 
 private:
-  static std::vector<WindowStatistics::Signal> signals()
+  /// The speeds of all loads, and the torque of the driver.
+  template <typename Sprockets>
+  static std::vector<WindowStatistics::Signal> signals(const Sprockets &sprockets)
   {
-    return {{"driven_speed", "rad/s", "driven speed"}, {"driver_torque", "N m", "driver torque"}};
+    std::vector<WindowStatistics::Signal> signals;
+    for (const auto &sprocket : sprockets)
+      if (sprocket.role == parameters::Role::driven)
+        signals.push_back({sprocket.name + "_speed", "rad/s", sprocket.name + " speed"});
+    signals.push_back({"driver_torque", "N m", "driver torque"});
+    return signals;
   }
 
   /// Of a sprocket: its angle, its speed and, if its shaft has one, its torque.
@@ -111,7 +125,8 @@ private:
                          [&sprocket](const World::Hub &hub) { return hub.body == sprocket.body; });
   }
 
-  WindowStatistics statistics_;
+  WindowStatistics    statistics_;
+  std::vector<double> values_; ///< of the signals
 };
 
 const Registered<Hubs> registered_hubs({"hubs", "How the sprockets turn, and the torques on them."},

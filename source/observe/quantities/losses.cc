@@ -127,15 +127,14 @@ private:
   /// all but what is stored since the start, J.
   std::vector<double> present() const
   {
-    const World        &world  = now_.system.world;
-    const Ledger       &ledger = world.ledger;
+    const Ledger       &ledger = now_.system.world.ledger;
     std::vector<double> values = {ledger.drive_work,
                                   ledger.resisting_work,
                                   ledger.stored(),
                                   ledger.lost(),
                                   ledger.chain_damping,
                                   ledger.drag};
-    for (const World::Loss &loss : world.losses)
+    for (const contact::Loss &loss : now_.system.contacts.losses())
       values.insert(values.end(), {loss.friction, loss.damping});
     return values;
   }

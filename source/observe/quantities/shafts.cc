@@ -110,7 +110,7 @@ private:
     {
       const scene::DriveView &drive = now.scene.drive;
       for (const auto &family : now.system.contacts.families())
-        if (const auto *found = dynamic_cast<const contact::SurfaceContact *>(family.get());
+        if (const auto *found = dynamic_cast<const contact::SurfaceContact *>(family);
             found != nullptr && found->master() == drive.sprockets[i].body)
           teeth.push_back(found);
       // the driver pulls in the span before it, the others are pulled by the one behind them
