@@ -21,7 +21,7 @@ double pulled(const scene::Scene &drive, const unsigned int first, const double 
   for (unsigned int d = 0; d < 3; ++d)
     scene.bodies.front().inertia[d] = 1e9;
 
-  scene.bores.push_back({"bush-pin", drive.bores[1].law, {}});
+  scene.bores.push_back({"bush-pin", drive.bores[1].interface, drive.bores[1].law, {}});
   for (scene::BorePair pair : drive.bores[1].pairs)
     {
       pair.master -= rollers + first;
