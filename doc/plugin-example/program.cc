@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/parameters/reader.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/simulation.h>
 
 #include <deal.II/base/mpi.h>
@@ -13,14 +13,14 @@ int main(int argc, char **argv)
   using namespace chaindrive;
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  const Parameters parameters = parameters::read_entries({{"Drive/Chain/Designation", "12A"},
-                                                          {"Drive/Number of links", "76"},
-                                                          {"Drive/Driver teeth", "11"},
-                                                          {"Drive/Driven teeth", "23"},
-                                                          {"Drive/Layout/Start", "settled"},
-                                                          {"Model/Fidelity", "simple"},
-                                                          {"Time/End time in ms", "10"},
-                                                          {"Output/Window start in ms", "0"}})
+  const Parameters parameters = model::read_entries({{"Drive/Chain/Designation", "12A"},
+                                                     {"Drive/Number of links", "76"},
+                                                     {"Drive/Driver teeth", "11"},
+                                                     {"Drive/Driven teeth", "23"},
+                                                     {"Drive/Layout/Start", "settled"},
+                                                     {"Model/Fidelity", "simple"},
+                                                     {"Time/End time in ms", "10"},
+                                                     {"Output/Window start in ms", "0"}})
                                     .parameters;
   Simulation simulation(parameters, {"."}, MPI_COMM_SELF);
   simulation.run();

@@ -33,6 +33,7 @@ int main()
   scene.bodies[0].initial.rotation = to_matrix(rotation_about_z(swing));
   scene.bores                      = {
                            {"bore",
+                            scene::Interface::other,
                             {k / 2, 2. * 0.2 * std::sqrt(k * m) / 2, 0., 0., 0.},
                             {{0, dealii::Point<3>(0., l, 0.), pin + c, {1, dealii::Point<3>(0., 0., 2e-3), pin, 0}},
                              {0, dealii::Point<3>(0., l, 0.), pin + c, {1, dealii::Point<3>(0., 0., -2e-3), pin, 0}}}}};

@@ -12,6 +12,7 @@ int main()
   scene.loads.gravity = g;
   scene.bodies        = {lump(1.8e-3, Vector3()), ground()};
   scene.bores         = {{"bore",
+                          scene::Interface::other,
                           {1e8, 0., 0., 0., 0.},
                           {{1, dealii::Point<3>(), radius + c, {0, dealii::Point<3>(), radius, 0}}}}};
   dynamics::System system(scene, false);

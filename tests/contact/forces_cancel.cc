@@ -34,6 +34,7 @@ int main()
           scene.bodies[b].initial.angular_velocity = random(100.);
         }
       scene.bores             = {{"bore",
+                                  scene::Interface::other,
                                   {1e8, 10., 0.3, 0.8e8, 10.},
                                   {{0,
                                     dealii::Point<3>(0.01, 0., 0.),

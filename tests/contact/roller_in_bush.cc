@@ -21,6 +21,7 @@ int main()
   const scene::ContactLaw law{
       k / 2, 0.5 * std::sqrt(k * m), 0.3, 0.8 * k / 2, 0.5 * std::sqrt(k * m)};
   scene.bores = {{"bore",
+                  scene::Interface::other,
                   law,
                   {{1, dealii::Point<3>(), bore, {0, dealii::Point<3>(0., 0., 2e-3), bush, 0}},
                    {1, dealii::Point<3>(), bore, {0, dealii::Point<3>(0., 0., -2e-3), bush, 0}}}}};

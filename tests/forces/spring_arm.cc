@@ -103,6 +103,22 @@ int main()
             system.world.frames[1].position.norm() == 0. && system.world.hubs[1].angle == 0.);
   }
 
+  // between two arms that turn, the second as heavy three times: what one gains the other loses
+  {
+    scene::Scene scene = empty_scene();
+    scene.bodies       = {arm_about(vector(0., 0., 1.), Vector3(), vector(2., 3., inertia)),
+                          arm_about(vector(0., 0., 1.), Vector3(), vector(2., 3., 3. * inertia))};
+    scene.forces       = {std::make_shared<const TorsionSpring>(0, 1, k, 0., preload)};
+    dynamics::System system(scene, false);
+    ratio("between two that turn, half a period",
+          half_period_of(system, 1e-5),
+          PI * std::sqrt(0.75 * inertia / k),
+          5);
+    ratio("  angle of the second", system.world.hubs[1].angle, -system.world.hubs[0].angle / 3., 5);
+    verdict("  energy to 1e-6 of what the spring gave",
+            std::abs(system.world.ledger.imbalance()) < 1e-6 * preload * preload / k);
+  }
+
   // a dashpot: amplitudes fall by exp(-pi c / (2 m w)) in half a period, and the ledger knows it
   {
     scene::Scene scene = empty_scene();

@@ -8,7 +8,7 @@
 
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/forces/torsion_spring.h>
-#include <chaindrive/parameters/reader.h>
+#include <chaindrive/model/reading.h>
 #include <chaindrive/scene/addition.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/utilities/errors.h>
@@ -68,16 +68,13 @@ struct GrowingLoad
 const scene::Addition<GrowingLoad> growing_load({"growing load",
                                                  "A load that grows with the time."});
 
-scene::Scene build(const Parameters &parameters)
-{
-  return test::scene_of(parameters);
-}
+scene::Scene build(const Parameters &parameters) { return test::scene_of(parameters); }
 
 void refuse(const std::string &what, const std::string &path, const std::string &value)
 {
   try
     {
-      build(parameters::read_entries({{"Additions/shaft spring/Active", "true"}, {path, value}})
+      build(model::read_entries({{"Additions/shaft spring/Active", "true"}, {path, value}})
                 .parameters);
       std::cout << what << ": accepted\n";
     }
@@ -96,17 +93,17 @@ int main()
   std::cout << "  forces " << build(Parameters()).forces.size() << '\n';
 
   std::cout << "entries without Active\n";
-  const auto input = parameters::read_entries({{spring + "Stiffness in kN m", "2"}});
+  const auto input = model::read_entries({{spring + "Stiffness in kN m", "2"}});
   for (const std::string &note : input.notes)
     if (note.find("Additions") != std::string::npos)
       std::cout << "  " << note << '\n';
   std::cout << "  forces " << build(input.parameters).forces.size() << '\n';
 
   std::cout << "both\n";
-  const parameters::Input both  = parameters::read_entries({{spring + "Active", "true"},
-                                                            {spring + "Stiffness in kN m", "2"},
-                                                            {load + "Active", "true"},
-                                                            {load + "Slope in N m/s", "7"}});
+  const parameters::Input both  = model::read_entries({{spring + "Active", "true"},
+                                                       {spring + "Stiffness in kN m", "2"},
+                                                       {load + "Active", "true"},
+                                                       {load + "Slope in N m/s", "7"}});
   Parameters              copy  = both.parameters; // has values of its own
   const scene::Scene      scene = build(copy);
   copy.sections.get<scene::AdditionSection<ShaftSpring::Parameters>>("Additions/shaft spring")
@@ -117,7 +114,7 @@ int main()
                   .values.stiffness == 2000.);
   dynamics::System    system(scene, false);
   std::vector<Spring> springs;
-  system.forces.front()->add_springs(system.world, springs);
+  system.forces[0]->add_springs(system.world, springs);
   std::cout << "  forces " << scene.forces.size() << ", stiffness " << springs.front().stiffness
             << " N m, second body that of the driver: "
             << (springs.front().second == scene.drive.driver().body ? "yes" : "no") << '\n';

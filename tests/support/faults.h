@@ -76,7 +76,7 @@ inline std::vector<const contact::Family *> families_called(const std::string &n
   std::vector<const contact::Family *> found;
   for (const auto &family : system.contacts.families())
     if (family->name() == name)
-      found.push_back(family.get());
+      found.push_back(family);
   return found;
 }
 
