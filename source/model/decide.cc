@@ -82,7 +82,7 @@ Switch choice_for(const Parameters &p, const parameters::Sprocket &sprocket)
 
 Decision elastic_rollers(const Parameters &p)
 {
-  const Decision rollers = where_they_arrive(
+  Decision rollers = where_they_arrive(
       p, decide(Effect::elastic_rollers, p, p.effects.elastic_rollers, &Needs::rollers));
   if (!rollers.on && is_elastic(p) && p.effects.elastic_rollers == Switch::automatic)
     for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)

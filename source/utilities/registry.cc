@@ -93,9 +93,10 @@ std::vector<std::size_t> AnyRegistry::order() const
       const auto next = std::find_if_not(rest.begin(), rest.end(), waits);
       if (next == rest.end())
         {
-          std::vector<std::string> names;
-          for (const std::size_t i : rest)
-            names.push_back(quoted(entries_[i]));
+          std::vector<std::string> names(rest.size());
+          std::transform(rest.begin(), rest.end(), names.begin(), [&](const std::size_t i) {
+            return quoted(entries_[i]);
+          });
           throw InputError("Each " + kind_ +
                            " of these is to come after another one of them, which is a circle: " +
                            join(names) + ".");
