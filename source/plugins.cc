@@ -124,6 +124,7 @@ std::vector<std::string> registered_by(const std::string &plugin)
     for (const AnyRegistry::Entry &entry : registry->entries())
       if (entry.plugin == plugin)
         all.push_back(registry->kind() + " '" + entry.about.name + "'");
+  std::sort(all.begin(), all.end()); // registries come in the order of the linker
   return all;
 }
 
