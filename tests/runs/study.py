@@ -159,7 +159,7 @@ def statistics():
         check((needs.memory_mb(nothing, 1), needs.minutes(nothing)) == (500, 10), f"of {nothing}")
 
     documented = subprocess.run([PROGRAM, "document"], stdout=subprocess.PIPE, text=True).stdout
-    of_outputs = documented[documented.index("Outputs that a study"):].split("\n## ")[0]
+    of_outputs = documented[documented.index("Outputs of a study:"):].split("\n## ")[0]
     names = [line.split("`")[1] for line in of_outputs.splitlines() if line.startswith("| `")]
     of_summary = {name for name in names if name in SUMMARY}
     check(sorted(set(names) - of_summary) == sorted(outputs.OUTPUTS), f"only in one list: {set(names) ^ set(outputs.OUTPUTS)}")
