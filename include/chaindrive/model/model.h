@@ -76,11 +76,11 @@ struct Model
   double             tensile_strength = 0.; ///< of the chain, N; 0: not known
 
   // what the run is, and what is observed of it
-  parameters::Time   time;
-  parameters::Output output;
-  Window             window;
-  double             field_interval = 0.; ///< between pictures, s; 0: none are written
-  parameters::Sections sections; ///< entries of what registers itself
+  parameters::Time     time;
+  parameters::Output   output;
+  Window               window;
+  double               field_interval = 0.; ///< between pictures, s; 0: none are written
+  parameters::Sections sections;            ///< entries of what registers itself
 
   std::vector<std::string> notes; ///< what the log must say about decisions
 };
