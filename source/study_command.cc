@@ -493,6 +493,8 @@ std::vector<std::string> study_command(const CommandLine &command_line, const MP
   files::Console    out(STDOUT_FILENO);
   files::Log        log(command_line.quiet ? nullptr : &out);
 
+  for (const std::string &note : input.notes)
+    log << note << '\n';
   std::vector<Model> models;
   for (const parameters::Variant &variant : input.variants)
     {

@@ -18,6 +18,7 @@ from chaindrive import schema, spectra
 from chaindrive.drive import Span, Wheel, as_now, spans_of, wheels_of
 from chaindrive.errors import RunError
 from chaindrive.parameters import Parameters
+from chaindrive.summary import Summary
 from chaindrive.units import Units, convert, squared
 
 #: Numbers of a history, or of figures.
@@ -72,11 +73,14 @@ class Run:
 
     @functools.cached_property
     def summary(self) -> dict[str, Any]:
-        """summary.json: doc/output.md defines its members. Empty for a run that has not finished."""
+        """summary.json: doc/output.md defines its members. Empty for a run that has not finished.
+
+        Members have their present names, whichever version has written them, and are also found by old ones.
+        """
         summary = self._json("summary.json") if self.finished else {}
         if not isinstance(summary, dict):
             raise RunError(f"'{self.folder / 'summary.json'}' is not the summary of a run.")
-        return summary
+        return Summary(summary)
 
     @functools.cached_property
     def drive(self) -> dict[str, Any]:

@@ -4,6 +4,9 @@
 HISTORIES and SUMMARY have a member for each path: a dictionary of `unit`, `description` and, where
 Output/Quantities decides on it, `quantities`, the words that ask for it. In a path of the summary a star
 stands for any name, or any place in a list: "engagements/*/time".
+
+OLD_NAMES has what earlier versions called otherwise: the present path by the old one of `entries` of parameter
+files and of members of the `summary`, and by entry the present `values` by the old ones.
 """
 from __future__ import annotations
 
@@ -15,6 +18,7 @@ _SCHEMA = json.loads(pathlib.Path(__file__).with_name("schema.json").read_text(e
 
 HISTORIES: dict[str, dict[str, Any]] = _SCHEMA["histories"]
 SUMMARY: dict[str, dict[str, Any]] = _SCHEMA["summary"]
+OLD_NAMES: dict[str, dict[str, Any]] = _SCHEMA["old_names"]
 
 
 def about(member: str) -> tuple[str, str]:

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/facts.h>
+#include <chaindrive/observe/old_names.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/schema.h>
+#include <chaindrive/parameters/old_names.h>
 
 namespace chaindrive::observe
 {
@@ -50,6 +52,21 @@ void add(files::Json                         &list,
         entry["quantities"].push_back(quantities);
     }
 }
+
+/// Each present name by the old one, of entries, of the values of entries by their path, and of
+/// members of the summary.
+files::Json old_names()
+{
+  files::Json entries = files::Json::object(), values = files::Json::object(),
+              summary = files::Json::object();
+  for (const parameters::OldEntry &one : parameters::old_entries())
+    entries[one.old_path] = one.path;
+  for (const parameters::OldValue &one : parameters::old_values())
+    values[one.path][one.old_value] = one.value;
+  for (const auto &[old_path, path] : old_members())
+    summary[old_path] = path;
+  return {{"entries", entries}, {"values", values}, {"summary", summary}};
+}
 } // namespace
 
 files::Json schema()
@@ -64,6 +81,6 @@ files::Json schema()
     }
   add(summary, members_of_every_run(), "");
   add(summary, drive::described_facts(), "");
-  return {{"histories", histories}, {"summary", summary}};
+  return {{"histories", histories}, {"old_names", old_names()}, {"summary", summary}};
 }
 } // namespace chaindrive::observe

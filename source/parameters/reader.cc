@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/parameters/declarations.h>
 #include <chaindrive/parameters/entries.h>
+#include <chaindrive/parameters/old_names.h>
 #include <chaindrive/parameters/parameter_file.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/parameters/sections.h>
@@ -15,6 +16,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -80,9 +82,16 @@ public:
   /// Takes the value of an entry that exists.
   void read_entry(const std::string &path, const std::string &value)
   {
-    for (const Entry &entry : declarations_.entries())
-      if (entry.path() == path)
-        set_value(entry, value, "");
+    if (const Entry *entry = find(path, ""))
+      set_value(*entry, value, "");
+  }
+
+  /// The present path of an entry, which may be called as in earlier versions; any other text as it
+  /// is. Takes note of old names.
+  std::string present_path(const std::string &path, const std::string &where)
+  {
+    const Entry *entry = find(path, where);
+    return entry == nullptr ? path : entry->path();
   }
 
   /// Values of all entries that were set, by path; loops are among them.
@@ -119,12 +128,11 @@ public:
       }
     // the unit in an entry's name may itself contain a slash: compare whole paths
     const std::string path = trim(text.substr(0, equals));
-    for (const Entry &entry : declarations_.entries())
-      if (entry.path() == path)
-        {
-          set_value(entry, trim(text.substr(equals + 1)), where);
-          return;
-        }
+    if (const Entry *entry = find(path, where))
+      {
+        set_value(*entry, trim(text.substr(equals + 1)), where);
+        return;
+      }
     errors_.push_back(where + "there is no entry '" + path + "'." +
                       override_advice(path, trim(text.substr(equals + 1))));
   }
@@ -308,6 +316,28 @@ private:
       open_.pop_back();
   }
 
+  /// The entry with this path, also by the name that it had in earlier versions, which @p where is
+  /// taken note of; null if there is none.
+  const Entry *find(const std::string &path, const std::string &where)
+  {
+    const std::string present = current_path(path);
+    for (const Entry &entry : declarations_.entries())
+      if (entry.path() == path || entry.path() == present)
+        {
+          if (entry.path() != path)
+            note_old_name(where, path + " is now called " + entry.path() + ".");
+          return &entry;
+        }
+    return nullptr;
+  }
+
+  /// Once for each name.
+  void note_old_name(const std::string &where, const std::string &sentence)
+  {
+    if (old_names_.insert(sentence).second)
+      input_.notes.push_back(where + sentence);
+  }
+
   void read_set(const std::string &rest, const std::string &where)
   {
     const std::string section = open_.empty() ? "" : open_.back().first;
@@ -320,14 +350,20 @@ private:
     if (!declarations_.has_section(section))
       return;
     const std::string name = trim(rest.substr(0, equals));
-    if (const Entry *entry = declarations_.find(section, name))
+    const std::string path = section.empty() ? name : section + "/" + name;
+    if (const Entry *entry = find(path, where))
       {
-        const auto [before, is_first] = set_in_.emplace(entry->path(), line_);
-        if (!is_first)
+        const auto [before, is_first] = set_in_.emplace(entry->path(), Setting{line_, path});
+        if (!is_first && before->second.name != path)
+          errors_.push_back(where + path + " and " + before->second.name + " of line " +
+                            std::to_string(before->second.line) +
+                            " are the old and the new name of one entry: give only " +
+                            entry->path() + ".");
+        else if (!is_first)
           input_.warnings.push_back(where + entry->path() + " was set before, in line " +
-                                    std::to_string(before->second) + "; the value of line " +
+                                    std::to_string(before->second.line) + "; the value of line " +
                                     std::to_string(line_) + " holds.");
-        before->second = line_;
+        before->second = {line_, path};
         set_value(*entry, trim(rest.substr(equals + 1)), where);
       }
     else
@@ -345,6 +381,9 @@ private:
     for (const Entry &entry : declarations_.entries())
       if (entry.name == name)
         return " Did you mean '" + entry.path() + "'?";
+    for (const OldEntry &old : old_entries())
+      if (last_part(old.old_path) == name)
+        return " Did you mean '" + old.path + "', as it is now called?";
     if (!bare && !declarations_.has_section(section))
       {
         if (is_heading_of_plugins(section.substr(0, section.find('/'))))
@@ -368,6 +407,9 @@ private:
     for (const Entry &entry : declarations_.entries())
       if (entry.name == name)
         return begin + " It belongs in section " + entry.section + ".";
+    for (const OldEntry &old : old_entries())
+      if (last_part(old.old_path) == name)
+        return begin + " It is now called " + old.path + ".";
     return begin + advice(declarations_.entries(), section, name, value);
   }
 
@@ -397,8 +439,11 @@ private:
   }
 
   /// @p where begins a message.
-  void set_value(const Entry &entry, const std::string &value, const std::string &where)
+  void set_value(const Entry &entry, const std::string &given, const std::string &where)
   {
+    const std::string value = current_value(entry.path(), given);
+    if (value != given)
+      note_old_name(where, entry.path() + " = " + given + " is now called " + value + ".");
     if (is_study_ && is_loop(value) && may_be_loop(entry))
       {
         values_[entry.path()] = value; // its values are checked with the variants
@@ -439,6 +484,13 @@ private:
 
   static constexpr std::size_t most_files = 20;
 
+  /// Where a file sets an entry, and by which name.
+  struct Setting
+  {
+    unsigned int line;
+    std::string  name;
+  };
+
   Input                                            &input_;
   const bool                                        is_study_;
   Declarations                                      declarations_;
@@ -446,9 +498,10 @@ private:
   std::vector<std::string>                          files_;    ///< read so far
   std::vector<std::pair<std::string, unsigned int>> open_;     ///< path, line of each open section
   std::map<std::string, std::string>                values_;   ///< of all entries set, by path
-  std::map<std::string, unsigned int>               set_in_;   ///< line of the file, by path
+  std::map<std::string, Setting>                    set_in_;   ///< this file's, by path
   unsigned int                                      line_ = 0; ///< that is read
   std::vector<std::string>                          errors_;
+  std::set<std::string>                             old_names_; ///< sentences noted
 };
 } // namespace
 
@@ -542,6 +595,9 @@ read_study(const std::string &file, const std::vector<std::string> &overrides, c
       result.variants.push_back(variant);
     }
   reader.throw_errors();
+  if (!study.against.empty())
+    study.against = reader.present_path(study.against, "Study/Against: ");
+  result.notes = input.notes;
   study.check_outputs();
   study.check_against(result.variants);
   study.name(result.variants);

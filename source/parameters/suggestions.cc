@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/parameters/entries.h>
+#include <chaindrive/parameters/old_names.h>
 #include <chaindrive/parameters/suggestions.h>
 #include <chaindrive/utilities/text.h>
 
@@ -180,6 +181,19 @@ const std::vector<NotModelled> &not_modelled()
   return all;
 }
 
+namespace
+{
+/// What @p entry was called in earlier versions, without its section; empty if it has its name.
+std::string name_before(const Entry &entry)
+{
+  for (const OldEntry &old : old_entries())
+    if (old.path == entry.path() &&
+        old.old_path.compare(0, entry.section.size() + 1, entry.section + "/") == 0)
+      return old.old_path.substr(entry.section.size() + 1);
+  return "";
+}
+} // namespace
+
 std::string advice(const std::vector<Entry> &entries,
                    const std::string        &section,
                    const std::string        &name,
@@ -190,12 +204,17 @@ std::string advice(const std::vector<Entry> &entries,
   const Name               from(name);
   const Entry             *elsewhere = nullptr;
   std::vector<std::string> here;
+  std::vector<std::string> old_here;
   for (const Entry &entry : entries)
     {
-      const bool is_here = entry.section == section;
+      const bool        is_here  = entry.section == section;
+      const std::string old_name = name_before(entry);
       if (is_here)
         here.push_back(entry.name);
-      if (lower(Name(entry.name).quantity) != lower(from.quantity))
+      if (is_here && !old_name.empty())
+        old_here.push_back(old_name);
+      if (lower(Name(entry.name).quantity) != lower(from.quantity) &&
+          lower(Name(old_name).quantity) != lower(from.quantity))
         continue;
       if (is_here)
         return converted(entry, before + entry.name, from, value);
@@ -207,7 +226,12 @@ std::string advice(const std::vector<Entry> &entries,
     for (const std::string &word : one.words)
       if (has_word(lower(name), word))
         return " That is not modelled: " + one.sentence + " (doc/not-modelled.md).";
-  const std::vector<std::string> names = similar(name, here);
+  std::vector<std::string> names = similar(name, here);
+  if (names.empty())
+    for (const std::string &old_name : similar(name, old_here))
+      for (const Entry &entry : entries)
+        if (entry.section == section && name_before(entry) == old_name)
+          names.push_back(entry.name);
   if (names.size() == 1)
     return " Did you mean '" + before + names.front() + "'?" +
            (Name(names.front()).unit == from.unit || from.unit.empty() ?

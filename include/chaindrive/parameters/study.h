@@ -104,5 +104,6 @@ struct StudyInput
   Study                    study;
   std::vector<Variant>     variants;
   std::vector<std::string> folders; ///< of the file and of those that it includes, for meshes
+  std::vector<std::string> notes;   ///< names of earlier versions, a sentence each, for the log
 };
 } // namespace chaindrive::parameters
