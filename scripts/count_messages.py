@@ -76,7 +76,7 @@ def step_of(file, entries, which):
     with tempfile.TemporaryDirectory() as folder:
         words = ("--quiet", "--output", f"{folder}/run")
         program.run(file, {**QUIET, **entries, "Time/End time in ms": 0.006}, *words, program=which)
-        return program.summary(f"{folder}/run")["step"] * 1e3
+        return program.summary(f"{folder}/run")["time_step"] * 1e3
 
 
 def main():

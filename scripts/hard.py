@@ -22,7 +22,7 @@ from program import start
 
 HERE = Path(__file__).resolve().parent
 MODELS = {"s": "simple", "l": "layered", "f": "full", "h": "shell", "m": "membrane", "r": "reduced"}
-STEP = {"s": 0.08, "l": 0.15, "f": 0.9, "h": 0.9, "m": 0.9, "r": 0.9}  # over the stable one
+STEP = {"s": 0.08, "l": 0.15, "f": 0.9, "h": 0.9, "m": 0.9, "r": 0.9}  # over the critical one
 MOMENTUM = 1e-9  # largest imbalance, over the momentum of all bodies
 TURNS = 5e-4  # rad, least angle of the driven sprocket: a drive in which nothing happens holds nothing
 
@@ -59,10 +59,10 @@ def not_finite(summary, name=""):
 def figures(summary):
     return {
         "steps": summary["steps"],
-        "step_us": 1e6 * summary["step"],
+        "step_us": 1e6 * summary["time_step"],
         "imbalance": summary["energy_imbalance_max"],
         "momentum": summary.get("momentum_imbalance_max", 0.0),
-        "overlap_um": 1e6 * max(summary["overlap_max"].values()),
+        "overlap_um": 1e6 * max(summary["penetration_max"].values()),
         "drive_work": summary["drive_work"],
         "driven_angle": summary["driven_angle_end"],
         "cpu_s": summary["cpu_seconds"]["total"],
@@ -102,7 +102,7 @@ def run(which, case, model, folder, expected, quick):
         return None, [] if clear else [f"status {plan.returncode}: {said}"], "refused: " + said
     limit = float(re.search(r"all coupled ([\d.e+-]+)", plan.stdout)[1])
     step = 0.9995 * (case.step or STEP[model]) * limit  # the plan rounds
-    result = start([*command, "--quiet", "--set", f"Time/Step in us={step:.6g}"])
+    result = start([*command, "--quiet", "--set", f"Time/Time step in us={step:.6g}"])
     if result.returncode:
         return None, [f"status {result.returncode}: {' '.join(result.stderr.split())}"], ""
     summary = program.summary(directory)

@@ -10,7 +10,7 @@ SMALL = {
     "Drive/Driver teeth": 9,
     "Drive/Driven teeth": 9,
     "Drive/Layout/Slack in mm": 0.1,
-    "Model/Half model": "true",
+    "Model/Symmetry model": "true",
     "Model/Driven inertia in kg m2": 1e-4,
     "Mesh/Refinement": 0,
     "Loads/Resisting torque in N m": 20,
@@ -21,10 +21,10 @@ SMALL = {
 }
 
 
-# Full models with side plates and bushes of shells, and as prm/paper/full-shell.prm has them.
+# Full models with side plates and bushes of solid-shells, and as prm/paper/full-shell.prm has them.
 WALLS = {
-    "h": {"Elements/Plates": "shell", "Elements/Bushes": "shell"},
-    "m": {"Elements/Plates": "membrane", "Elements/Bushes": "shell", "Effects/Plate bending": "off"},
+    "h": {"Elements/Plates": "solid-shell", "Elements/Bushes": "solid-shell"},
+    "m": {"Elements/Plates": "membrane", "Elements/Bushes": "solid-shell", "Effects/Plate bending": "off"},
 }
 
 
@@ -44,7 +44,7 @@ def for_long(ms):
 
 class Case(NamedTuple):
     name: str
-    models: str  # s: simple, l: layered, f: full, and with the same changes full of shells or membranes, and reduced
+    models: str  # s: simple, l: layered, f: full, and with the same changes full of solid-shells or membranes, and reduced
     changes: dict  # of hard.prm, for all models
     of_model: dict = {}  # {model letter: further changes}
     refusal: str = ""  # a regular expression in what the program must say instead of running
@@ -53,7 +53,7 @@ class Case(NamedTuple):
     long: str = ""  # models that --quick leaves out
     soon: str = ""  # full models that it does not leave out
     long_run: bool = False  # the imbalance over the drive work must not grow
-    step: float = 0.0  # over the stable one, instead of that in hard.py
+    step: float = 0.0  # over the critical one, instead of that in hard.py
 
 
 def slack(mm, full=None):

@@ -60,16 +60,16 @@ def draw(rng, fidelity):
     entries[{"slack": "Drive/Layout/Slack in mm", "sag": "Drive/Layout/Sag in percent", "pretension": "Drive/Layout/Pretension in N"}[kind]] = value
     if elastic:
         entries["Mesh/Refinement"] = 0
-        entries["Model/Half model"] = rng.choice(("auto", "false"))
-        entries["Contact/Plate faces"] = rng.choice(("auto", "on")) if fidelity == "full" and entries["Model/Half model"] == "false" else "auto"
+        entries["Model/Symmetry model"] = rng.choice(("auto", "false"))
+        entries["Contact/Plate faces"] = rng.choice(("auto", "on")) if fidelity == "full" and entries["Model/Symmetry model"] == "false" else "auto"
         entries["Effects/Tooth compliance"] = rng.choice(("auto", "on", "off"))
         entries["Time/End time in ms"] = 0.05
         entries["Model/Stiffness from"] = "parts"
     if fidelity == "full":
         for body in ("links", "rollers", "driver", "driven"):
             entries[f"Effects/Elastic {body}"] = rng.choice(("auto", "off"))
-        entries["Elements/Plates"] = rng.choice(("brick", "shell", "membrane"))
-        entries["Elements/Bushes"] = rng.choice(("brick", "shell"))
+        entries["Elements/Plates"] = rng.choice(("solid", "solid-shell", "membrane"))
+        entries["Elements/Bushes"] = rng.choice(("solid", "solid-shell"))
     return entries
 
 

@@ -36,15 +36,15 @@ CASES = {
     ),
     "layered-settled": ("tutorial/06b-25-25", {END: 2}),
     "full": ("verification/hard", {**ELASTIC, **TOUCHING_PLATES}),
-    "full-half-imported": ("verification/hard", {**ELASTIC, **IMPORTED, "Model/Half model": "true"}),
+    "full-half-imported": ("verification/hard", {**ELASTIC, **IMPORTED, "Model/Symmetry model": "true"}),
     "full-imported-rigid": ("verification/hard", {**ELASTIC, **IMPORTED, "Model/Elastic sprockets": "off"}),
-    "full-arriving": ("verification/hard", {**ELASTIC, "Model/Elastic links": "arriving"}),
+    "full-arriving": ("verification/hard", {**ELASTIC, "Model/Elastic links": "region of interest"}),
     "full-settled": ("verification/hard", {**ELASTIC, **SETTLED}),
     "reduced": ("verification/hard", {**ELASTIC, **REDUCED}),
     "reduced-settled": ("verification/hard", {**ELASTIC, **REDUCED, **SETTLED}),
     "mixed-half": (
         "verification/hard",
-        {**ELASTIC, "Model/Elastic links": "arriving", "Model/Other links": "reduced", "Model/Half model": "true"},
+        {**ELASTIC, "Model/Elastic links": "region of interest", "Model/Other links": "reduced", "Model/Symmetry model": "true"},
     ),
 }
 

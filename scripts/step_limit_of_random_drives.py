@@ -4,7 +4,7 @@
     step_limit_of_random_drives.py [-n 100] [--seed 0] [--list]
 
 Runs random reduced drives: chain, teeth, tooth form, friction, damping and stiffness of contacts. Their contacts may
-close in many ways; the program uses the way that CoupledShapes::find_worst() finds. tests/benchmarks/step_limit.cc looks
+close in many ways; the program uses the way that CoupledModes::find_worst() finds. tests/benchmarks/step_limit.cc looks
 for ways with a higher frequency and reports by how many percent: `more` by a thorough search, `waves` in waves between q = 0
 and pi, `pitches` with pitches closed in different ways. Prints median, 90th percentile and largest. The bases of parts are
 read from and written to the cache of chaindrive.
@@ -26,7 +26,7 @@ def draw(rng):
     return {
         "Model/Fidelity": "reduced",
         "Model/Stiffness from": "dimensions",
-        "Model/Half model": rng.choice(("true", "false")),
+        "Model/Symmetry model": rng.choice(("true", "false")),
         "Mesh/Refinement": 0,
         "Drive/Chain/Designation": rng.choice(("525", "08B")),
         "Drive/Number of links": 2 * (driver + driven),

@@ -120,7 +120,7 @@ CASES = [
         Holds("Lame's cylinder, 48 cells: displacement of the bore",
               r"cylinder: 48 cells, error below 2e-3: (\w+)", 2e-3),
         Figure("displacements of a free ring, reciprocal", r"reciprocal " + NUMBER, 1e-4)]),
-    ("V26", "pin pressed into a hole by flexibilities", "statics/press", [
+    ("V26", "pin pressed into a hole by flexibilities", "statics/contact_problem", [
         Holds("pressure on the line, 20 N/mm", r"q 20 N/mm: .*4 percent: (\w+), half", 0.04),
         Holds("pressure on the line, 1000 N/mm", r"q 1000 N/mm: .*4 percent: (\w+), half", 0.04)]),
 ]
@@ -155,12 +155,12 @@ ORDERS = [
 # system, test, its lines: bounded at 0.98 of the limit, blown up at which share of it
 N_STEPS = 100000
 LIMITS = [
-    *[(name, "stability/stable_step", name + r": (?s:.*?)bounded at 0.98: (\w+)",
+    *[(name, "stability/critical_time_step", name + r": (?s:.*?)bounded at 0.98: (\w+)",
        name + r": (?s:.*?)blows up at (1.02): yes")
       for name in ("two lumps and a bar", "with a dashpot", "chain of 60 lumps",
                    "a stiff bar and a damped one", "a bar and a dashpot", "roller that sticks",
                    "roller between bar and tooth", "two rollers on a light hub")],
-    *[(f"{part}, {kind}", "element/stable_step",
+    *[(f"{part}, {kind}", "element/critical_time_step",
        f"(?m:^){part}, {kind}: bounded at 0.98 of the limit: (\\w+)",
        f"(?m:^){part}, {kind}: bounded.*blown up at (1.02): yes")
       for part in ("cube", "distorted cube", "eight distorted cubes")
@@ -225,8 +225,8 @@ def convergence(text_of):
     return lines
 
 
-def stable_steps(build):
-    """Lines of the table of stable steps, and whether each limit is safe and sharp."""
+def critical_time_steps(build):
+    """Lines of the table of critical time steps, and whether each limit is safe and sharp."""
     lines = ["| system | test | steps at 0.98 of the limit | blows up at, over the limit |",
              "|---|---|---|---|"]
     texts, good = {}, True
@@ -276,8 +276,8 @@ def main():
           "elements. Ring, cantilever and conforming contact are\ncompared with references that "
           "differ from the limit of the mesh by a per cent or less: no order is given.\n")
     print("\n".join(convergence(text_of)))
-    lines, good = stable_steps(build)
-    print(f"\n## Stable steps\n\n{len(LIMITS)} systems at small amplitude, contacts held closed. "
+    lines, good = critical_time_steps(build)
+    print(f"\n## Critical time steps\n\n{len(LIMITS)} systems at small amplitude, contacts held closed. "
           "A share of 1.02 is the smallest that was tried above the limit.\n")
     print("\n".join(lines))
     return 0 if n_met == len(rows) and good else 1

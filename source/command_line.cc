@@ -399,8 +399,8 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   switches.help = switches.help || short_help;
   c.command     = take_command(words, switches);
   // What follows -- names files although it begins with a dash; of a study it is for Snakemake.
-  const bool more = c.command == Command::report || words.empty();
-  if (rest != end && c.command != Command::study && more)
+  const bool takes_words = c.command == Command::report || words.empty();
+  if (rest != end && c.command != Command::study && takes_words)
     words.insert(words.end(), rest + 1, end);
   else
     c.rest.assign(rest == end ? end : rest + 1, end);

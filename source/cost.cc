@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/cost.h>
 #include <chaindrive/files/temporary_directory.h>
-#include <chaindrive/observe/pictures.h>
+#include <chaindrive/observe/field_output.h>
 #include <chaindrive/observe/progress.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -103,11 +103,11 @@ void time_outputs(Simulation &simulation, Cost &cost)
   const double interval = simulation.model.field_interval;
   if (interval <= 0.)
     return;
-  observe::Pictures pictures(
+  observe::FieldOutput field_output(
       simulation.scene, simulation.model, system, scratch.path(), system.timer);
   dynamics::Services services(system);
-  cost.picture  = cpu_time(comm, [&] { pictures.observe(system, 0, 0., services); });
-  cost.pictures = 1. + std::min(std::floor(duration / interval), double(cost.steps));
+  cost.field_output    = cpu_time(comm, [&] { field_output.observe(system, 0, 0., services); });
+  cost.n_field_outputs = 1. + std::min(std::floor(duration / interval), double(cost.steps));
 }
 } // namespace
 
@@ -141,9 +141,9 @@ void print(std::ostream &out, const Cost &cost, const int ranks)
       << to_text(cost.step * cost.change * 1e6, 3) << " us"
       << (cost.change != 1. ? " (" + to_text(cost.step * 1e6, 3) + " us at first)" : "") << ", "
       << to_text(cost.samples, 7) << " samples of " << to_text(cost.sample * 1e3, 2) << " ms";
-  if (cost.pictures > 0.)
-    out << ", " << to_text(cost.pictures, 7) << " pictures of " << to_text(cost.picture * 1e3, 2)
-        << " ms";
+  if (cost.n_field_outputs > 0.)
+    out << ", " << to_text(cost.n_field_outputs, 7) << " field outputs of "
+        << to_text(cost.field_output * 1e3, 2) << " ms";
   out << "; memory " << to_text(cost.memory / 1e6, 3) << " MB\n";
 }
 } // namespace chaindrive

@@ -163,17 +163,17 @@ Json to_json(const acoustics::Noise &noise,
 {
   Json json = Json::object(), observers = Json::array(), bands = Json::array(),
        rollers = Json::array(), contributions = Json::object();
-  for (const acoustics::Heard &heard : noise.observers)
+  for (const acoustics::ReceivedSound &received : noise.observers)
     {
-      const Vector3 &x = heard.observer.position;
-      observers.push_back({{"name", heard.observer.name},
+      const Vector3 &x = received.observer.position;
+      observers.push_back({{"name", received.observer.name},
                            {"position", {x[0], x[1], x[2]}},
-                           {"level", heard.level},
-                           {"level_a", heard.level_a},
-                           {"peak_pressure", heard.peak},
-                           {"third_octaves", heard.third_octaves},
-                           {"orders", heard.orders},
-                           {"engagement_peaks", heard.engagement_peaks}});
+                           {"level", received.level},
+                           {"level_a", received.level_a},
+                           {"peak_pressure", received.peak},
+                           {"third_octaves", received.third_octaves},
+                           {"orders", received.orders},
+                           {"engagement_peaks", received.engagement_peaks}});
     }
   for (const acoustics::Band &band : noise.bands)
     bands.push_back(band.middle);
@@ -199,28 +199,28 @@ void write_pressures(const std::string &file, const acoustics::Noise &noise)
   using files::Table;
   const auto columns = static_cast<unsigned int>(noise.observers.size());
   const auto lines   = noise.observers.front().spectrum.lines.size();
-  Table      time{{"/time", 1, {{"unit", "s"}, {"description", "When it is heard"}}, {}}, {}};
+  Table      time{{"/time", 1, {{"unit", "s"}, {"description", "When it is received"}}, {}}, {}};
   Table      frequency{{"/frequency", 1, {{"unit", "Hz"}, {"description", "Of a line"}}, {}}, {}};
   Table pressure{{"/pressure", columns, {}, {}}, {}}, spectrum{{"/spectrum", columns, {}, {}}, {}};
   pressure.info.attributes = {{"unit", "Pa"}, {"description", "Sound pressure at the observers"}};
   spectrum.info.attributes = {{"unit", "Pa2"},
                               {"description", "What the line adds to the mean square pressure"}};
-  for (const acoustics::Heard &heard : noise.observers)
+  for (const acoustics::ReceivedSound &received : noise.observers)
     {
-      pressure.info.labels.push_back(heard.observer.name);
-      spectrum.info.labels.push_back(heard.observer.name);
+      pressure.info.labels.push_back(received.observer.name);
+      spectrum.info.labels.push_back(received.observer.name);
     }
   for (std::size_t i = 0; i < noise.grid.size; ++i)
     {
       time.values.push_back(noise.grid.time(i));
-      for (const acoustics::Heard &heard : noise.observers)
-        pressure.values.push_back(heard.pressure[i]);
+      for (const acoustics::ReceivedSound &received : noise.observers)
+        pressure.values.push_back(received.pressure[i]);
     }
   for (std::size_t i = 0; i < lines; ++i)
     {
       frequency.values.push_back(noise.observers.front().spectrum.frequency(i));
-      for (const acoustics::Heard &heard : noise.observers)
-        spectrum.values.push_back(heard.spectrum.lines[i]);
+      for (const acoustics::ReceivedSound &received : noise.observers)
+        spectrum.values.push_back(received.spectrum.lines[i]);
     }
   files::write_tables(file,
                       {{"program", std::string("chaindrive ") + version}},
@@ -241,14 +241,14 @@ void print(std::ostream           &out,
       << "  observer         x, m    y, m    z, m   level, dB   dB(A)   peak, Pa\n";
   const std::ios_base::fmtflags flags = out.flags();
   out << std::fixed;
-  for (const acoustics::Heard &heard : noise.observers)
+  for (const acoustics::ReceivedSound &received : noise.observers)
     {
-      out << "  " << std::left << std::setw(13) << heard.observer.name << std::right
+      out << "  " << std::left << std::setw(13) << received.observer.name << std::right
           << std::setprecision(3);
       for (unsigned int d = 0; d < 3; ++d)
-        out << std::setw(8) << heard.observer.position[d];
-      out << std::setprecision(1) << std::setw(12) << heard.level << std::setw(8) << heard.level_a
-          << std::setprecision(3) << std::setw(11) << heard.peak << '\n';
+        out << std::setw(8) << received.observer.position[d];
+      out << std::setprecision(1) << std::setw(12) << received.level << std::setw(8)
+          << received.level_a << std::setprecision(3) << std::setw(11) << received.peak << '\n';
     }
   out << std::setprecision(1) << "  at " << noise.observers.front().observer.name << ": rollers";
   for (std::size_t s = 0; s < site.sprockets.size(); ++s)
@@ -260,7 +260,7 @@ void print(std::ostream           &out,
     out << "  " << note << '\n';
 }
 
-/// InputError where nothing can be heard at the site.
+/// InputError where nothing can be received at the site.
 acoustics::Site
 checked_site(const drive::Drive &drive, const drive::Facts &facts, const Parameters &parameters)
 {
@@ -288,12 +288,12 @@ void write_noise(const std::string &directory, const Parameters &parameters, std
   const acoustics::Site site  = checked_site(drive, facts, parameters);
   const auto [start, end]     = read_window(directory);
   const files::TableFile file(directory + "/histories.h5");
-  // before the window what is heard at its begin, and some samples more for the filter
+  // before the window what is received at its begin, and some samples more for the filter
   const double before = acoustics::longest_delay(parameters.acoustics, site) +
                         100. * parameters.output.history_interval;
   const acoustics::Motion motion = read_motion(file, parameters.drive.n_links, start - before, end);
   const acoustics::Noise  noise =
-      acoustics::listen(motion, site, parameters.acoustics, start, end, file.path());
+      acoustics::compute_noise(motion, site, parameters.acoustics, start, end, file.path());
   write_pressures(directory + "/acoustics.h5", noise);
   files::write_json(directory + "/acoustics.json", to_json(noise, site, facts.tooth_frequency));
   print(out, noise, site, facts.tooth_frequency);

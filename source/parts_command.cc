@@ -66,7 +66,7 @@ void print_pull(std::ostream              &out,
   out << '\n';
   for (const double load : loads)
     {
-      const statics::Pressed pressed = statics::at_force(
+      const statics::ContactSolution pressed = statics::at_force(
           [&](const unsigned int n) { return library.pulled_links(drive.chain, n); }, load);
       column(out, load);
       column(out, kN_per_mm * load / pressed.approach[0]);
@@ -99,7 +99,7 @@ void print_roller(std::ostream              &out,
     column(out, head);
   out << '\n';
   const auto row = [&](const double load, const double position) {
-    const statics::Pressed pressed = statics::at_force(
+    const statics::ContactSolution pressed = statics::at_force(
         [&](const unsigned int n) {
           return library.pressed_roller(drive.chain, sprocket, drive.sprocket_width, n, position);
         },
@@ -149,7 +149,7 @@ void print_plates(std::ostream &out, statics::Library &library, const drive::Dri
     }
 }
 
-/// The natural frequencies of @p basis [kHz], each once with the number of its shapes.
+/// The natural frequencies of @p basis [kHz], each once with the number of its modes.
 void print_frequencies(std::ostream &out, const reduction::Basis &basis)
 {
   for (unsigned int i = 0, n = 1; i < basis.n_natural; i += n)
@@ -169,13 +169,13 @@ void print_vibrations(std::ostream       &out,
                       const drive::Drive &drive,
                       const MPI_Comm      comm)
 {
-  // with shapes that are not symmetric
+  // with modes that are not symmetric
   const model::Meshes           whole{parameters.mesh, parameters.material.density, false};
   const reduction::BasisOptions options = reduction::options_of(parameters.reduction);
   out << "\nVibration of parts as section Mesh divides them, which nothing holds: natural "
          "frequencies up to "
       << to_text(1e-3 * options.modes_up_to / (2. * PI), 4)
-      << " kHz, (2) of two shapes; number of these shapes and of attachment vectors, and by how "
+      << " kHz, (2) of two modes; number of these modes and of attachment modes, and by how "
          "much all of them are too stiff under contact at most\n";
   for (const char *head : {"natural", "attached", "stiff (%)"})
     column(out, head);

@@ -11,7 +11,7 @@
 #include <chaindrive/mesh/import/import.h>
 #include <chaindrive/model/reading.h>
 #include <chaindrive/observe/checkpoints.h>
-#include <chaindrive/observe/pictures.h>
+#include <chaindrive/observe/field_output.h>
 #include <chaindrive/observe/progress.h>
 #include <chaindrive/plugins.h>
 #include <chaindrive/scene/plan.h>
@@ -154,10 +154,10 @@ std::unique_ptr<files::CheckpointFile> find_checkpoint(Prepared &prepared)
   return checkpoint;
 }
 
-void print_step(std::ostream &log, const stability::StepChoice &choice, const unsigned long n)
+void print_step(std::ostream &log, const stability::TimeStepChoice &choice, const unsigned long n)
 {
-  log << "Stable step (us): ";
-  for (const stability::StepLimit &limit : choice.step_limits)
+  log << "Critical time step (us): ";
+  for (const stability::TimeStepLimit &limit : choice.step_limits)
     log << limit.source << " " << to_text(limit.limit * 1e6, 4) << ", ";
   log << "all coupled " << to_text(choice.limit * 1e6, 4) << '\n'
       << "Step: " << to_text(choice.step * 1e6, 4) << " us (" << choice.reason << "), " << n
@@ -253,7 +253,7 @@ std::string window_sentence(const Simulation &simulation)
                  " ms at the earliest. Run longer, or give Output/Window start in ms a time.";
 }
 
-/// Says what makes figures of the run meaningless.
+/// Says what makes key figures of the run meaningless.
 void warn_of_events(files::Log &log, const files::Json &summary)
 {
   if (!summary.contains("events"))
@@ -364,10 +364,11 @@ std::optional<std::string> run_command(const CommandLine &command_line, const MP
   files::Log        &log        = prepared.log;
   const std::string &path       = prepared.directory.path();
   recorder.write_histories(path, record_of(prepared.input), simulation.n_steps());
-  observe::Pictures pictures(simulation.scene, simulation.model, system, path, system.timer);
-  observe::Progress progress(log, parameters.time.start, parameters.time.end);
+  observe::FieldOutput field_output(simulation.scene, simulation.model, system, path, system.timer);
+  observe::Progress    progress(log, parameters.time.start, parameters.time.end);
 
-  std::vector<dynamics::Observer *> others = {&pictures, &progress}, saved = simulation.observers();
+  std::vector<dynamics::Observer *> others = {&field_output, &progress},
+                                    saved  = simulation.observers();
   saved.insert(saved.end(), others.begin(), others.end());
   observe::Checkpoints checkpoints(parameters.time,
                                    parameters.output,
@@ -390,7 +391,7 @@ std::optional<std::string> run_command(const CommandLine &command_line, const MP
       recorder.close(false);
       throw RunError(log.end_with(fault.what() +
                                   std::string(" Histories up to this moment are complete.") +
-                                  checkpoints.last_sound(fault.sound_until())));
+                                  checkpoints.last_valid(fault.valid_until())));
     }
   catch (const RunError &error)
     {

@@ -204,7 +204,7 @@ Simulation::Simulation(const Parameters                            &parameters,
   if (!scene.has_elastic_bodies() && rank_in(comm) != 0)
     return;
   system_ = make_system(model, drive, scene, comm);
-  step    = stability::choose_step(
+  step    = stability::choose_time_step(
       system_->world, system_->bars, system_->forces, system_->contacts, model.time);
   guard_    = std::make_unique<dynamics::Guard>(scene,
                                              *system_,
@@ -237,16 +237,16 @@ observe::Summary Simulation::summary() const
   files::Json &values = summary.values;
   recorder_->summarize(values);
   add_balances(values, *guard_);
-  values["checks"]       = drive::to_json(drive::check_design(parameters, facts));
-  values["drive"]        = drive::to_json(facts);
-  values["stable_step"]  = step.limit;
-  values["step"]         = step.step;
-  values["steps"]        = done_;
-  values["window"]       = window().summary(system_->world.time);
-  values["ranks"]        = n_ranks_in(communicator());
-  values["memory_peak"]  = observe::memory_peak(communicator());
-  values["wall_seconds"] = system_->timer.elapsed();
-  values["cpu_seconds"]  = observe::cpu_seconds(summary.phases);
+  values["checks"]             = drive::to_json(drive::check_design(parameters, facts));
+  values["drive"]              = drive::to_json(facts);
+  values["critical_time_step"] = step.limit;
+  values["time_step"]          = step.step;
+  values["steps"]              = done_;
+  values["window"]             = window().summary(system_->world.time);
+  values["ranks"]              = n_ranks_in(communicator());
+  values["memory_peak"]        = observe::memory_peak(communicator());
+  values["wall_seconds"]       = system_->timer.elapsed();
+  values["cpu_seconds"]        = observe::cpu_seconds(summary.phases);
   add_validity(values);
   values = observe::in_order(values);
   return summary;

@@ -231,7 +231,7 @@ std::string check_elsewhere(Model                         model,
 }
 
 /// Takes what check_elsewhere() has found out about @p model; returns the sentences.
-std::string take(Model &model, const WorkResult &result)
+std::string adopt_result(Model &model, const WorkResult &result)
 {
   using End = WorkResult::End;
   if (result.end == End::input)
@@ -346,7 +346,7 @@ void check_all(std::vector<Model>           &models,
   std::size_t n_refused = 0;
   for (std::size_t i = 0; i < models.size(); ++i)
     {
-      const std::string sentences = take(models[i], results[i]);
+      const std::string sentences = adopt_result(models[i], results[i]);
       refused += sentences;
       n_refused += sentences.empty() ? 0 : 1;
       if (command_line.dry_run)

@@ -72,7 +72,7 @@ SEAMS = {
          calls("4. evaluate()", "source/dynamics/system.cc", "advance", "advance_shared"),
          calls("5. second_half()", "source/dynamics/newmark.cc", "kick", "finish"),
          calls("Relaxation", "source/dynamics/relaxation.cc", "use_forces"),
-         calls("stable step", "source/stability/closed_contact.cc", "stable_step", "matrix_of_shapes", "largest_frequency"),
+         calls("critical time step", "source/stability/closed_contact.cc", "critical_time_step", "modal_matrix", "largest_frequency"),
          calls("pictures, stresses", "source/observe/elastic_bodies.cc", "nodes_now", "stress_recoveries"),
          calls("make_world()", "source/bodies/make_world.cc", "add")],
         [Interface("BodyGroup", "include/chaindrive/bodies/body_group.h"),
@@ -97,7 +97,7 @@ SEAMS = {
     "slave set": Seam("contact", "A family holds the slaves of one kind of interface; Contacts calls all families in this order.", [
         [calls("Contacts", "source/contact/contacts.cc", "needs_search", "search", "announce", "place_surfaces", "fetch", "add_forces", "send_forces",
                "gather_forces", "add_springs"),
-         calls("stable step", "source/stability/coupled_shapes.cc", "closed_pairs")],
+         calls("critical time step", "source/stability/coupled_modes.cc", "closed_pairs")],
         [Interface("Family", "include/chaindrive/contact/family.h")],
         [Implementations("Family")],
         [Code("points with a radius", "include/chaindrive/contact/surface_contact.h", ("SlavePoint",)),
@@ -106,8 +106,8 @@ SEAMS = {
         [calls("press()", "include/chaindrive/contact/point_force.h", "update_touch"),
          calls("joints, side by side", "include/chaindrive/contact/packed_joint.h", "update_touch")],
         [Code("update_touch()", "include/chaindrive/contact/penalty.h", ("ContactEnergies", "TouchStateOf"))],
-        [Code("PointApproach", "include/chaindrive/contact/penalty.h", ("gap", "rate", "overlap", "book")),
-         Code("NodeApproach", "include/chaindrive/contact/penalty.h", ("mean_overlap", "gap", "rate", "closing", "overlap", "book")),
+        [Code("PointApproach", "include/chaindrive/contact/penalty.h", ("gap", "rate", "penetration", "book")),
+         Code("NodeApproach", "include/chaindrive/contact/penalty.h", ("mean_penetration", "gap", "rate", "closing", "penetration", "book")),
          Code("ContactLaw", "include/chaindrive/scene/contact_law.h", ("stiffness", "damping", "friction"))]]),
     "observer": Seam("dynamics", "The time loop shows the system to all observers before the first step and after each step; a checkpoint holds their state.", [
         [calls("run()", "source/dynamics/time_loop.cc", "advance", "observe"),

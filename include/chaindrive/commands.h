@@ -28,7 +28,7 @@ std::optional<std::string> run_command(const CommandLine &command_line, MPI_Comm
 /// as run_command().
 bool plan_command(const CommandLine &command_line, MPI_Comm comm);
 
-/// Prints what the parts of that drive weigh, how they give way and how they vibrate: masses,
+/// Prints what the parts of that drive weigh, how they deflect and how they vibrate: masses,
 /// inertias, stiffness over the load, stresses of side plates, natural frequencies, from elastic
 /// solutions that are kept in the cache. Writes no other file. Throws as run_command(). Collective.
 void parts_command(const CommandLine &command_line, MPI_Comm comm);

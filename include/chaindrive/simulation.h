@@ -32,7 +32,7 @@ class Simulation
 {
 public:
   /// Prepares a run: the drive, its scene, the state at the start and the step. Meshes are looked
-  /// for in @p folders. Elastic bodies are dealt out to the ranks of @p comm; lumped and rigid
+  /// for in @p folders. Elastic bodies are distributed over the ranks of @p comm; lumped and rigid
   /// models are too small for that: the first rank computes them alone and the others are idle.
   /// InputError for what cannot be run. Collective. @p parameters must outlive this.
   Simulation(const Parameters &parameters, const std::vector<std::string> &folders, MPI_Comm comm);
@@ -67,12 +67,13 @@ public:
   /// The ranks that are not idle.
   MPI_Comm communicator() const { return system_->world.communicator(); }
 
-  const Parameters     &parameters;
-  const drive::Drive    drive;
-  const drive::Facts    facts; ///< what to expect of it
-  const model::Model    model; ///< every decision, once
-  const scene::Scene    scene;
-  stability::StepChoice step; ///< may be changed before the run: one that is resumed keeps its step
+  const Parameters  &parameters;
+  const drive::Drive drive;
+  const drive::Facts facts; ///< what to expect of it
+  const model::Model model; ///< every decision, once
+  const scene::Scene scene;
+  stability::TimeStepChoice
+      step; ///< may be changed before the run: one that is resumed keeps its step
 
 private:
   Simulation(const Parameters               &parameters,

@@ -13,7 +13,7 @@ from chaindrive import schema
 from chaindrive.run import Run
 
 #: Members of the summary that a comparison shows.
-FIGURES = ("tight_tension_mean", "slack_tension_mean", "tight_tension_max_start", "driver_torque_mean", "driven_speed_mean",
+KEY_FIGURES = ("tight_tension_mean", "slack_tension_mean", "tight_tension_max_start", "driver_torque_mean", "driven_speed_mean",
            "span_speed_mean", "pitch_time_mean", "efficiency", "driven_angle_end", "drive_work", "resisting_work",
            "energy_imbalance_max", "steps", "wall_seconds")
 #: Those that are not found in the window of the means.
@@ -41,7 +41,7 @@ def _statistics(run: Run) -> Iterator[tuple[str, str, str]]:
 
 def figures(run: Run) -> dict[str, tuple[Any, str, str]]:
     """{name: (value, unit, meaning)} of a run."""
-    found = {name: (run.summary.get(name), *schema.about(name)) for name in FIGURES}
+    found = {name: (run.summary.get(name), *schema.about(name)) for name in KEY_FIGURES}
     statistics = run.summary.get("statistics", {})
     for signal, which, words in _statistics(run):
         if isinstance(statistics.get(signal), dict):

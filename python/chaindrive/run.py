@@ -112,7 +112,7 @@ class Run:
 
     @property
     def events(self) -> list[dict[str, Any]] | None:
-        """What makes figures of the run meaningless, such as a chain that jumped: member `events` of the summary.
+        """What makes key figures of the run meaningless, such as a chain that jumped: member `events` of the summary.
 
         None where nobody looked, in runs that have not finished and summaries of older versions.
         """
@@ -138,14 +138,14 @@ class Run:
     @property
     def event_sentences(self) -> list[str]:
         """A sentence for each of the events, wherever it lies."""
-        return self._sentences(self._sound_events())
+        return self._sentences(self._valid_events())
 
-    def _sound_events(self) -> list[dict[str, Any]]:
+    def _valid_events(self) -> list[dict[str, Any]]:
         """Events that are what they should be: a summary may come from anybody."""
         return [event for event in self.events if isinstance(event, dict)] if isinstance(self.events, list) else []
 
     def _events_in_window(self) -> list[dict[str, Any]]:
-        return [event for event in self._sound_events() if event.get("in_window") is True]
+        return [event for event in self._valid_events() if event.get("in_window") is True]
 
     @staticmethod
     def _sentences(events: list[dict[str, Any]]) -> list[str]:

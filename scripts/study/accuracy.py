@@ -46,7 +46,7 @@ def rows_of(directory):
     yield ["drive", study, *drive_of(directory / about["variants"][-1]["runs"][0]["folder"])]
     for variant in about["variants"]:
         row = table[variant["name"]]
-        entries = {"Model/Fidelity": fidelity(directory / variant["runs"][0]["folder"]), "Time/Step in us": "auto",
+        entries = {"Model/Fidelity": fidelity(directory / variant["runs"][0]["folder"]), "Time/Time step in us": "auto",
                    **variant.get("changes", {})}
         for column in (name.removesuffix(" error") for name in row if name.endswith(" error")):
             error, low, high = (float(row[f"{column} error{which}"] or "nan") for which in ("", " low", " high"))

@@ -55,35 +55,36 @@ void add_pressure(const Air                  &air,
   if (source.position.size() != source.grid.size ||
       source.acceleration.size() != source.grid.size || pressure.size() != grid.size)
     throw std::logic_error("add_pressure: fields and grids do not belong together");
-  // (n . a)/r and (n . a)/r2, by the time when they are heard
-  struct Heard
+  // (n . a)/r and (n . a)/r2, by the time when they are received
+  struct ReceivedSound
   {
     double time, far, near;
   };
-  std::vector<Heard> heard;
-  heard.reserve(source.grid.size);
+  std::vector<ReceivedSound> received;
+  received.reserve(source.grid.size);
   for (std::size_t i = 0; i < source.grid.size; ++i)
     {
       const dealii::Tensor<1, 3> arm  = observer - source.position[i];
       const double               r    = arm.norm();
       const double               far  = arm * source.acceleration[i] / (r * r);
       const double               time = source.grid.time(i) + r / air.speed;
-      if (!heard.empty() && !(time > heard.back().time))
+      if (!received.empty() && !(time > received.back().time))
         throw InputError("Acoustics/Speed of sound in m/s = " + to_text(air.speed, 4) +
                          ": a roller comes faster than that at " +
                          to_text(source.grid.time(i) * 1e3, 5) +
                          " ms, and sound is computed of slower ones.");
-      heard.push_back({time, far, far / r});
+      received.push_back({time, far, far / r});
     }
   const double factor = source.mass / (4. * dealii::numbers::PI);
-  auto         next   = heard.begin();
+  auto         next   = received.begin();
   for (std::size_t i = 0; i < grid.size; ++i)
     {
       const double time = grid.time(i);
-      next = std::find_if(next, heard.end(), [&](const Heard &h) { return h.time > time; });
-      if (next == heard.end())
+      next =
+          std::find_if(next, received.end(), [&](const ReceivedSound &h) { return h.time > time; });
+      if (next == received.end())
         break;
-      if (next == heard.begin())
+      if (next == received.begin())
         continue;
       // the rate of change in the middles between emissions, linear between these
       const auto   first  = next - 1;
@@ -93,13 +94,13 @@ void add_pressure(const Air                  &air,
       };
       double       change = rate(*first, *next);
       const double share  = (time - first->time) / (next->time - first->time);
-      if (time < middle && first != heard.begin())
+      if (time < middle && first != received.begin())
         {
           const auto   before = first - 1;
           const double from   = 0.5 * (before->time + first->time);
           change += (time - middle) / (middle - from) * (change - rate(*before, *first));
         }
-      else if (time > middle && next + 1 != heard.end())
+      else if (time > middle && next + 1 != received.end())
         {
           const auto   after = next + 1;
           const double to    = 0.5 * (next->time + after->time);

@@ -285,7 +285,7 @@ void check_samples(const Regular &regular, const std::string &name)
                      "Output/History interval in us of ten steps or more, or of whole steps.");
 }
 
-/// The times at which sound is heard: whole pitch periods, the last ones.
+/// The times at which sound is received: whole pitch periods, the last ones.
 Noise prepare(const Motion                &motion,
               const Site                  &site,
               const parameters::Acoustics &settings,
@@ -300,7 +300,7 @@ Noise prepare(const Motion                &motion,
   const double periods = std::floor((last - first) / site.pitch_time + 1e-6);
   if (!(periods >= 1.))
     throw InputError("'" + name + "': there is no whole pitch time of " +
-                     to_text(1e3 * site.pitch_time, 4) + " ms to be heard between " +
+                     to_text(1e3 * site.pitch_time, 4) + " ms to be received between " +
                      to_text(1e3 * first, 4) + " and " + to_text(1e3 * last, 4) +
                      " ms. Choose a longer window, or run longer.");
   if (highest < 1. / site.pitch_time)
@@ -319,22 +319,23 @@ Noise prepare(const Motion                &motion,
 }
 
 /// All that is said of a pressure.
-void judge(Heard &heard, const Noise &noise)
+void judge(ReceivedSound &received, const Noise &noise)
 {
   const auto levels = [](std::vector<double> squares) {
     std::transform(squares.begin(), squares.end(), squares.begin(), level);
     return squares;
   };
-  const auto magnitude = [](const double a, const double b) { return std::max(a, std::abs(b)); };
-  heard.spectrum       = make_spectrum(heard.pressure, noise.grid.step);
-  heard.level          = level(mean_square(heard.spectrum, noise.highest));
-  heard.level_a        = level(a_weighted_mean_square(heard.spectrum, noise.highest));
-  heard.third_octaves  = levels(in_bands(heard.spectrum, noise.bands));
-  heard.orders         = levels(order_lines(heard.spectrum, noise.periods, noise.highest));
-  const auto period    = static_cast<std::ptrdiff_t>(noise.grid.size / noise.periods);
-  for (auto begin = heard.pressure.begin(); begin != heard.pressure.end(); begin += period)
-    heard.engagement_peaks.push_back(std::accumulate(begin, begin + period, 0., magnitude));
-  heard.peak = *std::max_element(heard.engagement_peaks.begin(), heard.engagement_peaks.end());
+  const auto magnitude   = [](const double a, const double b) { return std::max(a, std::abs(b)); };
+  received.spectrum      = make_spectrum(received.pressure, noise.grid.step);
+  received.level         = level(mean_square(received.spectrum, noise.highest));
+  received.level_a       = level(a_weighted_mean_square(received.spectrum, noise.highest));
+  received.third_octaves = levels(in_bands(received.spectrum, noise.bands));
+  received.orders        = levels(order_lines(received.spectrum, noise.periods, noise.highest));
+  const auto period      = static_cast<std::ptrdiff_t>(noise.grid.size / noise.periods);
+  for (auto begin = received.pressure.begin(); begin != received.pressure.end(); begin += period)
+    received.engagement_peaks.push_back(std::accumulate(begin, begin + period, 0., magnitude));
+  received.peak =
+      *std::max_element(received.engagement_peaks.begin(), received.engagement_peaks.end());
 }
 } // namespace
 
@@ -351,10 +352,10 @@ std::vector<Observer> make_observers(const parameters::Acoustics &settings, cons
     return observers;
   observers.push_back({"microphone", at_angle(site, settings.radius, 0.5 * pi)});
   for (const double degrees : {22.5, 67.5, 112.5, 157.5})
-    for (const double station : {-0.5, 0., 0.5})
+    for (const double axial : {-0.5, 0., 0.5})
       {
         Vector3 position = at_angle(site, settings.radius, degrees * pi / 180.);
-        position[2] += station * settings.radius;
+        position[2] += axial * settings.radius;
         observers.push_back({"point " + std::to_string(observers.size()), position});
       }
   return observers;
@@ -395,12 +396,12 @@ double longest_delay(const parameters::Acoustics &settings, const Site &site)
   return (farthest + site.extent) / settings.speed_of_sound;
 }
 
-Noise listen(const Motion                &motion,
-             const Site                  &site,
-             const parameters::Acoustics &settings,
-             const double                 start,
-             const double                 end,
-             const std::string           &name)
+Noise compute_noise(const Motion                &motion,
+                    const Site                  &site,
+                    const parameters::Acoustics &settings,
+                    const double                 start,
+                    const double                 end,
+                    const std::string           &name)
 {
   check_site(settings, site);
   const std::vector<Observer> observers = make_observers(settings, site);
@@ -420,7 +421,7 @@ Noise listen(const Motion                &motion,
   if (const std::string sentence = missing_bands(noise.bands, of_silence, step); !sentence.empty())
     noise.notes.push_back(sentence);
   noise.angles = angles_of_directivity();
-  std::vector<Heard> arc, parts;
+  std::vector<ReceivedSound> arc, parts;
   for (const double angle : noise.angles)
     arc.push_back(
         {{"", at_angle(site, settings.radius, angle)}, silence, {}, 0., 0., 0., {}, {}, {}});
@@ -433,36 +434,37 @@ Noise listen(const Motion                &motion,
   const auto                       level_of = [&noise](const std::vector<double> &pressure) {
     return level(mean_square(make_spectrum(pressure, noise.grid.step), noise.highest));
   };
-  const auto hear = [&](const Source &source, const Vector3 &at, std::vector<double> &pressure) {
-    add_pressure(air, source, at, noise.grid, pressure);
-    if (settings.floor)
-      add_pressure(air, mirrored(source, *settings.floor), at, noise.grid, pressure);
-  };
+  const auto add_received_pressure =
+      [&](const Source &source, const Vector3 &at, std::vector<double> &pressure) {
+        add_pressure(air, source, at, noise.grid, pressure);
+        if (settings.floor)
+          add_pressure(air, mirrored(source, *settings.floor), at, noise.grid, pressure);
+      };
   for (std::size_t k = 0; k < motion.n_rollers(); ++k)
     {
       const Source source = sources.source(k);
-      for (Heard &heard : noise.observers)
+      for (ReceivedSound &received : noise.observers)
         {
-          check_distance(heard.observer, source, site);
+          check_distance(received.observer, source, site);
           std::vector<double> own = silence;
-          hear(source, heard.observer.position, own);
+          add_received_pressure(source, received.observer.position, own);
           for (std::size_t i = 0; i < own.size(); ++i)
-            heard.pressure[i] += own[i];
-          if (&heard == &noise.observers.front())
+            received.pressure[i] += own[i];
+          if (&received == &noise.observers.front())
             noise.rollers.push_back(level_of(own));
         }
-      for (Heard &heard : arc)
-        hear(source, heard.observer.position, heard.pressure);
+      for (ReceivedSound &received : arc)
+        add_received_pressure(source, received.observer.position, received.pressure);
       const std::vector<Source> own_parts = parts_of(source, site);
       for (std::size_t s = 0; s < own_parts.size(); ++s)
-        hear(own_parts[s], observers.front().position, of_sprocket[s]);
+        add_received_pressure(own_parts[s], observers.front().position, of_sprocket[s]);
     }
 
-  for (Heard &heard : noise.observers)
+  for (ReceivedSound &received : noise.observers)
     {
-      judge(heard, noise);
-      if (!std::isfinite(heard.level))
-        noise.notes.push_back("Nothing is heard at " + heard.observer.name +
+      judge(received, noise);
+      if (!std::isfinite(received.level))
+        noise.notes.push_back("Nothing is received at " + received.observer.name +
                               ": no roller is accelerated in the window. It has no level.");
     }
   std::vector<double> rest = noise.observers.front().pressure;
@@ -473,8 +475,8 @@ Noise listen(const Motion                &motion,
         rest[i] -= part[i];
     }
   noise.contributions.push_back(level_of(rest));
-  for (const Heard &heard : arc)
-    noise.directivity.push_back(level_of(heard.pressure));
+  for (const ReceivedSound &received : arc)
+    noise.directivity.push_back(level_of(received.pressure));
   return noise;
 }
 } // namespace chaindrive::acoustics

@@ -13,7 +13,7 @@ ElasticBodies::ElasticBodies(const scene::Scene &scene,
     : NodalGroup(group)
     , part_(*world.copies[group].part, world.copies[group].nodes, scene.material, scene.elements)
     , material_(scene.material)
-    , stable_step_(2. / part_.largest_frequency())
+    , critical_time_step_(2. / part_.largest_frequency())
     , kernels_(element::best_kernels())
 {
 }

@@ -33,7 +33,7 @@ ElasticRim::ElasticRim(const scene::Scene &scene, const World &world, const unsi
 void ElasticRim::drift(World &world, const Step & /*step*/)
 {
   const Rim &rim = world.rims[rim_];
-  rim.hold(world.copies[group_], world.frames[rim.body]);
+  rim.fix_to_hub(world.copies[group_], world.frames[rim.body]);
 }
 
 void ElasticRim::add_forces(World &world, const ForceTimer &timer)
@@ -57,7 +57,7 @@ void ElasticRim::add_forces(World &world, const ForceTimer &timer)
       for (const unsigned int node : rim.border)
         {
           const std::size_t at = copies.index(s, node);
-          world.add_force(rim.body, force.take(at), position[at]);
+          world.add_force(rim.body, force.extract(at), position[at]);
         }
   rim.even_out_forces(copies);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/bodies/elastic_rim.h>
-#include <chaindrive/bodies/followers.h>
 #include <chaindrive/bodies/hubs.h>
 #include <chaindrive/bodies/make_world.h>
 #include <chaindrive/bodies/partition.h>
 #include <chaindrive/bodies/reduced_bodies.h>
 #include <chaindrive/bodies/rigid_bodies.h>
+#include <chaindrive/bodies/rigid_surface_nodes.h>
 #include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/ranks.h>
@@ -22,8 +22,8 @@ namespace chaindrive
 namespace
 {
 /// The @p bodies in such an order that the copies of a batch are neighbours along the chain: they
-/// touch others at about the same nodes. Neighbours are dealt out to @p n_in_turn batches in turn:
-/// two of rollers then belong to one of links, with the first and with the second bush.
+/// touch others at about the same nodes. Neighbours are distributed over @p n_in_turn batches in
+/// turn: two of rollers then belong to one of links, with the first and with the second bush.
 std::vector<unsigned int> neighbours_in_batches(const std::vector<unsigned int> &bodies,
                                                 const unsigned int               n_in_turn)
 {
@@ -89,12 +89,12 @@ void add_rim(const scene::Scene              &scene,
       std::make_unique<ElasticRim>(scene, world, static_cast<unsigned int>(world.rims.size()) - 1));
 }
 
-void add_elastic_bodies(const scene::Scene &scene, const Deals &deals, World &world)
+void add_elastic_bodies(const scene::Scene &scene, const Partition &partitioned, World &world)
 {
   constexpr scene::Motion elastic = scene::Motion::elastic;
   for (const auto &[of, bodies] : bodies_that_move(scene, elastic))
     {
-      const std::vector<unsigned int> &first_batch = deals.at({elastic, of});
+      const std::vector<unsigned int> &first_batch = partitioned.at({elastic, of});
       if (scene.sectors.count(of) != 0)
         {
           add_rim(scene, bodies.front(), first_batch, world);
@@ -107,7 +107,7 @@ void add_elastic_bodies(const scene::Scene &scene, const Deals &deals, World &wo
     }
 }
 
-void add_reduced_bodies(const scene::Scene &scene, const Deals &deals, World &world)
+void add_reduced_bodies(const scene::Scene &scene, const Partition &partitioned, World &world)
 {
   constexpr scene::Motion reduced = scene::Motion::reduced;
   for (const auto &[of, bodies] : bodies_that_move(scene, reduced))
@@ -116,7 +116,7 @@ void add_reduced_bodies(const scene::Scene &scene, const Deals &deals, World &wo
           add_copies(scene,
                      of,
                      neighbours_in_batches(bodies, of.kind == scene::Kind::roller ? 2 : 1),
-                     deals.at({reduced, of}),
+                     partitioned.at({reduced, of}),
                      world);
       world.copies.back().count_readers();
       world.groups.add(std::make_unique<ReducedBodies>(scene, world, group));
@@ -139,7 +139,7 @@ rigid_sides(const scene::Scene &scene)
 }
 
 /// Makes copies of the meshes of rigid bodies whose nodes touch. The first rank owns them.
-void add_followers(const scene::Scene &scene, World &world)
+void add_rigid_surface_nodes(const scene::Scene &scene, World &world)
 {
   for (const auto &[of, of_bodies] : rigid_sides(scene))
     {
@@ -156,16 +156,16 @@ void add_followers(const scene::Scene &scene, World &world)
       world.copies.emplace_back(
           scene.parts.at(of), bodies, scene.bodies, first_batch, world.communicator());
 
-      const BodyBatches           &copies = world.copies.back();
-      std::vector<Followers::Side> followers;
+      const BodyBatches                   &copies = world.copies.back();
+      std::vector<RigidSurfaceNodes::Side> rigid_surface_nodes;
       for (const auto &[body, surfaces] : of_bodies)
         for (const unsigned int surface : surfaces)
-          followers.push_back(
+          rigid_surface_nodes.push_back(
               {body,
                world.node_address[body].copy,
                mesh::SurfaceNodes(*copies.part, copies.nodes, static_cast<mesh::Surface>(surface))
                    .node});
-      world.groups.add(std::make_unique<Followers>(group, std::move(followers)));
+      world.groups.add(std::make_unique<RigidSurfaceNodes>(group, std::move(rigid_surface_nodes)));
     }
 }
 } // namespace
@@ -175,11 +175,11 @@ World make_world(const scene::Scene &scene, const MPI_Comm comm)
   World world(scene, comm);
   world.groups.add(std::make_unique<RigidBodies>());
   world.groups.add(std::make_unique<Hubs>());
-  const Deals deals = partition(scene, n_ranks_in(comm));
-  add_elastic_bodies(scene, deals, world);
-  add_reduced_bodies(scene, deals, world);
+  const Partition partitioned = partition(scene, n_ranks_in(comm));
+  add_elastic_bodies(scene, partitioned, world);
+  add_reduced_bodies(scene, partitioned, world);
   world.node_address = world.elastic_address;
-  add_followers(scene, world);
+  add_rigid_surface_nodes(scene, world);
   return world;
 }
 } // namespace chaindrive

@@ -4,7 +4,7 @@
 namespace chaindrive
 {
 Mobility::Mobility(const World &world)
-    : world_(world), turning_(world.n_bodies()), pivot_(world.n_bodies())
+    : world_(world), inverse_inertia_(world.n_bodies()), pivot_(world.n_bodies())
 {
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     pivot_[b] = world.frames[b].position;
@@ -14,15 +14,15 @@ Mobility::Mobility(const World &world)
       dealii::Tensor<2, 3>        diagonal;
       for (unsigned int d = 0; d < 3; ++d)
         diagonal[d][d] = 1. / rotation.inertia[d];
-      turning_[rotation.body] = r * diagonal * dealii::transpose(r);
+      inverse_inertia_[rotation.body] = r * diagonal * dealii::transpose(r);
     }
   for (const World::Spin &spin : world.spins)
-    turning_[spin.body][2][2] = 1. / spin.inertia;
+    inverse_inertia_[spin.body][2][2] = 1. / spin.inertia;
   for (const World::Hub &hub : world.hubs)
     {
       pivot_[hub.body] = world.pivot_of(hub);
       if (!hub.prescribed)
-        turning_[hub.body] = 1. / hub.inertia * outer_product(hub.axis, hub.axis);
+        inverse_inertia_[hub.body] = 1. / hub.inertia * outer_product(hub.axis, hub.axis);
     }
 }
 
@@ -37,7 +37,7 @@ dealii::Tensor<2, 3> Mobility::of_point(const unsigned int          body,
   cross[2][1]                 = -arm[0];
   cross[2][0]                 = arm[1];
   cross[0][2]                 = -arm[1];
-  dealii::Tensor<2, 3> result = cross * turning_[body] * dealii::transpose(cross);
+  dealii::Tensor<2, 3> result = cross * inverse_inertia_[body] * dealii::transpose(cross);
   for (unsigned int d = 0; d < 3; ++d)
     result[d][d] += world_.inverse_mass[body];
   return result;

@@ -10,8 +10,8 @@ namespace chaindrive
 {
 namespace
 {
-/// Batches of one group of copies, to be dealt out to the ranks.
-struct Deal
+/// Batches of one group of copies, to be distributed over the ranks.
+struct PartitionGroup
 {
   unsigned int n_batches;
   double       cost;  ///< of each
@@ -22,19 +22,19 @@ struct Deal
 /// beside 16 ns (doc/performance.md).
 constexpr double elements_per_joint = 170.;
 
-/// What the nodes of sides that touch cost a reduced body per shape, in elements.
-constexpr double elements_per_shape = 2.;
+/// What the nodes of sides that touch cost a reduced body per mode, in elements.
+constexpr double elements_per_mode = 2.;
 
-/// Deals the batches of each group out to @p n_ranks ranks in turn: equal shares, and what does not
-/// go up to those that have least so far, the last of them, since the first rank has results to
+/// Distributes the batches of each group over @p n_ranks ranks in turn: equal shares, and what does
+/// not go up to those that have least so far, the last of them, since the first rank has results to
 /// take care of. Batches that may be apart even out the load. Returns per group the first batch of
 /// each rank, and the number of batches.
-std::vector<std::vector<unsigned int>> deal(const std::vector<Deal> &groups,
-                                            const unsigned int       n_ranks)
+std::vector<std::vector<unsigned int>> distribute(const std::vector<PartitionGroup> &groups,
+                                                  const unsigned int                 n_ranks)
 {
   std::vector<double>                    load(n_ranks, 0.);
   std::vector<std::vector<unsigned int>> result;
-  for (const Deal &group : groups)
+  for (const PartitionGroup &group : groups)
     {
       const unsigned int        share = group.apart ? 0 : group.n_batches / n_ranks;
       std::vector<unsigned int> count(n_ranks, share);
@@ -55,9 +55,9 @@ std::vector<std::vector<unsigned int>> deal(const std::vector<Deal> &groups,
 }
 } // namespace
 
-Deals partition(const scene::Scene &scene, const unsigned int n_ranks)
+Partition partition(const scene::Scene &scene, const unsigned int n_ranks)
 {
-  using Kind = Deals::key_type;
+  using Kind = Partition::key_type;
   std::map<Kind, unsigned int> n_bodies;
   for (const scene::Body &body : scene.bodies)
     if (deforms(body.motion))
@@ -69,7 +69,7 @@ Deals partition(const scene::Scene &scene, const unsigned int n_ranks)
           bores.elastic && deforms(master.motion))
         ++n_joints[{master.motion, master.part()}];
 
-  std::vector<Deal> deals;
+  std::vector<PartitionGroup> groups_of_batches;
   for (const auto &[kind, n] : n_bodies)
     {
       const auto &[motion, of] = kind;
@@ -77,16 +77,17 @@ Deals partition(const scene::Scene &scene, const unsigned int n_ranks)
       const bool   is_rim      = motion == scene::Motion::elastic && sector != scene.sectors.end();
       const auto  &part        = is_rim ? *sector->second->part : *scene.parts.at(of);
       const double alone       = motion == scene::Motion::reduced ?
-                                     elements_per_shape * scene.bases.at(of)->size() :
+                                     elements_per_mode * scene.bases.at(of)->size() :
                                      part.mesh->n_active_cells();
-      deals.push_back({BodyBatches::n_batches_of(is_rim ? sector->second->n_sectors : n),
-                       alone + elements_per_joint * n_joints[kind] / double(n),
-                       is_rim});
+      groups_of_batches.push_back(
+          {BodyBatches::n_batches_of(is_rim ? sector->second->n_sectors : n),
+           alone + elements_per_joint * n_joints[kind] / double(n),
+           is_rim});
     }
-  const auto first_batches = deal(deals, n_ranks);
+  const auto first_batches = distribute(groups_of_batches, n_ranks);
 
-  Deals result;
-  auto  first_batch = first_batches.begin();
+  Partition result;
+  auto      first_batch = first_batches.begin();
   for (const auto &entry : n_bodies)
     result[entry.first] = *first_batch++;
   return result;

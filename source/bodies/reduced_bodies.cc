@@ -126,7 +126,7 @@ void ReducedBodies::take_basis(const mesh::Nodes       &nodes,
         n_touching_ += touching ? 1 : 0;
         for (const unsigned int m : modes)
           for (unsigned int d = 0; d < 3; ++d)
-            shape_.push_back(basis.shape[m][3 * node + d]);
+            mode_shape_.push_back(basis.modes[m][3 * node + d]);
       }
   node_.assign(n_touching_ * n_images, ModalNodes::none);
   for (unsigned int node = 0; node < nodes.size(); ++node)
@@ -156,7 +156,7 @@ double &ReducedBodies::rate(const World &world, const unsigned int copy, const u
 void ReducedBodies::take_frames(const World &world, const unsigned int batch)
 {
   const BodyBatches &copies = world.copies[group_];
-  const auto         put    = [this](const unsigned int entry, const unsigned int lane, double x) {
+  const auto set_entry      = [this](const unsigned int entry, const unsigned int lane, double x) {
     rigid_[entry * n_lanes + lane] = x;
   };
   for (unsigned int lane = 0; lane < n_lanes; ++lane)
@@ -167,10 +167,10 @@ void ReducedBodies::take_frames(const World &world, const unsigned int batch)
       for (unsigned int i = 0; i < 3; ++i)
         {
           for (unsigned int j = 0; j < 3; ++j)
-            put(rigid_rotation + 3 * i + j, lane, frame.rotation[i][j]);
-          put(rigid_position + i, lane, frame.position[i]);
-          put(rigid_velocity + i, lane, empty ? 0. : frame.velocity[i]);
-          put(rigid_turning + i, lane, empty ? 0. : frame.angular_velocity[i]);
+            set_entry(rigid_rotation + 3 * i + j, lane, frame.rotation[i][j]);
+          set_entry(rigid_position + i, lane, frame.position[i]);
+          set_entry(rigid_velocity + i, lane, empty ? 0. : frame.velocity[i]);
+          set_entry(rigid_angular_velocity + i, lane, empty ? 0. : frame.angular_velocity[i]);
         }
     }
 }
@@ -186,7 +186,7 @@ ModalNodes ReducedBodies::modal_nodes(const std::vector<unsigned int> &orbits,
           n_modes(),
           first_mode_.data(),
           reference_.data(),
-          shape_.data(),
+          mode_shape_.data(),
           rigid_.data()};
 }
 
@@ -268,8 +268,8 @@ void ReducedBodies::place_surface(World &world, const double earlier)
       ReadNodes        &nodes = read_[batch];
       const std::size_t first = batch * per_batch();
       const double     *rate  = rate_.data() + first;
-      const auto        place = [&](const std::vector<unsigned int> &some, const double *speeds) {
-        kernels_.place({modal_nodes(some, nodes),
+      const auto        place = [&](const std::vector<unsigned int> &ids, const double *speeds) {
+        kernels_.place({modal_nodes(ids, nodes),
                         amplitude_.data() + first,
                         speeds,
                         earlier,
@@ -378,30 +378,30 @@ void ReducedBodies::use_forces(World &world, const Step &step)
         rate_[i] += 0.5 * step.dt * acceleration_[i];
 }
 
-dealii::Tensor<1, 3> ReducedBodies::shape_at(const unsigned int node, const unsigned int m) const
+dealii::Tensor<1, 3> ReducedBodies::mode_at(const unsigned int node, const unsigned int m) const
 {
-  const double        *at = shape_.data() + 3 * (std::size_t(orbit_[node]) * n_modes() + m);
-  dealii::Tensor<1, 3> shape;
+  const double        *at = mode_shape_.data() + 3 * (std::size_t(orbit_[node]) * n_modes() + m);
+  dealii::Tensor<1, 3> phi;
   for (unsigned int d = 0; d < 3; ++d)
-    shape[d] = symmetry_.sign(image_[node], class_[m], d) * at[d];
-  return shape;
+    phi[d] = symmetry_.sign(image_[node], class_[m], d) * at[d];
+  return phi;
 }
 
-dealii::Tensor<1, 3> ReducedBodies::sum_of_shapes(const World       &world,
-                                                  const Numbers     &numbers,
-                                                  const unsigned int copy,
-                                                  const unsigned int node) const
+dealii::Tensor<1, 3> ReducedBodies::sum_of_modes(const World       &world,
+                                                 const Numbers     &numbers,
+                                                 const unsigned int copy,
+                                                 const unsigned int node) const
 {
   const BodyBatches   &copies  = world.copies[group_];
   const double        *of_copy = numbers.data() + place_of(copies, copy, 0);
-  const double        *shape   = shape_.data() + 3 * std::size_t(orbit_[node]) * n_modes();
+  const double        *phi     = mode_shape_.data() + 3 * std::size_t(orbit_[node]) * n_modes();
   dealii::Tensor<1, 3> sum;
   for (unsigned int c = 0; c < symmetry_.n_classes(); ++c)
     {
       dealii::Tensor<1, 3> of_class;
       for (unsigned int m = first_mode_[c]; m < first_mode_[c + 1]; ++m)
         for (unsigned int d = 0; d < 3; ++d)
-          of_class[d] += shape[3 * m + d] * of_copy[m * n_lanes];
+          of_class[d] += phi[3 * m + d] * of_copy[m * n_lanes];
       for (unsigned int d = 0; d < 3; ++d)
         sum[d] += symmetry_.sign(image_[node], c, d) * of_class[d];
     }
@@ -415,7 +415,7 @@ dealii::Tensor<1, 3> ReducedBodies::position_now(const World       &world,
   const BodyBatches &copies = world.copies[group_];
   const Frame       &frame  = world.frames[copies.bodies[copy]];
   return frame.position + frame.rotation * (dealii::Tensor<1, 3>(copies.nodes.position[node]) +
-                                            sum_of_shapes(world, amplitude_, copy, node));
+                                            sum_of_modes(world, amplitude_, copy, node));
 }
 
 dealii::Tensor<1, 3> ReducedBodies::velocity_now(const World       &world,
@@ -424,7 +424,7 @@ dealii::Tensor<1, 3> ReducedBodies::velocity_now(const World       &world,
 {
   const unsigned int body = world.copies[group_].bodies[copy];
   return world.velocity_at(body, position_now(world, copy, node), 0.) +
-         world.frames[body].rotation * sum_of_shapes(world, rate_, copy, node);
+         world.frames[body].rotation * sum_of_modes(world, rate_, copy, node);
 }
 
 void ReducedBodies::nodes_now(const World                       &world,
@@ -436,10 +436,10 @@ void ReducedBodies::nodes_now(const World                       &world,
   const unsigned int n_nodes = copies.n_nodes(), n_classes = symmetry_.n_classes();
   const std::size_t  first = place_of(copies, copy, 0);
 
-  // displacement and velocity in body axes by the shapes of each class: images of a node have the
+  // displacement and velocity in body axes by the modes of each class: images of a node have the
   // same but for signs
   constexpr unsigned int n_numbers = 6;
-  const std::size_t      n_orbits  = shape_.size() / (3 * std::size_t(n_modes()));
+  const std::size_t      n_orbits  = mode_shape_.size() / (3 * std::size_t(n_modes()));
   std::vector<double>    sums(n_orbits * n_classes * n_numbers, 0.);
   for (std::size_t orbit = 0; orbit < n_orbits; ++orbit)
     for (unsigned int c = 0; c < n_classes; ++c)
@@ -447,13 +447,13 @@ void ReducedBodies::nodes_now(const World                       &world,
         double *sum = sums.data() + (orbit * n_classes + c) * n_numbers;
         for (unsigned int m = first_mode_[c]; m < first_mode_[c + 1]; ++m)
           {
-            const double *shape = shape_.data() + 3 * (orbit * n_modes() + m);
-            const double  q     = amplitude_[first + std::size_t(m) * n_lanes],
-                         rate   = rate_[first + std::size_t(m) * n_lanes];
+            const double *phi = mode_shape_.data() + 3 * (orbit * n_modes() + m);
+            const double  q   = amplitude_[first + std::size_t(m) * n_lanes],
+                         rate = rate_[first + std::size_t(m) * n_lanes];
             for (unsigned int d = 0; d < 3; ++d)
               {
-                sum[d] += shape[d] * q;
-                sum[3 + d] += shape[d] * rate;
+                sum[d] += phi[d] * q;
+                sum[3 + d] += phi[d] * rate;
               }
           }
       }
@@ -481,7 +481,7 @@ void ReducedBodies::nodes_now(const World                       &world,
     }
 }
 
-double ReducedBodies::shape_energy(const World &world) const
+double ReducedBodies::modal_energy(const World &world) const
 {
   const BodyBatches &copies = world.copies[group_];
   const double      *first  = rate_.data() + copies.first_owned_batch() * per_batch(),
@@ -495,19 +495,19 @@ void ReducedBodies::rest()
   std::fill(acceleration_.begin(), acceleration_.end(), 0.);
 }
 
-void ReducedBodies::slow_shapes(const World &world, const unsigned int copy, const double factor)
+void ReducedBodies::slow_modes(const World &world, const unsigned int copy, const double factor)
 {
   for (unsigned int m = 0; m < n_modes(); ++m)
     rate(world, copy, m) *= factor;
 }
 
-double ReducedBodies::stable_step() const
+double ReducedBodies::critical_time_step() const
 {
   return 2. / std::sqrt(*std::max_element(square_.begin(), square_.end()));
 }
 
 dealii::FullMatrix<double>
-ReducedBodies::matrix_of_shapes(const std::vector<dealii::SymmetricTensor<2, 3>> &springs) const
+ReducedBodies::modal_matrix(const std::vector<dealii::SymmetricTensor<2, 3>> &springs) const
 {
   const unsigned int n = n_modes(), n_all = n + static_cast<unsigned int>(rigid_motions_.size());
   dealii::FullMatrix<double> matrix(n_all, n_all);
@@ -533,7 +533,7 @@ std::vector<dealii::Tensor<1, 3>> ReducedBodies::motions_of(const unsigned int n
   const unsigned int                n = n_modes();
   std::vector<dealii::Tensor<1, 3>> moved(n + rigid_motions_.size());
   for (unsigned int m = 0; m < n; ++m)
-    moved[m] = shape_at(node, m);
+    moved[m] = mode_at(node, m);
   for (unsigned int m = n; m < moved.size(); ++m)
     for (unsigned int d = 0; d < 3; ++d)
       moved[m][d] = rigid_motions_[m - n][3 * node + d];
@@ -590,7 +590,7 @@ void ReducedBodies::serialize(const Archive &archive, World &world)
 
 std::size_t ReducedBodies::memory_consumption() const
 {
-  return (shape_.size() + reference_.size() + 4 * amplitude_.size() + in_body_.size()) *
+  return (mode_shape_.size() + reference_.size() + 4 * amplitude_.size() + in_body_.size()) *
              sizeof(double) +
          rigid_motions_.size() * reference_.size() * sizeof(double) +
          ((1 + read_.size()) * (n_touching_ + node_.size()) +

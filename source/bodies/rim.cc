@@ -81,7 +81,7 @@ void Rim::even_out_forces(BodyBatches &copies) const
     }
 }
 
-void Rim::hold(BodyBatches &copies, const Frame &frame) const
+void Rim::fix_to_hub(BodyBatches &copies, const Frame &frame) const
 {
   for (unsigned int s = 0; s < sector->n_sectors; ++s)
     {

@@ -164,14 +164,14 @@ void World::clear_resultants()
 
 void World::sum_over_ranks(const std::initializer_list<Summands> others)
 {
-  if (n_ranks_ == 1 && !symmetry.is_half())
+  if (n_ranks_ == 1 && !symmetry.is_active())
     return;
   std::vector<double> booked; // since clear_resultants()
   for (double Ledger::*term : Ledger::added)
     booked.push_back(ledger.*term - before_.*term);
 
   // Visits all numbers to be summed, so many at a time, and with which share they count; frames of
-  // bodies that move by nodes have one share only, their owner's.
+  // nodal bodies have one share only, their owner's.
   const double whole = symmetry.multiplicity();
   const auto   visit = [&](const auto &numbers) {
     for (Rim &rim : rims)
@@ -185,7 +185,7 @@ void World::sum_over_ranks(const std::initializer_list<Summands> others)
       numbers(other.numbers.data(), other.numbers.size(), other.of_bodies ? whole : 1.);
     numbers(booked.data(), booked.size(), whole);
     for (unsigned int body = 0; body < n_bodies(); ++body)
-      if (moves_by_nodes(body))
+      if (is_nodal(body))
         for (dealii::Tensor<1, 3> *vector : {&frames[body].position, &frames[body].velocity})
           numbers(vector->begin_raw(), 3, owns(body) ? 1. : 0.);
   };
@@ -219,7 +219,7 @@ void World::sum_over_ranks(const std::initializer_list<Summands> others)
     }
 
   for (unsigned int body = 0; body < n_bodies(); ++body)
-    if (moves_by_nodes(body))
+    if (is_nodal(body))
       for (unsigned int d = 0; d < 3; ++d)
         {
           displacement.local_element(3 * body + d) = frames[body].position[d] - origin[body][d];

@@ -157,7 +157,7 @@ ClosedSide ArcFlanks::closed_side(const World              &world,
         // a node between two sectors has half of its mass and of its springs in each
         const double half = c == 0 || c + 1 == n_columns ? 0.5 : 1.;
         const double k    = half * stiffness * carried_area(share, slave);
-        side.hold(node(c, layer), k, flanks.nodes.mass[node(c, layer)]);
+        side.add_spring(node(c, layer), k, flanks.nodes.mass[node(c, layer)]);
       }
   return side;
 }

@@ -15,25 +15,23 @@ std::vector<ClosedSpring> closed_springs(const mesh::CylinderGrid        &bore,
                                          const std::vector<unsigned int> &of_vertex,
                                          const double                     stiffness)
 {
-  const unsigned int        n = bore.n_columns(), last = cylinder.n_stations() - 1;
+  const unsigned int        n = bore.n_circumferential(), last = cylinder.n_rings() - 1;
   const double              width = 2. * dealii::numbers::PI / n;
   std::vector<ClosedSpring> springs;
   for (unsigned int s = 0; s <= last; ++s)
     {
-      const double z = cylinder.stations[s];
+      const double z = cylinder.rings[s];
       const double fade =
           (s == 0 || s == last ? 0.5 : 0.25) *
-          (cylinder.stations[std::min(s + 1, last)] - cylinder.stations[s == 0 ? 0 : s - 1]);
+          (cylinder.rings[std::min(s + 1, last)] - cylinder.rings[s == 0 ? 0 : s - 1]);
       const double cover = std::clamp(bore.depth(z) / fade, 0., 1.);
       if (cover == 0.)
         continue;
-      const auto   above = std::upper_bound(bore.stations.begin() + 1, bore.stations.end() - 1, z);
-      const auto   upper = static_cast<unsigned int>(above - bore.stations.begin());
-      const double along = std::clamp((z - bore.stations[upper - 1]) /
-                                          (bore.stations[upper] - bore.stations[upper - 1]),
-                                      0.,
-                                      1.);
-      for (unsigned int c = 0; c < cylinder.n_columns(); ++c)
+      const auto   above = std::upper_bound(bore.rings.begin() + 1, bore.rings.end() - 1, z);
+      const auto   upper = static_cast<unsigned int>(above - bore.rings.begin());
+      const double along = std::clamp(
+          (z - bore.rings[upper - 1]) / (bore.rings[upper] - bore.rings[upper - 1]), 0., 1.);
+      for (unsigned int c = 0; c < cylinder.n_circumferential(); ++c)
         {
           // between which two columns of the bore, and where between them
           const double place = (cylinder.angles[c] - bore.angles[0]) / width,

@@ -89,14 +89,14 @@ bool Contacts::search_if_due(const World &world, const double dt)
 void Contacts::add_forces(World &world, const double dt)
 {
   const bool searched = needs_search_ && search_if_due(world, dt);
-  near_flanks_.look(world, searched, dt);
+  near_flanks_.update(world, searched, dt);
   for (const auto &family : families_)
     family->announce(world, dt);
   world.place_surfaces(0.5 * dt);
   world.node_exchange.fetch(world.copies);
   std::fill(lost_now_.begin(), lost_now_.end(), 0.);
   for (std::size_t i = 0; i < families_.size(); ++i)
-    if (families_[i]->is_dealt_out() || world.is_first_rank())
+    if (families_[i]->is_distributed() || world.is_first_rank())
       {
         const double friction = world.ledger.friction, damping = world.ledger.contact_damping;
         families_[i]->add_forces(world, dt);
@@ -183,7 +183,7 @@ void Contacts::add_springs(const World &world, std::vector<Spring> &springs) con
     family->add_springs(world, springs);
 }
 
-void Contacts::refuse_overlap(World &world, const double prestress)
+void Contacts::refuse_penetration(World &world, const double prestress)
 {
   constexpr double tolerance = 1e-9;
   const Ledger     ledger    = world.ledger; // no work is done: bodies have been placed
@@ -197,7 +197,7 @@ void Contacts::refuse_overlap(World &world, const double prestress)
       {
         // a dashpot presses as well where surfaces meet at speed: of points the spring alone
         const double force =
-            family->is_dealt_out() ? record.force.norm() : -record.gap * family->law().stiffness;
+            family->is_distributed() ? record.force.norm() : -record.gap * family->law().stiffness;
         if (record.gap < -tolerance && force > 1.01 * prestress &&
             (worst == nullptr || record.gap < worst->gap))
           {

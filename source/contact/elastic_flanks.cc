@@ -139,13 +139,13 @@ std::set<unsigned int> ElasticFlanks::gaps_near(const World                &worl
 
 TributaryArea largest_share(const mesh::SurfaceNodes &side, const BodyBatches &copies)
 {
-  std::vector<double> stations;
+  std::vector<double> rings;
   for (const unsigned int n : side.node)
-    stations.push_back(copies.nodes.position[n][2]);
-  std::sort(stations.begin(), stations.end());
+    rings.push_back(copies.nodes.position[n][2]);
+  std::sort(rings.begin(), rings.end());
   TributaryArea share;
-  for (unsigned int i = 1; i < stations.size(); ++i)
-    share.along = std::max(share.along, stations[i] - stations[i - 1]);
+  for (unsigned int i = 1; i < rings.size(); ++i)
+    share.along = std::max(share.along, rings[i] - rings[i - 1]);
   const double area = *std::max_element(side.area.begin(), side.area.end());
   share.across      = share.along > 0. ? area / share.along : std::sqrt(area);
   return share;

@@ -69,10 +69,10 @@ dealii::Tensor<1, 3> FaceSurface::slip_velocity(const World                &worl
                                                 const dealii::Tensor<1, 3> &relative) const
 {
   const NodeView       velocity(world.copies[group_].velocity);
-  dealii::Tensor<1, 3> turning;
+  dealii::Tensor<1, 3> tilt_rate;
   for (unsigned int a = 0; a < 4; ++a)
-    turning += (touch.normal * velocity[projection.nodes[a]]) * projection.gradients[a];
-  return relative + touch.gap * turning;
+    tilt_rate += (touch.normal * velocity[projection.nodes[a]]) * projection.gradients[a];
+  return relative + touch.gap * tilt_rate;
 }
 
 void FaceSurface::add_opposite(World &world,

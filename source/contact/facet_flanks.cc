@@ -89,7 +89,7 @@ ClosedSide FacetFlanks::closed_side(const World              &world,
       const auto &[low, high] = reach[node];
       const TributaryArea share(nodes.area[i], flanks.nodes.position[node][2], low, high);
       const double        k = stiffness * carried_area(share, slave);
-      side.hold(node, k, flanks.nodes.mass[node]);
+      side.add_spring(node, k, flanks.nodes.mass[node]);
     }
   return side;
 }

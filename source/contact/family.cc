@@ -52,7 +52,7 @@ void Family::unpack_records(const unsigned int         rank,
 void Family::serialize(const Archive &archive, const unsigned int rank)
 {
   archive.numbers("records", records_);
-  if (!is_dealt_out())
+  if (!is_distributed())
     archive.numbers("states", states_);
   for (unsigned int i = 0; i < owner_.size(); ++i)
     if (owner_[i] == rank)

@@ -18,43 +18,43 @@ JointTables::JointTables(const mesh::CylinderGrid &master, const mesh::CylinderG
     throw InputError(
         "The vertices of bores, and of bushes and pins inside them, must be equally far apart.");
 
-  shape_.half            = master.half;
-  shape_.master_columns  = master.n_columns();
-  shape_.master_stations = master.n_stations();
-  shape_.slave_columns   = slave.n_columns();
-  shape_.slave_stations  = slave.n_stations();
+  grid_.half                   = master.half;
+  grid_.master_circumferential = master.n_circumferential();
+  grid_.master_rings           = master.n_rings();
+  grid_.slave_circumferential  = slave.n_circumferential();
+  grid_.slave_rings            = slave.n_rings();
 
   // a chord of n columns is 2 R sin(pi / n) long, see packed_geometry.h
-  const double sine    = std::sin(dealii::numbers::PI / master.n_columns());
-  shape_.master_radius = master.radius;
-  shape_.chord_factor  = 4. * sine * sine;
+  const double sine   = std::sin(dealii::numbers::PI / master.n_circumferential());
+  grid_.master_radius = master.radius;
+  grid_.chord_factor  = 4. * sine * sine;
 
   // Six or a few more columns tell the axis. Where exactly it is does not matter much: gap and
   // direction are measured on both sides from the same line.
-  unsigned int n_axis = std::min(6u, shape_.master_columns);
-  while (shape_.master_columns % n_axis != 0)
+  unsigned int n_axis = std::min(6u, grid_.master_circumferential);
+  while (grid_.master_circumferential % n_axis != 0)
     ++n_axis;
-  shape_.axis_stride = shape_.master_columns / n_axis;
+  grid_.axis_stride = grid_.master_circumferential / n_axis;
 
   // A node stands for half of the way to its neighbours along the axis: at an end for one half,
   // h/2, elsewhere for two. cover is one over half of that length: the force fades over it, see
   // covered().
-  for (unsigned int s = 0; s < slave.n_stations(); ++s)
+  for (unsigned int s = 0; s < slave.n_rings(); ++s)
     {
       area_.push_back(slave.area(s, 0));
-      const double from = slave.stations[s == 0 ? 0 : s - 1],
-                   to   = slave.stations[std::min(s + 1, slave.n_stations() - 1)];
-      const double half = s == 0 || s + 1 == slave.n_stations() ? 0.5 : 0.25;
+      const double from = slave.rings[s == 0 ? 0 : s - 1],
+                   to   = slave.rings[std::min(s + 1, slave.n_rings() - 1)];
+      const double half = s == 0 || s + 1 == slave.n_rings() ? 0.5 : 0.25;
       cover_.push_back(1. / (half * (to - from)));
     }
 }
 
-JointShape JointTables::shape() const
+JointGrid JointTables::grid() const
 {
-  JointShape shape = shape_;
-  shape.area       = area_.data();
-  shape.cover      = cover_.data();
-  return shape;
+  JointGrid grid = grid_;
+  grid.area      = area_.data();
+  grid.cover     = cover_.data();
+  return grid;
 }
 
 std::vector<unsigned int> node_offsets(const mesh::CylinderGrid        &grid,
@@ -77,13 +77,13 @@ std::vector<unsigned int> node_offsets(const mesh::CylinderGrid        &grid,
 JointBatch::JointBatch(const JointTables       &tables,
                        const scene::ContactLaw &law,
                        const JointKernels      &kernels)
-    : tables_(tables), kernels_(kernels), shape_(tables.shape()), arguments_{}, window_{}, sums_{}
+    : tables_(tables), kernels_(kernels), grid_(tables.grid()), arguments_{}, window_{}, sums_{}
 {
   state_.resize(std::size_t(tables.n_slave_nodes()) * n_touch_entries * n_lanes, 0.);
   gap_.resize(tables.n_slave_nodes() * n_lanes, 0.);
   covered_.resize(tables.n_slave_nodes() * n_lanes, 0.);
-  station_.assign(shape_.slave_stations * n_lanes, 0);
-  cell_.assign(shape_.slave_columns * n_lanes, 0);
+  ring_.assign(grid_.slave_rings * n_lanes, 0);
+  cell_.assign(grid_.slave_circumferential * n_lanes, 0);
   searched_cell_ = cell_;
   arguments_.law = law;
 }
@@ -104,12 +104,12 @@ void JointBatch::set_joint(const int lane, const JointBody &master, const JointB
 
 void JointBatch::connect()
 {
-  arguments_.shape   = &shape_;
-  arguments_.state   = state_.data();
-  arguments_.station = station_.data();
-  arguments_.cell    = cell_.data();
-  arguments_.window  = &window_;
-  arguments_.sums    = &sums_;
+  arguments_.grid   = &grid_;
+  arguments_.state  = state_.data();
+  arguments_.ring   = ring_.data();
+  arguments_.cell   = cell_.data();
+  arguments_.window = &window_;
+  arguments_.sums   = &sums_;
 }
 
 const dealii::AlignedVector<double> &JointBatch::measure_gaps()
@@ -143,27 +143,27 @@ unsigned int JointBatch::search(const double reach, const double unforeseen)
 unsigned int JointBatch::search_lane(const int lane, const double reach)
 {
   // A window is one run of columns, round and round.
-  // Columns are near where any of their nodes, in any station, overlaps, is closer than the reach,
+  // Columns are near where any of their nodes, in any ring, overlaps, is closer than the reach,
   // or has touched last time.
-  const unsigned int n     = shape_.slave_columns;
+  const unsigned int n     = grid_.slave_circumferential;
   const unsigned int first = window_.first[lane], count = window_.count[lane];
 
   std::vector<bool> near(n, false);
   bool              any    = false;
   unsigned int      missed = 0;
-  for (unsigned int s = 0; s < shape_.slave_stations; ++s)
+  for (unsigned int s = 0; s < grid_.slave_rings; ++s)
     for (unsigned int c = 0; c < n; ++c)
       {
-        const unsigned int node    = s * n + c;
-        const double       gap     = gap_[node * n_lanes + lane];
-        const bool         overlap = gap < 0. && covered_[node * n_lanes + lane] > 0.;
+        const unsigned int node        = s * n + c;
+        const double       gap         = gap_[node * n_lanes + lane];
+        const bool         penetration = gap < 0. && covered_[node * n_lanes + lane] > 0.;
         // the outermost columns of a window have neighbours that are not there
         const unsigned int place = (c + n - first) % n;
-        if (overlap && cadence_.left_alone() && count < n && !(place > 0 && place + 1 < count))
+        if (penetration && cadence_.left_alone() && count < n && !(place > 0 && place + 1 < count))
           ++missed;
         // what touched last time has a spring to let go
-        if (overlap || gap < reach ||
-            state_[(node * n_touch_entries + touch_overlap) * n_lanes + lane] > 0.)
+        if (penetration || gap < reach ||
+            state_[(node * n_touch_entries + touch_penetration) * n_lanes + lane] > 0.)
           near[c] = any = true;
       }
 
@@ -185,9 +185,11 @@ unsigned int JointBatch::search_lane(const int lane, const double reach)
   return missed;
 }
 
-void JointBatch::mark_columns(const int lane, const bool of_slave, std::vector<char> &columns) const
+void JointBatch::mark_circumferential(const int          lane,
+                                      const bool         of_slave,
+                                      std::vector<char> &columns) const
 {
-  const unsigned int n = shape_.slave_columns, n_master = shape_.master_columns;
+  const unsigned int n = grid_.slave_circumferential, n_master = grid_.master_circumferential;
   for (unsigned int i = 0; i < window_.count[lane]; ++i)
     {
       const unsigned int column = (window_.first[lane] + i) % n;
@@ -212,7 +214,7 @@ void JointBatch::add_forces(const double dt)
 void JointBatch::serialize(const int lane, const Archive &archive)
 {
   archive.numbers("nodes", state_.data() + lane, state_.size() / n_lanes, n_lanes);
-  archive.numbers("stations", station_.data() + lane, station_.size() / n_lanes, n_lanes);
+  archive.numbers("rings", ring_.data() + lane, ring_.size() / n_lanes, n_lanes);
   archive.numbers("cells", cell_.data() + lane, cell_.size() / n_lanes, n_lanes);
   archive.numbers("searched cells", searched_cell_.data() + lane, cell_.size() / n_lanes, n_lanes);
   archive("first", window_.first[lane]);
@@ -230,7 +232,7 @@ unsigned int JointBatch::n_visited() const
   unsigned int columns = 0;
   for (const unsigned int count : window_.count)
     columns += count;
-  return columns * shape_.slave_stations;
+  return columns * grid_.slave_rings;
 }
 
 void JointBatch::clear_losses()
@@ -242,6 +244,6 @@ void JointBatch::clear_losses()
 std::size_t JointBatch::memory_consumption() const
 {
   return sizeof(*this) + (state_.size() + gap_.size() + covered_.size()) * sizeof(double) +
-         (station_.size() + 2 * cell_.size()) * sizeof(unsigned int);
+         (ring_.size() + 2 * cell_.size()) * sizeof(unsigned int);
 }
 } // namespace chaindrive::contact

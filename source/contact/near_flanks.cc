@@ -29,7 +29,7 @@ double NearFlanks::largest_speed(const World &world) const
   return std::sqrt(of_bodies) + of_hubs * (farthest_ + margin_);
 }
 
-void NearFlanks::look(World &world, const bool searched, const double dt)
+void NearFlanks::update(World &world, const bool searched, const double dt)
 {
   if (items_.empty() || n_ranks_in(world.communicator()) == 1)
     return;

@@ -27,7 +27,7 @@ double search_reach(const double dt, const double unforeseen)
 }
 
 /// One side of a joint with all of its nodes closed: each node carries the springs of its share of
-/// the surface, @p area(station) [m2]. The nodes of a rigid body have all of it to move: at the
+/// the surface, @p area(ring) [m2]. The nodes of a rigid body have all of it to move: at the
 /// distance r from its centre a spring k adds at most k (1/m + r^2/I), I the smallest moment of
 /// inertia.
 template <typename Area>
@@ -53,10 +53,10 @@ ClosedSide closed_side(const mesh::CylinderGrid &grid,
       side.stiffness.resize(copies.n_nodes());
       side.normal.resize(copies.n_nodes());
     }
-  for (unsigned int s = 0; s < grid.n_stations(); ++s)
+  for (unsigned int s = 0; s < grid.n_rings(); ++s)
     {
       const double k = stiffness * area(s);
-      for (unsigned int c = 0; c < grid.n_columns(); ++c)
+      for (unsigned int c = 0; c < grid.n_circumferential(); ++c)
         {
           const unsigned int node = copies.nodes.of_vertex[grid.vertex_at(s, c)];
           if (side.stiffness.empty())
@@ -65,7 +65,7 @@ ClosedSide closed_side(const mesh::CylinderGrid &grid,
                      dealii::Tensor<1, 3>(copies.nodes.position[node]).norm_square() / inertia);
           else
             {
-              side.hold(node, k, copies.nodes.mass[node]);
+              side.add_spring(node, k, copies.nodes.mass[node]);
               side.normal[node][0] = std::cos(grid.angles[c]);
               side.normal[node][1] = std::sin(grid.angles[c]);
             }
@@ -233,8 +233,8 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
         return std::make_pair(masters.batch_of(i), i) < std::make_pair(masters.batch_of(j), j);
       });
       group.pairs = pairs;
-      group.sides = {{{master_group, bore_nodes, bore.n_columns(), {}, {}},
-                      {slave_group, cylinder_nodes, cylinder.n_columns(), {}, {}}}};
+      group.sides = {{{master_group, bore_nodes, bore.n_circumferential(), {}, {}},
+                      {slave_group, cylinder_nodes, cylinder.n_circumferential(), {}, {}}}};
       for (const unsigned int i : pairs)
         {
           group.sides[0].copy.push_back(world.node_address[scene.pairs[i].master].copy);
@@ -280,7 +280,7 @@ void NodeBores::announce_joints(World             &world,
                                 const bool         all) const
 {
   const JointBatch &batch = *group.batches[b];
-  const JointShape &shape = batch.shape();
+  const JointGrid  &grid  = batch.grid();
   for (unsigned int is_slave = 0; is_slave < 2; ++is_slave)
     {
       Group::Side &side   = group.sides[is_slave];
@@ -295,7 +295,7 @@ void NodeBores::announce_joints(World             &world,
           std::vector<char> &near = columns[copies.batch_of(side.copy[i])];
           near.resize(side.n_columns, all ? 1 : 0);
           if (!all)
-            batch.mark_columns(i % n_lanes, is_slave != 0, near);
+            batch.mark_circumferential(i % n_lanes, is_slave != 0, near);
         }
       for (auto &[bodies, nodes] : side.read[b])
         copies.add_readers(bodies, nodes, -1);
@@ -305,7 +305,7 @@ void NodeBores::announce_joints(World             &world,
           std::vector<unsigned int> &nodes = side.read[b][bodies];
           for (unsigned int n = 0; n < side.node.size(); ++n)
             if (near[n % side.n_columns] != 0 ||
-                (is_slave == 0 && n % side.n_columns % shape.axis_stride == 0))
+                (is_slave == 0 && n % side.n_columns % grid.axis_stride == 0))
               nodes.push_back(side.node[n]);
           copies.add_readers(bodies, nodes, 1);
         }
@@ -333,7 +333,7 @@ void NodeBores::add_forces(World &world, const double dt)
             if (i >= group.pairs.size())
               break;
             Record &record = records_[group.pairs[i]];
-            record.gap     = sums.touching[lane] > 0 ? -sums.penetration[lane] :
+            record.gap     = sums.touching[lane] > 0 ? -sums.largest_penetration[lane] :
                                                        std::numeric_limits<double>::max();
             for (unsigned int d = 0; d < 3; ++d)
               {
@@ -382,13 +382,13 @@ std::optional<unsigned int> NodeBores::deepest_node(const unsigned int i) const
       if (found == group.pairs.end())
         continue;
       const std::size_t place = found - group.pairs.begin(), lane = place % n_lanes;
-      const auto       &state   = group.batches[place / n_lanes]->state();
-      const auto        overlap = [&](const unsigned int node) {
-        return state[(node * n_touch_entries + touch_overlap) * n_lanes + lane];
+      const auto       &state       = group.batches[place / n_lanes]->state();
+      const auto        penetration = [&](const unsigned int node) {
+        return state[(node * n_touch_entries + touch_penetration) * n_lanes + lane];
       };
       unsigned int deepest = 0;
       for (unsigned int node = 1; node < group.slave_nodes.size(); ++node)
-        if (overlap(node) > overlap(deepest))
+        if (penetration(node) > penetration(deepest))
           deepest = node;
       return group.slave_nodes[deepest] / (3 * n_lanes);
     }

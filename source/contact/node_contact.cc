@@ -118,7 +118,7 @@ void NodeContact::add_forces_on_deflected(World             &world,
 {
   Surface::Projection none; // the surface is rigid
   visits_.clear();
-  overlapping_.clear();
+  penetrating_.clear();
   for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
     if (is_due(i, s))
       {
@@ -128,10 +128,10 @@ void NodeContact::add_forces_on_deflected(World             &world,
           {
             const dealii::Tensor<1, 3> relative =
                 surface_->relative_velocity(world, v.x, none, slaves_.velocity(world, i, s), dt);
-            overlapping_.push_back({v.law.stiffness, -v.gap, -(relative * v.touch.normal)});
+            penetrating_.push_back({v.law.stiffness, -v.gap, -(relative * v.touch.normal)});
           }
       }
-  const Deflection deflection = deflection_under(surface_stiffness_, overlapping_);
+  const Deflection deflection = deflection_under(surface_stiffness_, penetrating_);
   for (Visit &v : visits_)
     {
       if (v.gap < 0.)
@@ -142,8 +142,8 @@ void NodeContact::add_forces_on_deflected(World             &world,
       add_node_force(world, i, v, dt, none, sum);
     }
   TouchState now;
-  now.overlap = deflection.depth;
-  now.normal  = sum.normal_force;
+  now.penetration = deflection.depth;
+  now.normal      = sum.normal_force;
   book_deflection(surface_stiffness_, states_[i], now, world.ledger);
   states_[i] = now;
 }
@@ -164,9 +164,10 @@ NodeContact::Visit NodeContact::visit(const World         &world,
   visit.may_touch   = area > 0.;
 
   // what overlaps is looked for as deep as it may be, and deeper
-  const double far = node.touch.overlap > 0. ? std::max(within, 2. * senseless_overlap()) : within;
-  visit.touch      = surface_->project(world, visit.x, 0., far, node.hint, projection);
-  visit.gap        = visit.touch.gap;
+  const double far =
+      node.touch.penetration > 0. ? std::max(within, 2. * penetration_limit()) : within;
+  visit.touch = surface_->project(world, visit.x, 0., far, node.hint, projection);
+  visit.gap   = visit.touch.gap;
   return visit;
 }
 
@@ -191,9 +192,9 @@ void NodeContact::add_node_force(World                     &world,
   if (touch.gap >= 0. || !visit.may_touch)
     {
       if (found)
-        come_apart(visit.law, dt, node.touch, world.ledger);
-      else if (node.touch.overlap > 0.)
-        lose_touch(visit.law, node.touch, world.ledger);
+        separate(visit.law, dt, node.touch, world.ledger);
+      else if (node.touch.penetration > 0.)
+        lose_contact(visit.law, node.touch, world.ledger);
       node.cadence.restart(
           clock_, holding_time(std::clamp(visit.gap, 0., within), relative().norm(), unforeseen_));
       return;
@@ -203,13 +204,13 @@ void NodeContact::add_node_force(World                     &world,
   node.cadence.restart(clock_, 0.);
 
   const dealii::Tensor<1, 3> v     = relative();
-  const PointForce           force = press(visit.law,
-                                 touch,
-                                 v + visit.receding * touch.normal,
-                                 surface_->slip_velocity(world, touch, projection, v),
-                                 dt,
-                                 node.touch,
-                                 world.ledger);
+  const PointForce           force = penalty_force(visit.law,
+                                         touch,
+                                         v + visit.receding * touch.normal,
+                                         surface_->slip_velocity(world, touch, projection, v),
+                                         dt,
+                                         node.touch,
+                                         world.ledger);
   slaves_.add_force(world, i, visit.s, force.total);
   surface_->add_opposite(world, visit.x, touch, projection, force);
 
@@ -229,7 +230,7 @@ std::vector<ClosedPair> NodeContact::closed_pairs(const World &world) const
   slave.surface            = slaves_.surface();
   slave.stiffness.resize(batches.n_nodes());
   for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
-    slave.hold(
+    slave.add_spring(
         slaves_.node(s), law_.stiffness * slaves_.area(s), batches.nodes.mass[slaves_.node(s)]);
   if (slave.surface == mesh::roller_outside)
     {
@@ -254,7 +255,7 @@ std::optional<unsigned int> NodeContact::deepest_node(const unsigned int i) cons
   const auto first = nodes_.begin() + i * slaves_.n_nodes();
   const auto deepest =
       std::max_element(first, first + slaves_.n_nodes(), [](const Node &a, const Node &b) {
-        return a.touch.overlap < b.touch.overlap;
+        return a.touch.penetration < b.touch.penetration;
       });
   return slaves_.node(deepest - first);
 }

@@ -163,7 +163,7 @@ void NodeFaces::search_nodes(const World &world, FaceContact &contact)
     {
       Node       &node  = contact.nodes[s];
       const Touch touch = contact.surface.project(world, x(s), 0., reach, node.facet, projection);
-      const bool  holds = node.touch.overlap > 0.; // its spring has to let go
+      const bool  holds = node.touch.penetration > 0.; // its spring has to let go
       if (node.facet == MovingFacets::none)
         {
           if (holds)
@@ -226,26 +226,26 @@ void NodeFaces::add_face_forces(World &world, FaceContact &contact, const double
       const scene::ContactLaw law = law_.times(faces.slaves->areas()[faces.taking_part[s]]);
       if (node.facet == MovingFacets::none)
         {
-          lose_touch(law, node.touch, world.ledger);
+          lose_contact(law, node.touch, world.ledger);
           continue;
         }
       record.gap = std::min(record.gap, touch.gap);
       if (touch.gap >= 0.)
         {
-          come_apart(law, dt, node.touch, world.ledger);
+          separate(law, dt, node.touch, world.ledger);
           continue;
         }
 
       const dealii::Tensor<1, 3> relative =
           contact.surface.relative_velocity(world, at, projection, v(s), dt);
       const PointForce force =
-          press(law,
-                touch,
-                relative,
-                contact.surface.slip_velocity(world, touch, projection, relative),
-                dt,
-                node.touch,
-                world.ledger);
+          penalty_force(law,
+                        touch,
+                        relative,
+                        contact.surface.slip_velocity(world, touch, projection, relative),
+                        dt,
+                        node.touch,
+                        world.ledger);
       f.add(contact.slaves[s], force.total);
       contact.surface.add_opposite(world, at, touch, projection, force);
       resultant += force.total;
@@ -293,7 +293,7 @@ std::vector<ClosedPair> NodeFaces::closed_pairs(const World &world) const
       pair[1].stiffness.resize(slaves.n_nodes());
       const auto carry =
           [](ClosedSide &side, const BodyBatches &copies, const unsigned int node, const double k) {
-            side.hold(node, k, copies.nodes.mass[node]);
+            side.add_spring(node, k, copies.nodes.mass[node]);
           };
       for (const Faces &faces : sides.faces)
         {

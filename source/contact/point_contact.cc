@@ -115,25 +115,25 @@ void PointContact::add_force(World                     &world,
   if (touch.gap >= 0.)
     {
       record.force = dealii::Tensor<1, 3>();
-      come_apart(law_, dt, state, world.ledger);
+      separate(law_, dt, state, world.ledger);
       return;
     }
 
   const dealii::Tensor<1, 3> relative = surface.relative_velocity(
       world, touch.point, projection, world.velocity_at(slave.body, touch.point, 0.5 * dt), dt);
-  const PointForce force = press(law_,
-                                 touch,
-                                 relative,
-                                 surface.slip_velocity(world, touch, projection, relative),
-                                 dt,
-                                 state,
-                                 world.ledger);
+  const PointForce force = penalty_force(law_,
+                                         touch,
+                                         relative,
+                                         surface.slip_velocity(world, touch, projection, relative),
+                                         dt,
+                                         state,
+                                         world.ledger);
   record.force           = world.symmetry.whole_force(force.total);
   record.feature         = touch.feature;
   record.normal          = touch.normal;
   record.normal_speed    = -(relative * touch.normal);
 
-  // equal and opposite at one point: neither momentum nor moment of momentum is made
+  // equal and opposite at one point: neither momentum nor angular momentum is made
   world.add_force(slave.body, force.total, touch.point);
   surface.add_opposite(world, touch.point, touch, projection, force);
 }
@@ -177,16 +177,18 @@ void PointContact::add_closed(const World                &world,
   double spin = 0., tilt = 0.;
   if (kt > 0. && radius > 0.)
     {
-      const auto moving  = mobility.of_point(master, centre) + mobility.of_point(slave, centre);
-      const auto turning = mobility.turning(master) + mobility.turning(slave);
-      const auto size    = [](const auto &tensor, const dealii::Tensor<1, 3> &axis) {
+      const auto moving = mobility.of_point(master, centre) + mobility.of_point(slave, centre);
+      const auto inverse_inertia =
+          mobility.inverse_inertia(master) + mobility.inverse_inertia(slave);
+      const auto size = [](const auto &tensor, const dealii::Tensor<1, 3> &axis) {
         return axis * (tensor * axis);
       };
       const double in_plane = std::max(size(moving, axes[0]), size(moving, axes[1])),
                    across   = size(moving, z),
-                   tilting  = std::max(size(turning, axes[0]), size(turning, axes[1]));
+                   tilting =
+                       std::max(size(inverse_inertia, axes[0]), size(inverse_inertia, axes[1]));
       if (in_plane > 0.)
-        spin = radius * radius * size(turning, z) / in_plane;
+        spin = radius * radius * size(inverse_inertia, z) / in_plane;
       const double distance = z * (centre - world.frames[slave].position),
                    held     = std::max(law_.stiffness / kt, 1. + spin) * distance * distance;
       if (across > 0.)
@@ -206,7 +208,7 @@ void PointContact::add_closed(const World                &world,
                          world.symmetry.whole(k),
                          world.symmetry.whole(c)});
   };
-  const auto add_turning = [&](const unsigned int d, const double s) {
+  const auto add_rotation = [&](const unsigned int d, const double s) {
     const double factor = world.symmetry.whole((1. + 1. / s) * radius * radius);
     if (s > 0.)
       springs.push_back({master, slave, axes[d], centre, centre, factor * kt, factor * ct, true});
@@ -214,8 +216,8 @@ void PointContact::add_closed(const World                &world,
   for (const unsigned int d : {0, 1})
     add(d, std::max(law_.stiffness, (1. + spin) * kt), std::max(law_.damping, (1. + spin) * ct));
   add(2, (1. + tilt) * kt, (1. + tilt) * ct);
-  add_turning(0, tilt);
-  add_turning(1, tilt);
-  add_turning(2, spin);
+  add_rotation(0, tilt);
+  add_rotation(1, tilt);
+  add_rotation(2, spin);
 }
 } // namespace chaindrive::contact

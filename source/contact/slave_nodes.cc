@@ -8,29 +8,29 @@ namespace chaindrive::contact
 namespace
 {
 /// How far the share of each node of a side reaches below and above it along z: half way to the
-/// next station of nodes, m.
+/// next ring of nodes, m.
 std::vector<std::array<double, 2>> extents(const mesh::Nodes               &nodes,
                                            const std::vector<unsigned int> &side)
 {
-  std::vector<double> stations;
-  stations.reserve(side.size());
+  std::vector<double> rings;
+  rings.reserve(side.size());
   for (const unsigned int node : side)
-    stations.push_back(nodes.position[node][2]);
-  std::sort(stations.begin(), stations.end());
-  const double same = 1e-9 * (stations.back() - stations.front());
-  stations.erase(std::unique(stations.begin(),
-                             stations.end(),
-                             [same](const double a, const double b) { return b - a <= same; }),
-                 stations.end());
+    rings.push_back(nodes.position[node][2]);
+  std::sort(rings.begin(), rings.end());
+  const double same = 1e-9 * (rings.back() - rings.front());
+  rings.erase(std::unique(rings.begin(),
+                          rings.end(),
+                          [same](const double a, const double b) { return b - a <= same; }),
+              rings.end());
 
   std::vector<std::array<double, 2>> result;
   for (const unsigned int node : side)
     {
       const double z     = nodes.position[node][2];
-      const auto   below = std::lower_bound(stations.begin(), stations.end(), z - same);
-      const auto   above = std::upper_bound(stations.begin(), stations.end(), z + same);
-      result.push_back({{below == stations.begin() ? 0. : 0.5 * (z - *(below - 1)),
-                         above == stations.end() ? 0. : 0.5 * (*above - z)}});
+      const auto   below = std::lower_bound(rings.begin(), rings.end(), z - same);
+      const auto   above = std::upper_bound(rings.begin(), rings.end(), z + same);
+      result.push_back({{below == rings.begin() ? 0. : 0.5 * (z - *(below - 1)),
+                         above == rings.end() ? 0. : 0.5 * (*above - z)}});
     }
   return result;
 }

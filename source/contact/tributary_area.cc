@@ -12,44 +12,44 @@ namespace
 /// The nodes of the slave along the axis: where they are, what length they stand for, and over
 /// which length their force falls to zero at the bore's ends (see covered() in packed_geometry.h),
 /// m.
-struct Station
+struct AxialRing
 {
   double z, length, fade;
 };
 
-std::vector<Station> stations_of(const mesh::CylinderGrid &slave)
+std::vector<AxialRing> rings_of(const mesh::CylinderGrid &slave)
 {
-  std::vector<Station> stations;
-  const unsigned int   n = slave.n_stations();
+  std::vector<AxialRing> rings;
+  const unsigned int     n = slave.n_rings();
   for (unsigned int s = 0; s < n; ++s)
     {
       const bool   end = s == 0 || s + 1 == n;
       const double length =
-          0.5 * (slave.stations[std::min(s + 1, n - 1)] - slave.stations[s == 0 ? 0 : s - 1]);
-      stations.push_back({slave.stations[s], length, end ? length : 0.5 * length});
+          0.5 * (slave.rings[std::min(s + 1, n - 1)] - slave.rings[s == 0 ? 0 : s - 1]);
+      rings.push_back({slave.rings[s], length, end ? length : 0.5 * length});
     }
-  return stations;
+  return rings;
 }
 
-/// The length of the slave that one station of a bore carries.
+/// The length of the slave that one ring of a bore carries.
 class Carried
 {
 public:
-  Carried(const mesh::CylinderGrid &bore, const unsigned int station)
+  Carried(const mesh::CylinderGrid &bore, const unsigned int ring)
       : bore_(bore)
-      , begin_(bore.stations.front())
-      , end_(bore.stations.back())
-      , low_(bore.stations[station == 0 ? 0 : station - 1])
-      , here_(bore.stations[station])
-      , high_(bore.stations[std::min(station + 1, bore.n_stations() - 1)])
+      , begin_(bore.rings.front())
+      , end_(bore.rings.back())
+      , low_(bore.rings[ring == 0 ? 0 : ring - 1])
+      , here_(bore.rings[ring])
+      , high_(bore.rings[std::min(ring + 1, bore.n_rings() - 1)])
   {
   }
 
   /// With the slave moved by @p shift along the axis.
-  double operator()(const std::vector<Station> &slave, const double shift) const
+  double operator()(const std::vector<AxialRing> &slave, const double shift) const
   {
     double sum = 0.;
-    for (const Station &s : slave)
+    for (const AxialRing &s : slave)
       {
         const double z = s.z + shift;
         if (z < std::max(low_, begin_) || z > std::min(high_, end_))
@@ -63,12 +63,12 @@ public:
 
   /// The largest of all shifts: between those at which a node of the slave passes a kink, it is a
   /// polynomial of second degree.
-  double largest(const std::vector<Station> &slave) const
+  double largest(const std::vector<AxialRing> &slave) const
   {
     if (bore_.half)
       return (*this)(slave, 0.);
     std::vector<double> kinks;
-    for (const Station &s : slave)
+    for (const AxialRing &s : slave)
       for (const double at : {low_, here_, high_, begin_ + s.fade, end_ - s.fade})
         kinks.push_back(at - s.z);
     std::sort(kinks.begin(), kinks.end());
@@ -93,11 +93,12 @@ private:
 } // namespace
 
 double carried_area(const mesh::CylinderGrid &bore,
-                    const unsigned int        station,
+                    const unsigned int        ring,
                     const mesh::CylinderGrid &slave)
 {
   constexpr double turn = 2. * dealii::numbers::PI;
-  return bore.radius * carried_length(turn / bore.n_columns(), turn / slave.n_columns()) *
-         Carried(bore, station).largest(stations_of(slave));
+  return bore.radius *
+         carried_length(turn / bore.n_circumferential(), turn / slave.n_circumferential()) *
+         Carried(bore, ring).largest(rings_of(slave));
 }
 } // namespace chaindrive::contact

@@ -144,7 +144,7 @@ void check(const ChainDimensions &c)
                      " must be greater than 0 and at most 1.");
 }
 
-/// Play must not be negative; where section Effects has none of it, the bore fits.
+/// Clearances must not be negative; where section Effects has none, the bore fits.
 void set_clearances(ChainDimensions &c, const parameters::Effects &effects)
 {
   using parameters::Switch;
@@ -178,11 +178,11 @@ void set_hole_pitches(ChainDimensions &c, const parameters::Chain &chain)
   if (!(chain.elongation >= 0. && chain.elongation < 0.2))
     throw InputError("Drive/Chain/Elongation in percent = " + to_text(chain.elongation * 1e2) +
                      " must be at least 0 and less than 20.");
-  const double longer = 1. + chain.elongation, play = 2. * c.pin_clearance();
+  const double longer = 1. + chain.elongation, clearance = 2. * c.pin_clearance();
   c.inner_hole_pitch = longer * c.pitch;
   c.outer_hole_pitch = chain.pitch_set == parameters::PitchSet::standard ?
-                           longer * c.pitch - play :
-                           longer * (c.pitch + play) - play;
+                           longer * c.pitch - clearance :
+                           longer * (c.pitch + clearance) - clearance;
 }
 } // namespace
 
@@ -192,14 +192,14 @@ ChainDimensions make_chain(const parameters::Chain &chain, const parameters::Eff
   ChainDimensions       c;
   Filler                fill(c.derived, row.designation);
 
-  const bool documented    = row.designation == reference::designation;
-  c.designation            = row.designation;
-  c.pitch                  = chain.pitch.value_or(row.pitch);
-  c.roller_diameter        = chain.roller_diameter.value_or(row.roller_diameter);
-  c.waist_ratio            = chain.waist_ratio;
-  const double      scale  = c.roller_diameter / reference::roller_diameter;
-  const std::string scaled = "scaled by the roller diameter from the reference chain's joint";
-  const std::string play   = "for the radial clearance 0.045 mm";
+  const bool documented       = row.designation == reference::designation;
+  c.designation               = row.designation;
+  c.pitch                     = chain.pitch.value_or(row.pitch);
+  c.roller_diameter           = chain.roller_diameter.value_or(row.roller_diameter);
+  c.waist_ratio               = chain.waist_ratio;
+  const double      scale     = c.roller_diameter / reference::roller_diameter;
+  const std::string scaled    = "scaled by the roller diameter from the reference chain's joint";
+  const std::string clearance = "for the radial clearance 0.045 mm";
   if (!row.has_rollers)
     c.derived.push_back("Chain " + row.designation + " has no rollers: its bushes, diameter " +
                         in_mm(row.roller_diameter, 5) +
@@ -216,7 +216,7 @@ ChainDimensions make_chain(const parameters::Chain &chain, const parameters::Eff
                        chain.roller_bore,
                        listed(reference::bush_diameter + 2. * reference::clearance),
                        c.bush_diameter + 2. * reference::clearance,
-                       play);
+                       clearance);
   c.pin_diameter    = fill("pin diameter",
                         chain.pin_diameter,
                         row.pin_diameter,
@@ -226,7 +226,7 @@ ChainDimensions make_chain(const parameters::Chain &chain, const parameters::Eff
                      chain.bush_bore,
                      listed(reference::pin_diameter + 2. * reference::clearance),
                      c.pin_diameter + 2. * reference::clearance,
-                     play);
+                     clearance);
   c.pin_bore        = chain.pin_bore.value_or(listed(reference::pin_bore));
 
   c.inner_plate_height    = fill("inner plate height",

@@ -69,9 +69,9 @@ struct Checks
                              ", or a Loads/Torque after step in N m from -" + most + " to " + most;
       }
     // less load leaves more tension in the slack span: on a line that is above that curve
-    const double more = std::max(0., facts.slack_tension_unloaded - kept);
-    const double most = (all - kept - more) / (1. - more / now) / factor;
-    if (all <= kept + more)
+    const double added_tension = std::max(0., facts.slack_tension_unloaded - kept);
+    const double most          = (all - kept - added_tension) / (1. - added_tension / now) / factor;
+    if (all <= kept + added_tension)
       return "";
     const double speed = facts.loaded().speed; // the load may have been given as power
     return ", or a Loads/Resisting torque in N m of at most " + at_most(most) +
@@ -81,11 +81,11 @@ struct Checks
   void strength()
   {
     // the load may become larger at its step
-    const double after    = p.loads.torque_step_time ? std::abs(p.loads.torque_after_step) : 0.;
-    const double factor   = 2. * PI / (facts.loaded().teeth * facts.loaded_pitch);
-    const double more     = std::max(0., after * factor - facts.effective_tension);
-    const double tension  = facts.tight().tension + more;
-    const double strength = facts.tensile_strength;
+    const double after  = p.loads.torque_step_time ? std::abs(p.loads.torque_after_step) : 0.;
+    const double factor = 2. * PI / (facts.loaded().teeth * facts.loaded_pitch);
+    const double added_tension = std::max(0., after * factor - facts.effective_tension);
+    const double tension       = facts.tight().tension + added_tension;
+    const double strength      = facts.tensile_strength;
     if (strength <= 0. || tension <= 0.)
       return;
     const std::string figures = "The tight span pulls with " + newton(tension) +

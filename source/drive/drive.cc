@@ -217,8 +217,8 @@ double relative_sag(const Layout &layout)
 }
 
 /// Lays the settled drive of @p d anew with other sags until it has the one of @p entries. Rollers
-/// climb in their seats and play opens when a chain is loaded, which changes its slack, to which
-/// the square of the sag is proportional: secants of that. @p lay finds the settled layout.
+/// climb in their seats and clearances open when a chain is loaded, which changes its slack, to
+/// which the square of the sag is proportional: secants of that. @p lay finds the settled layout.
 template <typename Lay>
 void keep_sag(const parameters::Drive &entries, Drive &d, const Lay &lay)
 {
@@ -359,7 +359,7 @@ Drive make_drive(const Parameters  &parameters,
         parts.teeth.empty() ?
             tooth_stiffness(std::min(d.chain.roller_length, d.sprocket_width), steel) :
             parts.teeth[i]);
-  if (!model.is_elastic) // there the elastic bodies give way
+  if (!model.is_elastic) // there the elastic bodies deflect
     {
       const Pull load = hardest_pull(parameters, d);
       refuse_soft("Contact/Roller-tooth stiffness in N/m",

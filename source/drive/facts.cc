@@ -237,7 +237,7 @@ double start_tension(const Facts &facts, const Parameters &p, const Drive &d)
   return facts.effective_tension + of_chain * mass;
 }
 
-/// How far the chain gives way on a sprocket per change of the tight span's tension @p tight, m/N:
+/// How far the chain deflects on a sprocket per change of the tight span's tension @p tight, m/N:
 /// its links and teeth (doc/theory.md, section 8). Rollers stay where they are in their seats: the
 /// tension changes too fast, and friction holds them. @p kept is the tension of the slack span.
 double wrap_flexibility(const Drive    &d,
@@ -266,7 +266,7 @@ double wrap_flexibility(const Drive    &d,
 
 /// The lowest frequency of the inertias of all sprockets on the spans that pull them, the driver
 /// held: of two the driven inertia on the tight span. A span is a spring of so many pitches, with
-/// what the chain gives way on the sprockets whose tighter side it is; of the chain what sits on a
+/// what the chain deflects on the sprockets whose tighter side it is; of the chain what sits on a
 /// sprocket moves with it, and of the span that pulls it a third. The slack span is no spring.
 ///
 /// Displacements u of the chain at the sprockets are F M u omega^2 with masses M and flexibilities

@@ -66,9 +66,9 @@ Fitter make_fitter(const parameters::Drive &drive,
                                 0.;
   const double in_tight =
       layout.start == parameters::Start::settled ? tight_tension / stiffness_per_pitch : everywhere;
-  const double more = in_both / stiffness_per_pitch;
-  laid.taut         = stretched(laid.taut, clearances, in_tight + more);
-  laid.slack        = stretched(laid.slack, clearances, everywhere + more);
+  const double stretch = in_both / stiffness_per_pitch;
+  laid.taut            = stretched(laid.taut, clearances, in_tight + stretch);
+  laid.slack           = stretched(laid.slack, clearances, everywhere + stretch);
   return fitter;
 }
 

@@ -306,18 +306,19 @@ std::vector<FaultSite> faults_of_balance(const scene::Scene &scene,
   return gather(places, world);
 }
 
-std::vector<FaultSite> faults_of_overlap(const scene::Scene &scene, const System &system)
+std::vector<FaultSite> faults_of_penetration(const scene::Scene &scene, const System &system)
 {
   const World           &world = system.world;
   std::vector<FaultSite> places;
   for_each_record(system, [&](const Family &family, const Record &record, const unsigned int i) {
     const auto node = family.deepest_node(i);
-    if (!(record.gap < 0.) || (family.is_dealt_out() ? !node.has_value() : !world.is_first_rank()))
+    if (!(record.gap < 0.) ||
+        (family.is_distributed() ? !node.has_value() : !world.is_first_rank()))
       return;
-    places.push_back({-record.gap / family.senseless_overlap(),
+    places.push_back({-record.gap / family.penetration_limit(),
                       text_of(scene, family, record) + " overlaps by " +
                           to_text(-record.gap * 1e3, 3) + " mm, where " +
-                          to_text(family.senseless_overlap() * 1e3, 3) + " mm is accepted" +
+                          to_text(family.penetration_limit() * 1e3, 3) + " mm is accepted" +
                           (node ? ", most at " + text_of(scene,
                                                          world,
                                                          world.node_address[record.slave].group,

@@ -28,18 +28,18 @@ constexpr double momentum_limit = 1e-8;
 constexpr double energy_limit = 2e-2;
 
 // Central differences are wrong by (w dt)^2 / 4 of the energy of a vibration: 0.6 % at the
-// automatic step of rigid models, all of it at the stable step. How much of it is accepted as a
-// jump; and, of the chain's energy at full speed, as what counts as turned over at least, since the
-// first impacts are all vibration. The simple drives of hard.py at 0.5 to 0.9 of the stable step
-// come to half of it. An unstable mode gains more than its strain energy, which is then most there
-// is.
+// automatic step of rigid models, all of it at the critical time step. How much of it is accepted
+// as a jump; and, of the chain's energy at full speed, as what counts as turned over at least,
+// since the first impacts are all vibration. The simple drives of hard.py at 0.5 to 0.9 of the
+// critical time step come to half of it. An unstable mode gains more than its strain energy, which
+// is then most there is.
 constexpr double jump_by_step = 0.15, start_by_step = 0.2;
 
 // Length [m] whose energies are not judged: round-off of positions, 1e-16 m, does not get there.
 constexpr double no_length = 1e-10;
 
 const std::string smaller_step =
-    "Most often the step is too large for what has happened: try a smaller Time/Step in us or "
+    "Most often the step is too large for what has happened: try a smaller Time/Time step in us or "
     "Time/Safety factor. If that does not help, please report it with the parameter file.";
 /// @p entries: those that may get round it.
 std::string error_of_program(const std::string &entries)
@@ -56,7 +56,7 @@ struct Line
   const char     *entry; ///< that decides on it
 };
 constexpr Line lines[] = {
-    {"kinetic energy", &Ledger::kinetic, "Time/Step in us"},
+    {"kinetic energy", &Ledger::kinetic, "Time/Time step in us"},
     {"energy of bars", &Ledger::bar, "Model/Stiffness per pitch in N/m"},
     {"strain energy", &Ledger::strain, "Elements/Formulation"},
     {"hourglass energy", &Ledger::hourglass, "Elements/Hourglass coefficient"},
@@ -65,8 +65,8 @@ constexpr Line lines[] = {
     {"contact damping loss", &Ledger::contact_damping, "Effects/Contact damping"},
     {"chain damping loss", &Ledger::chain_damping, "Effects/Chain damping"},
     {"drag loss", &Ledger::drag, "Effects/Drag"},
-    {"energy of springs", &Ledger::spring, "Time/Step in us"},
-    {"loss of dampers", &Ledger::spring_damping, "Time/Step in us"}};
+    {"energy of springs", &Ledger::spring, "Time/Time step in us"},
+    {"loss of dampers", &Ledger::spring_damping, "Time/Time step in us"}};
 } // namespace
 
 bool EnergyGuard::closes(const Ledger &ledger, const double floor)
@@ -93,16 +93,17 @@ double energy_of_nothing(const scene::Scene &scene)
 Guard::Guard(const scene::Scene &scene,
              const System       &system,
              const double        limit,
-             const double        stable_step,
+             const double        critical_time_step,
              const bool          on,
              std::string         overload)
     : scene_(scene)
     , energy_(limit)
-    , stable_step_(system.world.has_elastic_bodies() ? std::numeric_limits<double>::infinity() :
-                                                       stable_step)
+    , critical_time_step_(system.world.has_elastic_bodies() ?
+                              std::numeric_limits<double>::infinity() :
+                              critical_time_step)
     , on_(on)
     , overload_(std::move(overload))
-    , sound_until_(system.world.time)
+    , valid_until_(system.world.time)
     , start_time_(system.world.time)
     , before_(system.world.ledger)
 {
@@ -126,7 +127,7 @@ void Guard::serialize(const Archive &archive, const System &)
 {
   energy_.serialize(archive / "energy");
   archive("calls", calls_);
-  archive("sound until", sound_until_);
+  archive("valid until", valid_until_);
   archive("looked", looked_);
   archive("momentum at the start", start_momentum_);
   archive("moved at the start", start_moved_);
@@ -211,7 +212,7 @@ Guard::look_at_momentum(const System &system, const double dt, Services &service
   rest[1] += total_mass_ * system.loads.gravity() * (world.time - start_time_);
   if (system.loads.drag() > 0.)
     rest += system.loads.drag() * (moved(world) - start_moved_);
-  if (world.symmetry.is_half() || !scene_.plates_bend) // nodes are held across the chain
+  if (world.symmetry.is_active() || !scene_.plates_bend) // nodes are held across the chain
     rest[2] = 0.;
   largest_momentum_ = std::max(largest_momentum_, size);
   largest_error_    = std::max(largest_error_, rest.norm() / largest_momentum_);
@@ -234,7 +235,7 @@ double Guard::smallest_turned_over(const double dt) const
 
 double Guard::error_of_step(const double dt) const
 {
-  const double part = dt / stable_step_;
+  const double part = dt / critical_time_step_;
   return part <= 1. ? part * part : 0.; // larger ones are not accepted: nothing excuses them
 }
 
@@ -283,7 +284,7 @@ bool Guard::overlaps(const System &system) const
 {
   for (const auto &family : system.contacts.families())
     {
-      const double accepted = family->senseless_overlap();
+      const double accepted = family->penetration_limit();
       for (const contact::Record &record : family->records())
         if (-record.gap > accepted)
           return true;
@@ -291,10 +292,11 @@ bool Guard::overlaps(const System &system) const
   return false;
 }
 
-std::optional<Guard::Finding> Guard::look(const System &system, const double dt, Services &services)
+std::optional<Guard::Finding>
+Guard::update(const System &system, const double dt, Services &services)
 {
-  // a fault takes up to 100 steps to be found: what was before that is sound
-  sound_until_ = looked_.front();
+  // a fault takes up to 100 steps to be found: what was before that is valid
+  valid_until_ = looked_.front();
   std::move(looked_.begin() + 1, looked_.end(), looked_.begin());
   looked_.back()                 = system.world.time;
   std::optional<Finding> finding = look_at_momentum(system, dt, services);
@@ -319,9 +321,9 @@ void Guard::observe(const System       &system,
       services.gather_records();
       finding = {
           "Bodies run through each other",
-          "Try a smaller Time/Step in us, or a stiffer contact: Contact/Roller-tooth stiffness in "
-          "N/m, Roller-bush stiffness in N/m, of elastic bodies Penalty factor.",
-          faults_of_overlap(scene_, system)};
+          "Try a smaller Time/Time step in us, or a stiffer contact: Contact/Roller-tooth "
+          "stiffness in N/m, Roller-bush stiffness in N/m, of elastic bodies Penalty factor.",
+          faults_of_penetration(scene_, system)};
     }
   else if (!energy_.closes(world.ledger, smallest_turned_over(dt)))
     finding = ledger_does_not_close(system, services);
@@ -333,7 +335,7 @@ void Guard::observe(const System       &system,
       if (++calls_ == interval)
         {
           calls_  = 0;
-          finding = look(system, dt, services);
+          finding = update(system, dt, services);
         }
       else if (calls_ + 1 == interval)
         {
@@ -348,7 +350,7 @@ void Guard::observe(const System       &system,
       finding->what + ", at " + to_text(world.time * 1e3, 8) + " ms, step " + std::to_string(step) +
           ". Where: " + list_of(finding->places, 4) + ". " +
           (overload_.empty() ? finding->hint : overload_ + " If that is meant: " + finding->hint) +
-          " Until " + to_text(sound_until_ * 1e3, 8) + " ms nothing was wrong.",
-      sound_until_);
+          " Until " + to_text(valid_until_ * 1e3, 8) + " ms nothing was wrong.",
+      valid_until_);
 }
 } // namespace chaindrive::dynamics

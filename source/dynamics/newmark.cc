@@ -25,7 +25,7 @@ void accelerations(const World &world, std::vector<double> &result)
   result.resize(3 * world.n_bodies());
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     {
-      const double inverse = world.moves_by_nodes(b) ? 1. / world.mass[b] : world.inverse_mass[b];
+      const double inverse = world.is_nodal(b) ? 1. / world.mass[b] : world.inverse_mass[b];
       for (unsigned int d = 0; d < 3; ++d)
         result[3 * b + d] = inverse * world.force.local_element(3 * b + d);
     }

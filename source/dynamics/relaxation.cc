@@ -79,7 +79,7 @@ public:
                                dealii::symmetrize(dealii::outer_product(arm, arm)));
     });
     copies_.for_each_copy_of(batch_, [&](unsigned int, const unsigned int lane) {
-      if (copies_.part->symmetry().is_half()) // turns about z only
+      if (copies_.part->symmetry().is_active()) // turns about z only
         inverse_inertia_[lane][2][2] = 1. / inertia[lane][2][2];
       else
         inverse_inertia_[lane] = dealii::invert(inertia[lane]);
@@ -87,7 +87,7 @@ public:
   }
 
   /// Takes from the velocities of their nodes what moves them as a whole.
-  void hold() const
+  void constrain() const
   {
     const NodeView               position(std::as_const(copies_.position));
     const NodeView               velocity(copies_.velocity);
@@ -173,16 +173,16 @@ double kinetic_energy(World &world)
   return dealii::Utilities::MPI::sum(kinetic, world.communicator());
 }
 
-/// Bodies whose shapes are relaxed beside nodes: rigid motions of rollers, and all shapes.
-class Shapes
+/// Bodies whose modes are relaxed beside nodes: rigid motions of rollers, and all modes.
+class ModalRelaxation
 {
 public:
-  Shapes(const scene::Scene &scene, World &world) : world_(world)
+  ModalRelaxation(const scene::Scene &scene, World &world) : world_(world)
   {
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
         const bool reduced = scene.bodies[b].motion == scene::Motion::reduced;
-        there_             = there_ || reduced;
+        has_modal_         = has_modal_ || reduced;
         held_.push_back(!reduced || scene.bodies[b].kind != scene::Kind::roller);
       }
     for (const ModalGroup *group : world_.groups.modal())
@@ -195,35 +195,35 @@ public:
       }
   }
 
-  bool are_there() const { return there_; }
+  bool has_modal() const { return has_modal_; }
 
   /// Kick and drift, with the forces of the last evaluation.
   void begin(const double dt)
   {
-    if (!there_)
+    if (!has_modal_)
       return;
-    hold();
+    constrain();
     first_half(world_, {dt, world_.time, 0., 0., {}});
   }
 
   /// The second kick, after which no node is too fast; returns the kinetic energy of all ranks, J.
   double end(const double dt)
   {
-    if (!there_)
+    if (!has_modal_)
       return 0.;
-    hold();
+    constrain();
     second_half(world_, {dt, world_.time, 0., 0., {}});
     for (ModalGroup *group : world_.groups.modal())
       slow_down(*group);
-    double of_shapes = 0.;
+    double of_modes = 0.;
     for (const ModalGroup *group : world_.groups.modal())
-      of_shapes += group->shape_energy(world_);
-    return world_.kinetic_energy() + dealii::Utilities::MPI::sum(of_shapes, world_.communicator());
+      of_modes += group->modal_energy(world_);
+    return world_.kinetic_energy() + dealii::Utilities::MPI::sum(of_modes, world_.communicator());
   }
 
   void rest()
   {
-    if (!there_)
+    if (!has_modal_)
       return;
     for (ModalGroup *group : world_.groups.modal())
       group->rest();
@@ -235,7 +235,7 @@ public:
   }
 
 private:
-  /// Keeps shapes from moving nodes too fast.
+  /// Keeps modes from moving nodes too fast.
   void slow_down(ModalGroup &group)
   {
     const BodyBatches  &copies = world_.copies[group.copies()];
@@ -258,11 +258,11 @@ private:
     dealii::Utilities::MPI::min(share, world_.communicator(), share); // all move what is shared
     for (unsigned int copy = 0; copy < copies.n_copies(); ++copy)
       if (share[copy] < 1.)
-        group.slow_shapes(world_, copy, share[copy]);
+        group.slow_modes(world_, copy, share[copy]);
   }
 
   /// Nothing moves the other bodies as a whole.
-  void hold()
+  void constrain()
   {
     for (unsigned int b = 0; b < held_.size(); ++b)
       for (unsigned int d = 0; d < 3 && held_[b]; ++d)
@@ -270,7 +270,7 @@ private:
   }
 
   World            &world_;
-  bool              there_ = false;
+  bool              has_modal_ = false;
   std::vector<char> held_; ///< per body
 };
 } // namespace
@@ -280,11 +280,11 @@ Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm, const dou
 {
   World                       &world = system_.world;
   const std::vector<HeldBatch> links = links_of(scene, world);
-  Shapes                       shapes(scene, world);
+  ModalRelaxation              modal(scene, world);
 
   constexpr unsigned int most  = 100; // intervals
   const Material        &steel = scene.material;
-  const double           dt    = (shapes.are_there() ? 0.5 : 0.65) * system_.stable_step_limit();
+  const double           dt    = (modal.has_modal() ? 0.5 : 0.65) * system_.critical_time_step();
   const double           wave = scene.drive.pitch / std::sqrt(steel.youngs_modulus / steel.density);
   const unsigned int     steps  = static_cast<unsigned int>(5. * wave / dt) + 1;
   double                 before = 0., stored = 0.;
@@ -292,19 +292,19 @@ Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm, const dou
     {
       for (unsigned int i = 0; i < steps; ++i)
         {
-          shapes.begin(dt);
+          modal.begin(dt);
           system_.evaluate_forces(dt);
           for (ElasticGroup *group : world.groups.elastic())
             group->use_forces(world, {dt, world.time});
           slow_down(world);
           for (const HeldBatch &batch : links) // also of what the slower nodes leave to the others
-            batch.hold();
-          const double kinetic = kinetic_energy(world) + shapes.end(dt);
+            batch.constrain();
+          const double kinetic = kinetic_energy(world) + modal.end(dt);
           if (kinetic < before)
             {
               for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
                 world.copies[g].velocity = 0.;
-              shapes.rest();
+              modal.rest();
             }
           else
             drift(world, dt);
@@ -376,7 +376,7 @@ Relaxation::JointForces Relaxation::joint_forces()
   JointForces forces{std::vector<double>(scene_.drive.n_joints, 0.),
                      std::vector<double>(scene_.drive.n_joints, 0.)};
   for (const auto &family : system_.contacts.families())
-    if (family->is_dealt_out()) // elastic bodies
+    if (family->is_distributed()) // elastic bodies
       for (const contact::Record &record : family->records())
         {
           const double size = record.force.norm();

@@ -28,7 +28,7 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
   if (strained)
     Relaxation(scene, comm).strain(world);
   // how bodies were placed and how they strain agree within a factor
-  contacts.refuse_overlap(world, (strained ? 2. : 1.) * scene.prestress);
+  contacts.refuse_penetration(world, (strained ? 2. : 1.) * scene.prestress);
   evaluate_forces();
   world.ledger.initial = world.ledger.stored();
 }
@@ -52,7 +52,7 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 //     kick by dt/2: rigid bodies, hubs                n+1  n+1     n+2  n+3/2  n+1
 //     finish: frames take these velocities; close_ledger: and the energies theirs
 //
-// Reduced bodies move as rigid ones do. Their shapes get the first kick in their drift, and the
+// Reduced bodies move as rigid ones do. Their modes get the first kick in their drift, and the
 // second one from evaluate_and_move(), where their energies are booked; between two steps they are
 // where the frames are. Their nodes are placed for contacts, with the velocities of n+1/2, and for
 // observers, who ask for it; those that nobody has read before, at the first kick as well.
@@ -62,7 +62,8 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 // BodyBatches::position_now() gives them nodes at n.
 //
 // ONE EVALUATION OF THE FORCES, in this order. "Owners" are the ranks that own a batch, "readers"
-// those that touch its nodes, "first" is the first rank, which does for all what is not dealt out.
+// those that touch its nodes, "first" is the first rank, which does for all what is not
+// distributed.
 //
 //   clear_resultants     force, moment, momenta of rims and stored energies become zero. Forces on
 //                        nodes are zero: whoever used them up has cleared them, or
@@ -81,15 +82,15 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 //                             elastic ones too, for results and the guard; energies         owners
 //     send_forces             forces on these nodes, and halves of rims' means              message
 //     groups: gather_forces   nodes that follow rigid bodies: moments on those              first
-//                             nodes of reduced bodies: moments, and forces on shapes        readers
+//                             nodes of reduced bodies: moments, and forces on modes         readers
 //   groups: advance      elastic bodies: internal forces, then, if bodies are to move, kick and
 //                        drift of the nodes;
 //                        energies, momenta, centres of mass                                 owners
 //                        reduced bodies: second kick of other shapes, and their energies    owners
 //   sum_over_ranks       forces, moments, energies, what ranks ask of each other, frames of
-//                        elastic bodies; with halves all of it doubled; forces on shapes of
+//                        elastic bodies; with halves all of it doubled; forces on modes of
 //                        batches whose nodes several ranks touch                            message
-//   groups: advance_shared  those shapes: second kick, and their energies                   all
+//   groups: advance_shared  those modes: second kick, and their energies                   all
 //   Loads::add_work      load torque on the hub, work of both hubs                          all
 //
 // A step waits for other ranks at the three messages, or only at the last one if no nodes travel:
@@ -191,12 +192,12 @@ void System::serialize(const Archive &archive)
   loads.serialize(archive / "loads");
 }
 
-std::vector<stability::StepLimit> System::step_limits() const
+std::vector<stability::TimeStepLimit> System::step_limits() const
 {
   return stability::step_limits(world, bars, forces, contacts);
 }
 
-double System::stable_step_limit() const
+double System::critical_time_step() const
 {
   return stability::step_limit(world, bars, forces, contacts);
 }

@@ -15,8 +15,8 @@ unsigned long n_steps(const double start, const double end, const double dt)
   if (n > most_steps)
     throw InputError("The run would take " + to_text(n, 2) + " steps of " + to_text(dt * 1e6, 3) +
                      " us; at most " + to_text(most_steps) +
-                     " are allowed: choose a larger Time/Step in us or an earlier Time/End time "
-                     "in ms.");
+                     " are allowed: choose a larger Time/Time step in us or an earlier Time/End "
+                     "time in ms.");
   return static_cast<unsigned long>(n);
 }
 

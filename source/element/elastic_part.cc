@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/element/elastic_part.h>
 #include <chaindrive/element/hexahedra.h>
-#include <chaindrive/mesh/wall_columns.h>
+#include <chaindrive/mesh/thickness_columns.h>
 
 #include <array>
 
@@ -34,36 +34,37 @@ std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &)> away_from_axis(con
   };
 }
 
-/// What is to be a block of its own: plates and bushes that are shells or membranes, and bricks.
+/// What is to be a block of its own: plates and bushes that are solid-shells or membranes, and
+/// solid elements.
 std::vector<Selection> selections(const mesh::Part &part, const parameters::Elements &elements)
 {
   std::array<bool, mesh::n_components> has{};
   for (const auto &cell : part.mesh->active_cell_iterators())
     has[cell->material_id()] = true;
-  const auto wall_of = [&elements](const Component component) {
+  const auto element_type_of = [&elements](const Component component) {
     return component == mesh::bush ? elements.bushes :
            component == mesh::inner_plate || component == mesh::outer_plate ?
                                      elements.plates :
-                                     parameters::Wall::brick;
+                                     parameters::ElementType::solid;
   };
   std::vector<Selection> blocks;
-  Selection              bricks;
+  Selection              solids;
   for (Component component = 0; component < mesh::n_components; ++component)
     if (has[component] && component != mesh::hub_zone)
       {
-        const parameters::Wall wall = wall_of(component);
-        if (wall == parameters::Wall::brick)
-          bricks.components.push_back(component);
+        const parameters::ElementType element_type = element_type_of(component);
+        if (element_type == parameters::ElementType::solid)
+          solids.components.push_back(component);
         else if (component == mesh::bush)
-          blocks.push_back({{component}, wall, away_from_axis(part)});
+          blocks.push_back({{component}, element_type, away_from_axis(part)});
         else
-          blocks.push_back({{component}, wall, [](const dealii::Point<3> &x) {
+          blocks.push_back({{component}, element_type, [](const dealii::Point<3> &x) {
                               return dealii::Tensor<1, 3>(
                                   dealii::Point<3>(0., 0., x[2] < 0. ? -1. : 1.));
                             }});
       }
-  if (!bricks.components.empty())
-    blocks.insert(blocks.begin(), bricks);
+  if (!solids.components.empty())
+    blocks.insert(blocks.begin(), solids);
   return blocks;
 }
 } // namespace
@@ -73,11 +74,11 @@ ElasticPart::ElasticPart(const mesh::Part           &part,
                          const mesh::Nodes          &nodes,
                          const Material             &material,
                          const parameters::Elements &elements)
-    : masses_(elements.column_mass_scaling > 0. ?
-                  ColumnMasses(nodes,
-                               mesh::wall_columns(part, nodes, mesh::roller_bore),
-                               elements.column_mass_scaling) :
-                  ColumnMasses(nodes.mass))
+    : masses_(elements.selective_mass_scaling > 0. ?
+                  SelectiveMasses(nodes,
+                                  mesh::thickness_columns(part, nodes, mesh::roller_bore),
+                                  elements.selective_mass_scaling) :
+                  SelectiveMasses(nodes.mass))
 {
   for (const Selection &selection : selections(part, elements))
     blocks_.push_back(std::make_unique<Hexahedra>(part,

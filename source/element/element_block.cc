@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/element/column_masses.h>
 #include <chaindrive/element/element_block.h>
+#include <chaindrive/element/selective_masses.h>
 #include <chaindrive/utilities/eigenvalue.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -47,7 +47,7 @@ void assemble(const std::vector<const ElementBlock *> &blocks,
 }
 
 double largest_frequency(const std::vector<const ElementBlock *> &blocks,
-                         const ColumnMasses                      &mass,
+                         const SelectiveMasses                   &mass,
                          const std::vector<double>               &springs)
 {
   dealii::SparsityPattern      pattern;
@@ -71,6 +71,6 @@ double largest_frequency(const std::vector<const ElementBlock *> &blocks,
                          const std::vector<double>               &mass,
                          const std::vector<double>               &springs)
 {
-  return largest_frequency(blocks, ColumnMasses(mass), springs);
+  return largest_frequency(blocks, SelectiveMasses(mass), springs);
 }
 } // namespace chaindrive::element

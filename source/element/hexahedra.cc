@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/element/hexahedra.h>
 #include <chaindrive/element/hexahedron_stiffness.h>
-#include <chaindrive/element/shell_stiffness.h>
-#include <chaindrive/element/wall_stresses.h>
+#include <chaindrive/element/solid_shell_stiffness.h>
+#include <chaindrive/element/solid_shell_stresses.h>
 
 #include <algorithm>
 #include <array>
@@ -20,31 +20,32 @@ using dealii::Tensor;
 //   shape_of()            what is regular in those axes; the way that is most so is taken
 //   geometry_of()         elements that are alike share their numbers
 //   mesh::gauss_points()  gradients and volumes at 2 x 2 x 2 points
-//   make_hexahedron()     mean gradient and linear parts of the hourglass modes, in terms of modes
-//   hourglass_stiffness_of(), condense()   what holds the hourglass amplitudes (shell_stiffness())
-//   for_each_number()     writes down those numbers that do not vanish, in the kernels' order
+//   make_hexahedron()     mean gradient and linear parts of the hourglass modes, by base vectors
+//   hourglass_stiffness_of(), condense() what holds the hourglass amplitudes
+//   (solid_shell_stiffness()) for_each_number()     writes down those numbers that do not vanish,
+//   in the kernels' order
 //
 // element_stiffness() goes the other way, from the numbers to a matrix: what it gives is what the
-// kernels compute with. Modes, amplitudes and which numbers vanish are in shapes.h, the formulas
-// above hexahedron_kernels.h.
+// kernels compute with. Base vectors, amplitudes and which numbers vanish are in shapes.h, the
+// formulas above hexahedron_kernels.h.
 
 namespace
 {
-/// h_m at a vertex: the modes of shapes.h.
-double h(const unsigned int mode, const unsigned int vertex)
+/// h_m at a vertex: the base vectors of shapes.h.
+double h(const unsigned int base, const unsigned int vertex)
 {
   const double x = (vertex & 1) ? 1. : -1., y = (vertex & 2) ? 1. : -1.,
                z = (vertex & 4) ? 1. : -1.;
-  const std::array<double, n_modes> values{{x, y, z, x * y, y * z, z * x, x * y * z}};
-  return values[mode];
+  const std::array<double, n_base_vectors> values{{x, y, z, x * y, y * z, z * x, x * y * z}};
+  return values[base];
 }
 
-/// The amplitude of @p mode in coordinate @p j of the vertices.
-double amplitude(const mesh::Corners &corners, const unsigned int j, const unsigned int mode)
+/// The amplitude of @p base in coordinate @p j of the vertices.
+double amplitude(const mesh::Corners &corners, const unsigned int j, const unsigned int base)
 {
   double sum = 0.;
   for (unsigned int a = 0; a < 8; ++a)
-    sum += h(mode, a) * corners[a][j];
+    sum += h(base, a) * corners[a][j];
   return sum;
 }
 
@@ -81,8 +82,8 @@ Placed place(const mesh::Corners &corners, const unsigned int way)
   Tensor<1, 3> x, z;
   for (unsigned int j = 0; j < 3; ++j)
     {
-      x[j] = amplitude(placed.corners, j, mode_x);
-      z[j] = amplitude(placed.corners, j, mode_z);
+      x[j] = amplitude(placed.corners, j, base_x);
+      z[j] = amplitude(placed.corners, j, base_z);
     }
   z /= z.norm();
   x -= (x * z) * z;
@@ -111,13 +112,13 @@ Shape shape_of(const mesh::Corners &corners)
 {
   double largest = 0.;
   for (unsigned int j = 0; j < 3; ++j)
-    for (unsigned int m = 0; m < n_modes; ++m)
+    for (unsigned int m = 0; m < n_base_vectors; ++m)
       largest = std::max(largest, std::abs(amplitude(corners, j, m)));
 
-  // which modes may be in each coordinate
-  const auto only = [&](const std::array<std::array<bool, n_modes>, 3> &allowed) {
+  // which base vectors may be in each coordinate
+  const auto only = [&](const std::array<std::array<bool, n_base_vectors>, 3> &allowed) {
     for (unsigned int j = 0; j < 3; ++j)
-      for (unsigned int m = 0; m < n_modes; ++m)
+      for (unsigned int m = 0; m < n_base_vectors; ++m)
         if (!allowed[j][m] && std::abs(amplitude(corners, j, m)) > 1e-9 * largest)
           return false;
     return true;
@@ -137,18 +138,18 @@ Shape shape_of(const mesh::Corners &corners)
 struct Hexahedron
 {
   double volume;
-  double gradient[3][n_modes];
+  double gradient[3][n_base_vectors];
   double shift[4][3];
   double hourglass_stiffness;
   double hourglass[12][12]; ///< in the order of the amplitudes
-  double coupling[6][12];   ///< of a shell: twice the mean strain per amplitude, angles as such
+  double coupling[6][12]; ///< of a solid-shell: twice the mean strain per amplitude, angles as such
   double point_volume[8];
   double point_inverse[8][3][3]; ///< an eighth of d xi_d / dX_j
 };
 
 /// What elements have in common that differ by no more than round-off: where the corners are as
 /// seen from the first one, in femtometres. In metres round-off is some 1e-18.
-/// The last number is the axis through the wall.
+/// The last number is the axis through the thickness.
 using Geometry = std::array<std::int64_t, 25>;
 
 Geometry geometry_of(const mesh::Corners &corners, const unsigned int across)
@@ -188,7 +189,7 @@ void for_each_number(const Shape       shape,
     visit(element.hourglass_stiffness);
   else
     visit_places(hourglass_entries(shape), element.hourglass);
-  if (formulation == Formulation::shell)
+  if (formulation == Formulation::solid_shell)
     visit_places(coupling_entries(shape), element.coupling);
 }
 
@@ -213,14 +214,14 @@ Hexahedron unpack(const Shape shape, const Formulation formulation, const double
 
 using Gradient = double[3][8];
 
-/// Gradients of the shape functions, from what modes have part in the mean ones.
+/// Gradients of the shape functions, from what base vectors have part in the mean ones.
 void vertex_gradient(const Hexahedron &element, Gradient &B)
 {
   for (unsigned int j = 0; j < 3; ++j)
     for (unsigned int a = 0; a < 8; ++a)
       {
         B[j][a] = 0.;
-        for (unsigned int m = 0; m < n_modes; ++m)
+        for (unsigned int m = 0; m < n_base_vectors; ++m)
           B[j][a] += element.gradient[j][m] * h(m, a);
       }
 }
@@ -255,14 +256,14 @@ Hexahedron make_hexahedron(const mesh::Corners                   &corners,
   for (const mesh::GaussPoint &point : points)
     element.volume += point.volume;
   for (unsigned int j = 0; j < 3; ++j)
-    for (unsigned int m = 0; m < n_modes; ++m)
+    for (unsigned int m = 0; m < n_base_vectors; ++m)
       for (const mesh::GaussPoint &point : points)
         for (unsigned int a = 0; a < 8; ++a)
           element.gradient[j][m] +=
               0.125 * point.volume / element.volume * point.gradient[a][j] * h(m, a);
   for (unsigned int alpha = 0; alpha < 4; ++alpha)
     for (unsigned int j = 0; j < 3; ++j)
-      element.shift[alpha][j] = amplitude(corners, j, mode_xy + alpha);
+      element.shift[alpha][j] = amplitude(corners, j, base_xy + alpha);
 
   for (unsigned int q = 0; q < 8; ++q)
     {
@@ -285,7 +286,7 @@ dealii::FullMatrix<double> hourglass_vectors(const Hexahedron &element)
   for (unsigned int alpha = 0; alpha < 4; ++alpha)
     for (unsigned int a = 0; a < 8; ++a)
       {
-        gamma(alpha, a) = h(mode_xy + alpha, a);
+        gamma(alpha, a) = h(base_xy + alpha, a);
         for (unsigned int j = 0; j < 3; ++j)
           gamma(alpha, a) -= B[j][a] * element.shift[alpha][j];
       }
@@ -297,7 +298,7 @@ dealii::FullMatrix<double> hourglass_vectors(const Hexahedron &element)
 /// gamma_alpha . G_beta = 1 or 0 and no mean gradient, one for each amplitude, therefore give K_h =
 /// G K G^T. They are found in two steps: G = (gamma gamma^T)^-1 gamma has the amplitudes, and what
 /// it has of mean gradient is taken away by a linear field, which has no amplitude.
-dealii::FullMatrix<double> amplitude_shapes(const Hexahedron &element, const mesh::Corners &corners)
+dealii::FullMatrix<double> amplitude_fields(const Hexahedron &element, const mesh::Corners &corners)
 {
   Gradient B;
   vertex_gradient(element, B);
@@ -322,7 +323,7 @@ void condense(const dealii::FullMatrix<double> &k,
               const mesh::Corners              &corners,
               Hexahedron                       &element)
 {
-  const dealii::FullMatrix<double> g = amplitude_shapes(element, corners);
+  const dealii::FullMatrix<double> g = amplitude_fields(element, corners);
   for (unsigned int m = 0; m < 12; ++m)
     for (unsigned int n = 0; n < 12; ++n)
       for (unsigned int a = 0; a < 8; ++a)
@@ -332,15 +333,15 @@ void condense(const dealii::FullMatrix<double> &k,
                                      g(amplitudes[n].alpha, b);
 }
 
-/// The same of a shell, whose amplitudes have a mean strain D p where its strains are sampled:
-/// K_h = G K G^T - V D^T C D, since the mean strain has its own stiffness.
-void condense(const ShellStiffness &shell,
-              const mesh::Corners  &corners,
-              const Material       &material,
-              Hexahedron           &element)
+/// The same of a solid-shell, whose amplitudes have a mean strain D p where its strains are
+/// sampled: K_h = G K G^T - V D^T C D, since the mean strain has its own stiffness.
+void condense(const SolidShellStiffness &shell,
+              const mesh::Corners       &corners,
+              const Material            &material,
+              Hexahedron                &element)
 {
   condense(shell.stiffness, corners, element);
-  const dealii::FullMatrix<double> g = amplitude_shapes(element, corners);
+  const dealii::FullMatrix<double> g = amplitude_fields(element, corners);
   dealii::FullMatrix<double>       D(n_strains, 12), stress(n_strains, 12), energy(12, 12);
   for (unsigned int r = 0; r < n_strains; ++r)
     for (unsigned int m = 0; m < 12; ++m)
@@ -385,8 +386,9 @@ Hexahedra::Hexahedra(const mesh::Part  &part,
                      const double       hourglass_coefficient,
                      const Shape        most_regular,
                      const Selection   &selection)
-    : formulation(selection.wall == parameters::Wall::brick ? chosen_formulation :
-                                                              Formulation::shell)
+    : formulation(selection.element_type == parameters::ElementType::solid ?
+                      chosen_formulation :
+                      Formulation::solid_shell)
     , shape(most_regular)
     , lambda(material.lambda())
     , mu(material.mu())
@@ -395,7 +397,7 @@ Hexahedra::Hexahedra(const mesh::Part  &part,
     , selection_(selection)
     , kernels_(best_kernels())
 {
-  const bool is_shell = selection.wall != parameters::Wall::brick;
+  const bool is_solid_shell = selection.element_type != parameters::ElementType::solid;
   std::vector<std::pair<mesh::Corners, std::array<unsigned int, 8>>> cells;
   std::vector<unsigned int>                                          across; // axis of the cell
   unsigned int                                                       n_elastic = 0;
@@ -408,7 +410,8 @@ Hexahedra::Hexahedra(const mesh::Part  &part,
         continue;
       const mesh::Corners corners = mesh::corners_of(cell);
       cells.push_back({corners, nodes.cells[elastic]});
-      across.push_back(is_shell ? nearest_axis(corners, selection.across(cell->center())) : 0);
+      across.push_back(is_solid_shell ? nearest_axis(corners, selection.across(cell->center())) :
+                                        0);
     }
 
   // each element as it is most regular; the part is as its least regular element
@@ -443,12 +446,13 @@ Hexahedra::Hexahedra(const mesh::Part  &part,
         vertices.back().node[a] = cells[e].second[here.order[a]];
 
       // the axis of the element that is that of the cell
-      unsigned int wall_axis = 0;
-      while (is_shell && (here.order[0] ^ here.order[1U << wall_axis]) != 1U << across[e])
-        ++wall_axis;
+      unsigned int thickness_axis = 0;
+      while (is_solid_shell &&
+             (here.order[0] ^ here.order[1U << thickness_axis]) != 1U << across[e])
+        ++thickness_axis;
 
       const auto [found, is_new] =
-          numbers_of.emplace(geometry_of(here.corners, wall_axis), numbers.size());
+          numbers_of.emplace(geometry_of(here.corners, thickness_axis), numbers.size());
       vertices.back().numbers = static_cast<unsigned int>(found->second);
       if (!is_new)
         continue;
@@ -460,8 +464,8 @@ Hexahedra::Hexahedra(const mesh::Part  &part,
             hourglass_stiffness_of(element, hourglass_coefficient, material.constrained_modulus());
       if (formulation == Formulation::enhanced)
         condense(stiffness(gauss, material, true), here.corners, element);
-      if (is_shell)
-        condense(wall_stiffness(here.corners, wall_axis, material, selection.wall),
+      if (is_solid_shell)
+        condense(stiffness_of_type(here.corners, thickness_axis, material, selection.element_type),
                  here.corners,
                  material,
                  element);
@@ -502,9 +506,9 @@ dealii::FullMatrix<double> Hexahedra::element_stiffness(const unsigned int e) co
         }
   };
   // the mean strain with what the amplitudes add to it
-  const auto add_shell = [&](const Hexahedron                 &shell,
-                             const Gradient                   &gradient,
-                             const dealii::FullMatrix<double> &gamma) {
+  const auto add_solid_shell = [&](const Hexahedron                 &shell,
+                                   const Gradient                   &gradient,
+                                   const dealii::FullMatrix<double> &gamma) {
     dealii::FullMatrix<double> strain(n_strains, 24), stress(n_strains, 24), product(24, 24);
     for (unsigned int r = 0; r < n_strains; ++r)
       {
@@ -534,8 +538,8 @@ dealii::FullMatrix<double> Hexahedra::element_stiffness(const unsigned int e) co
     {
       vertex_gradient(element, B);
       const dealii::FullMatrix<double> gamma = hourglass_vectors(element);
-      if (formulation == Formulation::shell)
-        add_shell(element, B, gamma);
+      if (formulation == Formulation::solid_shell)
+        add_solid_shell(element, B, gamma);
       else
         add_point(B, element.volume);
       for (unsigned int m = 0; m < 12; ++m)
@@ -582,8 +586,8 @@ void Hexahedra::add_forces(const BatchState &batch) const
 std::unique_ptr<const StressRecovery> Hexahedra::make_stress_recovery(
     const mesh::Part &part, const mesh::Nodes &nodes, const Material &material) const
 {
-  if (selection_.wall != parameters::Wall::brick)
-    return std::make_unique<WallStresses>(part, nodes, material, selection_);
+  if (selection_.element_type != parameters::ElementType::solid)
+    return std::make_unique<SolidShellStresses>(part, nodes, material, selection_);
   return std::make_unique<CellStresses>(part, nodes, material, selection_.components);
 }
 

@@ -103,8 +103,8 @@ PartReport make_report(const mesh::Part &part, const Material &material)
       if (shapes.insert(fingerprint(x, 1e-3, density)).second)
         frequency = std::max(frequency, largest_frequency(x, material, density));
     }
-  report.n_shapes    = static_cast<unsigned int>(shapes.size());
-  report.stable_step = 2. / frequency;
+  report.n_distinct_cells   = static_cast<unsigned int>(shapes.size());
+  report.critical_time_step = 2. / frequency;
 
   report.exact_mass = part.exact.mass;
   for (unsigned int d = 0; d < 3; ++d)
@@ -164,7 +164,7 @@ void print(std::ostream &out, const std::vector<PartReport> &reports)
            to_text(1e3 * report.exact_mass, 4),
            percent(report.mass_error),
            percent(inertia),
-           to_text(1e6 * report.stable_step, 3)});
+           to_text(1e6 * report.critical_time_step, 3)});
     }
 }
 } // namespace chaindrive::element

@@ -101,14 +101,14 @@ void CheckpointItems::write(const std::string      &path,
       path,
       [&](std::ostream &out) {
         Checksum   sum;
-        const auto put = [&](const std::string &bytes) {
+        const auto append_bytes = [&](const std::string &bytes) {
           sum.add(bytes.data(), bytes.size());
           out << bytes;
         };
-        put(begin);
-        put(bytes_);
+        append_bytes(begin);
+        append_bytes(bytes_);
         for (unsigned int rank = 1; rank < n_ranks_in(comm_); ++rank)
-          put(receive(rank, comm_));
+          append_bytes(receive(rank, comm_));
         out << bytes_of(sum.value());
       },
       true);
@@ -215,15 +215,15 @@ Archive CheckpointFile::archive() const
 void CheckpointFile::check_parameters(const std::string &parameters) const
 {
   const Archive::Bytes bytes = bytes_at(items_.at("parameters"));
-  std::istringstream   there(std::string(bytes.begin(), bytes.end())), here(parameters);
+  std::istringstream   stored(std::string(bytes.begin(), bytes.end())), expected(parameters);
   std::string          in_file, asked_for;
   while (true)
     {
-      const bool more = bool(std::getline(there, in_file)),
-                 also = bool(std::getline(here, asked_for));
-      if (!more && !also)
+      const bool has_stored   = bool(std::getline(stored, in_file)),
+                 has_expected = bool(std::getline(expected, asked_for));
+      if (!has_stored && !has_expected)
         return;
-      if (!more || !also || in_file != asked_for)
+      if (!has_stored || !has_expected || in_file != asked_for)
         throw InputError("The checkpoint '" + path_ + "' belongs to other parameters: there " +
                          in_file + ", here " + asked_for +
                          ". Only the end time and the section Output may change.");

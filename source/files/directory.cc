@@ -37,10 +37,10 @@ std::string csv_files()
 constexpr const char *others = "(parameters\\.prm|input\\.prm|log\\.txt)";
 constexpr const char *series =
     "(histories(-[0-9]+)?\\.h5|histories\\.saved|checkpoint-[0-9]+\\.ckpt)";
-constexpr const char *lists      = "(bodies|bars)\\.pvd";
-constexpr const char *pictures   = "(bodies|bars)_[0-9]+(\\.[0-9]+)?\\.p?vtu";
-constexpr const char *summary    = "(summary\\.json|acoustics\\.(json|h5)|report\\.html)";
-constexpr const char *unfinished = "\\.part";
+constexpr const char *lists       = "(bodies|bars)\\.pvd";
+constexpr const char *field_files = "(bodies|bars)_[0-9]+(\\.[0-9]+)?\\.p?vtu";
+constexpr const char *summary     = "(summary\\.json|acoustics\\.(json|h5)|report\\.html)";
+constexpr const char *unfinished  = "\\.part";
 
 std::string either(const std::vector<std::string> &names)
 {
@@ -215,7 +215,7 @@ void Directory::check_contents() const
 {
   const std::string names = both(either({series, lists, others, summary, csv_files()}));
   auto              found = entries(path_, names, true);
-  const auto        below = entries(fs::path(path_) / "fields", pictures, true);
+  const auto        below = entries(fs::path(path_) / "fields", field_files, true);
   found.insert(found.end(), below.begin(), below.end());
   if (!found.empty())
     throw InputError(refusal() + "'" + found.front().string() +
@@ -305,7 +305,7 @@ std::string Directory::take_over(const bool resumes, const bool csv)
   remove(entries(path_, ended(either({series, lists}))));
   if (!resumes || !csv)
     remove(entries(path_, csv_files()));
-  remove(entries(fs::path(path_) / "fields", ended(pictures)));
+  remove(entries(fs::path(path_) / "fields", ended(field_files)));
   return warning;
 }
 } // namespace chaindrive::files

@@ -34,14 +34,14 @@ std::vector<std::vector<double>> room_for(const std::size_t rows, const SavedMar
   return values;
 }
 
-/// Gives the rows [first, end) of @p file to @p put(bytes, number of bytes), row after row.
+/// Gives the rows [first, end) of @p file to @p consume(bytes, number of bytes), row after row.
 template <typename Put>
 void for_each_row(HistoryFile      &file,
                   const SavedMark  &tables,
                   const std::size_t first,
                   const std::size_t end,
                   const std::size_t block,
-                  const Put        &put)
+                  const Put        &consume)
 {
   auto values = room_for(std::min(block, end - first), tables);
   for (std::size_t begin = first; begin < end; begin += block)
@@ -50,8 +50,8 @@ void for_each_row(HistoryFile      &file,
       file.read(begin, n, values);
       for (std::size_t row = 0; row < n; ++row)
         for (std::size_t t = 0; t < values.size(); ++t)
-          put(reinterpret_cast<const char *>(values[t].data() + row * tables.columns[t]),
-              tables.columns[t] * sizeof(double));
+          consume(reinterpret_cast<const char *>(values[t].data() + row * tables.columns[t]),
+                  tables.columns[t] * sizeof(double));
     }
 }
 

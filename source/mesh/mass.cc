@@ -40,7 +40,7 @@ public:
   void add(const dealii::Point<3> &x, const double mass)
   {
     add_one(x, mass);
-    if (symmetry_.is_half())
+    if (symmetry_.is_active())
       add_one(dealii::Point<3>(x[0], x[1], -x[2]), mass);
   }
 

@@ -42,7 +42,7 @@ std::vector<char> elastic_joints(const Parameters         &parameters,
   first -= (first % 2 + 2) % 2;
   last += 1 - (last % 2 + 2) % 2;
   if (last - first + 1 >= n)
-    throw InputError("Model/Elastic links = arriving: about " +
+    throw InputError("Model/Elastic links = region of interest: about " +
                      std::to_string(last - first + 1 - 2 * margin) +
                      " rollers arrive at the driver in Output's window, with those beside them the "
                      "whole chain of " +

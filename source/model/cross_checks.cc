@@ -13,7 +13,6 @@ namespace chaindrive::model
 {
 using parameters::CentreDistanceFrom;
 using parameters::ElasticLinks;
-using parameters::HalfModel;
 using parameters::OtherLinks;
 using parameters::PitchSet;
 using parameters::QuantityGroup;
@@ -22,6 +21,7 @@ using parameters::Sprocket;
 using parameters::Sprockets;
 using parameters::Start;
 using parameters::Switch;
+using parameters::SymmetryModel;
 using parameters::to_entry_text;
 using parameters::WornChain;
 namespace unit = parameters::unit;
@@ -62,11 +62,11 @@ void check_settled_window(const Parameters &p, Findings &findings)
   findings.contradiction(p.loads.driver_speed == 0.,
                          settled + " counts the pitches that the driver takes in, but Loads/Driver "
                                    "speed in rad/s = 0; give a time.");
-  findings.contradiction(p.model.elastic_links == ElasticLinks::arriving,
+  findings.contradiction(p.model.elastic_links == ElasticLinks::region_of_interest,
                          settled +
-                             " cannot be with Model/Elastic links = arriving, which must know "
-                             "before the start which links arrive in the window; give a "
-                             "time, or choose Elastic links = all.");
+                             " cannot be with Model/Elastic links = region of interest, which must "
+                             "know before the start which links arrive in the window; give a time, "
+                             "or choose Elastic links = all.");
 }
 
 void check_window(const Parameters &p, Findings &findings)
@@ -109,8 +109,8 @@ void check_times(const Parameters &p, const Effects &effects, Findings &findings
 
   findings.contradiction(
       time.step && *time.step > duration,
-      "Time/Step in us is longer than the whole run: " + us(time.step.value_or(0.)) + " against " +
-          ms(duration) + "; choose a smaller step or auto.");
+      "Time/Time step in us is longer than the whole run: " + us(time.step.value_or(0.)) +
+          " against " + ms(duration) + "; choose a smaller step or auto.");
   findings.contradiction(
       output.history_interval > duration,
       "Output/History interval in us is longer than the whole run: " + us(output.history_interval) +
@@ -245,8 +245,9 @@ void check_model(const Parameters &p, Findings &findings)
       "Drive/Layout/Centre distance from = pretension stretches the chain before the start, "
       "which " +
           chosen + " cannot do with its elastic parts; choose given, slack or sag.");
-  findings.contradiction(p.model.half == HalfModel::yes && !elastic,
-                         "Model/Half model = true is for elastic bodies: " + chosen + " has none.");
+  findings.contradiction(p.model.half == SymmetryModel::yes && !elastic,
+                         "Model/Symmetry model = true is for elastic bodies: " + chosen +
+                             " has none.");
   findings.contradiction(
       elastic && p.mesh.inner_link.along.value_or(4) < 4,
       "Mesh/Inner link/Cells along = 2 leaves one ring of a bush's nodes inside its roller, which "
@@ -264,8 +265,8 @@ void check_model(const Parameters &p, Findings &findings)
       elastic && p.model.stiffness_per_pitch && p.model.elastic_links == ElasticLinks::all &&
           p.drive.layout.start != Start::settled,
       "Model/Stiffness per pitch in N/m is that of the parts in " + chosen +
-          ", unless some links are rigid (Elastic links = arriving) or the spans are stretched "
-          "before the start (Drive/Layout/Start = settled): leave it auto.");
+          ", unless some links are rigid (Elastic links = region of interest) or the spans are "
+          "stretched before the start (Drive/Layout/Start = settled): leave it auto.");
   findings.contradiction(
       elastic && (p.contact.roller_tooth_stiffness || p.contact.roller_bush_stiffness),
       "Contact/Roller-tooth stiffness in N/m and Roller-bush stiffness in N/m follow from the "
@@ -277,11 +278,11 @@ void check_model(const Parameters &p, Findings &findings)
   findings.contradiction(!elastic && p.model.elastic_sprockets == Switch::on,
                          "Model/Elastic sprockets = on contradicts " + chosen +
                              ", in which no body is elastic; choose auto or off.");
-  const bool arriving = p.model.elastic_links == ElasticLinks::arriving;
-  findings.contradiction(arriving && !elastic,
-                         "Model/Elastic links = arriving contradicts " + chosen +
+  const bool has_region = p.model.elastic_links == ElasticLinks::region_of_interest;
+  findings.contradiction(has_region && !elastic,
+                         "Model/Elastic links = region of interest contradicts " + chosen +
                              ", in which no link is elastic; choose all, or Fidelity = full.");
-  findings.contradiction(arriving && p.model.capabilities().is_reduced &&
+  findings.contradiction(has_region && p.model.capabilities().is_reduced &&
                              p.model.other_links == OtherLinks::reduced,
                          "Model/Other links = reduced with " + chosen +
                              " leaves no link that is not reduced; choose rigid, or Elastic links "
@@ -298,10 +299,10 @@ void check_model(const Parameters &p, Findings &findings)
 /// What is switched on or off in an elastic model must fit together.
 void check_elasticity(const Parameters &p, const Effects &effects, Findings &findings)
 {
-  const parameters::Effects &entries  = p.effects;
-  const std::string          chosen   = chosen_fidelity(p);
-  const bool                 elastic  = p.model.capabilities().is_elastic;
-  const bool                 arriving = p.model.elastic_links == ElasticLinks::arriving;
+  const parameters::Effects &entries    = p.effects;
+  const std::string          chosen     = chosen_fidelity(p);
+  const bool                 elastic    = p.model.capabilities().is_elastic;
+  const bool                 has_region = p.model.elastic_links == ElasticLinks::region_of_interest;
   std::vector<std::pair<std::string, Switch>> rims;
   for (const Sprocket &sprocket : p.drive.sprockets.list)
     rims.emplace_back("Effects/Elastic " + sprocket.name, sprocket.elastic);
@@ -321,10 +322,11 @@ void check_elasticity(const Parameters &p, const Effects &effects, Findings &fin
   rims.emplace_back("Model/Elastic sprockets", p.model.elastic_sprockets);
   for (const auto &[name, choice] : rims)
     {
-      findings.contradiction(arriving && choice == Switch::on,
-                             name + " = on contradicts Elastic links = arriving, in which all "
-                                    "sprockets are rigid; choose auto or off, or Elastic links = "
-                                    "all.");
+      findings.contradiction(
+          has_region && choice == Switch::on,
+          name + " = on contradicts Elastic links = region of interest, in which all "
+                 "sprockets are rigid; choose auto or off, or Elastic links = "
+                 "all.");
       findings.contradiction(choice == Switch::on && entries.elastic_rollers == Switch::off,
                              name + " = on needs elastic rollers, whose nodes touch the teeth, but "
                                     "Effects/Elastic rollers = off; choose auto for one of them.");
@@ -357,11 +359,11 @@ void check_elasticity(const Parameters &p, const Effects &effects, Findings &fin
   for (const auto &[name, body] :
        {std::pair<const char *, Decision>{"Elastic links", effects.of(Effect::elastic_links)},
         {"Elastic rollers", effects.of(Effect::elastic_rollers)}})
-    findings.contradiction(p.model.half == HalfModel::yes && !body.on,
-                           std::string("Model/Half model = true needs elastic links and rollers, "
-                                       "since rigid ones are whole, but Effects/") +
-                               name + " is off (" + body.reason +
-                               "); choose on, or Half model = auto.");
+    findings.contradiction(
+        p.model.half == SymmetryModel::yes && !body.on,
+        std::string("Model/Symmetry model = true needs elastic links and rollers, "
+                    "since rigid ones are whole, but Effects/") +
+            name + " is off (" + body.reason + "); choose on, or Symmetry model = auto.");
 }
 
 /// What is asked for by its name must be there.
@@ -396,7 +398,7 @@ void check_quantities(const Parameters &p, const Effects &effects, Findings &fin
                     p.effects.plate_bending == Switch::off,
                 asked_for(QuantityGroup::plate_stress) +
                     ": plates do not bend out of their planes, since Effects/Plate bending = off.");
-  if (!elastic || p.model.elastic_links == ElasticLinks::arriving)
+  if (!elastic || p.model.elastic_links == ElasticLinks::region_of_interest)
     return;
   for (unsigned int i = 0; i < p.drive.sprockets.list.size(); ++i)
     for (const Needs &needs : all_needs)

@@ -62,16 +62,16 @@ Decision decide(const Effect effect, const Parameters &p, const Switch choice, b
           who.empty() ? "nothing in Output/Quantities needs it" : "for Output/Quantities = " + who};
 }
 
-bool arrive(const Parameters &p)
+bool has_region_of_interest(const Parameters &p)
 {
-  return is_elastic(p) && p.model.elastic_links == parameters::ElasticLinks::arriving;
+  return is_elastic(p) && p.model.elastic_links == parameters::ElasticLinks::region_of_interest;
 }
 
 /// What holds of links and rollers alike.
 Decision where_they_arrive(const Parameters &p, Decision decision)
 {
-  if (decision.on && arrive(p))
-    decision.reason = "those that arrive in the window: Model/Elastic links";
+  if (decision.on && has_region_of_interest(p))
+    decision.reason = "those in the region of interest: Model/Elastic links";
   return decision;
 }
 
@@ -97,8 +97,11 @@ elastic_sprocket(const Parameters &p, const parameters::Sprocket &sprocket, cons
   constexpr Effect effect = Effect::elastic_sprocket;
   Decision         rim    = decide(effect, p, choice_for(p, sprocket), &Needs::sprockets);
   rim.sprocket            = sprocket.name;
-  if (rim.on && arrive(p))
-    return {effect, false, "rigid next to rigid links: Elastic links = arriving", sprocket.name};
+  if (rim.on && has_region_of_interest(p))
+    return {effect,
+            false,
+            "rigid next to rigid links: Elastic links = region of interest",
+            sprocket.name};
   if (rim.on && p.model.capabilities().is_reduced)
     return {effect, false, "rigid next to reduced rollers", sprocket.name};
   if (rim.on && !rollers)
@@ -162,23 +165,23 @@ Decision reduced_bodies(const Parameters &p, const bool links, const bool roller
     return {effect, false, "neither links nor rollers are elastic"};
   if (p.model.capabilities().is_reduced)
     return {effect, true, "fidelity " + text_of(p.model.fidelity)};
-  if (!arrive(p))
+  if (!has_region_of_interest(p))
     return {effect, false, "elastic bodies move by their nodes"};
   const bool others = p.model.other_links == parameters::OtherLinks::reduced;
   return {effect, others, "Model/Other links = " + text_of(p.model.other_links)};
 }
 
-Decision column_mass_scaling(const Parameters &p, const bool rollers)
+Decision selective_mass_scaling(const Parameters &p, const bool rollers)
 {
-  constexpr Effect effect = Effect::column_mass_scaling;
+  constexpr Effect effect = Effect::selective_mass_scaling;
   if (!rollers)
     return {effect, false, "rollers are not elastic"};
   if (p.model.capabilities().is_reduced)
     return {effect, false, "rollers move by modes"};
-  const double factor = p.elements.column_mass_scaling;
+  const double factor = p.elements.selective_mass_scaling;
   return {effect,
           factor > 0.,
-          "Elements/Column mass scaling = " +
+          "Elements/Selective mass scaling = " +
               parameters::to_entry_text(factor, parameters::unit::si)};
 }
 
@@ -192,18 +195,18 @@ Decision fields(const Parameters &p)
           "field interval " + parameters::to_entry_text(interval, parameters::unit::milli) + " ms"};
 }
 
-Decision half_model(const Parameters &p,
-                    const bool        links,
-                    const bool        rollers,
-                    const bool        plate_faces,
-                    const bool        pictures)
+Decision symmetry_model(const Parameters &p,
+                        const bool        links,
+                        const bool        rollers,
+                        const bool        plate_faces,
+                        const bool        pictures)
 {
-  constexpr Effect effect = Effect::half_model;
+  constexpr Effect effect = Effect::symmetry_model;
   if (!is_elastic(p))
     return {effect, false, nothing_elastic};
-  if (p.model.half == parameters::HalfModel::yes)
+  if (p.model.half == parameters::SymmetryModel::yes)
     return {effect, true, "asked for: the middle plane is a plane of symmetry"};
-  if (p.model.half == parameters::HalfModel::no)
+  if (p.model.half == parameters::SymmetryModel::no)
     return {effect, false, "asked for: whole bodies"};
   if (!links || !rollers)
     return {effect, false, "whole bodies: rigid ones are"};
@@ -212,7 +215,7 @@ Decision half_model(const Parameters &p,
   for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
     if (!sprocket.mesh.empty())
       return {effect, false, "whole bodies: an imported mesh may lack symmetry"};
-  // pictures show both halves: without any, nobody needs them
+  // field output shows both halves: without any, nobody needs them
   const std::string who = pictures ? who_needs(p, &Needs::both_halves) : "";
   if (!who.empty())
     return {effect, false, "whole bodies: for Output/Quantities = " + who};
@@ -238,7 +241,7 @@ stress_recovery(const Parameters &p, const bool links, const bool rollers, const
               (bodies ? "in field output" : "")};
 }
 
-/// Whether the cylinders of a joint have play.
+/// Whether the cylinders of a joint have clearance.
 Decision clearance(const Effect effect, const Parameters &p, const Switch choice)
 {
   const std::string fidelity = "fidelity " + text_of(p.model.fidelity);
@@ -255,7 +258,7 @@ Decision chain_bars(const Parameters &p)
   return {Effect::chain_bars,
           !has_clearances,
           "fidelity " + text_of(p.model.fidelity) + ": " +
-              (reduced        ? "links deform by shapes" :
+              (reduced        ? "links deform by modes" :
                elastic        ? "links are made of finite elements" :
                has_clearances ? "links are rigid, their compliance sits in the joints" :
                                 "plates are elastic bars")};
@@ -344,9 +347,9 @@ Effects decide_effects(const Parameters &p)
              {tooth_compliance(p, rollers.on, rims),
               plate_bending(p, links.on),
               reduced_bodies(p, links.on, rollers.on),
-              column_mass_scaling(p, rollers.on),
+              selective_mass_scaling(p, rollers.on),
               faces,
-              half_model(p, links.on, rollers.on, faces.on, pictures.on),
+              symmetry_model(p, links.on, rollers.on, faces.on, pictures.on),
               pictures,
               stress_recovery(p, links.on, rollers.on, pictures.on),
               start_up(p)});

@@ -64,8 +64,8 @@ Window window_of(const parameters::Output &output)
           output.window_pitches};
 }
 
-/// Whether rigid sprockets give way by a stiffness that is auto.
-bool teeth_give_way(const Parameters &p, const Effects &effects)
+/// Whether rigid sprockets deflect by a stiffness that is auto.
+bool teeth_are_compliant(const Parameters &p, const Effects &effects)
 {
   return effects.is_on(Effect::tooth_compliance) && !p.contact.tooth_stiffness;
 }
@@ -73,23 +73,23 @@ bool teeth_give_way(const Parameters &p, const Effects &effects)
 
 Meshes meshes_of(const Parameters &parameters, const Effects &effects)
 {
-  return {parameters.mesh, parameters.material.density, effects.is_on(Effect::half_model)};
+  return {parameters.mesh, parameters.material.density, effects.is_on(Effect::symmetry_model)};
 }
 
 std::optional<PartStiffnesses> part_stiffnesses(const Parameters &p, const Effects &effects)
 {
   const auto [has_clearances, is_elastic, is_reduced] = p.model.capabilities();
-  // rigid bodies give way by them, and a start whose prestress is found with them
+  // rigid bodies deflect by them, and a start whose prestress is found with them
   const bool needed = !is_elastic || !effects.is_on(Effect::elastic_links) ||
                       !effects.is_on(Effect::elastic_rollers) ||
-                      p.model.elastic_links == parameters::ElasticLinks::arriving ||
-                      teeth_give_way(p, effects) || !effects.is_on(Effect::start_up);
+                      p.model.elastic_links == parameters::ElasticLinks::region_of_interest ||
+                      teeth_are_compliant(p, effects) || !effects.is_on(Effect::start_up);
   if (p.model.stiffness_from == parameters::StiffnessFrom::dimensions || !needed)
     return {};
   return PartStiffnesses{!p.model.stiffness_per_pitch,
                          !p.contact.roller_tooth_stiffness ||
                              (!p.contact.roller_bush_stiffness && has_clearances),
-                         teeth_give_way(p, effects)};
+                         teeth_are_compliant(p, effects)};
 }
 
 Model make_model(const Parameters &p, const drive::Drive &drive, const Effects &effects)

@@ -60,7 +60,7 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
       {!teeth.on,
        {"Contact/Tooth stiffness in N/m"},
        "Effects/Tooth compliance is off: " + teeth.reason},
-      {is_reduced, {"Elements/Column mass scaling"}, "rollers move by modes"},
+      {is_reduced, {"Elements/Selective mass scaling"}, "rollers move by modes"},
       {is_elastic && p.model.elastic_links == parameters::ElasticLinks::all,
        {"Model/Other links"},
        "Model/Elastic links = all leaves no others"},

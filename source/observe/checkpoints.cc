@@ -174,7 +174,7 @@ std::string Checkpoints::last() const
   return last_.empty() ? "" : " The last checkpoint is '" + last_ + "'.";
 }
 
-std::string Checkpoints::last_sound(const double time) const
+std::string Checkpoints::last_valid(const double time) const
 {
   if (last_.empty())
     return " There is no checkpoint to go on from.";

@@ -41,18 +41,19 @@ void Drift::add(const Observation &now)
 {
   if (!now.system.world.is_first_rank() || now.time() <= from_)
     return;
-  const scene::Sprocket &driver = now.scene.drive.driver();
-  const double           first  = now.time() - now.dt();
-  const auto             take   = [&](const unsigned int signal, const double value) {
+  const scene::Sprocket &driver     = now.scene.drive.driver();
+  const double           first      = now.time() - now.dt();
+  const auto             add_sample = [&](const unsigned int signal, const double value) {
     means_[signal].add(first, now.dt(), value);
   };
-  take(tight_tension, now.spans().tight().tension);
-  take(slack_tension, now.spans().slack().tension);
-  take(driver_torque, driver.sense * now.system.loads.torque(driver.body));
+  add_sample(tight_tension, now.spans().tight().tension);
+  add_sample(slack_tension, now.spans().slack().tension);
+  add_sample(driver_torque, driver.sense * now.system.loads.torque(driver.body));
   unsigned int speed = first_speed;
   for (const scene::Sprocket &sprocket : now.scene.drive.sprockets)
     if (sprocket.role == parameters::Role::driven)
-      take(speed++, sprocket.sense * now.system.world.frames[sprocket.body].angular_velocity[2]);
+      add_sample(speed++,
+                 sprocket.sense * now.system.world.frames[sprocket.body].angular_velocity[2]);
 }
 
 void Drift::next_period(const Observation &now)

@@ -37,7 +37,7 @@ void add(WaistComponents &sum, const double factor, const WaistComponents &compo
 /// What a unit of each amplitude of @p group does to @p plates: central differences about the
 /// part at rest, over a step so small that squares of strains are lost in round-off.
 std::vector<WaistComponents>
-components_of_shapes(const PlateStress &plates, const BodyBatches &copies, const ModalGroup &group)
+components_of_modes(const PlateStress &plates, const BodyBatches &copies, const ModalGroup &group)
 {
   std::vector<dealii::Tensor<1, 3>>              rest;
   std::vector<std::vector<dealii::Tensor<1, 3>>> motions;
@@ -46,8 +46,8 @@ components_of_shapes(const PlateStress &plates, const BodyBatches &copies, const
       rest.emplace_back(copies.nodes.position[node]);
       motions.push_back(group.motions_of(node));
     }
-  std::vector<WaistComponents> of_shapes(group.n_shapes());
-  for (std::size_t m = 0; m < of_shapes.size(); ++m)
+  std::vector<WaistComponents> of_modes(group.n_modes());
+  for (std::size_t m = 0; m < of_modes.size(); ++m)
     {
       double largest = 0.;
       for (const auto &of_node : motions)
@@ -58,10 +58,10 @@ components_of_shapes(const PlateStress &plates, const BodyBatches &copies, const
           std::vector<dealii::Tensor<1, 3>> position = rest;
           for (std::size_t i = 0; i < position.size(); ++i)
             position[i] += sign * h * motions[i][m];
-          add(of_shapes[m], sign / (2. * h), plates.components(position));
+          add(of_modes[m], sign / (2. * h), plates.components(position));
         }
     }
-  return of_shapes;
+  return of_modes;
 }
 
 /// What the elastic bodies of @p group are.
@@ -161,8 +161,8 @@ Waists::Waists(const scene::Scene &scene, const dynamics::System &system)
       {
         Plates &plates = found->second;
         plates.modal   = group;
-        plates.of_shapes =
-            components_of_shapes(plates.from_nodes, system.world.copies[group->copies()], *group);
+        plates.of_modes =
+            components_of_modes(plates.from_nodes, system.world.copies[group->copies()], *group);
       }
 }
 
@@ -176,7 +176,7 @@ WaistStress Waists::stress(const dynamics::System &system, const unsigned int bo
       const std::vector<double> amplitudes = plates.modal->amplitudes_of(system.world, place.copy);
       WaistComponents           sum{};
       for (std::size_t m = 0; m < amplitudes.size(); ++m)
-        add(sum, amplitudes[m], plates.of_shapes[m]);
+        add(sum, amplitudes[m], plates.of_modes[m]);
       return stress_of(sum);
     }
   std::vector<dealii::Tensor<1, 3>> position;

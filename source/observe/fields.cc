@@ -85,7 +85,7 @@ std::vector<files::VtuGrid::FloatData> faces_of(const std::vector<BodySnapshot> 
   return {{"stress_inner", 6, std::move(inner)}, {"stress_outer", 6, std::move(outer)}};
 }
 
-/// What a picture shows of stresses; all its pieces show the same.
+/// What an output shows of stresses; all its pieces show the same.
 struct Shown
 {
   bool stress, faces;

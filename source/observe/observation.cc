@@ -29,7 +29,7 @@ void Observation::next(const double dt)
 {
   dt_          = dt;
   spans_known_ = false;
-  window_.look(*this);
+  window_.update(*this);
 }
 
 const Spans &Observation::spans() const

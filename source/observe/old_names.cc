@@ -5,7 +5,10 @@ namespace chaindrive::observe
 {
 const std::vector<std::pair<std::string, std::string>> &old_members()
 {
-  static const std::vector<std::pair<std::string, std::string>> all = {};
+  static const std::vector<std::pair<std::string, std::string>> all = {
+      {"overlap_max", "penetration_max"},
+      {"stable_step", "critical_time_step"},
+      {"step", "time_step"}};
   return all;
 }
 } // namespace chaindrive::observe

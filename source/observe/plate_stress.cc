@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/element/shell_stiffness.h>
+#include <chaindrive/element/solid_shell_stiffness.h>
 #include <chaindrive/observe/plate_stress.h>
 
 #include <deal.II/base/exceptions.h>
@@ -13,10 +13,10 @@ using dealii::Point;
 using dealii::SymmetricTensor;
 using dealii::Tensor;
 
-PlateStress::PlateStress(const mesh::Part      &part,
-                         const mesh::Nodes     &nodes,
-                         const Material        &material,
-                         const parameters::Wall plates)
+PlateStress::PlateStress(const mesh::Part             &part,
+                         const mesh::Nodes            &nodes,
+                         const Material               &material,
+                         const parameters::ElementType plates)
     : material_(material), plates_(plates)
 {
   const auto   in_middle = [](const Point<3> &x) { return std::abs(x[0]) < 1e-9; };
@@ -45,7 +45,7 @@ PlateStress::PlateStress(const mesh::Part      &part,
           of_section.weight = (cell->center()[0] > 0. ? 0.5 : -0.5) * pull;
           for (unsigned int v = 0; v < 8; ++v)
             of_section.node[v] = place_of(nodes.of_vertex[cell->vertex_index(v)]);
-          if (plates != parameters::Wall::brick)
+          if (plates != parameters::ElementType::solid)
             of_section.wall.emplace(mesh::corners_of(cell), outwards, material, plates);
           section_.push_back(of_section);
         }
@@ -127,8 +127,9 @@ WaistComponents PlateStress::components(const std::vector<Tensor<1, 3>> &positio
   const SymmetricTensor<2, 2> inner = mean(inner_face_, position);
   const SymmetricTensor<2, 2> outer = mean(outer_face_, position);
   found.in_plane = 0.5 * (mean(lower_edge_, position)[0][0] - mean(upper_edge_, position)[0][0]);
-  found.out_of_plane = (plates_ == parameters::Wall::membrane ? element::membrane_bending : 1.) *
-                       0.5 * (outer[0][0] - inner[0][0]);
+  found.out_of_plane =
+      (plates_ == parameters::ElementType::membrane ? element::membrane_bending : 1.) * 0.5 *
+      (outer[0][0] - inner[0][0]);
   found.middle = 0.5 * (inner + outer);
   return found;
 }

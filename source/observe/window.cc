@@ -34,7 +34,7 @@ Window::Window(const scene::Scene &scene,
   earliest_end_ = drift_->period_start() + judged_pitches() * drift_->pitch_time() + length_;
 }
 
-void Window::look(const Observation &now)
+void Window::update(const Observation &now)
 {
   if (open_)
     return;

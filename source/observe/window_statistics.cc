@@ -54,14 +54,14 @@ double WindowStatistics::mean(const std::string &name) const
 void WindowStatistics::summarize(files::Json &summary) const
 {
   files::Json &all     = summary["statistics"];
-  all["tooth_periods"] = tooth_periods_.n_turns();
+  all["tooth_periods"] = tooth_periods_.n_revolutions();
   for (const auto &[signal, statistics] : items_)
     all[signal.name] = {{"unit", signal.unit},
                         {"mean", statistics.mean()},
                         {"deviation", statistics.deviation()},
                         {"least", statistics.least()},
                         {"largest", statistics.largest()},
-                        {"harmonics", statistics.harmonics(tooth_periods_.n_turns())}};
+                        {"harmonics", statistics.harmonics(tooth_periods_.n_revolutions())}};
 }
 
 std::vector<files::Described> WindowStatistics::members(const std::vector<Signal> &signals)

@@ -114,7 +114,7 @@ void Wrap::follow(std::vector<Place> &places)
   position_ = now;
 }
 
-void Wrap::look(const World &world)
+void Wrap::update(const World &world)
 {
   std::vector<Place> found = places(world);
   follow(found);

@@ -33,18 +33,18 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
          drag,
          "Resistance of air or oil to the chain. auto: on when Loads/Drag in 1/s is not zero." +
              common);
-  const std::string play =
+  const std::string without_clearance =
       " auto: on. off: the bore has the diameter of what turns in it, whatever "
       "Drive/Chain says; layered and full fidelity only.";
   effect("Roller-bush clearance",
          roller_bush_clearance,
-         "Clearance of the rollers on their bushes." + play);
+         "Clearance of the rollers on their bushes." + without_clearance);
   effect("Bush-pin clearance",
          bush_pin_clearance,
          "Clearance of the pins in their bushes. Without it the holes of all links are a pitch "
          "apart: with Drive/Chain/Pitch set = standard the pitch of the taut chain is unchanged, "
          "with the others it loses the clearance." +
-             play);
+             without_clearance);
   const std::string needed =
       "; full fidelity only. auto: on where one of Output/Quantities needs it (table at the end of "
       "this document). off: ";

@@ -18,13 +18,13 @@ void Model::declare(Declarations &declarations)
       "described by a few dozen modes each, computed from their finite elements; contact is that "
       "of full, the cost a tenth.");
   add(declarations,
-      "Half model",
+      "Symmetry model",
       half,
       "Symmetry model: computes only the halves of all bodies on one side of the chain's middle "
       "plane, which is a plane of symmetry as long as nothing pushes the chain sideways; full "
       "fidelity only. Forces, masses and energies are reported for whole bodies. Costs half as "
-      "much. auto: true where links and rollers are elastic, all or those that arrive, plates do "
-      "not touch and no fields are requested, which show whole bodies.");
+      "much. auto: true where links and rollers are elastic, all or those in the region of "
+      "interest, plates do not touch and no fields are requested, which show whole bodies.");
   add(declarations,
       "Mass per pitch in g",
       mass_per_pitch,
@@ -40,8 +40,8 @@ void Model::declare(Declarations &declarations)
       "Force over elongation of one pitch in a tensile test, plates and joint in series. Best "
       "taken from a test: how the plates clamp pin and bush changes it by a factor of five. It "
       "determines the resonance of the driven inertia on the tight span. In full fidelity it is "
-      "that of rigid links (Elastic links = arriving) and of the spans at a settled start. auto: "
-      "from Stiffness from, at the tension required by the load.");
+      "that of rigid links (Elastic links = region of interest) and of the spans at a settled "
+      "start. auto: from Stiffness from, at the tension required by the load.");
   add(declarations,
       "Stiffness from",
       stiffness_from,
@@ -68,16 +68,18 @@ void Model::declare(Declarations &declarations)
       "Elastic links",
       elastic_links,
       "Which links and rollers are elastic, or deform in modes in reduced fidelity, if "
-      "Effects/Elastic links and Elastic rollers are on. arriving: those that reach the driver "
-      "between Output/Window start in ms and Window end in ms, and two more before and after them; "
-      "all others, and both sprockets, are rigid as in layered fidelity. For the loads on single "
-      "links as they engage, at a fraction of the cost.");
+      "Effects/Elastic links and Elastic rollers are on. region of interest: those that reach the "
+      "driver between Output/Window start in ms and Window end in ms, and two more before and "
+      "after them; all others, and both sprockets, are rigid as in layered fidelity. For the loads "
+      "on single links as they engage, at a fraction of the cost.");
   add(declarations,
       "Other links",
       other_links,
-      "Model of the links and rollers that do not arrive, with Elastic links = arriving. rigid: as "
-      "in layered fidelity. reduced: as in reduced fidelity, so their joints are those of the "
-      "elastic ones; costs more.");
+      "Model of the links and rollers outside the region of interest, with Elastic links = region "
+      "of "
+      "interest. rigid: as in layered fidelity. reduced: as in reduced fidelity, so their joints "
+      "are "
+      "those of the elastic ones; costs more.");
   add(declarations,
       "Elastic sprockets",
       elastic_sprockets,
@@ -128,20 +130,20 @@ void Elements::declare(Declarations &declarations)
       "Hourglass stiffness of one point, after Flanagan and Belytschko; much less than the default "
       "does not prevent hourglassing.");
   add(declarations,
-      "Column mass scaling",
-      column_mass_scaling,
+      "Selective mass scaling",
+      selective_mass_scaling,
       unit::si,
       between(0., 10.),
-      "Selective mass scaling of elastic rollers with several elements through the wall: mass "
+      "Selective mass scaling of elastic rollers with several elements through the thickness: mass "
       "added to through-thickness motion only, over that of an element. It allows a longer time "
       "step: with 0.5 the period of the through-thickness vibration is 1.7 times as long, the "
       "roller's inertia about its axis grows by half a percent and the frequency of its "
       "ovalisation falls by half a percent. 0: none.");
   const std::string walls =
-      " brick: solid elements as in Formulation. shell: solid-shells with nodes on both faces, "
-      "free of locking where they are curved, flat or distorted; one through the wall. membrane: "
-      "the same with one point through the wall, as in the paper, with only a hundredth of the "
-      "bending stiffness.";
+      " solid: solid elements as in Formulation. solid-shell: solid-shells with nodes on both "
+      "faces, free of locking where they are curved, flat or distorted; one through the thickness. "
+      "membrane: the same with one point through the thickness, as in the paper, with only a "
+      "hundredth of the bending stiffness.";
   add(declarations, "Plates", plates, "Elements of side plates." + walls);
   add(declarations, "Bushes", bushes, "Elements of bushes." + walls);
 }

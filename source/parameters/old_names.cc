@@ -9,13 +9,21 @@ namespace chaindrive::parameters
 {
 const std::vector<OldEntry> &old_entries()
 {
-  static const std::vector<OldEntry> all = {};
+  static const std::vector<OldEntry> all = {
+      {"Model/Half model", "Model/Symmetry model"},
+      {"Elements/Column mass scaling", "Elements/Selective mass scaling"},
+      {"Time/Step in us", "Time/Time step in us"}};
   return all;
 }
 
 const std::vector<OldValue> &old_values()
 {
-  static const std::vector<OldValue> all = {};
+  static const std::vector<OldValue> all = {
+      {"Model/Elastic links", "arriving", "region of interest"},
+      {"Elements/Plates", "brick", "solid"},
+      {"Elements/Plates", "shell", "solid-shell"},
+      {"Elements/Bushes", "brick", "solid"},
+      {"Elements/Bushes", "shell", "solid-shell"}};
   return all;
 }
 

@@ -26,14 +26,6 @@ namespace
 {
 using dealii::Utilities::trim;
 
-std::string last_part(const std::string &path) { return path.substr(path.rfind('/') + 1); }
-
-std::string enclosing(const std::string &path)
-{
-  const std::size_t slash = path.rfind('/');
-  return slash == std::string::npos ? "" : path.substr(0, slash);
-}
-
 std::string folder_of(const std::string &file)
 {
   const std::string folder = std::filesystem::path(file).parent_path().string();
@@ -72,9 +64,12 @@ public:
         read_statement(line, file + ", line " + std::to_string(line.number) + ": ");
       }
     if (!open_.empty())
-      errors_.push_back(file + ": section " + last_part(open_.back().first) + ", opened in line " +
-                        std::to_string(open_.back().second) +
-                        ", is not closed: an 'end' is missing.");
+      {
+        const auto &[path, line] = open_.back();
+        errors_.push_back(file + ": section " + path.substr(path.rfind('/') + 1) +
+                          ", opened in line " + std::to_string(line) +
+                          ", is not closed: an 'end' is missing.");
+      }
     open_.clear();
     file_ = includes_it;
   }
@@ -134,7 +129,7 @@ public:
         return;
       }
     errors_.push_back(where + "there is no entry '" + path + "'." +
-                      override_advice(path, trim(text.substr(equals + 1))));
+                      advice_on_path(declarations_, path, trim(text.substr(equals + 1))));
   }
 
   /// Throws the mistakes found so far.
@@ -217,12 +212,13 @@ public:
 
   std::string fixed() const
   {
-    const bool  arrive = input_.parameters.model.elastic_links == ElasticLinks::arriving;
+    const bool has_region =
+        input_.parameters.model.elastic_links == ElasticLinks::region_of_interest;
     std::string text;
     for (const Entry &entry : declarations_.entries())
       {
         if (entry.on_resume == OnResume::may_change ||
-            (entry.on_resume == OnResume::must_stay_if_links_arrive && !arrive))
+            (entry.on_resume == OnResume::must_stay_with_region_of_interest && !has_region))
           continue;
         const auto given = values_.find(entry.path());
         text += entry.path() + " = " +
@@ -275,35 +271,8 @@ private:
     const std::string path  = outer.empty() ? name : outer + "/" + name;
     // what stands in an unknown section is passed over: one sentence for it is enough
     if (declarations_.has_section(outer) && !declarations_.has_section(path))
-      errors_.push_back(where + unknown_section(name, outer));
+      errors_.push_back(where + unknown_section(declarations_, name, outer));
     open_.emplace_back(path, line);
-  }
-
-  std::string unknown_section(const std::string &name, const std::string &outer) const
-  {
-    const std::string begin =
-        (outer.empty() ? "there is" : "section " + outer + " has") + " no section '" + name + "'.";
-    if (name == "Study" && outer.empty())
-      return begin + " It belongs to a study, which is run by: chaindrive study FILE.prm.";
-    if (is_heading_of_plugins(outer.empty() ? name : outer))
-      return begin + plugin_advice();
-    for (const std::string &path : declarations_.sections())
-      if (last_part(path) == name)
-        return begin + (enclosing(path).empty() ?
-                            " It is a section of its own: is an 'end' missing above?" :
-                            " It belongs in section " + enclosing(path) + ".");
-    const std::vector<std::string> names   = declarations_.section_names(outer);
-    const std::string              nearest = nearest_name(name, names);
-    return begin + (!nearest.empty() ? " Did you mean '" + nearest + "'?" :
-                    names.empty()    ? "" :
-                                       " There are: " + join(names) + ".");
-  }
-
-  /// What to do about an unknown section where plug-ins have theirs.
-  static std::string plugin_advice()
-  {
-    return " Such sections belong to plug-ins, which the option --plugin FILE loads: is one "
-           "missing?";
   }
 
   void close_section(const std::string &rest, const std::string &where)
@@ -367,50 +336,8 @@ private:
         set_value(*entry, trim(rest.substr(equals + 1)), where);
       }
     else
-      errors_.push_back(where + unknown_entry(name, section, trim(rest.substr(equals + 1))));
-  }
-
-  /// The same for a path, whose section may be missing or wrong.
-  std::string override_advice(const std::string &path, const std::string &value) const
-  {
-    // the unit may contain a slash
-    const std::size_t slash   = path.substr(0, path.rfind(" in ")).rfind('/');
-    const bool        bare    = slash == std::string::npos;
-    const std::string section = bare ? "" : path.substr(0, slash),
-                      name    = path.substr(bare ? 0 : slash + 1);
-    for (const Entry &entry : declarations_.entries())
-      if (entry.name == name)
-        return " Did you mean '" + entry.path() + "'?";
-    for (const OldEntry &old : old_entries())
-      if (last_part(old.old_path) == name)
-        return " Did you mean '" + old.path + "', as it is now called?";
-    if (!bare && !declarations_.has_section(section))
-      {
-        if (is_heading_of_plugins(section.substr(0, section.find('/'))))
-          return " There is no section '" + section + "'." + plugin_advice();
-        const std::string nearest = nearest_name(section, declarations_.sections());
-        return " There is no section '" + section + "'" +
-               (nearest.empty() ? "; chaindrive template lists all entries." :
-                                  "; did you mean '" + nearest + "'?");
-      }
-    const std::string found =
-        advice(declarations_.entries(), section, name, value, /*with_paths=*/true);
-    return found.empty() ? " chaindrive template lists all entries." : found;
-  }
-
-  std::string
-  unknown_entry(const std::string &name, const std::string &section, const std::string &value) const
-  {
-    const std::string begin = section.empty() ?
-                                  "the entry '" + name + "' stands outside all sections." :
-                                  "section " + section + " has no entry '" + name + "'.";
-    for (const Entry &entry : declarations_.entries())
-      if (entry.name == name)
-        return begin + " It belongs in section " + entry.section + ".";
-    for (const OldEntry &old : old_entries())
-      if (last_part(old.old_path) == name)
-        return begin + " It is now called " + old.path + ".";
-    return begin + advice(declarations_.entries(), section, name, value);
+      errors_.push_back(where +
+                        unknown_entry(declarations_, section, name, trim(rest.substr(equals + 1))));
   }
 
   /// What the section Study says is of the whole study, but for the ranks.

@@ -28,9 +28,9 @@ void Time::declare(Declarations &declarations)
       above(0., 1e9),
       "Time at which the run ends. Speeds and tensions need about ten pitch times after the "
       "start-up transient. Default: as in prm/paper, nearly nine pitch times.")
-      .on_resume = OnResume::must_stay_if_links_arrive;
+      .on_resume = OnResume::must_stay_with_region_of_interest;
   add(declarations,
-      "Step in us",
+      "Time step in us",
       step,
       unit::micro,
       above(0., 1e6),
@@ -119,14 +119,14 @@ void Output::declare(Declarations &declarations)
       "torque have stopped drifting (doc/theory.md); the run ends when the window is full, at End "
       "time at the latest. Default: the drive in prm/paper has settled by then.",
       "settled")
-      .on_resume = OnResume::must_stay_if_links_arrive;
+      .on_resume = OnResume::must_stay_with_region_of_interest;
   add(declarations,
       "Window end in ms",
       window_end,
       unit::milli,
       above(0., 1e9),
       "End of that window. auto: the end of the run.")
-      .on_resume = OnResume::must_stay_if_links_arrive;
+      .on_resume = OnResume::must_stay_with_region_of_interest;
   add(declarations,
       "Window length in pitches",
       window_pitches,

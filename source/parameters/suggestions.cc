@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/old_names.h>
+#include <chaindrive/parameters/sections.h>
 #include <chaindrive/parameters/suggestions.h>
 #include <chaindrive/utilities/text.h>
 
@@ -192,13 +193,31 @@ std::string name_before(const Entry &entry)
       return old.old_path.substr(entry.section.size() + 1);
   return "";
 }
-} // namespace
+/// What to do about an unknown section where plug-ins have theirs.
+std::string plugin_advice()
+{
+  return " Such sections belong to plug-ins, which the option --plugin FILE loads: is one "
+         "missing?";
+}
 
+std::string last_part(const std::string &path) { return path.substr(path.rfind('/') + 1); }
+
+std::string enclosing(const std::string &path)
+{
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "" : path.substr(0, slash);
+}
+
+/// What to say of an entry @p name that section @p section does not have, to which @p value was to
+/// be given: the entry of the same quantity in another unit, with the value converted to it; that
+/// the quantity is not modelled; the entry that was probably misspelt; the entries of the section.
+/// A sentence, with a blank before it; empty if there is nothing to say. @p with_paths names
+/// entries by their paths.
 std::string advice(const std::vector<Entry> &entries,
                    const std::string        &section,
                    const std::string        &name,
                    const std::string        &value,
-                   const bool                with_paths)
+                   const bool                with_paths = false)
 {
   const std::string        before = with_paths ? section + "/" : "";
   const Name               from(name);
@@ -240,5 +259,72 @@ std::string advice(const std::vector<Entry> &entries,
   if (names.size() > 1)
     return " Did you mean one of " + list(names, "'" + before, "'") + "?";
   return here.empty() ? "" : " There are: " + list(here, "", "") + ".";
+}
+} // namespace
+
+std::string
+unknown_section(const Declarations &declarations, const std::string &name, const std::string &outer)
+{
+  const std::string begin =
+      (outer.empty() ? "there is" : "section " + outer + " has") + " no section '" + name + "'.";
+  if (name == "Study" && outer.empty())
+    return begin + " It belongs to a study, which is run by: chaindrive study FILE.prm.";
+  if (is_heading_of_plugins(outer.empty() ? name : outer))
+    return begin + plugin_advice();
+  for (const std::string &path : declarations.sections())
+    if (last_part(path) == name)
+      return begin + (enclosing(path).empty() ?
+                          " It is a section of its own: is an 'end' missing above?" :
+                          " It belongs in section " + enclosing(path) + ".");
+  const std::vector<std::string> names   = declarations.section_names(outer);
+  const std::string              nearest = nearest_name(name, names);
+  return begin + (!nearest.empty() ? " Did you mean '" + nearest + "'?" :
+                  names.empty()    ? "" :
+                                     " There are: " + join(names) + ".");
+}
+
+std::string unknown_entry(const Declarations &declarations,
+                          const std::string  &section,
+                          const std::string  &name,
+                          const std::string  &value)
+{
+  const std::string begin = section.empty() ?
+                                "the entry '" + name + "' stands outside all sections." :
+                                "section " + section + " has no entry '" + name + "'.";
+  for (const Entry &entry : declarations.entries())
+    if (entry.name == name)
+      return begin + " It belongs in section " + entry.section + ".";
+  for (const OldEntry &old : old_entries())
+    if (last_part(old.old_path) == name)
+      return begin + " It is now called " + old.path + ".";
+  return begin + advice(declarations.entries(), section, name, value);
+}
+
+std::string
+advice_on_path(const Declarations &declarations, const std::string &path, const std::string &value)
+{
+  // the unit may contain a slash
+  const std::size_t slash   = path.substr(0, path.rfind(" in ")).rfind('/');
+  const bool        bare    = slash == std::string::npos;
+  const std::string section = bare ? "" : path.substr(0, slash),
+                    name    = path.substr(bare ? 0 : slash + 1);
+  for (const Entry &entry : declarations.entries())
+    if (entry.name == name)
+      return " Did you mean '" + entry.path() + "'?";
+  for (const OldEntry &old : old_entries())
+    if (last_part(old.old_path) == name)
+      return " Did you mean '" + old.path + "', as it is now called?";
+  if (!bare && !declarations.has_section(section))
+    {
+      if (is_heading_of_plugins(section.substr(0, section.find('/'))))
+        return " There is no section '" + section + "'." + plugin_advice();
+      const std::string nearest = nearest_name(section, declarations.sections());
+      return " There is no section '" + section + "'" +
+             (nearest.empty() ? "; chaindrive template lists all entries." :
+                                "; did you mean '" + nearest + "'?");
+    }
+  const std::string found =
+      advice(declarations.entries(), section, name, value, /*with_paths=*/true);
+  return found.empty() ? " chaindrive template lists all entries." : found;
 }
 } // namespace chaindrive::parameters

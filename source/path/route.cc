@@ -55,7 +55,7 @@ begin(const std::vector<Wheel> &wheels, const Chain &chain, const int gap, const
 }
 
 /// Lays wheel @p i and the straight span before it, with @p wrap links on the wheel.
-void put(Beginning &to, const unsigned int i, const int wrap, const TautSpan &span)
+void set_beginning(Beginning &to, const unsigned int i, const int wrap, const TautSpan &span)
 {
   to.laid.route.wraps[i]     = wrap;
   to.laid.route.spans[i - 1] = span.links;
@@ -126,7 +126,7 @@ std::vector<Laid> lay_all(const std::vector<Wheel> &wheels,
                   }
           possible = best.links > 0;
           if (possible)
-            put(beginning, i, wrap, best);
+            set_beginning(beginning, i, wrap, best);
         }
       if (possible)
         for (const SlackSpan &slack :
@@ -165,7 +165,7 @@ std::optional<Laid> lay(const std::vector<Wheel> &wheels, const Chain &chain, co
                                       route.spans[i - 1]);
       if (span.links == 0)
         return {};
-      put(beginning, i, wrap, span);
+      set_beginning(beginning, i, wrap, span);
     }
   const SlackSpan slack = slack_span(
       gap_of(wheels, beginning), chain.slack, chain.bulge, route.wraps[0], route.wraps[1]);

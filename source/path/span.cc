@@ -18,7 +18,7 @@ namespace
 {
 double direction(const Tensor<1, 2> &v) { return std::atan2(v[1], v[0]); }
 
-/// The angle that is @p angle but for whole turns, between -pi and pi.
+/// The angle that is @p angle but for whole revolutions, between -pi and pi.
 double principal(const double angle) { return std::remainder(angle, 2. * PI); }
 
 double outside(const double turn, const double most)

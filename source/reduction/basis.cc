@@ -42,7 +42,7 @@ void remove(const FreePart &part, const std::vector<Mode> &modes, Vector &u)
 {
   for (unsigned int pass = 0; pass < 2; ++pass)
     for (const Mode &mode : modes)
-      u.add(-part.mass_product(mode.shape, u), mode.shape);
+      u.add(-part.mass_product(mode.vector, u), mode.vector);
 }
 
 /// What a load of unit compliance displaces beside natural modes, and its forces.
@@ -81,7 +81,7 @@ of_class(const FreePart &part, const std::vector<Mode> &modes, const unsigned in
   };
   std::vector<Vector> parts;
   for (const Mode &mode : modes)
-    if (Vector of_mode = part.part_of_class(mode.shape, c); mass(of_mode, of_mode) > 1e-6)
+    if (Vector of_mode = part.part_of_class(mode.vector, c); mass(of_mode, of_mode) > 1e-6)
       parts.push_back(of_mode);
   if (parts.empty())
     return {};
@@ -95,18 +95,18 @@ of_class(const FreePart &part, const std::vector<Mode> &modes, const unsigned in
       weights(i, j) = of_mass.vectors(i, none + j) / std::sqrt(of_mass.values[none + j]);
   const std::vector<Vector> unit      = combinations(parts, weights);
   const Eigenpairs          stiffness = eigenpairs(products(unit, unit, work));
-  const std::vector<Vector> shapes    = combinations(unit, stiffness.vectors);
+  const std::vector<Vector> vectors   = combinations(unit, stiffness.vectors);
   std::vector<Mode>         found;
-  for (unsigned int i = 0; i < shapes.size(); ++i)
-    found.push_back({std::sqrt(stiffness.values[i]), shapes[i]});
+  for (unsigned int i = 0; i < vectors.size(); ++i)
+    found.push_back({std::sqrt(stiffness.values[i]), vectors[i]});
   return found;
 }
 
-/// Shapes of unit stiffness from what the @p loads displace beside the natural @p modes.
-std::vector<Vector> stiff_shapes(const FreePart                &part,
-                                 const std::vector<Mode>       &modes,
-                                 const std::vector<Attachment> &loads,
-                                 const double                   negligible)
+/// Modes of unit stiffness from what the @p loads displace beside the natural @p modes.
+std::vector<Vector> attachment_modes(const FreePart                &part,
+                                     const std::vector<Mode>       &modes,
+                                     const std::vector<Attachment> &loads,
+                                     const double                   negligible)
 {
   std::vector<Vector> forces, displacements;
   for (const Attachment &load : loads)
@@ -133,19 +133,19 @@ std::vector<Vector> stiff_shapes(const FreePart                &part,
   return combinations(displacements, weights);
 }
 
-struct Shape
+struct BasisVector
 {
   double       omega;
-  Vector       shape;
+  Vector       vector;
   unsigned int symmetry;
 };
 
-/// The Ritz vectors of K and M among @p stiff shapes of unit stiffness and of the class @p c.
+/// The Ritz vectors of K and M among @p stiff vectors of unit stiffness and of the class @p c.
 void add_ritz_vectors(const FreePart            &part,
                       const std::vector<Vector> &stiff,
                       const double               cap,
                       const unsigned int         c,
-                      std::vector<Shape>        &shapes)
+                      std::vector<BasisVector>  &vectors)
 {
   const Eigenpairs    mass = eigenpairs(products(
       stiff, stiff, [&part](const Vector &a, const Vector &b) { return part.mass_product(a, b); }));
@@ -154,21 +154,21 @@ void add_ritz_vectors(const FreePart            &part,
     {
       const double omega = std::min(cap, 1. / std::sqrt(mass.values[i]));
       ritz[i] *= omega;
-      shapes.push_back({omega, ritz[i], c});
+      vectors.push_back({omega, ritz[i], c});
     }
 }
 
-/// Adds @p shapes to the @p basis, the slowest first.
-void add(std::vector<Shape> shapes, Basis &basis)
+/// Adds @p vectors to the @p basis, the slowest first.
+void add(std::vector<BasisVector> vectors, Basis &basis)
 {
-  std::stable_sort(shapes.begin(), shapes.end(), [](const Shape &a, const Shape &b) {
+  std::stable_sort(vectors.begin(), vectors.end(), [](const BasisVector &a, const BasisVector &b) {
     return a.omega < b.omega;
   });
-  for (const Shape &shape : shapes)
+  for (const BasisVector &vector : vectors)
     {
-      basis.omega.push_back(shape.omega);
-      basis.shape.push_back(shape.shape);
-      basis.symmetry.push_back(shape.symmetry);
+      basis.omega.push_back(vector.omega);
+      basis.modes.push_back(vector.vector);
+      basis.symmetry.push_back(vector.symmetry);
     }
 }
 } // namespace
@@ -183,16 +183,16 @@ Basis make_basis(const FreePart            &part,
   for (const Vector &traction : tractions)
     loads.push_back({traction, part.displacement(traction)});
 
-  std::vector<Shape> natural, attached;
+  std::vector<BasisVector> natural, attached;
   for (unsigned int c = 0; c < part.symmetry().n_classes(); ++c)
     {
       const std::vector<Mode>       modes_here = of_class(part, modes, c);
       const std::vector<Attachment> loads_here = of_class(part, loads, c);
       for (const Mode &mode : modes_here)
-        natural.push_back({mode.omega, mode.shape, c});
+        natural.push_back({mode.omega, mode.vector, c});
       if (!loads_here.empty())
         add_ritz_vectors(part,
-                         stiff_shapes(part, modes_here, loads_here, options.negligible),
+                         attachment_modes(part, modes_here, loads_here, options.negligible),
                          options.cap,
                          c,
                          attached);
@@ -209,7 +209,7 @@ double static_error(const FreePart &part, const Basis &basis, const Vector &forc
 {
   double compliance = 0.;
   for (unsigned int i = 0; i < basis.size(); ++i)
-    compliance += std::pow(force * basis.shape[i] / basis.omega[i], 2);
+    compliance += std::pow(force * basis.modes[i] / basis.omega[i], 2);
   return 1. - compliance / (force * part.displacement(force));
 }
 } // namespace chaindrive::reduction

@@ -24,7 +24,7 @@ struct Deflated
   void remove_found(Vector &u) const
   {
     for (const Mode &mode : found)
-      u.add(-part.mass_product(mode.shape, u), mode.shape);
+      u.add(-part.mass_product(mode.vector, u), mode.vector);
   }
 
   void vmult(Vector &u, const Vector &f) const
@@ -52,17 +52,17 @@ std::vector<Mode> next_modes(const FreePart &part, const std::vector<Mode> &foun
   start /= start.l2_norm();
   solver.set_initial_vector(start);
   std::vector<std::complex<double>> values(n_at_a_time);
-  std::vector<Vector>               shapes(n_at_a_time, Vector(n));
-  solver.solve(part.stiffness(), part.mass(), inverse, values, shapes);
+  std::vector<Vector>               vectors(n_at_a_time, Vector(n));
+  solver.solve(part.stiffness(), part.mass(), inverse, values, vectors);
 
   std::vector<Mode> modes;
-  for (Vector &shape : shapes)
+  for (Vector &vector : vectors)
     {
-      inverse.remove_found(shape);
+      inverse.remove_found(vector);
       for (const Mode &mode : modes) // of equal frequency
-        shape.add(-part.mass_product(mode.shape, shape), mode.shape);
-      shape /= std::sqrt(part.mass_product(shape, shape));
-      modes.push_back({std::sqrt(part.stiffness().matrix_norm_square(shape)), shape});
+        vector.add(-part.mass_product(mode.vector, vector), mode.vector);
+      vector /= std::sqrt(part.mass_product(vector, vector));
+      modes.push_back({std::sqrt(part.stiffness().matrix_norm_square(vector)), vector});
     }
   std::sort(
       modes.begin(), modes.end(), [](const Mode &a, const Mode &b) { return a.omega < b.omega; });
@@ -73,9 +73,9 @@ std::vector<Mode> next_modes(const FreePart &part, const std::vector<Mode> &foun
 double residual(const FreePart &part, const Mode &mode)
 {
   Vector force(part.n_unknowns());
-  part.mass().vmult(force, mode.shape);
+  part.mass().vmult(force, mode.vector);
   Vector rest = part.displacement(force);
-  rest.sadd(mode.omega * mode.omega, -1., mode.shape);
+  rest.sadd(mode.omega * mode.omega, -1., mode.vector);
   return std::sqrt(part.mass_product(rest, rest));
 }
 } // namespace

@@ -76,7 +76,7 @@ nlohmann::json to_json(const Basis &basis)
     errors.push_back({error.load, error.relative});
   return {{"natural", basis.n_natural},
           {"rad/s", basis.omega},
-          {"shapes", to_base64(basis.shape)},
+          {"shapes", to_base64(basis.modes)},
           {"reflections", basis.reflections},
           {"symmetry", basis.symmetry},
           {"errors", errors}};
@@ -115,7 +115,7 @@ Basis from_json(const nlohmann::json &json)
   Basis basis;
   basis.n_natural   = json.at("natural");
   basis.omega       = json.at("rad/s").get<std::vector<double>>();
-  basis.shape       = from_base64(json.at("shapes"), basis.size());
+  basis.modes       = from_base64(json.at("shapes"), basis.size());
   basis.reflections = json.at("reflections").get<std::vector<unsigned int>>();
   basis.symmetry    = json.at("symmetry").get<std::vector<unsigned int>>();
   for (const nlohmann::json &error : json.at("errors"))

@@ -54,13 +54,13 @@ void add(const mesh::CylinderGrid &grid,
          Vector                   &force,
          const Towards             towards = Towards::outside)
 {
-  const double length = std::max(std::abs(grid.stations.front()), std::abs(grid.stations.back()));
-  for (unsigned int s = 0; s < grid.n_stations(); ++s)
-    for (unsigned int c = 0; c < grid.n_columns(); ++c)
+  const double length = std::max(std::abs(grid.rings.front()), std::abs(grid.rings.back()));
+  for (unsigned int s = 0; s < grid.n_rings(); ++s)
+    for (unsigned int c = 0; c < grid.n_circumferential(); ++c)
       {
         const unsigned int node  = nodes.of_vertex[grid.vertex_at(s, c)];
         const double       theta = grid.angles[c];
-        const double       f     = grid.area(s, c) * traction(theta, grid.stations[s] / length);
+        const double       f     = grid.area(s, c) * traction(theta, grid.rings[s] / length);
         const double       x = std::cos(theta), y = std::sin(theta);
         force[3 * node] += f * (towards == Towards::outside ? x : -y);
         force[3 * node + 1] += f * (towards == Towards::outside ? y : x);
@@ -78,7 +78,7 @@ tractions(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders
         continue;
       const mesh::CylinderGrid grid(part, side.surface);
       const unsigned int       highest =
-          std::min(side.of_pin ? orders.pin : orders.tube, (grid.n_columns() - 1) / 2);
+          std::min(side.of_pin ? orders.pin : orders.tube, (grid.n_circumferential() - 1) / 2);
       for (unsigned int power = 0; power <= side.power; power += part.half ? 2 : 1)
         for (unsigned int n = 0; n <= highest; ++n)
           for (const bool sine : {false, true})

@@ -18,7 +18,7 @@ std::string note_of(const std::string &name, const reduction::Basis &basis)
   const double highest = *std::max_element(basis.omega.begin(), basis.omega.end());
   std::string  note    = "Reduced " + name + ": " + std::to_string(basis.n_natural) +
                      " natural modes and " + std::to_string(basis.size() - basis.n_natural) +
-                     " shapes under load up to " +
+                     " modes under load up to " +
                      to_text(highest / (2e3 * dealii::numbers::PI), 3) + " kHz";
   const auto worst =
       std::max_element(basis.errors.begin(), basis.errors.end(), [](const auto &a, const auto &b) {

@@ -126,7 +126,7 @@ Scene build_scene(const model::Model             &model,
   scene.elements    = model.elements;
   scene.effects     = model.effects;
   scene.loads       = model.loads;
-  scene.half        = model.effects.is_on(Effect::half_model);
+  scene.half        = model.effects.is_on(Effect::symmetry_model);
   scene.plates_bend = model.effects.is_on(Effect::plate_bending);
   scene.at_speed    = !model.effects.is_on(Effect::start_up);
   scene.notes       = drive.notes;

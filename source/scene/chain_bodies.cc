@@ -73,8 +73,8 @@ void add_chain_bodies(const model::Model      &model,
   const bool           elastic_links   = model.effects.is_on(Effect::elastic_links);
   const Motion         deforming       = model.reduced ? Motion::reduced : Motion::elastic;
   const Motion         others          = model.others_reduced ? Motion::reduced : Motion::rigid;
-  const auto           motion          = [&](const bool effect, const bool arrives) {
-    return !effect ? Motion::rigid : arrives ? deforming : others;
+  const auto           motion          = [&](const bool effect, const bool is_in_region) {
+    return !effect ? Motion::rigid : is_in_region ? deforming : others;
   };
   scene.drive.mass_per_pitch =
       drive.roller_solid.mass +
@@ -102,14 +102,14 @@ void add_chain_bodies(const model::Model      &model,
       const auto                &link = layout.links[k];
       const dealii::Tensor<1, 2> velocity =
           0.5 * (layout.joints[k].velocity + layout.joints[(k + 1) % n].velocity);
-      const bool arrives = elastic_joint[k] && elastic_joint[(k + 1) % n];
+      const bool is_in_region = elastic_joint[k] && elastic_joint[(k + 1) % n];
       scene.drive.links.push_back(static_cast<unsigned int>(scene.bodies.size()));
       scene.bodies.push_back(
           make_body(link.inner ? Kind::inner_link : Kind::outer_link,
                     k,
                     link.inner ? drive.inner_link_solid : drive.outer_link_solid,
                     factor,
-                    motion(elastic_links, arrives),
+                    motion(elastic_links, is_in_region),
                     placed(link.centre, link.angle, velocity, link_spin(layout, k))));
     }
 }

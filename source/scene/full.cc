@@ -22,7 +22,7 @@ double thickness(const Scene &scene, const Kind kind, const mesh::Surface side)
   const mesh::Part &part = *scene.parts.at(kind);
   return mesh::SurfaceNodes(part, mesh::Nodes(part), side).thickness;
 }
-/// Puts what the rigid one of roller and bush would give way locally in series with the penalty:
+/// Puts the local compliance of the rigid one of roller and bush in series with the penalty:
 /// else it would be lost. A cylinder of radius R that approaches the wall of a hole wider by c by d
 /// would overlap by d cos t - c (1 - cos t) at the angle t, up to cos a = c / (c + d). When two
 /// foundations of the modulus K [N/m3] share that, the load per length is
@@ -30,7 +30,7 @@ double thickness(const Scene &scene, const Kind kind, const mesh::Surface side)
 ///   q = K/2 R ((c + d) (a + sin(2 a)/2) - 2 c sin a),
 ///
 /// from which K follows with the approach d under q of conforming contact, in which equal materials
-/// give way alike.
+/// deflect alike.
 void add_foundation(const drive::Drive &drive, Scene &scene, ContactLaw &law)
 {
   const drive::ChainDimensions  &chain  = drive.chain;
@@ -45,24 +45,24 @@ void add_foundation(const drive::Drive &drive, Scene &scene, ContactLaw &law)
                         " N/m3, its local compliance, is in series with the penalty of their "
                         "contact");
 }
-/// Says by how much column mass scaling increases the inertia of a roller about its axis.
-void note_column_masses(Scene &scene)
+/// Says by how much selective mass scaling increases the inertia of a roller about its axis.
+void note_selective_masses(Scene &scene)
 {
   const mesh::Part          &part = *scene.parts.at(Kind::roller);
   const mesh::Nodes          nodes(part);
   const element::ElasticPart elastic(part, nodes, scene.material, scene.elements);
-  dealii::Vector<double>     turning(3 * nodes.size());
+  dealii::Vector<double>     rotation(3 * nodes.size());
   double                     inertia = 0.;
   for (unsigned int n = 0; n < nodes.size(); ++n)
     {
       const dealii::Point<3> &x = nodes.position[n];
-      turning[3 * n]            = -x[1];
-      turning[3 * n + 1]        = x[0];
+      rotation[3 * n]           = -x[1];
+      rotation[3 * n + 1]       = x[0];
       inertia += nodes.mass[n] * (x[0] * x[0] + x[1] * x[1]);
     }
   scene.notes.push_back(
-      "Column mass scaling increases the inertia of rollers about their axes by " +
-      to_text(100. * elastic.masses().added(turning) / inertia, 2) + " %");
+      "Selective mass scaling increases the inertia of rollers about their axes by " +
+      to_text(100. * elastic.masses().added(rotation) / inertia, 2) + " %");
 }
 } // namespace
 
@@ -74,8 +74,8 @@ void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene 
   scene.parts[Kind::outer_link] = make_link_part(model.meshes, drive, false);
 
   weigh_reduced_bodies(scene);
-  if (model.effects.is_on(Effect::column_mass_scaling))
-    note_column_masses(scene);
+  if (model.effects.is_on(Effect::selective_mass_scaling))
+    note_selective_masses(scene);
 
   // the softer of two surfaces decides how far they may overlap
   const auto law = [&](const Kind          master,

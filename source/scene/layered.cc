@@ -64,14 +64,14 @@ void add_rigid_joints(const model::Model &model, const drive::Drive &drive, Scen
       const auto  is_rigid = [&scene](const unsigned int body) {
         return !deforms(scene.bodies[body].motion);
       };
-      for (const double z : line_stations(chain.roller_length, scene.half))
+      for (const double z : axial_positions(chain.roller_length, scene.half))
         if (is_rigid(k) && is_rigid(joint.inner))
           rollers.pairs.push_back(
               {k,
                dealii::Point<3>(),
                0.5 * chain.roller_bore,
                {joint.inner, dealii::Point<3>(joint.bush_x, 0., z), 0.5 * chain.bush_diameter, k}});
-      for (const double z : line_stations(chain.bush_length, scene.half))
+      for (const double z : axial_positions(chain.bush_length, scene.half))
         if (is_rigid(joint.inner) && is_rigid(joint.outer))
           pins.pairs.push_back(
               {joint.inner,

@@ -48,10 +48,11 @@ std::shared_ptr<const mesh::Part> make_sprocket_part(const model::Meshes   &mesh
                                                      const drive::Drive    &drive,
                                                      const drive::Sprocket &sprocket)
 {
-  const mesh::SprocketShape shape{sprocket.bore, sprocket.hub_diameter, drive.sprocket_width};
+  const mesh::SprocketDimensions dimensions{
+      sprocket.bore, sprocket.hub_diameter, drive.sprocket_width};
   return shared(
       mesh::make_sprocket(sprocket.form,
-                          shape,
+                          dimensions,
                           meshes.density,
                           meshes.cells.sprocket_refinement.value_or(meshes.cells.refinement),
                           meshes.half));

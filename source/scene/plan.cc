@@ -89,7 +89,7 @@ void print_plan(std::ostream &out, const Scene &scene)
             << " nodes each";
       const auto basis = scene.bases.find(body.part());
       if (body.motion == Motion::reduced && basis != scene.bases.end())
-        out << ", 6 degrees of freedom and " << basis->second->size() << " shapes each";
+        out << ", 6 degrees of freedom and " << basis->second->size() << " modes each";
       out << '\n';
     }
 

@@ -136,7 +136,7 @@ ToothFamily make_flanks(const model::Model    &model,
 }
 
 /// The family of the rollers that move by @p motion, whose nodes meet the flanks of @p flanks.
-/// These give way by @p tooth_stiffness [N/m] where they are rigid.
+/// These deflect by @p tooth_stiffness [N/m] where they are rigid.
 ToothFamily with_elastic_rollers(const model::Model &model,
                                  const drive::Drive &drive,
                                  const Scene        &scene,
@@ -163,12 +163,12 @@ ToothFamily with_elastic_rollers(const model::Model &model,
       drive::largest_half_angle(radius, teeth.form->seat_radius - radius, scene.material);
   if (model.effects.is_on(Effect::tooth_compliance) && sector == scene.sectors.end())
     {
-      let_give_way(teeth,
-                   tooth_stiffness,
-                   radius,
-                   std::min(drive.chain.roller_length, drive.sprocket_width),
-                   drive.reference_load,
-                   scene.material);
+      make_compliant(teeth,
+                     tooth_stiffness,
+                     radius,
+                     std::min(drive.chain.roller_length, drive.sprocket_width),
+                     drive.reference_load,
+                     scene.material);
       teeth.tooth_stiffness = scene.symmetry().share(teeth.tooth_stiffness);
     }
   teeth.slave_surface = mesh::roller_outside;
@@ -189,15 +189,15 @@ ToothFamily with_rigid_rollers(const model::Model &model,
   const Body &roller = scene.bodies[scene.drive.rollers.front()];
   // A lumped roller touches in its middle plane. A rigid one touches at two points that give its
   // line of contact the same moment of resistance against tilting.
-  const std::vector<double> stations =
+  const std::vector<double> positions =
       roller.motion == Motion::lumped ?
           std::vector<double>{0.} :
-          line_stations(std::min(drive.chain.roller_length, 2. * flanks.half_width), scene.half);
+          axial_positions(std::min(drive.chain.roller_length, 2. * flanks.half_width), scene.half);
   ToothFamily teeth = flanks;
   teeth.law = make_law(model.contact, stiffness, roller.mass, model.contact.roller_tooth_friction)
                   .shared_by(roller.motion == Motion::lumped ? 1 : 2);
   for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
-    for (const double z : stations)
+    for (const double z : positions)
       if (const unsigned int number = scene.drive.rollers[k]; !deforms(scene.bodies[number].motion))
         teeth.slaves.push_back(
             {number, dealii::Point<3>(0., 0., z), 0.5 * drive.chain.roller_diameter, k});
@@ -205,12 +205,12 @@ ToothFamily with_rigid_rollers(const model::Model &model,
 }
 } // namespace
 
-void let_give_way(ToothFamily    &teeth,
-                  const double    stiffness,
-                  const double    radius,
-                  const double    length,
-                  const double    load,
-                  const Material &steel)
+void make_compliant(ToothFamily    &teeth,
+                    const double    stiffness,
+                    const double    radius,
+                    const double    length,
+                    const double    load,
+                    const Material &steel)
 {
   teeth.tooth_stiffness = 2. * stiffness;
   teeth.law =
@@ -264,7 +264,7 @@ void add_sprockets(const model::Model             &model,
 
       const ToothFamily flanks = make_flanks(model, drive, sprocket, number, part.get(), scene);
       if (model.effects.is_on(Effect::tooth_compliance) && body.motion == Motion::rigid)
-        scene.notes.push_back(flanks.name + ": tooth and rim give way under a roller by " +
+        scene.notes.push_back(flanks.name + ": tooth and rim deflect under a roller by " +
                               to_text(model.tooth_stiffness[i].value, 4) + " N/m (" +
                               (model.tooth_stiffness[i].given ? "given" : "auto") + ")");
       for (const Motion motion : {Motion::elastic, Motion::reduced})

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/stability/closed_contact.h>
-#include <chaindrive/stability/closed_shapes.h>
-#include <chaindrive/stability/coupled_shapes.h>
-#include <chaindrive/stability/stable_step.h>
+#include <chaindrive/stability/closed_modes.h>
+#include <chaindrive/stability/coupled_modes.h>
+#include <chaindrive/stability/critical_time_step.h>
 
 #include <algorithm>
 #include <array>
@@ -18,14 +18,14 @@ namespace
 {
 using contact::ClosedSide;
 
-/// Of each of World::copies: the group that moves it if it vibrates, by nodes or by shapes, and its
+/// Of each of World::copies: the group that moves it if it vibrates, by nodes or by modes, and its
 /// largest eigenvalue without springs, 1/s2.
 struct Bodies
 {
   const NodalGroup *nodal    = nullptr;
   const ModalGroup *modal    = nullptr;
   double            elements = 0.;
-  Matrix            free; ///< ModalGroup::matrix_of_shapes() without springs
+  Matrix            free; ///< ModalGroup::modal_matrix() without springs
 };
 
 std::vector<Bodies> bodies_of(const World &world)
@@ -33,7 +33,7 @@ std::vector<Bodies> bodies_of(const World &world)
   std::vector<Bodies> bodies(world.copies.size());
   for (const ElasticGroup *group : world.groups.elastic())
     {
-      const double step                = group->stable_step();
+      const double step                = group->critical_time_step();
       bodies[group->copies()].elements = 4. / (step * step);
     }
   for (const NodalGroup *group : world.groups.nodal())
@@ -41,7 +41,7 @@ std::vector<Bodies> bodies_of(const World &world)
   for (const ModalGroup *group : world.groups.modal())
     {
       bodies[group->copies()].modal = group;
-      bodies[group->copies()].free  = group->matrix_of_shapes({});
+      bodies[group->copies()].free  = group->modal_matrix({});
     }
   return bodies;
 }
@@ -52,7 +52,7 @@ struct Held
   std::vector<double> stiffness, damping; ///< per node, N/m and N s/m; empty: rigid bodies
   double              stiffest = 0.;      ///< largest eigenvalue of the springs, 1/s2
   double              damped   = 0.;      ///< the same of the dampers, 1/s
-  OnShapes            shapes;             ///< of bodies that move by shapes
+  ModalBodies         modal;              ///< of modal bodies
 };
 
 /// The largest eigenvalue of a body on springs that are 1 + t times as stiff as they are, about
@@ -91,7 +91,7 @@ struct Springs
   std::vector<double> stiffness, damping; ///< per node, N/m and N s/m
 
   /// Each node is in one contact at a time with what @p side meets there: the stiffest counts.
-  void take(const ClosedSide &side, const double factor, const double time)
+  void update_largest(const ClosedSide &side, const double factor, const double time)
   {
     stiffness.resize(side.stiffness.size());
     damping.resize(side.stiffness.size());
@@ -104,34 +104,34 @@ struct Springs
   }
 };
 
-bool by_shapes(const std::vector<Bodies> &bodies, const ClosedSide &side)
+bool is_modal(const std::vector<Bodies> &bodies, const ClosedSide &side)
 {
   return side.group != ClosedSide::none && bodies[side.group].modal != nullptr;
 }
 
-/// The stable step [s] of bodies that move by shapes, if they can be treated together; then takes
+/// The critical time step [s] of modal bodies, if they can be treated together; then takes
 /// theirs away from @p kinds. Infinite without such.
 double
 take_coupled(const World &world, const std::vector<Bodies> &bodies, std::vector<ClosedKind> &kinds)
 {
-  auto coupled = CoupledShapes::make(world, kinds);
+  auto coupled = CoupledModes::make(world, kinds);
   if (!coupled)
     return std::numeric_limits<double>::infinity();
   kinds.erase(std::remove_if(kinds.begin(),
                              kinds.end(),
                              [&](const ClosedKind &kind) {
-                               return by_shapes(bodies, kind.sides[0]) ||
-                                      by_shapes(bodies, kind.sides[1]);
+                               return is_modal(bodies, kind.sides[0]) ||
+                                      is_modal(bodies, kind.sides[1]);
                              }),
               kinds.end());
-  return coupled->stable_step();
+  return coupled->critical_time_step();
 }
 
 /// The pairs of one kind: factors 1 + t and 1 + 1/t of the springs on either side.
 struct Kind
 {
   contact::ClosedPair   sides;
-  std::array<Matrix, 2> on_shapes; ///< see added_to_shapes()
+  std::array<Matrix, 2> on_modes; ///< see added_to_modes()
   std::array<double, 2> factor{{1., 1.}};
   double                time = 0.;
 };
@@ -146,8 +146,8 @@ std::vector<Kind> split(std::vector<ClosedKind> closed, const std::vector<Bodies
       kind.sides = std::move(of_closed.sides);
       kind.time  = of_closed.time;
       for (unsigned int i = 0; i < 2; ++i)
-        if (const ClosedSide &side = kind.sides[i]; by_shapes(bodies, side))
-          kind.on_shapes[i] = added_to_shapes(*bodies[side.group].modal, side, of_closed.law);
+        if (const ClosedSide &side = kind.sides[i]; is_modal(bodies, side))
+          kind.on_modes[i] = added_to_modes(*bodies[side.group].modal, side, of_closed.law);
       kinds.push_back(std::move(kind));
     }
   return kinds;
@@ -164,44 +164,46 @@ Bound bound_of(const Kind                &kind,
   const ClosedSide &side = kind.sides[i];
   if (side.group == ClosedSide::none)
     return {};
-  if (kind.on_shapes[i].empty())
+  if (kind.on_modes[i].empty())
     return {bodies[side.group].elements,
             (side.stiffness.empty() ? rigid[side.group] : side.eigenvalue) * damped,
             false};
   Matrix once = bodies[side.group].free, twice = once;
-  once.add(damped, kind.on_shapes[i]);
-  twice.add(2. * damped, kind.on_shapes[i]);
+  once.add(damped, kind.on_modes[i]);
+  twice.add(2. * damped, kind.on_modes[i]);
   const double of_once = largest(once), more = largest(twice) - of_once;
   return {of_once - more, more, true};
 }
 
-/// What bodies that move by shapes feel of their sides; of several kinds that one side may meet
+/// What modal bodies feel of their sides; of several kinds that one side may meet
 /// that with the largest factor.
-std::vector<OnShapes> shapes_of(const std::vector<Kind> &kinds, const std::vector<Bodies> &bodies)
+std::vector<ModalBodies> modal_bodies_of(const std::vector<Kind>   &kinds,
+                                         const std::vector<Bodies> &bodies)
 {
-  std::vector<OnShapes> shapes(bodies.size());
+  std::vector<ModalBodies> modal(bodies.size());
   for (const Kind &kind : kinds)
     for (unsigned int i = 0; i < 2; ++i)
-      if (!kind.on_shapes[i].empty())
+      if (!kind.on_modes[i].empty())
         {
-          const ClosedSide &side  = kind.sides[i];
-          shapes[side.group].free = bodies[side.group].free;
-          shapes[side.group].sides[side.surface].take(kind.on_shapes[i], kind.factor[i], kind.time);
+          const ClosedSide &side = kind.sides[i];
+          modal[side.group].free = bodies[side.group].free;
+          modal[side.group].sides[side.surface].update_largest(
+              kind.on_modes[i], kind.factor[i], kind.time);
         }
-  return shapes;
+  return modal;
 }
 
-/// Makes bodies that move by shapes about equally fast: of two that meet the faster one gets less
+/// Makes modal bodies about equally fast: of two that meet the faster one gets less
 /// of the springs between them.
 void balance(std::vector<Kind> &kinds, const std::vector<Bodies> &bodies, const double dt)
 {
   for (unsigned int round = 0; round < 12; ++round)
     {
       std::vector<double> eigenvalue;
-      for (const OnShapes &shapes : shapes_of(kinds, bodies))
-        eigenvalue.push_back(shapes.sides.empty() ? 0. : shapes.eigenvalue(dt));
+      for (const ModalBodies &modal : modal_bodies_of(kinds, bodies))
+        eigenvalue.push_back(modal.sides.empty() ? 0. : modal.eigenvalue(dt));
       for (Kind &kind : kinds)
-        if (!kind.on_shapes[0].empty() && !kind.on_shapes[1].empty())
+        if (!kind.on_modes[0].empty() && !kind.on_modes[1].empty())
           {
             const double t = (kind.factor[0] - 1.) * std::sqrt(eigenvalue[kind.sides[1].group] /
                                                                eigenvalue[kind.sides[0].group]);
@@ -211,10 +213,10 @@ void balance(std::vector<Kind> &kinds, const std::vector<Bodies> &bodies, const 
 }
 
 /// The contacts @p closed for a step of about @p dt [s].
-std::vector<Held> hold(const World               &world,
-                       const std::vector<Bodies> &bodies,
-                       std::vector<ClosedKind>    closed,
-                       const double               dt)
+std::vector<Held> add_closed_springs(const World               &world,
+                                     const std::vector<Bodies> &bodies,
+                                     std::vector<ClosedKind>    closed,
+                                     const double               dt)
 {
   std::vector<Kind>   kinds = split(std::move(closed), bodies);
   std::vector<double> rigid(world.copies.size()); // all springs on a rigid body, 1/s2
@@ -238,7 +240,7 @@ std::vector<Held> hold(const World               &world,
   for (const Kind &kind : kinds)
     for (unsigned int i = 0; i < 2; ++i)
       if (const ClosedSide &side = kind.sides[i];
-          side.group != ClosedSide::none && kind.on_shapes[i].empty())
+          side.group != ClosedSide::none && kind.on_modes[i].empty())
         {
           if (side.stiffness.empty()) // a rigid body feels all its nodes at once
             {
@@ -246,11 +248,11 @@ std::vector<Held> hold(const World               &world,
               held[side.group].damped += kind.factor[i] * side.eigenvalue * kind.time;
             }
           else
-            sides[side.group][side.surface].take(side, kind.factor[i], kind.time);
+            sides[side.group][side.surface].update_largest(side, kind.factor[i], kind.time);
         }
-  std::vector<OnShapes> shapes = shapes_of(kinds, bodies);
+  std::vector<ModalBodies> modal = modal_bodies_of(kinds, bodies);
   for (unsigned int g = 0; g < held.size(); ++g)
-    held[g].shapes = std::move(shapes[g]);
+    held[g].modal = std::move(modal[g]);
 
   // a node on the edge of two sides may be in contact on both of them
   for (unsigned int g = 0; g < held.size(); ++g)
@@ -271,7 +273,7 @@ std::vector<Held> hold(const World               &world,
 }
 } // namespace
 
-double closed_contact_step(const World &world, const contact::Contacts &contacts, double limit)
+double closed_contact_time_step(const World &world, const contact::Contacts &contacts, double limit)
 {
   const std::vector<Bodies> bodies = bodies_of(world);
   std::vector<ClosedKind>   kinds;
@@ -279,13 +281,13 @@ double closed_contact_step(const World &world, const contact::Contacts &contacts
     for (ClosedKind &kind : closed_kinds(world, *family))
       kinds.push_back(std::move(kind));
   limit                        = std::min(limit, take_coupled(world, bodies, kinds));
-  const std::vector<Held> held = hold(world, bodies, std::move(kinds), limit);
+  const std::vector<Held> held = add_closed_springs(world, bodies, std::move(kinds), limit);
   for (unsigned int g = 0; g < held.size(); ++g)
-    if (!held[g].shapes.sides.empty())
-      limit = std::min(limit, held[g].shapes.stable_step());
+    if (!held[g].modal.sides.empty())
+      limit = std::min(limit, held[g].modal.critical_time_step());
     else
       {
-        double step = stable_step_of(bodies[g].elements + held[g].stiffest, held[g].damped);
+        double step = critical_time_step_of(bodies[g].elements + held[g].stiffest, held[g].damped);
         if (step < limit && !held[g].stiffness.empty())
           // with the dampers of a smaller step the body admits at least this one: from below to it
           for (unsigned int round = 0; round < 2; ++round)
@@ -300,7 +302,7 @@ double closed_contact_step(const World &world, const contact::Contacts &contacts
   return limit;
 }
 
-double closed_contact_step(const World &world, const contact::Family &family)
+double closed_contact_time_step(const World &world, const contact::Family &family)
 {
   const std::vector<Bodies> bodies = bodies_of(world);
   std::vector<ClosedKind>   kinds  = closed_kinds(world, family);
@@ -311,11 +313,11 @@ double closed_contact_step(const World &world, const contact::Family &family)
       for (unsigned int i = 0; i < 2; ++i)
         {
           const ClosedSide &side = kind.sides[i];
-          both += by_shapes(bodies, side) ?
-                      largest(added_to_shapes(*bodies[side.group].modal, side, kind.law)) :
+          both += is_modal(bodies, side) ?
+                      largest(added_to_modes(*bodies[side.group].modal, side, kind.law)) :
                       side.eigenvalue;
         }
-      step = std::min(step, stable_step_of(both, both * kind.time));
+      step = std::min(step, critical_time_step_of(both, both * kind.time));
     }
   return step;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/parameters/run.h>
 #include <chaindrive/stability/closed_contact.h>
-#include <chaindrive/stability/stable_step.h>
+#include <chaindrive/stability/critical_time_step.h>
 #include <chaindrive/stability/step_limit.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -12,35 +12,35 @@
 
 namespace chaindrive::stability
 {
-std::vector<StepLimit> step_limits(const World             &world,
-                                   const Bars              &bars,
-                                   const ForceElements     &forces,
-                                   const contact::Contacts &contacts)
+std::vector<TimeStepLimit> step_limits(const World             &world,
+                                       const Bars              &bars,
+                                       const ForceElements     &forces,
+                                       const contact::Contacts &contacts)
 {
-  std::vector<StepLimit> limits;
-  std::vector<Spring>    springs;
+  std::vector<TimeStepLimit> limits;
+  std::vector<Spring>        springs;
   if (bars.size() > 0)
     {
       bars.add_springs(world, springs);
-      limits.push_back({"bars", stable_step(world, springs)});
+      limits.push_back({"bars", critical_time_step(world, springs)});
     }
   for (const auto &element : forces)
     {
       springs.clear();
       element->add_springs(world, springs);
-      limits.push_back({element->name(), stable_step(world, springs)});
+      limits.push_back({element->name(), critical_time_step(world, springs)});
     }
   for (const ElasticGroup *group : world.groups.elastic())
-    limits.push_back(
-        {"elements of the " + world.copies[group->copies()].part->name, group->stable_step()});
+    limits.push_back({"elements of the " + world.copies[group->copies()].part->name,
+                      group->critical_time_step()});
   for (const auto &family : contacts.families())
     {
       springs.clear();
       family->add_springs(world, springs);
       const double limit =
-          std::min(stable_step(world, springs), closed_contact_step(world, *family));
+          std::min(critical_time_step(world, springs), closed_contact_time_step(world, *family));
       // families of rigid and of elastic bodies share a name
-      const auto same = std::find_if(limits.begin(), limits.end(), [&](const StepLimit &other) {
+      const auto same = std::find_if(limits.begin(), limits.end(), [&](const TimeStepLimit &other) {
         return other.source == family->name();
       });
       if (same == limits.end())
@@ -61,20 +61,20 @@ double step_limit(const World             &world,
   for (const auto &element : forces)
     element->add_springs(world, springs);
   contacts.add_springs(world, springs);
-  double limit = stable_step(world, springs);
+  double limit = critical_time_step(world, springs);
 
   for (const ElasticGroup *group : world.groups.elastic())
-    limit = std::min(limit, group->stable_step());
-  return closed_contact_step(world, contacts, limit);
+    limit = std::min(limit, group->critical_time_step());
+  return closed_contact_time_step(world, contacts, limit);
 }
 
-StepChoice choose_step(const World             &world,
-                       const Bars              &bars,
-                       const ForceElements     &forces,
-                       const contact::Contacts &contacts,
-                       const parameters::Time  &time)
+TimeStepChoice choose_time_step(const World             &world,
+                                const Bars              &bars,
+                                const ForceElements     &forces,
+                                const contact::Contacts &contacts,
+                                const parameters::Time  &time)
 {
-  StepChoice choice;
+  TimeStepChoice choice;
   choice.step_limits   = step_limits(world, bars, forces, contacts);
   choice.limit         = step_limit(world, bars, forces, contacts);
   const double largest = time.safety_factor * choice.limit;
@@ -82,7 +82,7 @@ StepChoice choose_step(const World             &world,
     {
       if (*time.step > largest)
         throw InputError(
-            "Time/Step in us = " + to_text(*time.step * 1e6) +
+            "Time/Time step in us = " + to_text(*time.step * 1e6) +
             " is above the critical time step: at most " + to_text_at_most(largest * 1e6, 4) +
             " us (safety factor " + to_text(time.safety_factor) + " times the limit " +
             to_text(choice.limit * 1e6, 4) + " us) is allowed; choose a smaller step or auto.");

@@ -45,7 +45,7 @@ ElasticPiece::ElasticPiece(const Piece       &piece,
   assemble();
 }
 
-void ElasticPiece::hold(dealii::AffineConstraints<double> &constraints) const
+void ElasticPiece::constrain(dealii::AffineConstraints<double> &constraints) const
 {
   const dealii::Functions::ZeroFunction<3> zero(3);
   for (unsigned int d = 0; d < 3; ++d)
@@ -68,7 +68,7 @@ void ElasticPiece::assemble()
   constraints_.clear();
   constraints_.reinit(relevant_);
   dealii::DoFTools::make_hanging_node_constraints(dofs_, constraints_);
-  hold(constraints_);
+  constrain(constraints_);
   constraints_.close();
 
   dealii::TrilinosWrappers::SparsityPattern pattern(owned_, owned_, relevant_, comm_);

@@ -53,9 +53,8 @@ smooth_load(const std::vector<Vector> &loads, const unsigned int first, const Pa
   Vector sum(loads[first]);
   sum = 0.;
   for (unsigned int a = 0; a < std::min(2U, grid.n_angles); ++a)
-    for (unsigned int s = 0; s < grid.n_stations(); ++s)
-      sum.add((grid.z[s + 1] - grid.z[s]) / grid.z.back(),
-              loads[first + a * grid.n_stations() + s]);
+    for (unsigned int s = 0; s < grid.n_rings(); ++s)
+      sum.add((grid.z[s + 1] - grid.z[s]) / grid.z.back(), loads[first + a * grid.n_rings() + s]);
   return sum;
 }
 /// The compliances under smooth loads on each of the sides, and where they make the next refinement
@@ -115,7 +114,7 @@ PieceFlexibility flexibility(const Piece             &piece,
     for (unsigned int p = 0; p < side.grid.n(); ++p, ++j)
       {
         const Vector u    = part->solve(loads[j]);
-        const double area = (side.across ? 2. : 1.) * side.grid.area(p % side.grid.n_stations());
+        const double area = (side.across ? 2. : 1.) * side.grid.area(p % side.grid.n_rings());
         for (unsigned int i = 0; i < n; ++i)
           result.values(i, j) = part->displacement(u, loads[i]) * area;
       }

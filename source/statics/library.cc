@@ -172,7 +172,8 @@ double seat_end(const drive::ToothForm &form)
   return std::max(0., form.seat_half_angle - patch_width);
 }
 
-Press Library::pulled_links(const drive::ChainDimensions &chain, const unsigned int n_angles)
+ContactProblem Library::pulled_links(const drive::ChainDimensions &chain,
+                                     const unsigned int            n_angles)
 {
   const double    plate = chain.inner_plate_thickness, inside = 0.5 * (chain.bush_length - plate);
   const PatchGrid grid{
@@ -180,9 +181,9 @@ Press Library::pulled_links(const drive::ChainDimensions &chain, const unsigned 
       patch_width,
       n_angles,
       {0., inside / 3., 2. * inside / 3., inside, inside + 0.5 * plate, inside + plate}};
-  const double            bush = 0.5 * chain.inner_hole_pitch, pin = 0.5 * chain.outer_hole_pitch;
-  const std::string       wide = n_angles > 4 ? ", wide contact" : "";
-  std::vector<GivingPart> parts;
+  const double      bush = 0.5 * chain.inner_hole_pitch, pin = 0.5 * chain.outer_hole_pitch;
+  const std::string wide = n_angles > 4 ? ", wide contact" : "";
+  std::vector<CompliantPart> parts;
   parts.push_back({"inner link",
                    0,
                    flexibility_of("inner link, pulled" + wide,
@@ -196,14 +197,14 @@ Press Library::pulled_links(const drive::ChainDimensions &chain, const unsigned 
                       text_of_chain(chain),
                       [&] { return link_eighth(chain, false); },
                       {{mesh::pin_outside_second, grid, Point<2>(pin, 0.), PI, false}})});
-  return Press({cylinders(grid, chain.pin_clearance())}, std::move(parts), material_);
+  return ContactProblem({cylinders(grid, chain.pin_clearance())}, std::move(parts), material_);
 }
 
-Press Library::pressed_roller(const drive::ChainDimensions &chain,
-                              const drive::Sprocket        &sprocket,
-                              const double                  width,
-                              const unsigned int            n_angles,
-                              const double                  position)
+ContactProblem Library::pressed_roller(const drive::ChainDimensions &chain,
+                                       const drive::Sprocket        &sprocket,
+                                       const double                  width,
+                                       const unsigned int            n_angles,
+                                       const double                  position)
 {
   const double              half_width = 0.5 * std::min(chain.roller_length, width);
   const std::vector<double> z          = {0., half_width / 3., 2. * half_width / 3., half_width};
@@ -211,7 +212,7 @@ Press Library::pressed_roller(const drive::ChainDimensions &chain,
       inside{0.5 * chain.bush_diameter, patch_width, n_angles, z};
   const drive::Segment &seat = sprocket.form.half_profile.front();
 
-  std::vector<GivingPart> parts;
+  std::vector<CompliantPart> parts;
   parts.push_back({"roller",
                    0,
                    flexibility_of("roller",
@@ -234,8 +235,8 @@ Press Library::pressed_roller(const drive::ChainDimensions &chain,
   // the rigid zone of a rim that has hardly any is made smaller, so that there is something to mesh
   const double root = sprocket.form.root_diameter,
                hub  = std::min(sprocket.hub_diameter, root - 0.4 * sprocket.form.pitch);
-  const mesh::SprocketShape shape{std::min(sprocket.bore, 0.9 * hub), hub, width};
-  std::string profile = numbers({double(sprocket.form.teeth), shape.hub_diameter, width});
+  const mesh::SprocketDimensions dimensions{std::min(sprocket.bore, 0.9 * hub), hub, width};
+  std::string profile = numbers({double(sprocket.form.teeth), dimensions.hub_diameter, width});
   for (const drive::Segment &s : sprocket.form.half_profile)
     profile += numbers({s.begin[0], s.begin[1], s.end[0], s.end[1], s.radius});
   // A force beside the radius bends and shears the sector, whose ends are free: it has to be as
@@ -254,12 +255,12 @@ Press Library::pressed_roller(const drive::ChainDimensions &chain,
        0,
        flexibility_of(name,
                       profile,
-                      [&] { return rim_sector(sprocket.form, shape, n_sectors); },
+                      [&] { return rim_sector(sprocket.form, dimensions, n_sectors); },
                       {{mesh::tooth_flanks, outside, seat.centre, PI - position, true, true}})});
-  return Press({cylinders(outside, seat.radius - outside.radius),
-                cylinders(inside, chain.roller_clearance())},
-               std::move(parts),
-               material_);
+  return ContactProblem({cylinders(outside, seat.radius - outside.radius),
+                         cylinders(inside, chain.roller_clearance())},
+                        std::move(parts),
+                        material_);
 }
 
 PeakStress Library::pulled_plate(const drive::ChainDimensions &chain, const bool inner)

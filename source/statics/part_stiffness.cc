@@ -58,7 +58,7 @@ drive::PartStiffness compute(const model::PartStiffnesses &wanted,
       double tooth = 0., bush = 0.;
       for (const drive::Sprocket &sprocket : drive.sprockets)
         {
-          const Pressed pressed = at_force(
+          const ContactSolution pressed = at_force(
               [&](const unsigned int n_angles) {
                 return library.pressed_roller(
                     drive.chain, sprocket, drive.sprocket_width, n_angles);
@@ -91,11 +91,12 @@ drive::PartStiffness compute(const model::PartStiffnesses &wanted,
 }
 } // namespace
 
-Pressed at_force(const std::function<Press(unsigned int)> &make, const double force)
+ContactSolution at_force(const std::function<ContactProblem(unsigned int)> &make,
+                         const double                                       force)
 {
   for (unsigned int n_angles = 4;; n_angles *= 2)
     {
-      Pressed pressed = make(n_angles).at(force);
+      ContactSolution pressed = make(n_angles).at(force);
       if (!pressed.reaches_the_end || n_angles * 4 >= n_around)
         return pressed;
     }

@@ -213,11 +213,11 @@ Piece roller_quarter(const drive::ChainDimensions &chain)
   return piece;
 }
 
-Piece rim_sector(const drive::ToothForm    &form,
-                 const mesh::SprocketShape &shape,
-                 const unsigned int         n_sectors)
+Piece rim_sector(const drive::ToothForm         &form,
+                 const mesh::SprocketDimensions &dimensions,
+                 const unsigned int              n_sectors)
 {
-  const mesh::Part part = mesh::make_sprocket(form, shape, 1., 0, true);
+  const mesh::Part part = mesh::make_sprocket(form, dimensions, 1., 0, true);
   Piece            piece;
   piece.name         = part.name;
   const double reach = n_sectors * dealii::numbers::PI / form.teeth;

@@ -6,7 +6,7 @@ namespace chaindrive
 {
 Archive::Bytes Archive::get(const std::string &name) const
 {
-  std::optional<Bytes> item = get_(path_ + name);
+  std::optional<Bytes> item = read_item_(path_ + name);
   if (!item)
     throw InputError("it has no item '" + path_ + name + "'");
   return std::move(*item);

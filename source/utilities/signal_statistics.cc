@@ -14,7 +14,7 @@ namespace
 constexpr double turn = 2. * dealii::numbers::PI;
 } // namespace
 
-WholeTurns::Waves WholeTurns::waves(const double turned) const
+WholeRevolutions::Waves WholeRevolutions::waves(const double turned) const
 {
   Waves result;
   result.cosine[0] = std::cos(turned);
@@ -29,8 +29,8 @@ WholeTurns::Waves WholeTurns::waves(const double turned) const
   return result;
 }
 
-const std::vector<WholeTurns::Piece> &
-WholeTurns::next(const double time, const double duration, const double phase)
+const std::vector<WholeRevolutions::Piece> &
+WholeRevolutions::next(const double time, const double duration, const double phase)
 {
   // a turn that ends with the window, but for round-off, is within it
   constexpr double tolerance = 1e-6;
@@ -68,10 +68,10 @@ WholeTurns::next(const double time, const double duration, const double phase)
   return pieces_;
 }
 
-void SignalStatistics::add(const double                          time,
-                           const double                          duration,
-                           const double                          value,
-                           const std::vector<WholeTurns::Piece> &pieces)
+void SignalStatistics::add(const double                                time,
+                           const double                                duration,
+                           const double                                value,
+                           const std::vector<WholeRevolutions::Piece> &pieces)
 {
   mean_.add(time, duration, value);
   if (const double weight = mean_.inside(time, duration); weight > 0.)
@@ -82,11 +82,11 @@ void SignalStatistics::add(const double                          time,
       least_   = std::fmin(least_, value); // ignores NaN
       largest_ = std::fmax(largest_, value);
     }
-  for (const WholeTurns::Piece &piece : pieces)
+  for (const WholeRevolutions::Piece &piece : pieces)
     {
       const double first = before_ + piece.from * (value - before_);
       const double last  = before_ + piece.to * (value - before_);
-      for (unsigned int n = 0; n < WholeTurns::n_orders; ++n)
+      for (unsigned int n = 0; n < WholeRevolutions::n_orders; ++n)
         {
           open_cosine_[n] +=
               0.5 * piece.phase * (first * piece.first.cosine[n] + last * piece.last.cosine[n]);
@@ -95,7 +95,7 @@ void SignalStatistics::add(const double                          time,
         }
       if (!piece.closes)
         continue;
-      for (unsigned int n = 0; n < WholeTurns::n_orders; ++n)
+      for (unsigned int n = 0; n < WholeRevolutions::n_orders; ++n)
         {
           cosine_[n] += std::exchange(open_cosine_[n], 0.);
           sine_[n] += std::exchange(open_sine_[n], 0.);
@@ -122,7 +122,7 @@ double SignalStatistics::deviation() const
 SignalStatistics::Orders SignalStatistics::harmonics(const unsigned int turns) const
 {
   Orders amplitudes;
-  for (unsigned int n = 0; n < WholeTurns::n_orders; ++n)
+  for (unsigned int n = 0; n < WholeRevolutions::n_orders; ++n)
     amplitudes[n] =
         turns > 0 ? 2. * std::hypot(cosine_[n], sine_[n]) / (turns * turn) : std::nan("");
   return amplitudes;

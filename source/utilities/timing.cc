@@ -64,20 +64,20 @@ std::vector<PhaseTimer::Row> PhaseTimer::rows() const
 void PhaseTimer::print(std::ostream &out, const std::vector<Row> &table)
 {
   char       line[128];
-  const auto put = [&](const std::string &name, const double seconds, const double percentage) {
+  const auto add_row = [&](const std::string &name, const double seconds, const double percentage) {
     std::snprintf(line, sizeof(line), "%-36s %12.3E %15.2f\n", name.c_str(), seconds, percentage);
     out << line;
   };
   std::snprintf(line, sizeof(line), "%-36s %12s %15s\n", "", "CPU time (s)", "Percentage (%)");
   out << line;
   for (const Row &row : table)
-    put(row.name, row.cpu_seconds, row.percentage);
+    add_row(row.name, row.cpu_seconds, row.percentage);
   // the sum of the rows, not another reading of the clock
-  put("Total (including initiation time)",
-      std::accumulate(table.begin(),
-                      table.end(),
-                      0.,
-                      [](const double sum, const Row &row) { return sum + row.cpu_seconds; }),
-      100.);
+  add_row("Total (including initiation time)",
+          std::accumulate(table.begin(),
+                          table.end(),
+                          0.,
+                          [](const double sum, const Row &row) { return sum + row.cpu_seconds; }),
+          100.);
 }
 } // namespace chaindrive

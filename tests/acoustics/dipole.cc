@@ -60,12 +60,12 @@ double amplitude(const double radius, const double r, const double angle, const 
       grid,
       [](double) { return Vector3(); },
       [&](const double t) { return vector(std::cos(omega * t), 0.); });
-  const Grid          heard{r / air.speed + 1. / frequency, 1. / (400. * frequency), 2000};
-  std::vector<double> pressure(heard.size, 0.);
-  add_pressure(air, source, r * vector(std::cos(angle), std::sin(angle)), heard, pressure);
+  const Grid          received{r / air.speed + 1. / frequency, 1. / (400. * frequency), 2000};
+  std::vector<double> pressure(received.size, 0.);
+  add_pressure(air, source, r * vector(std::cos(angle), std::sin(angle)), received, pressure);
   std::complex<double> sum;
-  for (std::size_t i = 0; i < heard.size; ++i)
-    sum += 2. / heard.size * pressure[i] * std::polar(1., -omega * heard.time(i));
+  for (std::size_t i = 0; i < received.size; ++i)
+    sum += 2. / received.size * pressure[i] * std::polar(1., -omega * received.time(i));
   return std::abs(sum);
 }
 
@@ -118,13 +118,13 @@ double past(const double step)
     return arm * acceleration(e) / arm.norm_square();
   };
   const Grid          grid{0., step, static_cast<std::size_t>(0.02 / step)};
-  const Grid          heard{0.003, 1.1 * step, static_cast<std::size_t>(0.012 / step)};
-  std::vector<double> pressure(heard.size, 0.);
-  add_pressure(air, source_of(1e-6, grid, position, acceleration), observer, heard, pressure);
+  const Grid          received{0.003, 1.1 * step, static_cast<std::size_t>(0.012 / step)};
+  std::vector<double> pressure(received.size, 0.);
+  add_pressure(air, source_of(1e-6, grid, position, acceleration), observer, received, pressure);
   double worst = 0., largest = 0.;
-  for (std::size_t i = 0; i < heard.size; ++i)
+  for (std::size_t i = 0; i < received.size; ++i)
     {
-      const double t = heard.time(i), h = 1e-7;
+      const double t = received.time(i), h = 1e-7;
       const double r = (observer - position(emitted(t))).norm();
       const double p =
           1e-6 / (4. * pi) * ((far(t + h) - far(t - h)) / (2. * h * air.speed) + far(t) / r);

@@ -96,7 +96,7 @@ Noise listen_to(const Motion                &motion,
                 const parameters::Acoustics &settings,
                 const Site                  &site = make_site())
 {
-  return listen(motion, site, settings, 10e-3, 30e-3, "histories.h5");
+  return compute_noise(motion, site, settings, 10e-3, 30e-3, "histories.h5");
 }
 
 template <typename Function>
@@ -123,19 +123,19 @@ void one_roller()
             << noise.observers.back().observer.name << ", up to " << noise.bands.back().name
             << " Hz\n";
   double worst = 0., orders = 0., largest_other = -1e3;
-  for (const Heard &heard : noise.observers)
+  for (const ReceivedSound &received : noise.observers)
     {
-      const double exact = level_of(dipole(place, heard.observer.position, 100.));
-      worst              = std::max(worst, std::abs(heard.level - exact));
-      orders             = std::max(orders, std::abs(heard.orders[1] - exact));
-      for (std::size_t i = 0; i < heard.orders.size(); ++i)
+      const double exact = level_of(dipole(place, received.observer.position, 100.));
+      worst              = std::max(worst, std::abs(received.level - exact));
+      orders             = std::max(orders, std::abs(received.orders[1] - exact));
+      for (std::size_t i = 0; i < received.orders.size(); ++i)
         if (i != 1)
-          largest_other = std::max(largest_other, heard.orders[i] - exact);
+          largest_other = std::max(largest_other, received.orders[i] - exact);
     }
   verdict("levels at all observers to 0.02 dB", worst < 0.02);
   verdict("all of it at the second order, to 0.02 dB", orders < 0.02);
   verdict("others are 60 dB below", largest_other < -60.);
-  const Heard &first = noise.observers.front();
+  const ReceivedSound &first = noise.observers.front();
   std::cout << "peak over amplitude "
             << std::round(100. * first.peak /
                           std::abs(dipole(place, first.observer.position, 100.))) /
@@ -163,12 +163,13 @@ void floor_and_contributions()
   const auto pair = [](const Vector3 &a, const Vector3 &b, const Vector3 &at, const double size) {
     return dipole(a, at, size) - dipole(b, at, size);
   };
-  for (const Heard &heard : noise.observers)
+  for (const ReceivedSound &received : noise.observers)
     {
-      const Vector3 &at = heard.observer.position;
-      worst             = std::max(worst,
-                       std::abs(heard.level - level_of(pair(place, image, at, 100.) +
-                                                       pair(other_place, other_image, at, -50.))));
+      const Vector3 &at = received.observer.position;
+      worst =
+          std::max(worst,
+                   std::abs(received.level - level_of(pair(place, image, at, 100.) +
+                                                      pair(other_place, other_image, at, -50.))));
     }
   verdict("two rollers over a floor to 0.02 dB", worst < 0.02);
   const Vector3 at     = noise.observers.front().observer.position;
@@ -233,7 +234,7 @@ void refusals()
   Motion shifted = motion;
   shifted.time[50] += 3e-6;
   refusal([&] { listen_to(shifted, settings); });
-  refusal([&] { listen(motion, make_site(), settings, 27e-3, 30e-3, "histories.h5"); });
+  refusal([&] { compute_noise(motion, make_site(), settings, 27e-3, 30e-3, "histories.h5"); });
   refusal([&] { listen_to(make_motion({vector(0.01, 0.04)}, {100.}, 1.7e-3), settings); });
   refusal([&] { listen_to(make_motion({vector(0.01, 0.04)}, {100.}, 1.8e-3, 60e-3), settings); });
   for (const std::string &note :

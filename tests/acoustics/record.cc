@@ -77,12 +77,12 @@ double sphere(const double frequency)
     source.acceleration[i][0] = filtered[i];
   dealii::Tensor<1, 3> observer;
   observer[0] = r;
-  const Grid          heard{r / air.speed + 8. / frequency, step, 4 * per_period};
-  std::vector<double> pressure(heard.size, 0.);
-  add_pressure(air, source, observer, heard, pressure);
+  const Grid          received{r / air.speed + 8. / frequency, step, 4 * per_period};
+  std::vector<double> pressure(received.size, 0.);
+  add_pressure(air, source, observer, received, pressure);
   double square = 0.;
   for (const double p : pressure)
-    square += 2. * p * p / heard.size;
+    square += 2. * p * p / received.size;
   return std::sqrt(square);
 }
 } // namespace

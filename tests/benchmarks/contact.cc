@@ -108,8 +108,8 @@ void measure(
               name.c_str(),
               n_joints,
               tables.n_slave_nodes(),
-              slave.n_columns(),
-              master.n_columns());
+              slave.n_circumferential(),
+              master.n_circumferential());
   std::printf("%6s%12s%12s%12s%16s%16s%16s\n",
               "width",
               "visited",

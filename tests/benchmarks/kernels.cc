@@ -235,7 +235,7 @@ double n_operations(const Formulation formulation, const Shape shape)
                                3 * 12 :
                                2 * (3 * 36 + 12) + 4 * element::hourglass_entries(shape).size - 24;
   const double coupling =
-      formulation == Formulation::shell ? 4 * element::coupling_entries(shape).size + 3 : 0;
+      formulation == Formulation::solid_shell ? 4 * element::coupling_entries(shape).size + 3 : 0;
   return modes + gradient_and_shift + hourglass + coupling + strain + stress + product;
 }
 
@@ -341,7 +341,7 @@ void measure(const mesh::RollerGrid &grid, const Options &options, const Machine
   for (const auto &[formulation, name] : {std::make_pair(Formulation::one_point, "one-point"),
                                           std::make_pair(Formulation::enhanced, "enhanced"),
                                           std::make_pair(Formulation::full, "full"),
-                                          std::make_pair(Formulation::shell, "shell")})
+                                          std::make_pair(Formulation::solid_shell, "solid-shell")})
     for (const auto &[shape, shape_name] :
          {std::make_pair(Shape::symmetric_prism, "symmetric-prism"),
           std::make_pair(Shape::prism, "prism"),
@@ -351,9 +351,9 @@ void measure(const mesh::RollerGrid &grid, const Options &options, const Machine
             (options.shape != "all" && options.shape != shape_name))
           continue;
         element::Selection all;
-        if (formulation == Formulation::shell)
+        if (formulation == Formulation::solid_shell)
           {
-            all.wall   = parameters::Wall::shell;
+            all.element_type = parameters::ElementType::solid_shell;
             all.across = [](const dealii::Point<3> &x) { return dealii::Point<3>(x[0], x[1], 0.); };
           }
         const element::Hexahedra reference(part, material, formulation, 0.1, shape, all);
@@ -405,7 +405,7 @@ int main(int argc, char **argv)
     ("mesh", po::value(&options.mesh)->default_value("3x48x10"),
      "cells through the wall, around and along the roller, or all of three meshes")
     ("formulation", po::value(&options.formulation)->default_value("all"),
-     "one-point, enhanced, full, shell, or all; a bush of one layer is --mesh 1x24x6")
+     "one-point, enhanced, full, solid-shell, or all; a bush of one layer is --mesh 1x24x6")
     ("shape", po::value(&options.shape)->default_value("all"),
      "kernels for general, prism or symmetric-prism elements, or all that fit the mesh")
     ("width", po::value(&options.widths)->multitoken()->default_value({1, 2, 4, 8}, "1 2 4 8"),

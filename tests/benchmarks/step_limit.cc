@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// By how much CoupledShapes::find_worst() underestimates the largest frequency of reduced drives.
+// By how much CoupledModes::find_worst() underestimates the largest frequency of reduced drives.
 //
 // Usage: step_limit_benchmark FILE.prm < DRIVES, where each line of DRIVES has the entries of one
 // drive, "Section/Entry=value", separated by tabs. Prints for each drive, in percent of the
@@ -16,7 +16,7 @@
 #include <chaindrive/reduction/kept_basis.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/scene.h>
-#include <chaindrive/stability/coupled_shapes.h>
+#include <chaindrive/stability/coupled_modes.h>
 #include <chaindrive/statics/cache.h>
 #include <chaindrive/utilities/eigenvalue.h>
 
@@ -40,10 +40,10 @@ using namespace chaindrive;
 
 namespace
 {
-using stability::CoupledShapes;
-using Interface = CoupledShapes::Interface;
+using stability::CoupledModes;
+using Interface = CoupledModes::Interface;
 using Vector    = dealii::Vector<double>;
-using Ways      = CoupledShapes::Ways;
+using Ways      = CoupledModes::Ways;
 
 /// One or more pitches that are closed somehow, for one step.
 class Problem
@@ -60,15 +60,15 @@ public:
   };
 
   /// With complex motions: real parts, then imaginary parts.
-  Problem(const CoupledShapes &shapes,
-          const double         dt,
-          const unsigned int   n_pitches,
-          const bool           is_complex)
-      : dt_(dt), n_real_(n_pitches * shapes.free().size()), is_complex_(is_complex)
+  Problem(const CoupledModes &modes,
+          const double        dt,
+          const unsigned int  n_pitches,
+          const bool          is_complex)
+      : dt_(dt), n_real_(n_pitches * modes.free().size()), is_complex_(is_complex)
   {
     for (unsigned int copy = 0; copy < n_pitches * (is_complex ? 2 : 1); ++copy)
-      diagonal_.insert(diagonal_.end(), shapes.free().begin(), shapes.free().end());
-    n_motions_ = shapes.free().size();
+      diagonal_.insert(diagonal_.end(), modes.free().begin(), modes.free().end());
+    n_motions_ = modes.free().size();
   }
 
   std::vector<Contact> contacts;
@@ -82,8 +82,8 @@ public:
       y[i] = diagonal_[i] * x[i];
     for (std::size_t k = 0; k < contacts.size(); ++k)
       {
-        const CoupledShapes::Closed &way    = contacts[k].interface->ways[ways[k]];
-        const double                 factor = 1. + 2. * way.time / dt_;
+        const CoupledModes::Closed &way    = contacts[k].interface->ways[ways[k]];
+        const double                factor = 1. + 2. * way.time / dt_;
         gather(contacts[k], x);
         for (unsigned int c = 0; c < (is_complex_ ? 2 : 1); ++c)
           {
@@ -97,8 +97,8 @@ public:
   /// x^T A x of the contact @p k alone, closed in @p way.
   double quotient(const std::size_t k, const unsigned int way) const
   {
-    const CoupledShapes::Closed &closed = contacts[k].interface->ways[way];
-    double                       sum    = 0.;
+    const CoupledModes::Closed &closed = contacts[k].interface->ways[way];
+    double                      sum    = 0.;
     for (unsigned int c = 0; c < (is_complex_ ? 2 : 1); ++c)
       {
         product(closed.matrix, part_[c], result_[c]);
@@ -289,31 +289,31 @@ unsigned int n_alike(const Interface &interface)
   return static_cast<unsigned int>(interface.ways.size()) / (interface.closes_pitch ? 2 : 1);
 }
 
-Problem one_pitch(const CoupledShapes &shapes, const double dt)
+Problem one_pitch(const CoupledModes &modes, const double dt)
 {
-  Problem problem(shapes, dt, 1, false);
-  for (const Interface &interface : shapes.interfaces())
+  Problem problem(modes, dt, 1, false);
+  for (const Interface &interface : modes.interfaces())
     problem.contacts.push_back(
         {&interface, static_cast<unsigned int>(interface.ways.size()), 0, 0, 0.});
   return problem;
 }
 
 /// Waves in which the next pitch moves as this one times exp(i @p q).
-Problem wave(const CoupledShapes &shapes, const double dt, const double q)
+Problem wave(const CoupledModes &modes, const double dt, const double q)
 {
-  Problem problem(shapes, dt, 1, true);
-  for (const Interface &interface : shapes.interfaces())
+  Problem problem(modes, dt, 1, true);
+  for (const Interface &interface : modes.interfaces())
     problem.contacts.push_back(
         {&interface, n_alike(interface), 0, 0, interface.closes_pitch ? q : 0.});
   return problem;
 }
 
 /// Two pitches, each closed in ways of its own; the next two move alike or in opposition.
-Problem two_pitches(const CoupledShapes &shapes, const double dt)
+Problem two_pitches(const CoupledModes &modes, const double dt)
 {
-  Problem problem(shapes, dt, 2, false);
+  Problem problem(modes, dt, 2, false);
   for (const unsigned int pitch : {0u, 1u})
-    for (const Interface &interface : shapes.interfaces())
+    for (const Interface &interface : modes.interfaces())
       problem.contacts.push_back(
           {&interface,
            pitch == 0 ? n_alike(interface) : static_cast<unsigned int>(interface.ways.size()),
@@ -324,8 +324,8 @@ Problem two_pitches(const CoupledShapes &shapes, const double dt)
 }
 
 /// The reduced drive of @p file with @p overrides, coupled.
-std::optional<CoupledShapes> coupled(const std::string              &file,
-                                     const std::vector<std::string> &overrides)
+std::optional<CoupledModes> coupled(const std::string              &file,
+                                    const std::vector<std::string> &overrides)
 {
   const Parameters     p        = model::read_parameters(file, overrides).parameters;
   const drive::Drive   drive    = drive::make_drive(p);
@@ -342,7 +342,7 @@ std::optional<CoupledShapes> coupled(const std::string              &file,
   for (const auto &family : contacts.families())
     for (stability::ClosedKind &kind : stability::closed_kinds(world, *family))
       kinds.push_back(std::move(kind));
-  return CoupledShapes::make(world, kinds);
+  return CoupledModes::make(world, kinds);
 }
 
 double percent(const double value, const double found)
@@ -350,26 +350,26 @@ double percent(const double value, const double found)
   return 100. * (std::sqrt(value / found) - 1.);
 }
 
-void compare(const CoupledShapes &shapes)
+void compare(const CoupledModes &modes)
 {
-  const double  dt    = shapes.stable_step();
-  Ways          ways  = shapes.find_worst(shapes.free_step());
-  const Problem pitch = one_pitch(shapes, dt);
+  const double  dt    = modes.critical_time_step();
+  Ways          ways  = modes.find_worst(modes.free_step());
+  const Problem pitch = one_pitch(modes, dt);
   const double  found = largest(pitch, ways), more = thorough(pitch, ways);
 
   // from the worst ways, whichever phase they have
   Ways alike = ways;
   for (std::size_t k = 0; k < alike.size(); ++k)
-    alike[k] %= n_alike(shapes.interfaces()[k]);
+    alike[k] %= n_alike(modes.interfaces()[k]);
   double waves = 0.;
   for (const double q : {0.25, 0.5, 0.75})
     {
       Ways of_wave = alike;
-      waves = std::max(waves, best_of(wave(shapes, dt, q * dealii::numbers::PI), 1, of_wave));
+      waves        = std::max(waves, best_of(wave(modes, dt, q * dealii::numbers::PI), 1, of_wave));
     }
   Ways both = alike;
   both.insert(both.end(), alike.begin(), alike.end());
-  const double pitches = best_of(two_pitches(shapes, dt), 8, both);
+  const double pitches = best_of(two_pitches(modes, dt), 8, both);
   std::printf("%zu  %zu  %.5f  %.4f  %.4f  %.4f\n",
               pitch.size(),
               pitch.contacts.size(),
@@ -397,8 +397,8 @@ int main(int argc, char **argv)
         overrides.push_back(entry);
       try
         {
-          if (const auto shapes = coupled(argv[1], overrides))
-            compare(*shapes);
+          if (const auto modes = coupled(argv[1], overrides))
+            compare(*modes);
           else
             std::printf("not coupled\n");
         }

@@ -176,8 +176,8 @@ void compare_forces(const std::string &name, const element::Formulation formulat
   verdict("  energies to 1e-12",
           std::abs(world.ledger.strain - whole.strain) < 1e-12 * whole.strain &&
               std::abs(world.ledger.hourglass - whole.hourglass) <= 1e-12 * whole.strain);
-  std::cout << "  stable step of a sector alone over that of the whole: " << std::fixed
-            << std::setprecision(3) << sectors.stable_step() / (2. / whole.largest_frequency)
+  std::cout << "  critical time step of a sector alone over that of the whole: " << std::fixed
+            << std::setprecision(3) << sectors.critical_time_step() / (2. / whole.largest_frequency)
             << std::defaultfloat << '\n';
 }
 

@@ -62,7 +62,7 @@ int main(int argc, char **argv)
             NodeView(copies[group].velocity).set(copies[group].index(copy, node), 2. * x);
           }
     exchange.fetch(copies);
-    unsigned int there = 0, not_a_number = 0, wrong = 0;
+    unsigned int n_present = 0, not_a_number = 0, wrong = 0;
     const auto   look = [&](const unsigned int copy, const unsigned int node) {
       for (unsigned int group = 0; group < 2; ++group)
         {
@@ -71,19 +71,19 @@ int main(int argc, char **argv)
                         v        = NodeView(copies[group].velocity)[at],
                         expected = vector(number_of(group, copy, node), 0., -1.);
           (std::isnan(x[0])                    ? not_a_number :
-                     x == expected && v == 2. * expected ? there :
+                     x == expected && v == 2. * expected ? n_present :
                                                            wrong) += 1;
         }
     };
     for (const unsigned int node : {2, 3, 7})
       for (unsigned int copy = next; copy < n_bodies; copy += 3)
         look(copy, node);
-    const unsigned int always = there;
+    const unsigned int always = n_present;
     for (unsigned int copy = last; copy < n_bodies; copy += 3)
       for (const unsigned int node : {5, 6})
         look(copy, node);
-    text << what << ": always " << always << ", now " << there - always << ", not " << not_a_number
-         << ", wrong " << wrong << '\n';
+    text << what << ": always " << always << ", now " << n_present - always << ", not "
+         << not_a_number << ", wrong " << wrong << '\n';
   };
   const auto want = [&](const std::vector<BodyBatches::Place> &places) {
     for (BodyBatches &c : copies)

@@ -72,7 +72,7 @@ void stretch(const bool plates_bend)
       copies.nodes.position[waist.across[1]][1] - copies.nodes.position[waist.across[0]][1];
   double energy       = 0.; // after the first step
   double out_of_plane = 0., product = 0., square = 0., error = 0.;
-  advance(system, 2000, 0.8 * system.stable_step_limit(), [&] {
+  advance(system, 2000, 0.8 * system.critical_time_step(), [&] {
     const auto moved = [&](const unsigned int n) { return copies.displacement_now(0, n); };
     const auto thick =
         (moved(waist.outer) - moved(waist.inner))[2] / drive.chain.inner_plate_thickness;

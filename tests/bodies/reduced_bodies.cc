@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reduced bodies in free flight, more than one batch, spinning and ringing in all shapes. Nodes are
-// where their shapes put them: their momentum is the body's, the elements resist a shape as its
+// Reduced bodies in free flight, more than one batch, spinning and ringing in all modes. Nodes are
+// where their modes put them: their momentum is the body's, the elements resist a mode as its
 // frequency says, and their velocities are secants of their paths. Over 100,000 steps
-// momentum and moment of momentum stay, and the energy of central differences does not drift. What
+// momentum and angular momentum stay, and the energy of central differences does not drift. What
 // was written to an archive goes on bit by bit.
 #include "../support/archive.h"
 #include "../support/reduced.h"
@@ -51,7 +51,7 @@ scene::Scene make_scene()
   return scene;
 }
 
-/// All shapes ring, natural ones with most energy.
+/// All modes ring, natural ones with most energy.
 void excite(dynamics::System &system, const double dt)
 {
   ReducedBodies &group = reduced_group(system.world, 0);
@@ -110,7 +110,7 @@ void look_at_nodes(const scene::Scene &scene)
 {
   dynamics::System system(scene, false);
   World           &world = system.world;
-  const double     dt    = 0.5 * system.stable_step_limit();
+  const double     dt    = 0.5 * system.critical_time_step();
   excite(system, dt);
   place_all_nodes(world);
   double               apart = 0.;
@@ -143,7 +143,7 @@ void look_at_nodes(const scene::Scene &scene)
     }
   verdict("momentum of the nodes is the body's to 1e-12", linear < 1e-12);
   verdict("their centre of mass is the body's to 1e-15 m", centre < 1e-15);
-  verdict("their moment of momentum is the body's to 1 %", angular < 1e-2);
+  verdict("their angular momentum is the body's to 1 %", angular < 1e-2);
 }
 
 void fly(scene::Scene scene)
@@ -151,7 +151,7 @@ void fly(scene::Scene scene)
   scene.surfaces.clear();
   dynamics::System system(scene, false);
   const World     &world = system.world;
-  const double     dt    = 0.9 * system.stable_step_limit();
+  const double     dt    = 0.9 * system.critical_time_step();
   excite(system, dt);
   const auto                         before = energies(system, dt);
   const World::Vector                velocity(world.velocity);
@@ -173,7 +173,7 @@ void fly(scene::Scene scene)
                        (world.rotations[i].momentum - rotations[i].momentum).norm() /
                            rotations[i].momentum.norm());
   verdict("100,000 steps: momentum kept to 1e-12", linear < 1e-12);
-  verdict("  moment of momentum kept to 1e-12", angular < 1e-12);
+  verdict("  angular momentum kept to 1e-12", angular < 1e-12);
   verdict("  energy of each mode kept to 1e-10", drift < 1e-10);
   verdict("  and in all at full steps within 10 %", worst < 0.1 * total);
 }
@@ -215,7 +215,7 @@ double secant_error(const scene::Scene &scene, const double dt, const bool known
   return worst / fastest;
 }
 
-/// Work of the forces of the elements on nodes displaced by one natural shape: that of its
+/// Work of the forces of the elements on nodes displaced by one natural mode: that of its
 /// frequency.
 void compare_with_elements(const scene::Scene &scene)
 {
@@ -254,13 +254,13 @@ void compare_with_elements(const scene::Scene &scene)
       worst                        = std::max(worst, std::abs(work / expected - 1.));
       group.amplitude(world, 0, m) = 0.;
     }
-  verdict("elements resist a natural shape as its frequency says to 1e-6", worst < 1e-6);
+  verdict("elements resist a natural mode as its frequency says to 1e-6", worst < 1e-6);
 }
 
 void resume(const scene::Scene &scene)
 {
   dynamics::System through(scene, false);
-  const double     dt = 0.9 * through.stable_step_limit();
+  const double     dt = 0.9 * through.critical_time_step();
   excite(through, dt);
   Items items;
   through.serialize(writer(items));

@@ -42,7 +42,7 @@ int main()
     {
       scene.shafts[0].sense = sense;
       dynamics::System system(scene, false);
-      const double     dt  = 0.5 * system.stable_step_limit();
+      const double     dt  = 0.5 * system.critical_time_step();
       double           sum = 0., samples = 0.;
       advance(system, static_cast<unsigned long>(0.08 / dt), dt, [&]() {
         if (system.world.time > 0.05)

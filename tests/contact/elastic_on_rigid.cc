@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // An elastic link and a rigid one, joined by a pin in a bush, fly apart until the joint is taut,
 // and rebound, tilted: the rigid body's mesh follows it and touches node by node. What one gains in
-// momentum and in moment of momentum the other loses, whichever of the two is elastic. The energy
+// momentum and in angular momentum the other loses, whichever of the two is elastic. The energy
 // closes: in a rigid bore, which keeps its shape, with the square of the step.
 #include "../support/scenes.h"
 
@@ -60,7 +60,7 @@ Result run(const bool bush_is_elastic, const double friction, const double share
   scene.bores.push_back(joint);
 
   dynamics::System system(scene, false);
-  const double     dt     = share_of_limit * system.stable_step_limit();
+  const double     dt     = share_of_limit * system.critical_time_step();
   const double     energy = system.world.kinetic_energy() + system.world.ledger.kinetic;
 
   // half a step ahead: nodes with their velocities, the rigid body from its forces
@@ -126,7 +126,7 @@ int main()
                   << '\n'
                   << "  momentum kept to 1e-12: " << (coarse.momentum < 1e-12 ? "yes" : "no")
                   << '\n'
-                  << "  moment of momentum kept to " << exact << ": "
+                  << "  angular momentum kept to " << exact << ": "
                   << (coarse.moment < exact ? "yes" : "no") << '\n'
                   << "  energy closes to 3e-4: " << (coarse.energy < 3e-4 ? "yes" : "no") << '\n';
         if (!bush)

@@ -67,7 +67,7 @@ struct Outcome
 Outcome run(const scene::Scene &scene, const bool every_step)
 {
   dynamics::System system(scene, every_step);
-  const double     dt = 0.5 * system.stable_step_limit();
+  const double     dt = 0.5 * system.critical_time_step();
   Outcome          outcome;
   outcome.mass    = system.world.copies[0].mass;
   outcome.kinetic = system.world.ledger.initial;

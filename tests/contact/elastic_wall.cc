@@ -48,7 +48,7 @@ int main()
       scene.surfaces[0].slave_surface = end_face;
 
       dynamics::System system(scene, false);
-      const double     limit = system.stable_step_limit(), dt = 0.5 * limit;
+      const double     limit = system.critical_time_step(), dt = 0.5 * limit;
       const double     mass = system.world.copies[0].mass, area = width * width;
       double           impulse = 0., plateau = 0., worst = 0., last = 0.;
       unsigned int     samples = 0;

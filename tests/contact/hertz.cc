@@ -7,7 +7,7 @@
 //   q (2 ln(4 R / b) - 1) / (pi E').
 //
 // A quarter of the cylinder, its mesh graded towards the contact; at rest, see support/statics.h.
-// The penalty per area is one element's own stiffness, E over its size: what it gives way by is
+// The penalty per area is one element's own stiffness, E over its size: what it deflects by is
 // most of the error and vanishes with the size.
 #include "../support/scenes.h"
 #include "../support/statics.h"

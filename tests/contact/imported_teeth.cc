@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // An elastic roller on the elastic teeth of an imported sprocket: what elastic_tooth shows of a
 // generated one; and, at rest, pressed into the bottom of the seat and against one of its ends, the
-// two give way alike at equal fineness. As deep as an overlap may be, the force grows and is that
+// two deflect alike at equal fineness. As deep as a penetration may be, the force grows and is that
 // of the exact arcs.
 #include "../support/statics.h"
 #include "../support/tooth.h"
@@ -133,7 +133,7 @@ void compare(const double degrees)
   const Pressed a = press(imported, angle, approach), b = press(generated, angle, approach);
   std::cout << degrees
             << " degrees from the bottom of the seat, pressed in by 15 um: " << to_text(a.force, 2)
-            << " N, teeth give way by " << to_text(a.deflection * 1e6, 2) << " um\n";
+            << " N, teeth deflect by " << to_text(a.deflection * 1e6, 2) << " um\n";
   ratio("  force at the same approach, imported over generated", a.force, b.force);
   ratio("  deflection of the teeth, imported over generated", a.deflection, b.deflection);
 }
@@ -151,7 +151,7 @@ std::vector<double> force_with_depth(const Sprocket sprocket, const bool elastic
   BodyBatches         &rollers = world.copies[world.elastic_address[0].group];
   constexpr double     step    = 50e-6;
   std::vector<double>  forces;
-  for (double depth = -5e-6; depth + step <= teeth.senseless_overlap(); depth += step)
+  for (double depth = -5e-6; depth + step <= teeth.penetration_limit(); depth += step)
     {
       for (unsigned int n = 0; n < rollers.n_nodes(); ++n)
         NodeView(rollers.position).component(rollers.index(0, n), 0) -= step;

@@ -45,7 +45,7 @@ int main()
             }
           const auto &gap = joints.measure_gaps();
           for (int lane = 0; lane < n_lanes; ++lane)
-            for (unsigned int s = 0; s < bush.grid.n_stations(); ++s)
+            for (unsigned int s = 0; s < bush.grid.n_rings(); ++s)
               for (unsigned int c = 0; c < columns; ++c)
                 {
                   Tensor<1, 3> x =

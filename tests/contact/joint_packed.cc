@@ -38,14 +38,14 @@ double difference_of_laws(const double friction)
           ledger[i].clear_stored();
           contact::update_point(law, gap[i], gap_rate[i], rate, 1e-7, scalar[i], ledger[i]);
         }
-      const P overlap = greatest(P(0.), P(0.) - gap);
+      const P penetration = greatest(P(0.), P(0.) - gap);
       contact::update_touch(
           scene::ContactLawOf<P>{law.stiffness,
                                  law.damping,
                                  friction,
                                  law.tangential_stiffness,
                                  law.tangential_damping},
-          contact::NodeApproach<P>{overlap, gap, gap_rate, overlap - packed.overlap},
+          contact::NodeApproach<P>{penetration, gap, gap_rate, penetration - packed.penetration},
           slip_rate,
           P(1e-7),
           friction > 0.,
@@ -57,7 +57,7 @@ double difference_of_laws(const double friction)
                                (packed.tangential[1][i] - scalar[i].tangential[1]) / 50.,
                                (packed.slip[0][i] - scalar[i].slip[0]) / 1e-6,
                                (packed.slip[1][i] - scalar[i].slip[1]) / 1e-6,
-                               (packed.overlap[i] - scalar[i].overlap) / 1e-6,
+                               (packed.penetration[i] - scalar[i].penetration) / 1e-6,
                                (energies.stored[i] - ledger[i].contact) / 5e-5,
                                (energies.damping_loss[i] - ledger[i].contact_damping) / 5e-5,
                                (energies.friction_loss[i] - ledger[i].friction) / 5e-5})
@@ -144,7 +144,7 @@ void compare_widths(const double bush_length, const double tilt)
               compare(a.stored[lane], b.stored[lane], 1e-6 * largest);
               compare(a.damping_loss[lane], b.damping_loss[lane], 1e-6 * largest);
               compare(a.friction_loss[lane], b.friction_loss[lane], 1e-6 * largest);
-              compare(a.penetration[lane], b.penetration[lane], 1e-6);
+              compare(a.largest_penetration[lane], b.largest_penetration[lane], 1e-6);
               compare(a.touching[lane], b.touching[lane], 1.);
               compare(packed.joints.window().first[lane], scalar.joints.window().first[lane], 1.);
               compare(packed.joints.window().count[lane], scalar.joints.window().count[lane], 1.);

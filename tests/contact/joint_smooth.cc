@@ -28,10 +28,10 @@ int main()
   Tubes        bush(tube(2.6e-3, outside, 8e-3, {{1, 32, 4}}), mesh::bush_outside_first);
   const contact::JointTables tables(ring.grid, bush.grid);
 
-  for (const double overlap : {1e-6, 2e-6, 5e-6})
+  for (const double penetration : {1e-6, 2e-6, 5e-6})
     {
       contact::JointBatch joints(tables, {1e14, 0., 0., 0., 0.}, *contact::joint_kernels(8));
-      const double        eccentricity = bore - outside + overlap;
+      const double        eccentricity = bore - outside + penetration;
       Range               ring_turns[n_lanes], bush_turns[n_lanes], rolls[n_lanes];
       double              sideways = 0.;
       const auto          press    = [&](const double at,
@@ -74,7 +74,7 @@ int main()
           largest[1] = std::max(largest[1], bush_turns[lane].ripple());
           largest[2] = std::max(largest[2], rolls[lane].ripple());
         }
-      std::cout << "overlap " << 1e6 * overlap << " um: half of the angle of contact "
+      std::cout << "overlap " << 1e6 * penetration << " um: half of the angle of contact "
                 << std::setprecision(3) << 180. / PI * std::acos((bore - outside) / eccentricity)
                 << " degrees\n";
       verdict("  bore turns: ripple below 1e-9", largest[0] < 1e-9);

@@ -50,7 +50,7 @@ void move(Tubes                                               &tubes,
 int main()
 {
   const scene::ContactLaw law{4e13, 0., 0.1, 3e13, 0.};
-  const double            overlap = 0.5e-6, eccentricity = 45e-6 + overlap;
+  const double            penetration = 0.5e-6, eccentricity = 45e-6 + penetration;
   Tubes                   ring(tube(3.76e-3, 5.08e-3, 7e-3, {{1, 32, 3}}), mesh::roller_bore);
   Tubes bush(tube(2.6e-3, 3.715e-3, 6.2e-3, {{1, 40, 4}}), mesh::bush_outside_first);
   const contact::JointTables tables(ring.grid, bush.grid);
@@ -62,8 +62,8 @@ int main()
           inclined ? vector(0., std::sin(0.05), std::cos(0.05)) : vector(0., 0., 1.);
       contact::JointBatch joints(tables, law, *contact::joint_kernels(2));
       const double        dt = 1e-6, speed = inclined ? 500. : 2000.;
-      const unsigned int  n_turns = inclined ? 1 : 3;
-      const unsigned int  steps   = static_cast<unsigned int>(n_turns * 2. * PI / (speed * dt));
+      const unsigned int  n_revolutions = inclined ? 1 : 3;
+      const unsigned int  steps = static_cast<unsigned int>(n_revolutions * 2. * PI / (speed * dt));
       std::vector<double> first;
       double              crept = 0., changed = 0., force = 0.;
       for (unsigned int n = 0; n <= steps; ++n)

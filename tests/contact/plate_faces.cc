@@ -184,7 +184,7 @@ Outcome fly(const double friction, const bool every_step)
   dynamics::System system(links(friction), every_step);
   World           &world  = system.world;
   const Vector3    before = momentum(world, 0);
-  const double     dt     = 0.5 * system.stable_step_limit();
+  const double     dt     = 0.5 * system.critical_time_step();
   Outcome          outcome;
   outcome.kinetic = world.ledger.initial;
   advance(system, static_cast<unsigned long>(60e-6 / dt), dt, [&]() {
@@ -244,7 +244,7 @@ void check_balance()
   dynamics::System system(links(0.3), true);
   World           &world = system.world;
   double           sum = 0., moment = 0., largest = 0.;
-  advance(system, 600, 0.5 * system.stable_step_limit(), [&]() {
+  advance(system, 600, 0.5 * system.critical_time_step(), [&]() {
     // the forces of the contact alone
     world.clear_forces();
     system.contacts.add_forces(world, 0.);

@@ -19,7 +19,7 @@ namespace
 scene::Scene pulled(const Parameters &p, const drive::Drive &drive, const double extension)
 {
   scene::Scene scene    = empty_scene();
-  scene.half            = p.model.half == parameters::HalfModel::yes;
+  scene.half            = p.model.half == parameters::SymmetryModel::yes;
   scene.drive.pitch     = drive.chain.pitch;
   scene.drive.n_joints  = 2;
   scene.material        = p.material;
@@ -76,9 +76,9 @@ int main(int argc, char **argv)
   for (const bool half : {true, false})
     {
       Parameters p;
-      p.model.fidelity         = parameters::Fidelity::full;
-      p.model.half             = half ? parameters::HalfModel::yes : parameters::HalfModel::no;
-      p.mesh.refinement        = 1;
+      p.model.fidelity  = parameters::Fidelity::full;
+      p.model.half      = half ? parameters::SymmetryModel::yes : parameters::SymmetryModel::no;
+      p.mesh.refinement = 1;
       const drive::Drive drive = drive::make_drive(p);
       std::cout << (half ? "half" : "whole") << std::endl;
       for (const double extension : {7e-6, 12e-6, 22e-6})

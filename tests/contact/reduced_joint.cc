@@ -142,7 +142,7 @@ int main(int argc, char **argv)
   if (!first)
     return 0;
   verdict("momentum kept to 1e-10", rubbed.linear < 1e-10);
-  verdict("moment of momentum to 1e-10, with friction to 1e-7",
+  verdict("angular momentum to 1e-10, with friction to 1e-7",
           coarse.angular < 1e-10 && rubbed.angular < 1e-7);
   std::cout << std::fixed << std::setprecision(3) << "fastest link turns with " << rubbed.turned
             << " rad/s; friction took " << 100. * rubbed.friction << " % of the energy, "

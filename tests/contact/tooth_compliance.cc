@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Rigid teeth that give way under an elastic roller as a spring without mass. Equal springs on the
+// Rigid teeth that deflect under an elastic roller as a spring without mass. Equal springs on the
 // tooth's are in series with it, others have the least energy of all deflections. The force of a
 // roller in the seat is the derivative of the contact's energy, what the roller feels the hub does,
 // and the energy of an impact closes with the square of the step. A surface that is as good as
@@ -28,25 +28,25 @@ double energy(const double stiffness, const std::vector<SpringPoint> &points, co
 {
   double sum = 0.5 * stiffness * t * t;
   for (const SpringPoint &p : points)
-    sum += 0.5 * p.stiffness * std::pow(std::max(0., p.overlap - t), 2);
+    sum += 0.5 * p.stiffness * std::pow(std::max(0., p.penetration - t), 2);
   return sum;
 }
 
 void check_law()
 {
-  constexpr double               k = 2e7, stiffness = 3e8, overlap = 4e-6, speed = 0.7;
-  const std::vector<SpringPoint> equal(9, {k, overlap, speed});
+  constexpr double               k = 2e7, stiffness = 3e8, penetration = 4e-6, speed = 0.7;
+  const std::vector<SpringPoint> equal(9, {k, penetration, speed});
   const contact::Deflection      series = contact::deflection_under(stiffness, equal);
   const double                   in_all = 1. / (1. / (9. * k) + 1. / stiffness);
-  ratio("nine equal springs: force", stiffness * series.depth, in_all * overlap, 6);
+  ratio("nine equal springs: force", stiffness * series.depth, in_all * penetration, 6);
   ratio("  speed of the tooth", stiffness * series.rate, in_all * speed, 6);
 
   // springs from weak to stiff, most of which the deflection of the others leaves behind
   std::vector<SpringPoint> points;
   for (unsigned int i = 0; i < 40; ++i)
-    points.push_back({k * (1. + i % 7), overlap * (i * i % 41) / 40., 0.});
+    points.push_back({k * (1. + i % 7), penetration * (i * i % 41) / 40., 0.});
   const double t   = contact::deflection_under(stiffness, points).depth;
-  double       low = 0., high = overlap; // the slope of the energy by bisection
+  double       low = 0., high = penetration; // the slope of the energy by bisection
   for (unsigned int i = 0; i < 60; ++i)
     {
       const double middle = 0.5 * (low + high), h = 1e-9;
@@ -57,7 +57,7 @@ void check_law()
   std::cout << "  of which touch "
             << std::count_if(points.begin(),
                              points.end(),
-                             [t](const SpringPoint &p) { return p.overlap > t; })
+                             [t](const SpringPoint &p) { return p.penetration > t; })
             << '\n';
   verdict("no springs: no deflection", contact::deflection_under(stiffness, {}).depth == 0.);
 }
@@ -162,10 +162,10 @@ double thickness_below(const mesh::Part &part, const mesh::Surface side)
 struct Pressing
 {
   bool   elastic = false; ///< teeth, under a roller of elements; else rigid ones and a reduced one
-  double stiffness = 0.;  ///< by which tooth and rim of rigid teeth give way, N/m
+  double stiffness = 0.;  ///< by which tooth and rim of rigid teeth deflect, N/m
   double factor    = 0.5; ///< of the penalty, as in section Contact
   double load      = 1412.; ///< N
-  bool   by_shapes = false; ///< the link is reduced, else rigid
+  bool   is_modal  = false; ///< the link is reduced, else rigid
   bool   at_bottom = false; ///< of the seat, from which it does not slide, else near its end
   bool   sticks    = false; ///< by friction, so that it does not turn
 
@@ -201,7 +201,7 @@ scene::Scene pressed(const Pressing &p)
   const Vector3    inertia         = vector(1e6, 1e6, 1e6); // kg m2: it does not turn
   const Vector3    arm             = vector(0.5 * chain.inner_hole_pitch, 0.);
   const double     clearance       = 0.5 * (chain.roller_bore - chain.bush_diameter);
-  scene.bodies.push_back(body(p.by_shapes ? scene::Motion::elastic : scene::Motion::rigid,
+  scene.bodies.push_back(body(p.is_modal ? scene::Motion::elastic : scene::Motion::rigid,
                               scene::Mount::free(),
                               mass,
                               inertia,
@@ -214,7 +214,7 @@ scene::Scene pressed(const Pressing &p)
                          thickness_below(*scene.parts[scene::Kind::sprocket], mesh::tooth_flanks));
   scene.teeth[0].law = {p.factor * scene.material.bulk_modulus() / thickness, 3.6e6, 0., 0., 0.};
   if (p.stiffness > 0.)
-    let_give_way(scene.teeth[0], p.stiffness, radius, 7e-3, 1412., scene.material);
+    make_compliant(scene.teeth[0], p.stiffness, radius, 7e-3, 1412., scene.material);
   scene.teeth[0].half_angle =
       drive::largest_half_angle(radius, seat.radius - radius, scene.material);
   scene::BoreFamily joint;
@@ -249,7 +249,7 @@ scene::Scene pressed(const Pressing &p)
 double approach(const scene::Scene &scene)
 {
   dynamics::System system(scene, false);
-  const double     dt = 0.9 * system.stable_step_limit();
+  const double     dt = 0.9 * system.critical_time_step();
   advance(system, std::lround(1.5e-3 / dt), dt, []() {});
   return scene.bodies[0].initial.position[1] - system.world.frames[0].position[1];
 }
@@ -276,18 +276,18 @@ void check_series()
     return obtained;
   };
   show("rigid teeth", approach(pressed({})));
-  const double reduced = show("teeth that give way", approach(pressed({false, tooth}))),
+  const double reduced = show("teeth that deflect", approach(pressed({false, tooth}))),
                stiffer = approach(pressed({false, tooth, 5.})),
                elastic = show("elastic teeth", approach(pressed({true})));
-  verdict("  that give way: within 6 % of statics", std::abs(reduced / all - 1.) < 0.06);
+  verdict("  that deflect: within 6 % of statics", std::abs(reduced / all - 1.) < 0.06);
   verdict("  nearer to it than elastic ones", std::abs(reduced - all) < std::abs(elastic - all));
-  std::cout << "  that give way, with ten times the penalty: " << stiffer / all << '\n';
+  std::cout << "  that deflect, with ten times the penalty: " << stiffer / all << '\n';
 }
 
 /// The largest load that the limit of the step allows for: 500 MPa on the bush and the roller.
 void check_step()
 {
-  // with few shapes, as in the files of prm/paper, what is closed together matters most
+  // with few modes, as in the files of prm/paper, what is closed together matters most
   Pressing p{false, 3e8, 0.5, 26e3, true, true, true};
   p.basis.cap    = 2. * dealii::numbers::PI * 100e3;
   p.basis.orders = {4, 3};

@@ -69,7 +69,7 @@ int main()
         }
 
       dynamics::System system(scene, false);
-      const double     dt      = 0.3 * system.stable_step_limit(); // it takes masters to be heavy
+      const double     dt      = 0.3 * system.critical_time_step(); // it takes masters to be heavy
       double           plateau = 0., worst = 0., last = 0., momentum = 0.;
       unsigned int     samples = 0;
       advance(system, static_cast<unsigned long>(3. * length / c / dt), dt, [&]() {

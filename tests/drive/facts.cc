@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The figures of a drive before it runs: strings and parabolas against each other and against
+// The key figures of a drive before it runs: strings and parabolas against each other and against
 // integration, the drive of the paper against figures computed by hand; and every check of a
 // design, which is silent on one side of its limit and fires on the other.
 

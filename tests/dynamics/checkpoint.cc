@@ -42,7 +42,7 @@ void compare(const std::string &name, const scene::Scene &scene, const double st
 {
   constexpr unsigned int half = 150;
   dynamics::System       through(scene, false);
-  const double           dt = step_factor * through.stable_step_limit();
+  const double           dt = step_factor * through.critical_time_step();
   Items                  items;
   for (unsigned int i = 1; i <= 2 * half; ++i)
     {
@@ -97,7 +97,7 @@ int main()
   parameters.loads.ramp_time    = 1e-6;
   parameters.model.fidelity     = parameters::Fidelity::full;
   compare("full", build(), 0.9);
-  parameters.model.half = parameters::HalfModel::yes;
+  parameters.model.half = parameters::SymmetryModel::yes;
   compare("half", build(), 0.9);
   scene::Scene reduced = build();
   reduce(reduced);

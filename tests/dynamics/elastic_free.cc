@@ -46,7 +46,7 @@ Vector3 angular_momentum(const dynamics::System &system, const unsigned int copy
   Vector3            sum;
   for (unsigned int node = 0; node < copies.n_nodes(); ++node)
     {
-      // x_n+1/2 and v_n+1/2: with forces between nodes only, their moment of momentum is constant
+      // x_n+1/2 and v_n+1/2: with forces between nodes only, their angular momentum is constant
       Vector3 v, x = copies.position_now(copy, node);
       for (unsigned int d = 0; d < 3; ++d)
         v[d] = NodeView(copies.velocity).component(copies.index(copy, node), d);
@@ -121,6 +121,6 @@ int main()
   const scene::Scene scene = make_scene(0.);
   dynamics::System   system(scene, false);
   for (const auto &vote : system.step_limits())
-    std::cout << vote.source << ": stable step " << std::setprecision(4) << vote.limit * 1e6
+    std::cout << vote.source << ": critical time step " << std::setprecision(4) << vote.limit * 1e6
               << " us\n";
 }

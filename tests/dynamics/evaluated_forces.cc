@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // System::evaluate_forces(), for each fidelity: nothing moves; what it finds between the halves of
-// a step are bit by bit the forces of the step, on bodies, nodes and shapes; again and again it
+// a step are bit by bit the forces of the step, on bodies, nodes and modes; again and again it
 // finds the same and books nothing; and a run in which it was called before the first step goes on
 // as if it had not been.
 #include "../support/decided.h"
@@ -19,14 +19,14 @@ void append(Numbers &numbers, const World::Vector &vector)
   numbers.insert(numbers.end(), vector.begin(), vector.begin() + vector.locally_owned_size());
 }
 
-/// Positions and velocities of bodies, nodes and shapes; not the centres of mass of bodies that
+/// Positions and velocities of bodies, nodes and modes; not the centres of mass of bodies that
 /// move by nodes, which follow from these.
 Numbers motion_of(const dynamics::System &system)
 {
   const World &world = system.world;
   Numbers      numbers;
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
-    for (unsigned int i = 3 * b; i < 3 * b + 3 && !world.moves_by_nodes(b); ++i)
+    for (unsigned int i = 3 * b; i < 3 * b + 3 && !world.is_nodal(b); ++i)
       for (const World::Vector *vector : {&world.displacement, &world.velocity})
         numbers.push_back(vector->local_element(i));
   for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
@@ -40,7 +40,7 @@ Numbers motion_of(const dynamics::System &system)
     numbers.insert(numbers.end(), {hub.angle, hub.speed});
   for (const ModalGroup *group : world.groups.modal())
     {
-      numbers.push_back(group->shape_energy(world));
+      numbers.push_back(group->modal_energy(world));
       for (unsigned int copy = 0; copy < 4; ++copy)
         for (const double q : group->amplitudes_of(world, copy))
           numbers.push_back(q);
@@ -78,7 +78,7 @@ bool same(const Numbers &numbers, const Numbers &others)
 void check(const std::string &name, const scene::Scene &scene, const double step_factor)
 {
   dynamics::System through(scene, false), other(scene, false);
-  const double     dt = step_factor * through.stable_step_limit();
+  const double     dt = step_factor * through.critical_time_step();
 
   const Numbers at_start = motion_of(other), energies = energies_of(other),
                 forces = forces_of(other, true);
@@ -116,13 +116,13 @@ void check(const std::string &name, const scene::Scene &scene, const double step
       for (unsigned int g = 0; g < system->world.n_nodal_groups(); ++g)
         append(*into, system->world.copies[g].velocity);
       for (const ModalGroup *group : system->world.groups.modal())
-        into->push_back(group->shape_energy(system->world));
+        into->push_back(group->modal_energy(system->world));
     }
   // centres of mass are those of nodes: booked before their kick or with half of it
   for (unsigned int b = 0; b < other.world.n_bodies(); ++b)
-    for (unsigned int d = 0; d < 3 && other.world.moves_by_nodes(b); ++d)
+    for (unsigned int d = 0; d < 3 && other.world.is_nodal(b); ++d)
       velocities[3 * b + d] = of_step[3 * b + d];
-  verdict("  and so are those on nodes and shapes", same(velocities, of_step));
+  verdict("  and so are those on nodes and modes", same(velocities, of_step));
 
   if (other.world.n_nodal_groups() > 0)
     return; // its nodes are a step ahead
@@ -151,7 +151,7 @@ int main()
   check("layered", build(), 0.25);
   parameters.model.fidelity = parameters::Fidelity::full;
   check("full", build(), 0.9);
-  parameters.model.half = parameters::HalfModel::yes;
+  parameters.model.half = parameters::SymmetryModel::yes;
   check("half", build(), 0.9);
   scene::Scene reduced = build();
   reduce(reduced);

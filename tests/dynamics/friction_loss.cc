@@ -20,7 +20,7 @@ struct Watch
   double largest = 0., fall = 0.;
   double bound = 0., imbalance = 0.;
 
-  void look(const double loss)
+  void update(const double loss)
   {
     largest = std::max(largest, loss);
     fall    = std::max(fall, largest - loss);
@@ -44,7 +44,7 @@ Watch drag(const double friction, const double ratio)
       slip[1] = 0.7 * std::cos(3.1e3 * t);
       ledger.clear_stored();
       contact::update_point(law, -depth, rate, slip, dt, state, ledger);
-      watch.look(ledger.friction);
+      watch.update(ledger.friction);
       watch.bound += friction * state.normal * slip.norm() * dt;
     }
   return watch;
@@ -54,11 +54,11 @@ Watch drag(const double friction, const double ratio)
 Watch run(const std::vector<std::string> &overrides, const double part, const double time)
 {
   dynamics::System system(drive_scene("prm/verification/hard.prm", overrides), false);
-  const double     dt = part * system.stable_step_limit();
+  const double     dt = part * system.critical_time_step();
   Watch            watch;
   double           worst = 0.;
   advance(system, static_cast<unsigned long>(time / dt), dt, [&]() {
-    watch.look(system.world.ledger.friction);
+    watch.update(system.world.ledger.friction);
     worst = std::max(worst, std::abs(system.world.ledger.imbalance()));
   });
   watch.imbalance = worst / system.world.ledger.drive_work;

@@ -25,7 +25,7 @@ scene::Scene impact(const double radius, const double mass, const double speed, 
 unsigned int stopped_at(const scene::Scene &scene, const unsigned int n, std::string &message)
 {
   dynamics::System system(scene, false);
-  // of the spring alone: a dashpot that feeds energy has no stable step
+  // of the spring alone: a dashpot that feeds energy has no critical time step
   const double       limit = 2. * std::sqrt(scene.bodies[0].mass / scene.surfaces[0].law.stiffness);
   const double       dt    = 0.01 * limit;
   dynamics::Guard    guard(scene, system, 0.05, limit);

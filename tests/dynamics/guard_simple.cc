@@ -23,7 +23,7 @@ const std::string roller(const unsigned int k) { return "roller " + std::to_stri
 int main()
 {
   const scene::Scene scene = drive_scene("prm/paper/simple.prm", {"Drive/Layout/Start=settled"});
-  const double part  = 0.43e-6 / System(scene, false).stable_step_limit(); // the faults need time
+  const double part  = 0.43e-6 / System(scene, false).critical_time_step(); // the faults need time
   const auto   sound = [&scene, part]() { return Drive(scene, 2000, part); };
   const std::string momentum = "Momentum", lost = "as if it did not get the force of the ",
                     sign = "as if it got the wrong sign of the force of the ";

@@ -25,7 +25,7 @@ int main()
 {
   const double full = 120.74, ramp = 5e-3, dt = 0.25e-6;
   for (const int sense : {1, -1})
-    for (const auto shape : {parameters::SpeedRamp::linear, parameters::SpeedRamp::cosine})
+    for (const auto ramp_kind : {parameters::SpeedRamp::linear, parameters::SpeedRamp::cosine})
       {
         scene::Scene scene = empty_scene();
         turn(scene,
@@ -33,7 +33,7 @@ int main()
              std::make_shared<functions::Ramp>(full,
                                                0.,
                                                ramp,
-                                               shape == parameters::SpeedRamp::cosine ?
+                                               ramp_kind == parameters::SpeedRamp::cosine ?
                                                    functions::Rise::cosine :
                                                    functions::Rise::linear),
              sense);
@@ -43,7 +43,7 @@ int main()
         advance(system, 40000, dt, [&]() {
           const double t = system.world.time, s = std::min(t / ramp, 1.);
           double       speed = full * s, angle = full * ramp * 0.5 * s * s;
-          if (shape == parameters::SpeedRamp::cosine)
+          if (ramp_kind == parameters::SpeedRamp::cosine)
             {
               speed = full * 0.5 * (1. - std::cos(dealii::numbers::PI * s));
               angle = full * ramp *
@@ -58,7 +58,7 @@ int main()
                        std::abs(std::sin(std::atan2(frame.rotation[1][0], frame.rotation[0][0]) -
                                          sense * angle)));
         });
-        verdict((sense > 0 ? "counter-clockwise, " : "clockwise, ") + text_of(shape) +
+        verdict((sense > 0 ? "counter-clockwise, " : "clockwise, ") + text_of(ramp_kind) +
                     ": speed to 1e-9, angle to 1e-12 rad",
                 worst_speed < 1e-9 && worst_angle < 1e-12);
       }

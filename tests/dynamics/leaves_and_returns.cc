@@ -63,7 +63,7 @@ int main()
           dynamic_cast<const contact::SurfaceContact &>(*system.contacts.families()[0]);
       const World &world = system.world;
       const double mass  = world.mass[0];
-      const double dt    = std::min(0.25 * system.stable_step_limit(), 0.2e-6);
+      const double dt    = std::min(0.25 * system.critical_time_step(), 0.2e-6);
       double       worst = 0., touched = 0., speed = 0.;
       bool         left_out = false;
       advance(system, static_cast<unsigned long>(22e-3 / dt), dt, [&]() {

@@ -16,7 +16,7 @@ int main()
   const scene::Scene scene = scene_of(parameters);
 
   dynamics::System    seldom(scene, false), always(scene, true);
-  const double        dt               = 0.25 * seldom.stable_step_limit();
+  const double        dt               = 0.25 * seldom.critical_time_step();
   const unsigned long n                = static_cast<unsigned long>(4e-3 / dt);
   unsigned long       first_difference = 0;
   unsigned int        most = 0, least = 1000;

@@ -70,10 +70,10 @@ Outcome run(const bool layered, const bool stiff_link)
   dynamics::System   system(scene, false);
   const World       &world = system.world;
   Outcome            outcome;
-  outcome.limit            = system.stable_step_limit();
+  outcome.limit            = system.critical_time_step();
   const double       dt    = 0.14 * outcome.limit;
   const double       start = layered ? bend(world) : 0.;
-  dynamics::Guard    guard(scene, system, 0.05, system.stable_step_limit());
+  dynamics::Guard    guard(scene, system, 0.05, system.critical_time_step());
   dynamics::Services services(system);
   unsigned long      step = 0;
   advance(system, static_cast<unsigned long>((layered ? 4e-3 : 1e-3) / dt), dt, [&]() {
@@ -106,13 +106,13 @@ int main(int argc, char **argv)
           const unsigned int k     = stiff(scene.drive.n_joints);
           const double       alone =
               2. / std::sqrt(2. * scene.bars[k].stiffness / scene.bodies[scene.bars[k].first].mass);
-          verdict("  stable step that of its two lumps alone to 1 %",
+          verdict("  critical time step that of its two lumps alone to 1 %",
                   outcome.limit < alone && outcome.limit > 0.99 * alone);
         }
       else
         {
           const Outcome ordinary = run(true, false);
-          verdict("  friction's coefficient does not change the stable step",
+          verdict("  friction's coefficient does not change the critical time step",
                   std::abs(outcome.limit / ordinary.limit - 1.) < 1e-9);
           verdict("  with the friction of the others the joint turns by 0.8 of the pitch angle",
                   ordinary.bent > 0.8 * 2. * dealii::numbers::PI / 15.);

@@ -15,7 +15,7 @@ constexpr double length = 0.1;
 double axial_frequency(const Hexahedra &reference, const double expected, const bool held)
 {
   LinearModel model(reference);
-  model.hold(reference, [&](const Point<3> &x, const unsigned int i) {
+  model.constrain(reference, [&](const Point<3> &x, const unsigned int i) {
     return (i == 0 && held && x[0] < 1e-9) || (i > 0 && x[i] < 1e-9); // and planes of symmetry
   });
   double frequency = 0.;

@@ -5,9 +5,9 @@
 //
 // One enhanced element through the thickness is enough. Its masses in the four corners of a section
 // have three times the section's rotary inertia, which costs 3 % in the third frequency; two
-// elements show it. Shells do the same, whether the wall bends across or in its own plane. The
-// others are too stiff or, elements with one point in slender cells, as soft
-// as their hourglass stiffness.
+// elements show it. Solid-shells do the same, whether the wall bends across or in its own plane.
+// The others are too stiff or, elements with one point in slender cells, as soft as their hourglass
+// stiffness.
 #include "../support/modes.h"
 
 using namespace test;
@@ -28,12 +28,12 @@ int main()
 {
   std::vector<Case> cases;
   for (const Kind &kind : kinds)
-    if (kind.wall == parameters::Wall::brick)
+    if (kind.element_type == parameters::ElementType::solid)
       cases.push_back({kind, kind.name, across_plate});
-    else if (kind.wall == parameters::Wall::shell)
+    else if (kind.element_type == parameters::ElementType::solid_shell)
       {
-        cases.push_back({kind, "shell, bent across the wall", along_y});
-        cases.push_back({kind, "shell, bent in its plane", across_plate});
+        cases.push_back({kind, "solid-shell, bent across the wall", along_y});
+        cases.push_back({kind, "solid-shell, bent in its plane", across_plate});
       }
 
   const Material material;
@@ -51,7 +51,7 @@ int main()
         const Hexahedra    reference =
             elements_of(body, material, c.kind, element::Shape::symmetric_prism, c.across);
         LinearModel model(reference);
-        model.hold(reference, [&](const Point<3> &x, const unsigned int i) {
+        model.constrain(reference, [&](const Point<3> &x, const unsigned int i) {
           return x[0] < 1e-9 || (i == 2 && x[2] < 1e-9);
         });
 
@@ -64,8 +64,8 @@ int main()
             for (const Mode &mode : natural_modes(model, theory, 3))
               {
                 double sideways = 0., along = 0.; // leaves out the axial mode
-                for (unsigned int i = 0; i < mode.shape.size(); ++i)
-                  (i % 3 == 0 ? along : sideways) += mode.shape[i] * mode.shape[i];
+                for (unsigned int i = 0; i < mode.vector.size(); ++i)
+                  (i % 3 == 0 ? along : sideways) += mode.vector[i] * mode.vector[i];
                 if (sideways > along &&
                     std::abs(mode.frequency - theory) < std::abs(frequency - theory))
                   frequency = mode.frequency;

@@ -84,7 +84,7 @@ int main()
           for (unsigned int i = 0; i < exact.size(); ++i)
             if (outside[nodes.vertex[i / 3]])
               {
-                model.hold(i);
+                model.constrain(i);
                 force[i] = 0.;
               }
           dealii::SolverControl            control(2000, 1e-12 * force.l2_norm());

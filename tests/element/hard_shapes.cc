@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Bodies of hard elements, free, spinning and vibrating at random, at nine tenths of the stable
-// step: one element, twenty times as long as thick, a corner with two hundredths of the volume,
-// nearly incompressible. Momentum and moment of momentum stay what they were; the energy, averaged
-// over a thousand steps, neither grows nor fades.
+// Bodies of hard elements, free, spinning and vibrating at random, at nine tenths of the critical
+// time step: one element, twenty times as long as thick, a corner with two hundredths of the
+// volume, nearly incompressible. Momentum and angular momentum stay what they were; the energy,
+// averaged over a thousand steps, neither grows nor fades.
 #include "../support/elastic.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A seated roller presses on one flank of an elastic sprocket whose hub is held: the imported mesh
-// gives way as the generated ones do. The load is a pressure on the exact seat, so that it is the
+// deflects as the generated ones do. The load is a pressure on the exact seat, so that it is the
 // same on all of them; the deflection is its work over its resultant.
 #include "../support/modes.h"
 
@@ -49,7 +49,7 @@ double compliance(const mesh::Part &part, const drive::ToothForm &form)
         {
           const unsigned int node = nodes.of_vertex[cell->vertex_index(v)];
           for (unsigned int d = 0; d < 3 && node != mesh::Nodes::none; ++d)
-            model.hold(3 * node + d);
+            model.constrain(3 * node + d);
         }
 
   const dealii::FE_Q<3>   fe(1);

@@ -11,6 +11,8 @@
 
 using namespace test;
 
+using Blocks = std::vector<const element::ElementBlock *>;
+
 class Bars : public element::ElementBlock
 {
 public:
@@ -78,7 +80,8 @@ int main()
   const Bars   one(k, {Point<3>(), Point<3>(h, 2. * h, 3. * h)});
   const double m = 1e-6, M = 3e-6;
   std::cout << "frequency of a bar over the closed form: " << std::setprecision(8)
-            << element::largest_frequency({&one}, {m, M}, {}) / std::sqrt(k * (1. / m + 1. / M))
+            << element::largest_frequency(Blocks{&one}, {m, M}, {}) /
+                   std::sqrt(k * (1. / m + 1. / M))
             << '\n';
 
   const mesh::Part body = brick(Point<3>(h, h, h), {1, 1, 1});
@@ -121,7 +124,7 @@ int main()
   std::cout << "the matrix of both is the derivative of their forces to 1e-8: "
             << (error < 1e-8 * product.linfty_norm() ? "yes" : "NO") << '\n';
   std::cout << "the cube is faster with bars: "
-            << (element::largest_frequency({&cube, &bars}, cube.mass, {}) >
+            << (element::largest_frequency(Blocks{&cube, &bars}, cube.mass, {}) >
                         1.1 * cube.largest_frequency() ?
                     "yes" :
                     "NO")

@@ -3,8 +3,9 @@
 // reference positions give uniform stress. Interior nodes feel no force; the energy is that of the
 // stress; the sum of f (x) X is -V P with the first Piola-Kirchhoff stress P. For small
 // displacement gradients and for finite deformation of a turned body, eight different ones at a
-// time. Those of shells are walls of distorted quadrilaterals in several layers: their strains
-// across the wall are taken at its edges, which a wall of varying thickness does not make uniform.
+// time. Those of solid-shells are walls of distorted quadrilaterals in several layers: their
+// strains across the wall are taken at its edges, which a wall of varying thickness does not make
+// uniform.
 #include "../support/elastic.h"
 
 #include <algorithm>
@@ -111,5 +112,5 @@ void check(const mesh::Part &body, const Kind &kind)
 int main()
 {
   for (const Kind &kind : kinds)
-    check(kind.wall == parameters::Wall::brick ? distorted() : walls(), kind);
+    check(kind.element_type == parameters::ElementType::solid ? distorted() : walls(), kind);
 }

@@ -3,7 +3,7 @@
 // N x N elements with one through the thickness, over Kirchhoff's: simply supported (closed form,
 // pi^2 (m^2 + n^2)) and clamped (35.992, 73.413, 108.27; A. W. Leissa, The free vibration of
 // rectangular plates, J. Sound Vib. 31 (1973) 257). Both nodes of an edge are held across the
-// plate, and along the edge or, clamped, in all directions. Bricks are beside shells.
+// plate, and along the edge or, clamped, in all directions. Bricks are beside solid-shells.
 #include "../support/modes.h"
 
 using namespace test;
@@ -30,7 +30,7 @@ frequencies(const Kind &kind, const Support &support, const unsigned int n, cons
   const Hexahedra  reference =
       elements_of(body, material, kind, element::Shape::symmetric_prism, across_plate);
   LinearModel model(reference);
-  model.hold(reference, [&](const Point<3> &x, const unsigned int i) {
+  model.constrain(reference, [&](const Point<3> &x, const unsigned int i) {
     const auto on_edge = [&x](const unsigned int d) { return x[d] < 1e-9 || x[d] > edge - 1e-9; };
     if (support.clamped || i == 2)
       return on_edge(0) || on_edge(1);
@@ -54,7 +54,8 @@ int main()
        {Support{"simply supported", false, {{2. * PI * PI, 5. * PI * PI, 8. * PI * PI}}},
         Support{"clamped", true, {{35.992, 73.413, 108.27}}}})
     for (const Kind &kind : kinds)
-      if (kind.formulation == Formulation::enhanced && kind.wall != parameters::Wall::membrane)
+      if (kind.formulation == Formulation::enhanced &&
+          kind.element_type != parameters::ElementType::membrane)
         {
           std::array<double, 3> error{};
           unsigned int          level = 0;
@@ -71,7 +72,7 @@ int main()
               std::cout << '\n';
               ++level;
             }
-          if (kind.wall == parameters::Wall::shell)
+          if (kind.element_type == parameters::ElementType::solid_shell)
             std::cout << "- within 1 % on the last mesh: " << (error[2] < 0.01 ? "yes" : "NO")
                       << "; largest error divided by two and a half or more by each refinement: "
                       << (error[0] > 2.5 * error[1] && error[1] > 2.5 * error[2] ? "yes" : "NO")

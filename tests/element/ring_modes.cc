@@ -4,9 +4,9 @@
 // elements of curved sides and consistent masses; it lies between the same for plane stress and
 // plane strain, which are 42.09 and 44.03 kHz for the roller and 63.77 and 66.68 kHz for the bush.
 // Enhanced elements are to be within 2 % of it on every mesh; the others show what bending through
-// one cell costs without the enhancement. Bushes of one layer of shells are to be within 3 % from
-// 16 cells around, those of full-shell.prm with 24 among them. The error is of second order in the
-// size of cells, which plane strain shows.
+// one cell costs without the enhancement. Bushes of one layer of solid-shells are to be within 3 %
+// from 16 cells around, those of full-shell.prm with 24 among them. The error is of second order in
+// the size of cells, which plane strain shows.
 #include "../support/modes.h"
 
 #include <chaindrive/drive/chain.h>
@@ -70,7 +70,7 @@ double ovalisation(LinearModel                     &model,
       for (const unsigned int turned : {0, 1})
         ovals[turned][i] = oval(position[i], turned)[component[i]];
       if (held(position[i], component[i]))
-        model.hold(i);
+        model.constrain(i);
     }
   double frequency = 0., largest = 0.;
   for (const Mode &mode : natural_modes(model, near, 6))
@@ -247,12 +247,13 @@ int main()
       std::cout << "bush " << cells[0] << 'x' << cells[1] << 'x' << cells[2] << std::setprecision(3)
                 << ", over cubic elements:";
       for (const Kind &kind : kinds)
-        if (kind.formulation == Formulation::enhanced && kind.wall != parameters::Wall::membrane)
+        if (kind.formulation == Formulation::enhanced &&
+            kind.element_type != parameters::ElementType::membrane)
           {
             const double ratio =
                 ovalisation(elements_of(body, material, kind), nothing, 65e3) / of_bush;
             std::cout << ' ' << kind.name << ' ' << ratio;
-            if (kind.wall == parameters::Wall::shell)
+            if (kind.element_type == parameters::ElementType::solid_shell)
               {
                 // twelve cells around are too few
                 if (cells[1] >= 16)

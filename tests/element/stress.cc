@@ -2,8 +2,8 @@
 // Stress from nodal positions, against closed forms: a brick of distorted cells stretched along one
 // axis or alike in all directions, turned and carried away; the strain energy that the force kernel
 // finds in arbitrary positions; a plate pulled and bent, whose two faces must show the sum and the
-// difference of both stresses. Shells and membranes: the same energy and plate, and a cell of a
-// curved wall, 15 degrees of a bush, in a bar that is bent and a ring that spins (Timoshenko and
+// difference of both stresses. Solid-shells and membranes: the same energy and plate, and a cell of
+// a curved wall, 15 degrees of a bush, in a bar that is bent and a ring that spins (Timoshenko and
 // Goodier, Theory of Elasticity, articles 29 and 32).
 #include "../support/modes.h"
 
@@ -184,11 +184,11 @@ void energy(const mesh::Part &body, const Hexahedra &reference, const std::strin
           std::abs(sum / batch.strain_energy(0) - 1.));
 }
 
-/// The same of shells, whose strain is more than that of the mean gradient.
+/// The same of solid-shells, whose strain is more than that of the mean gradient.
 void energy_of_walls(const mesh::Part &body)
 {
   for (const Kind &kind : kinds)
-    if (kind.wall != parameters::Wall::brick)
+    if (kind.element_type != parameters::ElementType::solid)
       energy(body,
              elements_of(body, material, kind, element::Shape::general, across_plate),
              " of " + kind.name + "s");
@@ -238,7 +238,7 @@ void bent_plate()
             << '\n';
 
   for (const Kind &kind : kinds)
-    if (kind.wall != parameters::Wall::brick)
+    if (kind.element_type != parameters::ElementType::solid)
       {
         const Hexahedra elements =
             elements_of(body, material, kind, element::Shape::symmetric_prism, across_plate);
@@ -323,14 +323,14 @@ void curved_walls()
       for (const Kind &kind : kinds)
         {
           if (kind.formulation != Formulation::enhanced ||
-              (bent && kind.wall == parameters::Wall::membrane))
+              (bent && kind.element_type == parameters::ElementType::membrane))
             continue;
           const Hexahedra elements = elements_of(body, material, kind);
           Vector<double>  u;
           if (bent)
             {
               LinearModel model(elements);
-              model.hold(elements, [&](const Point<3> &x, const unsigned int i) {
+              model.constrain(elements, [&](const Point<3> &x, const unsigned int i) {
                 return i == 2 || (i == 1 && x[1] < 1e-9) ||
                        (i == 0 && x[1] < 1e-9 && x[0] < a + 1e-9);
               });
@@ -362,14 +362,14 @@ void curved_walls()
           const auto mean     = (*recovery)(position)[cell->active_cell_index()].piola;
           std::cout << "- " << kind.name << ": hoop " << over(mean, on) << ", radial "
                     << over(mean, out);
-          if (kind.wall != parameters::Wall::brick)
+          if (kind.element_type != parameters::ElementType::solid)
             {
               std::vector<element::FaceStresses> faces(recovery->n_cells());
               recovery->recover_faces(position, faces);
               const auto  &here = faces[cell->active_cell_index()];
               const double bore = over(here.inner, on), outside = over(here.outer, on);
               std::cout << ", bore " << bore << ", outside " << outside;
-              if (kind.wall == parameters::Wall::shell)
+              if (kind.element_type == parameters::ElementType::solid_shell)
                 std::cout << ", cell within 2 %, faces within 4 %: "
                           << (std::abs(over(mean, on) - mean_hoop / scale) < 0.02 &&
                                       std::abs(over(mean, out) - mean_radial / scale) < 0.02 &&

@@ -28,11 +28,11 @@ int main()
           Batch        batch(reference, element::best_kernels());
           for (int lane = 0; lane < n_lanes; ++lane)
             {
-              const double scale = 1e-10 / modes[lane].shape.linfty_norm();
+              const double scale = 1e-10 / modes[lane].vector.linfty_norm();
               batch.set(batch.position, lane, [&](const Point<3> &x, const unsigned int node) {
                 Tensor<1, 3> p = x;
                 for (unsigned int i = 0; i < 3; ++i)
-                  p[i] += scale * modes[lane].shape[3 * node + i];
+                  p[i] += scale * modes[lane].vector[3 * node + i];
                 return p;
               });
             }
@@ -47,7 +47,7 @@ int main()
                   double next = 0.;
                   for (unsigned int node = 0; node < reference.n_nodes(); ++node)
                     for (unsigned int i = 0; i < 3; ++i)
-                      next += reference.mass[node] * modes[lane].shape[3 * node + i] *
+                      next += reference.mass[node] * modes[lane].vector[3 * node + i] *
                               (batch.position[Batch::index(node, i, lane)] -
                                reference.position[node][i]);
                   if (step > 1)

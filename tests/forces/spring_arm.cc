@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies on mounts, and force elements: pendulums about any axis and pivot, torsion springs, a
-// stop, a bushing swing as closed forms say and keep their energy; the stable step is that of their
-// springs; an arm with a shoe presses a string aside as far as both balance; a rail stands still.
+// stop, a bushing swing as closed forms say and keep their energy; the critical time step is that
+// of their springs; an arm with a shoe presses a string aside as far as both balance; a rail stands
+// still.
 #include "../support/scenes.h"
 
 #include <chaindrive/contact/drum.h>
@@ -90,8 +91,8 @@ int main()
               body(scene::Motion::rigid, scene::Mount::fixed(), 1., vector(1., 1., 1.), Vector3())};
     scene.forces = {std::make_shared<const TorsionSpring>(0, 1, k, 0., preload)};
     dynamics::System system(scene, false);
-    ratio("stable step of the torsion spring",
-          system.stable_step_limit(),
+    ratio("critical time step of the torsion spring",
+          system.critical_time_step(),
           2. * std::sqrt(inertia / k),
           6);
     ratio("torsion spring, half a period",
@@ -160,7 +161,10 @@ int main()
                    body(scene::Motion::rigid, scene::Mount::fixed(), 1., vector(1., 1., 1.), Vector3())};
     scene.forces = {std::make_shared<const Bushing>(0, 1, Point<3>(0.3, 0., 0.), stiffness)};
     dynamics::System system(scene, false);
-    ratio("stable step of the bushing", system.stable_step_limit(), 2. * std::sqrt(mass / 9e4), 6);
+    ratio("critical time step of the bushing",
+          system.critical_time_step(),
+          2. * std::sqrt(mass / 9e4),
+          6);
     const double quarter = 0.5 * PI * std::sqrt(mass / 1e4);
     advance(system, 20000, quarter / 20000., []() {});
     const Vector3 way = system.world.frames[0].position - scene.bodies[0].initial.position;
@@ -203,7 +207,7 @@ int main()
     scene.forces     = {std::make_shared<const TorsionSpring>(shoe, 0, 20., 2., -8.)};
     scene.loads.drag = 100.;
     dynamics::System system(scene, false);
-    const double     dt = 0.5 * system.stable_step_limit();
+    const double     dt = 0.5 * system.critical_time_step();
     advance(system, static_cast<unsigned long>(1. / dt), dt, []() {});
     Vector3 force; // on the shoe
     for (const auto &family : system.contacts.families())

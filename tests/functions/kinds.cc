@@ -185,7 +185,7 @@ int main()
   verdict("the middle of a ramp is half its level",
           std::abs(ramp->value(1.15) - 1.25) < 1e-15 &&
               std::abs(cosine->value(1.2) + 0.75) < 1e-15);
-  verdict("over whole turns harmonics integrate to nothing",
+  verdict("over whole revolutions harmonics integrate to nothing",
           std::abs(Harmonics({{3., 1., 0.7}, {7., 2., 0.1}}).integral(0.2, 0.2 + 2. * pi)) < 1e-14);
   verdict("a place is of the right step",
           Steps(1., {0.5}, {2.}).value(0.5) == 2. && Ramp(2., 0.5, 0.).value(0.5) == 2.);

@@ -47,7 +47,7 @@ NOT_FOR_USERS = r"exception|deal\.ii|assert|HDF5-DIAG|std::|bad_alloc|terminate"
 # few steps of a run that was meant to be long
 SHORT = {
     "Time/End time in ms": 0.02,
-    "Time/Step in us": "auto",
+    "Time/Time step in us": "auto",
     "Time/Safety factor": 0.9,
     "Output/Window start in ms": 0,
     "Output/History interval in us": 2,
@@ -138,7 +138,7 @@ class Server(Program):
 
 def numbers_that_are_none(summary):
     """Members of a summary that must be finite and are not."""
-    return [k for k in ("drive_work", "resisting_work", "driven_angle_end", "step") if not isinstance(summary.get(k), (int, float))] + [
+    return [k for k in ("drive_work", "resisting_work", "driven_angle_end", "time_step") if not isinstance(summary.get(k), (int, float))] + [
         k for k, v in summary.get("energy", {}).items() if not isinstance(v, (int, float))
     ]
 

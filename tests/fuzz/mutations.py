@@ -12,7 +12,7 @@ NUMBERS = [
 NONSENSE = [
     "", "auto", "nan", "inf", "-inf", "1,5", "1.5 mm", "0x10", "1e", "--1", "1/2", "true", "false", "on", "off", "all", "none",
     "simple", "layered", "full", "settled", "concentric", "given", "slack", "sag", "pretension", "paper literal", "nominal", "ansi",
-    "iso max", "bottom diameter", "pitch", "arriving", "one point", "lower", "every step", "0,1,2", "5,,6", "-3,4", "08B", "428",
+    "iso max", "bottom diameter", "pitch", "region of interest", "one point", "lower", "every step", "0,1,2", "5,,6", "-3,4", "08B", "428",
     "12A", "nowhere.msh", "..", "/", "{1|2}", "$x", "\\", "#", "ä", "面", "\u202e", "\ufeff", "\x00", "\x07", "a" * 5000,
 ]
 

@@ -20,20 +20,20 @@ void check(const mesh::Part &part, const mesh::Surface side, const double radius
   const mesh::CylinderGrid grid(part, side);
 
   double area = 0., off = 0.;
-  for (unsigned int s = 0; s < grid.n_stations(); ++s)
-    for (unsigned int c = 0; c < grid.n_columns(); ++c)
+  for (unsigned int s = 0; s < grid.n_rings(); ++s)
+    for (unsigned int c = 0; c < grid.n_circumferential(); ++c)
       {
         area += grid.area(s, c);
         const Point<3> p = part.mesh->get_vertices()[grid.vertex_at(s, c)];
         const Point<3> expected(grid.axis[0] + grid.radius * std::cos(grid.angles[c]),
                                 grid.axis[1] + grid.radius * std::sin(grid.angles[c]),
-                                grid.stations[s]);
+                                grid.rings[s]);
         off = std::max(off, p.distance(expected));
       }
-  const double length = grid.stations.back() - grid.stations.front();
-  std::cout << part.name << ", " << mesh::surface_name(side) << ": " << grid.n_columns()
+  const double length = grid.rings.back() - grid.rings.front();
+  std::cout << part.name << ", " << mesh::surface_name(side) << ": " << grid.n_circumferential()
             << " columns, " << (grid.uniform() ? "uniform" : "NOT uniform") << ", "
-            << grid.n_stations() << " stations over " << 1e3 * length << " mm; radius over exact "
+            << grid.n_rings() << " rings over " << 1e3 * length << " mm; radius over exact "
             << grid.radius / radius << ", axis at " << 1e3 * grid.axis[0] << ", "
             << 1e3 * std::abs(grid.axis[1]) << " mm, expected " << 1e3 * x << "; area over exact "
             << area / (2. * dealii::numbers::PI * radius * length)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A sprocket must be one body: sectors with vertices of their own where they meet, sectors with
-// other vertices there, and slits would give way too much. Left-handed and mirrored meshes are what
+// other vertices there, and slits would deflect too much. Left-handed and mirrored meshes are what
 // they were, and so is one whose elements come in another order.
 
 #include <chaindrive/drive/tooth_form.h>

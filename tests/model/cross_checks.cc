@@ -104,12 +104,12 @@ int main()
   check([](Parameters &p) { p.model.elastic_sprockets = Switch::on; });
   check([](Parameters &p) { p.contact.plate_faces = Switch::on; });
   check([](Parameters &p) {
-    p.model.elastic_links = ElasticLinks::arriving;
-    p.model.half          = HalfModel::yes;
+    p.model.elastic_links = ElasticLinks::region_of_interest;
+    p.model.half          = SymmetryModel::yes;
   });
   check([](Parameters &p) {
     p.model.fidelity          = Fidelity::full;
-    p.model.elastic_links     = ElasticLinks::arriving;
+    p.model.elastic_links     = ElasticLinks::region_of_interest;
     p.model.elastic_sprockets = Switch::on;
   });
   check([](Parameters &p) { p.loads.ramp_time = 40e-3; });
@@ -170,7 +170,7 @@ int main()
     p.effects.plate_bending = Switch::on;
   });
   full([](Parameters &p) {
-    p.model.half        = HalfModel::yes;
+    p.model.half        = SymmetryModel::yes;
     p.output.quantities = {QuantityGroup::tensions};
   });
   check([](Parameters &p) { p.effects.tooth_compliance = Switch::on; });
@@ -193,14 +193,14 @@ int main()
     p.model.mass_per_pitch    = 10e-3;
   });
   full([](Parameters &p) { // beside elastic ones
-    p.model.elastic_links   = ElasticLinks::arriving;
+    p.model.elastic_links   = ElasticLinks::region_of_interest;
     p.model.other_links     = OtherLinks::reduced;
     p.effects.plate_bending = Switch::off;
   });
 
   check([](Parameters &p) { // no link is left that is not reduced
     p.model.fidelity      = Fidelity::reduced;
-    p.model.elastic_links = ElasticLinks::arriving;
+    p.model.elastic_links = ElasticLinks::region_of_interest;
     p.model.other_links   = OtherLinks::reduced;
   });
 
@@ -234,7 +234,7 @@ int main()
     p.output.window_start.reset();
     p.output.window_end   = 20e-3;
     p.loads.driver_speed  = 0.;
-    p.model.elastic_links = ElasticLinks::arriving;
+    p.model.elastic_links = ElasticLinks::region_of_interest;
   });
   check([](Parameters &p) { p.output.window_start.reset(); });
 

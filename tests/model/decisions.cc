@@ -75,10 +75,10 @@ void check_needs()
           effects.is_on(Effect::elastic_rollers) == rollers &&
           effects.is_on(Effect::elastic_sprocket, 0) == sprockets &&
           effects.is_on(Effect::elastic_sprocket, 1) == sprockets &&
-          effects.is_on(Effect::half_model) == (links && rollers && !both_halves) &&
+          effects.is_on(Effect::symmetry_model) == (links && rollers && !both_halves) &&
           effects.of(Effect::elastic_links).reason ==
               (links ? why : "nothing in Output/Quantities needs it") &&
-          (!both_halves || effects.of(Effect::half_model).reason == "whole bodies: " + why);
+          (!both_halves || effects.of(Effect::symmetry_model).reason == "whole bodies: " + why);
       if (!holds)
         std::cout << "  not so for " << name << '\n';
       right += holds;
@@ -131,7 +131,7 @@ void show_reasons()
                                     Effect::elastic_sprocket,
                                     Effect::tooth_compliance,
                                     Effect::reduced_bodies,
-                                    Effect::half_model};
+                                    Effect::symmetry_model};
   show("simple", of(Fidelity::simple), {Effect::elastic_links, Effect::chain_bars});
   show("reduced", of(Fidelity::reduced), elastic);
   show("full", of(Fidelity::full), elastic);
@@ -139,7 +139,7 @@ void show_reasons()
   p.effects.elastic_rollers = Switch::off;
   show("full, rollers off", p, elastic);
   p                     = of(Fidelity::full);
-  p.model.elastic_links = parameters::ElasticLinks::arriving;
+  p.model.elastic_links = parameters::ElasticLinks::region_of_interest;
   p.model.other_links   = parameters::OtherLinks::reduced;
   show("full, arriving", p, elastic);
   p                                  = of(Fidelity::full);
@@ -192,7 +192,7 @@ void check_arriving()
 {
   Parameters p             = of(Fidelity::full);
   p.model.stiffness_from   = parameters::StiffnessFrom::dimensions;
-  p.model.elastic_links    = parameters::ElasticLinks::arriving;
+  p.model.elastic_links    = parameters::ElasticLinks::region_of_interest;
   p.output.window_start    = 10e-3;
   p.output.window_end      = 15e-3;
   const drive::Drive drive = drive::make_drive(p);

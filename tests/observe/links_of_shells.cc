@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Links of bricks, of shells and of membranes on the mesh of prm/paper/full-shell.prm and on finer
-// ones, pulled by a pressure like the cosine of the angle on the far half of
+// Links of solid elements, of solid-shells and of membranes on the mesh of prm/paper/full-shell.prm
+// and on finer ones, pulled by a pressure like the cosine of the angle on the far half of
 //
 //   bushes' bores where a pin bears, within the thickness of the plates,
 //   bushes' outsides where a roller bears, between the plates,
@@ -154,7 +154,7 @@ Answer meshed(const drive::ChainDimensions &chain,
   const Vector<double> force = forces(part, nodes, pull);
   for (unsigned int i = 0; i < force.size(); ++i)
     if (std::abs(nodes.position[i / 3][i % 3]) < 1e-9)
-      model->hold(i);
+      model->constrain(i);
   const Vector<double> u = model->displacements(force);
 
   const observe::PlateStress stress(part, nodes, material);
@@ -216,7 +216,7 @@ int main(int argc, char **argv)
                       << found.stiffness / exact << "; waist over nominal: axial "
                       << found.waist.axial << ", principal " << found.waist.principal_1 << " and "
                       << found.waist.principal_2;
-            if (walls.plates != parameters::Wall::membrane)
+            if (walls.plates != parameters::ElementType::membrane)
               std::cout << ", out of the plane " << found.waist.out_of_plane;
             std::cout << '\n';
           }

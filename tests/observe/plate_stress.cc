@@ -2,9 +2,9 @@
 // Stresses at the waist of side plates. A strip under tension and moments about both axes, placed
 // anywhere, against the beam's closed form. Then links, solved statically: pulled by their pins or
 // bushes the mean stress of the waist is the pull over its area; turned by couples in the plates'
-// plane the edges show M / W but for the notch that a waist is, and no mean. Plates of shells show
-// what those of bricks do, and membranes the same but for bending across, of which they have a
-// hundredth.
+// plane the edges show M / W but for the notch that a waist is, and no mean. Plates of solid-shells
+// show what those of solid elements do, and membranes the same but for bending across, of which
+// they have a hundredth.
 #include "../support/modes.h"
 
 #include <chaindrive/drive/plate.h>
@@ -19,13 +19,15 @@ namespace
 const Material material;
 const double   E = material.youngs_modulus, nu = material.poissons_ratio;
 
-using parameters::Wall;
+using parameters::ElementType;
 
-constexpr std::array<std::pair<Wall, const char *>, 3> walls{
-    {{Wall::brick, "bricks"}, {Wall::shell, "shells"}, {Wall::membrane, "membranes"}}};
+constexpr std::array<std::pair<ElementType, const char *>, 3> walls{
+    {{ElementType::solid, "solid elements"},
+     {ElementType::solid_shell, "solid-shells"},
+     {ElementType::membrane, "membranes"}}};
 
 observe::WaistStress at(const mesh::Part                                                  &part,
-                        const Wall                                                         plates,
+                        const ElementType                                                  plates,
                         const std::function<Tensor<1, 3>(const Point<3> &, unsigned int)> &place)
 {
   const mesh::Nodes          nodes(part);
@@ -82,7 +84,7 @@ void beam()
 /// A link whose joints are pulled apart by @p pull [N] and turned against each other by @p couple
 /// [N m]: forces on all nodes of its pins or bushes, in proportion to their masses.
 observe::WaistStress loaded(const mesh::Part &part,
-                            const Wall        plates,
+                            const ElementType plates,
                             const double      pitch,
                             const double      radius,
                             const double      pull,
@@ -149,7 +151,7 @@ void links(const unsigned int refinement)
 
       for (const auto &[wall, name] : walls)
         {
-          if (wall != Wall::brick && refinement > 1)
+          if (wall != ElementType::solid && refinement > 1)
             continue;
           const auto pulled = loaded(part, wall, plate.hole_pitch, radius, pull, 0.);
           const auto turned = loaded(part, wall, plate.hole_pitch, radius, 0., couple);

@@ -46,7 +46,7 @@ Sizes show(const std::string &what, const Parameters &parameters)
     for (const model::Effect asked : {model::Effect::elastic_links,
                                       model::Effect::elastic_rollers,
                                       model::Effect::elastic_sprocket,
-                                      model::Effect::half_model,
+                                      model::Effect::symmetry_model,
                                       model::Effect::fields})
       if (decision.effect == asked && decision.on)
         std::cout << ", " << decision.name();
@@ -74,7 +74,7 @@ int main()
       p.output.quantities = {QuantityGroup::tensions, QuantityGroup::plate_stress};
       show("full, tensions and plate stress", p);
       p.output.quantities   = {QuantityGroup::engagements};
-      p.model.elastic_links = parameters::ElasticLinks::arriving;
+      p.model.elastic_links = parameters::ElasticLinks::region_of_interest;
       show("full, engagements, arriving links", p);
 
       // what auto leaves out is as if it were switched off

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Stresses at the waists of reduced links, which are added shape by shape, against those of the
+// Stresses at the waists of reduced links, which are added mode by mode, against those of the
 // positions of their nodes: what differs is the square of strains, so that it is half as much of a
 // stress at half of the amplitudes.
 #include "../support/reduced.h"
@@ -40,7 +40,7 @@ scene::Scene make_scene()
   return scene;
 }
 
-/// Each shape of each body has an energy of @p energy [J].
+/// Each mode of each body has an energy of @p energy [J].
 void excite(dynamics::System &system, const double energy)
 {
   for (unsigned int g = 0; g < system.world.n_elastic_groups(); ++g)

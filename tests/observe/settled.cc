@@ -130,8 +130,9 @@ int main(int argc, char *argv[])
   // single joints are wrong by a few hundred N
   report("full", small_full_drive, 0.05, 0.6, 0.2);
   report("arriving, half",
-         small_full_drive_with(
-             {"Model/Half model=true", "Model/Elastic links=arriving", "Time/End time in ms=1"}),
+         small_full_drive_with({"Model/Symmetry model=true",
+                                "Model/Elastic links=region of interest",
+                                "Time/End time in ms=1"}),
          0.05,
          0.01,
          0.15);

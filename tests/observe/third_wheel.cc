@@ -55,7 +55,7 @@ void run(const std::string &what, Parameters p)
   std::vector<double> start;
   for (const World::Hub &hub : system.world.hubs)
     start.push_back(hub.angle);
-  const double dt      = 0.5 * system.stable_step_limit();
+  const double dt      = 0.5 * system.critical_time_step();
   double       overlap = 0.;
   bool         is_off  = false;
   unsigned int step    = 0;
@@ -74,7 +74,7 @@ void run(const std::string &what, Parameters p)
     if (step++ % 50 == 0)
       for (observe::Wrap &wrap : wraps)
         {
-          wrap.look(system.world);
+          wrap.update(system.world);
           is_off = is_off || wrap.is_off() || wrap.jumped() != 0;
         }
   });

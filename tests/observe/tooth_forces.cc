@@ -41,7 +41,7 @@ int main()
       world.clear_forces();
       teeth.search(world, 1e-3);
       teeth.add_forces(world, 1e-6);
-      forces.look();
+      forces.update();
       std::cout << "pressed into gap " << gap << ": forces / N in the first three gaps";
       for (unsigned int g = 0; g < 3; ++g)
         std::cout << ' ' << std::fixed << std::setprecision(3) << forces.in_gap[g];

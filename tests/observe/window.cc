@@ -31,7 +31,7 @@ int main(int argc, char **argv)
   const model::Model model = model::make_model(p, drive);
   const scene::Scene scene = scene::build_scene(model, drive, {"."});
   dynamics::System   system(scene, false, comm);
-  const double       dt = 0.9 * system.stable_step_limit();
+  const double       dt = 0.9 * system.critical_time_step();
 
   observe::Observation      now(scene, model, system);
   observe::WindowStatistics means(now, {{"time", "s"}, {"one", "1"}});

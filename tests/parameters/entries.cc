@@ -66,9 +66,9 @@ void check_choices()
                                    check_choice<StiffnessFrom>("stiffness from"),
                                    check_choice<Switch>("switch"),
                                    check_choice<Formulation>("formulation"),
-                                   check_choice<HalfModel>("half model"),
+                                   check_choice<SymmetryModel>("symmetry model"),
                                    check_choice<OtherLinks>("other links"),
-                                   check_choice<Wall>("wall"),
+                                   check_choice<ElementType>("element type"),
                                    check_choice<Search>("search"),
                                    check_choice<SpeedRamp>("speed ramp"),
                                    check_choice<Precision>("history precision")};

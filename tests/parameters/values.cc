@@ -54,7 +54,7 @@ subsection Contact
   set Bush-pin friction = 0.2
 end
 subsection Time
-  set Step in us = 0.25
+  set Time step in us = 0.25
   set Energy limit in percent = 1
   set Guard = false
 end

@@ -67,11 +67,11 @@ void look_at(const Case &c)
   Vector image(c.free.n_unknowns());
   for (unsigned int i = 0; i < basis.size(); ++i)
     {
-      c.free.stiffness().vmult(image, basis.shape[i]);
+      c.free.stiffness().vmult(image, basis.modes[i]);
       for (unsigned int j = 0; j < basis.size(); ++j)
         {
-          const double k = image * basis.shape[j] / (basis.omega[i] * basis.omega[j]),
-                       m = c.free.mass_product(basis.shape[i], basis.shape[j]);
+          const double k = image * basis.modes[j] / (basis.omega[i] * basis.omega[j]),
+                       m = c.free.mass_product(basis.modes[i], basis.modes[j]);
           stiffness      = std::max(stiffness, std::abs(k - (i == j)));
           if (i != j || basis.omega[i] < 0.999 * c.options.cap)
             mass = std::max(mass, std::abs(m - (i == j)));
@@ -79,7 +79,7 @@ void look_at(const Case &c)
             mass = 1.;
         }
       for (const Vector &motion : c.free.rigid())
-        rigid = std::max(rigid, std::abs(c.free.mass_product(motion, basis.shape[i])));
+        rigid = std::max(rigid, std::abs(c.free.mass_product(motion, basis.modes[i])));
     }
   std::cout << "  Phi^T K Phi = W^2: " << yes(stiffness < 1e-10)
             << ", Phi^T M Phi = 1: " << yes(mass < 1e-10)
@@ -92,7 +92,7 @@ Vector displacement(const Basis &basis, const Vector &force)
 {
   Vector u(force.size());
   for (unsigned int i = 0; i < basis.size(); ++i)
-    u.add(force * basis.shape[i] / std::pow(basis.omega[i], 2), basis.shape[i]);
+    u.add(force * basis.modes[i] / std::pow(basis.omega[i], 2), basis.modes[i]);
   return u;
 }
 
@@ -114,7 +114,7 @@ void compare(const Case &half, const Case &whole)
   std::vector<double> symmetric;
   for (unsigned int i = 0; i < whole.basis.size(); ++i)
     {
-      const Vector &u     = whole.basis.shape[i];
+      const Vector &u     = whole.basis.modes[i];
       Vector        image = u;
       for (unsigned int a = 0; a < mirrored.size(); ++a)
         for (unsigned int d = 0; d < 3; ++d)
@@ -167,8 +167,8 @@ void keep()
   bool        same     = found.omega == computed.omega && found.n_natural == computed.n_natural &&
               found.errors.size() == computed.errors.size();
   for (unsigned int i = 0; i < computed.size(); ++i)
-    same = same && computed.shape[i] == found.shape[i];
-  const double sum = computed.shape.back().l1_norm();
+    same = same && computed.modes[i] == found.modes[i];
+  const double sum = computed.modes.back().l1_norm();
   if (n_ranks_in(MPI_COMM_WORLD) > 1)
     same = same && dealii::Utilities::MPI::min(sum, MPI_COMM_WORLD) ==
                        dealii::Utilities::MPI::max(sum, MPI_COMM_WORLD);

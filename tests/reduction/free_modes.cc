@@ -54,10 +54,10 @@ void cube()
       worst = std::max(worst, std::abs(modes[i].omega / std::sqrt(exact[6 + i]) - 1.));
       n_equal += i > 0 && modes[i].omega < (1. + 1e-9) * modes[i - 1].omega;
       for (unsigned int j = 0; j < modes.size(); ++j)
-        mass =
-            std::max(mass, std::abs(part.mass_product(modes[i].shape, modes[j].shape) - (i == j)));
+        mass = std::max(mass,
+                        std::abs(part.mass_product(modes[i].vector, modes[j].vector) - (i == j)));
       for (const auto &motion : part.rigid())
-        rigid = std::max(rigid, std::abs(part.mass_product(motion, modes[i].shape)));
+        rigid = std::max(rigid, std::abs(part.mass_product(motion, modes[i].vector)));
     }
   std::cout << "cube: modes found " << modes.size()
             << ", all: " << (modes.size() == n_modes ? "yes" : "NO") << ", equal to the one before "

@@ -31,7 +31,7 @@ reduction::Basis find(const mesh::Part &part)
 
 bool same(const reduction::Basis &a, const reduction::Basis &b)
 {
-  return a.n_natural == b.n_natural && a.omega == b.omega && a.shape == b.shape &&
+  return a.n_natural == b.n_natural && a.omega == b.omega && a.modes == b.modes &&
          a.reflections == b.reflections && a.symmetry == b.symmetry;
 }
 
@@ -62,13 +62,13 @@ int main(int argc, char **argv)
       {"a number", [](json &value) { value = 7; }},
       {"nothing", [](json &value) { value = nullptr; }},
       {"a list", [](json &value) { value = json::array(); }},
-      {"no shapes", [](json &value) { value["shapes"] = ""; }},
-      {"shapes that are cut off",
+      {"no modes", [](json &value) { value["shapes"] = ""; }},
+      {"modes that are cut off",
        [](json &value) {
          const std::string text = value["shapes"];
          value["shapes"]        = text.substr(0, text.size() / 8 * 4);
        }},
-      {"shapes that are a list", [](json &value) { value["shapes"] = json::array(); }},
+      {"modes that are a list", [](json &value) { value["shapes"] = json::array(); }},
       {"a frequency less", [](json &value) { value["rad/s"].erase(0); }},
       {"no frequencies", [](json &value) { value["rad/s"] = json::array(); }},
       {"a negative frequency", [](json &value) { value["rad/s"][0] = -1.; }},

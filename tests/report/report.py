@@ -164,7 +164,7 @@ def one():
     report("results")
     text = read("results/report.html").texts["all"]
     check("not valid" in text.split("Key figures")[0] and "The chain jumped ‹i›a‹/i› tooth." in text and "not valid" not in found.texts["all"],
-          "an event is not said above the key figures, or one of a sound run")
+          "an event is not said above the key figures, or one of a valid run")
     check(time.time() - begin < 10, f"{time.time() - begin:.1f} s for a report")
     run("results", "--quiet", "--report", Time__End_time_in_ms=10)
     check(not pathlib.Path("results/report.html").exists(), "an old page is left beside new results, or --quiet wrote one")
@@ -205,7 +205,7 @@ def meaning():
     tight, slack, error = "Tension of the tight span", "Tension of the slack span", "Error of the energy balance"
     run("settled", "--report", Drive__Layout__Start="settled")
     found, said = cards("settled/report.html"), read("settled/report.html").texts["all"]
-    check(not any(marked for marked, _ in found.values()), f"a sound run has marked figures: {found}")
+    check(not any(marked for marked, _ in found.values()), f"a valid run has marked figures: {found}")
     check("power and speed ask for" in found[tight][1] and "not from the load" in found[slack][1], f"{found[tight]} {found[slack]}")
     check(said.count("Zheng, Wang and Quek (2004) show it in their Figure") >= 4 and "The paper" not in said, "figures of the paper")
 
@@ -237,7 +237,7 @@ def invalid():
     check(names and {name for name, marked in names.items() if not marked} == whole and len(names) > 9, f"marked: {names}")
     found = read("jumped/report.html").texts
     check("pitch times not valid" in found["run"] and "These figures are not valid" in found["statistics"], f"{found['run']} {found['statistics'][:200]}")
-    check("not valid" not in read("sound/report.html").texts["all"], "a sound run is marked")
+    check("not valid" not in read("sound/report.html").texts["all"], "a valid run is marked")
 
     for pair in (("sound", "jumped"), ("jumped", "sound")):
         report(*pair, "--output", "both.html")

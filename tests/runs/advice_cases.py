@@ -19,7 +19,7 @@ D, C, S, L = "Drive/", "Drive/Chain/", "Drive/Sprockets/", "Drive/Layout/"
 M, E, K, T, O, A = "Model/", "Effects/", "Contact/", "Time/", "Output/", "Acoustics/"
 FROM, DISTANCE, LINKS = L + "Centre distance from", L + "Centre distance in mm", D + "Number of links"
 FIDELITY = M + "Fidelity"
-START, END, STEP = T + "Start time in ms", T + "End time in ms", T + "Step in us"
+START, END, STEP = T + "Start time in ms", T + "End time in ms", T + "Time step in us"
 WINDOW, WINDOW_END = O + "Window start in ms", O + "Window end in ms"
 TORQUE, SPEED = "Loads/Resisting torque in N m", "Loads/Driver speed in rad/s"
 RPM, POWER = "Loads/Driver speed in rpm", "Loads/Power in kW"
@@ -140,15 +140,15 @@ def times():
            [{WINDOW_END: 20}, {WINDOW_END: "auto"}, {END: 60}])
     yield ("leave Window end in ms auto", {WINDOW: "settled", WINDOW_END: 20}, [{WINDOW_END: "auto"}])
     yield ("counts the pitches that the driver takes in, but .* = 0; give a time", {WINDOW: "settled", SPEED: 0}, [{WINDOW: 10}])
-    yield ("give a time, or choose Elastic links = all", {**REDUCED, WINDOW: "settled", M + "Elastic links": "arriving",
+    yield ("give a time, or choose Elastic links = all", {**REDUCED, WINDOW: "settled", M + "Elastic links": "region of interest",
                                                            M + "Other links": "rigid", END: 3},
            [{WINDOW: 1}, {M + "Elastic links": "all"}])
-    yield ("are allowed: choose a larger Time/Step in us or an earlier Time/End time in ms", {STEP: 1e-8}, [{STEP: 0.1}])
+    yield ("are allowed: choose a larger Time/Time step in us or an earlier Time/End time in ms", {STEP: 1e-8}, [{STEP: 0.1}])
 
 
 def models():
     none = "in which no body is elastic; choose auto or off"
-    yield ("Half model = true is for elastic bodies: .* has none[;.]", {M + "Half model": "true"}, [{M + "Half model": "auto"}])
+    yield ("Symmetry model = true is for elastic bodies: .* has none[;.]", {M + "Symmetry model": "true"}, [{M + "Symmetry model": "auto"}])
     yield ("Cells along = 2 leaves one ring.*needs at least 4", {**REDUCED, "Mesh/Inner link/Cells along": 2},
            [{"Mesh/Inner link/Cells along": 4}])
     yield ("Mass per pitch in g is that of the parts in .*: leave it auto", {**REDUCED, M + "Mass per pitch in g": 10},
@@ -159,17 +159,17 @@ def models():
            [{K + "Roller-tooth stiffness in N/m": "auto", K + "Penalty factor": 1}])
     yield ("Plate faces = on is for elastic bodies: .* has none; choose off", {K + "Plate faces": "on"}, [{K + "Plate faces": "off"}])
     yield (none, {M + "Elastic sprockets": "on"}, [{M + "Elastic sprockets": "auto"}, {M + "Elastic sprockets": "off"}])
-    yield ("in which no link is elastic; choose all, or Fidelity = full", {**SMALL, M + "Elastic links": "arriving", END: 3, WINDOW: 1},
+    yield ("in which no link is elastic; choose all, or Fidelity = full", {**SMALL, M + "Elastic links": "region of interest", END: 3, WINDOW: 1},
            [{M + "Elastic links": "all"}, {FIDELITY: "full"}])
     yield ("leaves no link that is not reduced; choose rigid, or Elastic links = all",
-           {**REDUCED, M + "Elastic links": "arriving", M + "Other links": "reduced", END: 3, WINDOW: 1},
+           {**REDUCED, M + "Elastic links": "region of interest", M + "Other links": "reduced", END: 3, WINDOW: 1},
            [{M + "Other links": "rigid"}, {M + "Elastic links": "all"}])
     for name in ("Elastic links", "Elastic rollers", "Elastic driver", "Elastic driven", "Plate bending", "Tooth compliance"):
         full = {FIDELITY: "full"}
         if name == "Tooth compliance":
             full["then"] = "for elastic rollers on a rigid sprocket"
         yield (none + ", or Model/Fidelity = full", {**SMALL, E + name: "on"}, [{E + name: "auto"}, {E + name: "off"}, full])
-    arriving = {**FULL, M + "Elastic links": "arriving", END: 3, WINDOW: 1}
+    arriving = {**FULL, M + "Elastic links": "region of interest", END: 3, WINDOW: 1}
     for entry in (E + "Elastic driver", E + "Elastic driven", M + "Elastic sprockets"):
         yield ("in which all sprockets are rigid; choose auto or off, or Elastic links = all", {**arriving, entry: "on"},
                [{entry: "auto"}, {entry: "off"}, {M + "Elastic links": "all"}])
@@ -193,9 +193,9 @@ def models():
         yield ("Plate bending = on needs elastic links; choose Effects/Elastic links = on, or Plate bending = auto",
                {**FULL, E + "Plate bending": "on", **more}, [{E + "Elastic links": "on"}, {E + "Plate bending": "auto"}])
     for name in ("links", "rollers"):
-        yield (rf"Half model = true needs elastic links and rollers, .* but Effects/Elastic {name} is off .*; choose on, or Half "
-               "model = auto", {**FULL, M + "Half model": "true", E + f"Elastic {name}": "off"},
-               [{E + f"Elastic {name}": "on"}, {M + "Half model": "auto"}])
+        yield (rf"Symmetry model = true needs elastic links and rollers, .* but Effects/Elastic {name} is off .*; choose on, or Symmetry model "
+               "= auto", {**FULL, M + "Symmetry model": "true", E + f"Elastic {name}": "off"},
+               [{E + f"Elastic {name}": "on"}, {M + "Symmetry model": "auto"}])
 
 
 def effects():

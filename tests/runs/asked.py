@@ -82,13 +82,13 @@ def outputs():
 
 
 def irrelevant():
-    step = {"Time/Step in us": 0.05}
-    layered = {**LAYERED, "Time/Step in us": 0.05, "Time/End time in ms": 1, "Output/Field interval in ms": 0}
+    step = {"Time/Time step in us": 0.05}
+    layered = {**LAYERED, "Time/Time step in us": 0.05, "Time/End time in ms": 1, "Output/Field interval in ms": 0}
     for entries, on, off in (
         (layered, {"Loads/Gravity in m/s2": 0}, {"Effects/Gravity": "off"}),
         (layered, {"Contact/Friction coefficient": 0}, {"Effects/Friction": "off"}),
         (layered, {"Contact/Damping ratio": 0}, {"Effects/Contact damping": "off"}),
-        ({**ELASTIC, **step, "Model/Half model": "false", "Time/End time in ms": 0.05}, {"Contact/Plate faces": "on"}, {"Contact/Plate faces": "off"}),
+        ({**ELASTIC, **step, "Model/Symmetry model": "false", "Time/End time in ms": 0.05}, {"Contact/Plate faces": "on"}, {"Contact/Plate faces": "off"}),
     ):
         run("on", {**entries, **on})
         run("off", {**entries, **off})
@@ -164,12 +164,12 @@ def settled():
     check(s["window"]["settled"], f"it does not settle: {s['window']}")
     check(abs(pitches - round(pitches)) < 1e-9 and 6 <= pitches < 40, f"the window begins after {pitches} pitch times")
     check(abs((end - begin) / pitch_time - 5) < 1e-9, f"the window is {(end - begin) / pitch_time} pitch times long")
-    check(0 <= s["steps"] * s["step"] - end < s["step"] * 1.01, "the run does not end with its window")
+    check(0 <= s["steps"] * s["time_step"] - end < s["time_step"] * 1.01, "the run does not end with its window")
     check("Means from" in said and "after the drive had settled" in said, said)
 
     # the same window, given: the same means
     given = {"Output/Window start in ms": repr(1e3 * begin), "Output/Window end in ms": repr(1e3 * end)}
-    given["Time/End time in ms"] = repr(1e3 * s["steps"] * s["step"])
+    given["Time/End time in ms"] = repr(1e3 * s["steps"] * s["time_step"])
     run("given", {**entries, **given})
     for name, value in numbers("given").items():
         if name.endswith("_mean"):

@@ -58,7 +58,7 @@ def compare(name, form):
             "Drive/Sprockets/Tooth form": form,
             "Drive/Layout/Start": "settled",
             "Effects/Friction": "off",
-            "Time/Step in us": step,
+            "Time/Time step in us": step,
             "Time/End time in ms": window[1],
             "Output/Window start in ms": window[0],
             "Output/Window end in ms": window[1],
@@ -87,7 +87,7 @@ def bicycle():
     changes = {"Output/Field interval in ms": 0, "Time/End time in ms": 60, "Output/Window start in ms": 0}
     program.run(pathlib.Path("bicycle.prm").resolve(), changes, "--quiet", "--output", "bicycle", program=PROGRAM)
     got = program.summary("bicycle")
-    overlap = max(got["overlap_max"].values()) / 3.885e-3  # over the roller's radius
+    overlap = max(got["penetration_max"].values()) / 3.885e-3  # over the roller's radius
     ratio, torque = got["driven_speed_mean"] / (2 * math.pi * 44 / 16), got["driver_torque_mean"] / 200
     good = 0 < overlap < 0.01 and abs(ratio - 1) < 0.003 and abs(torque - 1) < 0.01
     print(f"bicycle: overlap {overlap:.2g} of the roller's radius, ratio {ratio:.5f}, torque {torque:.5f}{'' if good else ': WRONG'}")

@@ -21,7 +21,7 @@ CHANGES = {
     "Loads/Driver speed in rad/s": 20,
     "Loads/Torque step time in ms": 5,
     "Loads/Torque after step in N m": 147,
-    "Time/Step in us": "auto",
+    "Time/Time step in us": "auto",
     "Time/End time in ms": 250,
     "Output/Window start in ms": 20,
     "Effects/Friction": "off",

@@ -73,7 +73,7 @@ rising([-row[5] for row in pressed if row[0] == pressed[2][0]], "softness of the
 for factor, howland, _ in table(text, "Side plates"):
     check(1.5 * howland < factor < 2.5 * howland, f"plates: factor {factor}, without pin {howland}")
 
-# the first is the ovalisation of a ring, 42.09 kHz in plane stress and 44.03 kHz in plane strain, in two shapes
+# the first is the ovalisation of a ring, 42.09 kHz in plane stress and 44.03 kHz in plane strain, in two modes
 vibrations = table(text, "Vibration of parts")
 check(42 < vibrations[0][3] < 45 and vibrations[0][0] >= 2, f"roller: {vibrations[0]}")
 for natural, attached, stiff, *frequencies in vibrations:

@@ -37,14 +37,14 @@ ELASTIC = {**OUTPUT, **small_drives.ELASTIC, "Output/Field interval in ms": 1, "
 CASES = {
     "whole": TOUCHING_PLATES,
     "imported": IMPORTED,
-    "half": {**IMPORTED, "Model/Half model": "true"},
-    "arriving": {"Model/Elastic links": "arriving"},
+    "half": {**IMPORTED, "Model/Symmetry model": "true"},
+    "arriving": {"Model/Elastic links": "region of interest"},
     "reduced": {"Model/Fidelity": "reduced"},
-    "mixed": {"Model/Elastic links": "arriving", "Model/Other links": "reduced", "Model/Half model": "true"},
+    "mixed": {"Model/Elastic links": "region of interest", "Model/Other links": "reduced", "Model/Symmetry model": "true"},
     "settled-reduced": {"Model/Fidelity": "reduced", "Drive/Layout/Start": "settled", "Loads/Resisting torque in N m": 30},
     "settled": {
-        "Model/Elastic links": "arriving",
-        "Model/Half model": "true",
+        "Model/Elastic links": "region of interest",
+        "Model/Symmetry model": "true",
         "Drive/Layout/Start": "settled",
         "Loads/Resisting torque in N m": 30,
     },
@@ -106,7 +106,7 @@ def elastic(entries):
         largest = max(max(values) for (g, _), (u, values) in one.items() if (g, u) == (group, unit))
         check(largest > least, f"nothing has happened: {largest} {unit} is the most in {group}")
     if "Contact/Plate faces" in entries:
-        deepest = program.summary("ranks1")["overlap_max"]["plate faces"]
+        deepest = program.summary("ranks1")["penetration_max"]["plate faces"]
         check(deepest > 1e-7, f"plates do not touch: {deepest} m")
     for ranks in numbers[1:]:
         same(one, columns(f"ranks{ranks}"), f"{ranks} ranks")
@@ -147,7 +147,7 @@ def rigid():
 def refuse():
     for text, change in (
         ("Driver teeth", {"Drive/Driver teeth": 8}),
-        ("critical time step", {"Time/Step in us": 50}),
+        ("critical time step", {"Time/Time step in us": 50}),
         ("teeth", {**IMPORTED, "Drive/Driver teeth": 16}),
     ):
         said = run("refused", {**ELASTIC, **change}, 2, status=2)

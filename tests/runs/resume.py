@@ -46,7 +46,7 @@ DRIVE = {
     "Model/Driven inertia in kg m2": 1e-4,
     "Loads/Resisting torque in N m": 20,
     "Loads/Torque ramp angle in rad": 0.01,
-    "Time/Step in us": "auto",
+    "Time/Time step in us": "auto",
     "Output/Window start in ms": 0,
     "Output/CSV": "true",
 }

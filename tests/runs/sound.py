@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """sound.py PROGRAM REPOSITORY: drives that are sound must run to their end, however slow they are, and
-with any step that is accepted: as large a share of the stable step as stated, or auto."""
+with any step that is accepted: as large a share of the critical time step as stated, or auto."""
 
 import re
 import sys
@@ -16,7 +16,7 @@ FRICTIONLESS = {"Contact/Friction coefficient": 0}
 UNDAMPED = {"Contact/Damping ratio": 0}
 WHIPPING = {"Loads/Resisting torque in N m": 0.5, "Drive/Layout/Slack in mm": 10}
 
-# name, file, changes, milliseconds, share of the stable step (0: auto)
+# name, file, changes, milliseconds, share of the critical time step (0: auto)
 CASES = [
     ("stands still", HARD, STILL, 1, 0),
     ("stands still without gravity", HARD, {**STILL, "Loads/Gravity in m/s2": 0}, 1, 0),
@@ -44,13 +44,13 @@ def run(program, directory, case):
         "Output/Window start in ms": 0,
         "Output/Window end in ms": "auto",
         "Time/End time in ms": end,
-        "Time/Step in us": "auto",
+        "Time/Time step in us": "auto",
         **changes,
     }
     if share:
         plan = start(command(file, changes, "--plan", program=program))
         limit = float(re.search(r"all coupled ([\d.e+-]+)", plan.stdout)[1])
-        changes["Time/Step in us"] = f"{0.9995 * share * limit:.6g}"  # the plan rounds
+        changes["Time/Time step in us"] = f"{0.9995 * share * limit:.6g}"  # the plan rounds
     result = start(command(file, changes, "--quiet", program=program))
     if result.returncode:
         return f"status {result.returncode}: {' '.join(result.stderr.split())[:300]}"

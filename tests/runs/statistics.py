@@ -17,7 +17,7 @@ from program import check
 PROGRAM = sys.argv[1]
 ENTRIES = {
     "Drive/Layout/Start": "settled",
-    "Time/Step in us": 2,
+    "Time/Time step in us": 2,
     "Time/End time in ms": 30,
     "Output/Window start in ms": 11.1115,
     "Output/Window end in ms": 28.2347,
@@ -84,7 +84,7 @@ with h5py.File("every/histories.h5", "r") as file:
     near("efficiency", summary["efficiency"], energy["resisting_work"] / (energy["resisting_work"] + energy["lost"]), 1e-3)
     check(0.9 < summary["efficiency"] < 1, f"efficiency {summary['efficiency']}")
 
-said = program.run("prm/paper/layered.prm", {**ENTRIES, "Time/Step in us": "auto"}, "--output", "layered", program=PROGRAM)
+said = program.run("prm/paper/layered.prm", {**ENTRIES, "Time/Time step in us": "auto"}, "--output", "layered", program=PROGRAM)
 summary = program.summary("layered")
 start, end = summary["window"]["start"], summary["window"]["end"]
 statistics, drive = summary["statistics"], summary["drive"]

@@ -59,7 +59,7 @@ subsection Loads
 end
 subsection Time
   set End time in ms = 2
-  set Step in us = 0.25
+  set Time step in us = 0.25
 end
 subsection Output
   set Field interval in ms = 0
@@ -192,7 +192,7 @@ def refuse():
             ("Loads/Drag in 1/s = {{0|1|2}} has 3 values, but there are 2 variants",
              LOOP + "end\nsubsection Loads\n set Drag in 1/s = {{0|1|2}}"),
             ("is no loop: write {a | b}", "end\nsubsection Model\n set Fidelity = {simple|layered"),
-            ("Study/Against = Time/Step in us is no entry with a loop. There are: Model/Fidelity.", LOOP + "set Against = Time/Step in us"),
+            ("Study/Against = Time/Time step in us is no entry with a loop. There are: Model/Fidelity.", LOOP + "set Against = Time/Time step in us"),
             ("Study/Against = Model/Fidelity must have numbers, not 'simple'.", LOOP + "set Against = Model/Fidelity"),
             ("Study/Outputs names 'losses' twice", LOOP + "set Outputs = losses, losses"),
             ("Study/Names = -a, b is not allowed", LOOP + "set Names = -a, b"),
@@ -209,10 +209,10 @@ def refuse():
         check(expected in " ".join(out.split()), f"'{expected}' is not said:\n{out}")
 
     # every variant that cannot run, with its sentence, those that can are not mentioned
-    out = " ".join(said("subsection Time\n set Step in us = {0.25 | 50 | 0.1 | nothing}\nend\n").split())
+    out = " ".join(said("subsection Time\n set Time step in us = {0.25 | 50 | 0.1 | nothing}\nend\n").split())
     check("2 of 4 variants cannot run; nothing was started" in out, out)
-    check("step=50: Time/Step in us = 50" in out and "step=nothing: Time/Step in us = nothing is not allowed" in out, out)
-    check("step=0.25:" not in out, out)
+    check("time-step=50: Time/Time step in us = 50" in out and "time-step=nothing: Time/Time step in us = nothing is not allowed" in out, out)
+    check("time-step=0.25:" not in out, out)
     for value in ("/some#where", "/a\nb", "/there\\"):
         out = " ".join(said(LOOP, "--set", f"Drive/Sprockets/Driver mesh={value}").split())
         check(f"Driver mesh = {' '.join(value.split())} is not allowed: in a .prm file" in out, f"{value!r}: {out}")
@@ -221,7 +221,7 @@ def refuse():
     out = " ".join(said(LOOP + f"subsection Drive\n subsection Sprockets\n set Driver mesh = {MESH}\nend\nend\n", name="at#home/small.prm").split())
     check(f"at#home/{MESH} is not allowed: in a .prm file '#' begins a comment" in out, out)
     check("no quick form" in said(LOOP, "--quick"), "--quick without a quick form")
-    write("subsection Study\nend\nsubsection Time\n set Step in us = {1|2}\nend\n")
+    write("subsection Study\nend\nsubsection Time\n set Time step in us = {1|2}\nend\n")
     out = subprocess.run([PROGRAM, "small.prm"], stderr=subprocess.PIPE, text=True).stderr
     for sentence in ("Only studies have them", "It belongs to a study", "Loops belong to studies"):
         check(sentence in out, f"a run does not tell a study: {out}")
@@ -230,13 +230,13 @@ def refuse():
 
 def checks():
     steps = " | ".join(f"{0.1 + 0.01 * i:.2f}" if i % 2 else str(50 + i) for i in range(24))
-    write(f"subsection Time\n set Step in us = {{{steps}}}\nend\n")
+    write(f"subsection Time\n set Time step in us = {{{steps}}}\nend\n")
     said = [study("--quiet", status=2, cores=cores) for cores in (1, 5)]
     check(said[0] == said[1] and "12 of 24 variants cannot run" in said[0], f"others with five at a time:\n{said[0]}\n{said[1]}")
     order = [int(line.split(":")[0].removeprefix("step=")) for line in said[1].splitlines() if line.startswith("step=")]
     check(order == list(range(50, 74, 2)), f"the order of the sentences: {order}")
     listed = [line.split()[0] for line in study("--dry-run", status=2).splitlines() if line.startswith("  step=")]
-    check(len(listed) == 24 and listed[:2] == ["step=50", "step=0.11"], f"--dry-run lists {listed}")
+    check(len(listed) == 24 and listed[:2] == ["time-step=50", "time-step=0.11"], f"--dry-run lists {listed}")
 
     text = "subsection Loads\n set Drag in 1/s = {" + " | ".join(map(str, range(400))) + "}\nend\n"
     write(text)
@@ -304,7 +304,7 @@ subsection Study
   set Ranks = {{ 1 | 2 | 1 }}
 end
 subsection Time
-  set Step in us = {0.3 | 0.25 | 0.2}
+  set Time step in us = {0.3 | 0.25 | 0.2}
   set Energy limit in percent = {{ 5 | 5 | 1e-9 }}
 end
 """

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The small drive of full.cc of which only the links that arrive at the driver are elastic, or
-// deform by shapes, all others rigid: energy closes, the driver turns the driven sprocket as
+// deform by modes, all others rigid: energy closes, the driver turns the driven sprocket as
 // prescribed, the chain pulls the load round, and neither search has missed a contact. Where
 // elastic links hang on rigid ones the tension differs from one link to the next by what it does
 // elsewhere in the spans.
@@ -37,8 +37,8 @@ std::vector<double> steps_of_tension()
 void arrive(const std::string &fidelity)
 {
   std::cout << fidelity << std::endl;
-  const nlohmann::json s =
-      test::start_small_full_drive({"Model/Fidelity=" + fidelity, "Model/Elastic links=arriving"});
+  const nlohmann::json s = test::start_small_full_drive(
+      {"Model/Fidelity=" + fidelity, "Model/Elastic links=region of interest"});
   test::range("strain energy over that of pull", test::strain_over_pull(), 1., 1.5);
   test::range("contacts missed by the searches", s["contacts_missed"], 0., 0.);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Scenes with reduced bodies: which bodies they are, that masses are those of their nodes, also of
-// halves; that contact is that of full; which parts have a basis; and which teeth give way.
+// halves; that contact is that of full; which parts have a basis; and which teeth deflect.
 #include "../support/decided.h"
 #include "../support/scenes.h"
 
@@ -29,7 +29,7 @@ Parameters drive_of(const Fidelity fidelity)
 
 scene::Scene build(const Parameters &p)
 {
-  // no shape is needed here but a name
+  // no mode is needed here but a name
   return scene_of(p, [](const mesh::Part &) {
     reduction::Basis basis;
     basis.omega = {1.};
@@ -96,21 +96,21 @@ void check_teeth()
   using parameters::Switch;
   Parameters p              = drive_of(Fidelity::reduced);
   p.contact.tooth_stiffness = 3e8;
-  p.model.half              = parameters::HalfModel::no;
+  p.model.half              = parameters::SymmetryModel::no;
   show_teeth("reduced", p);
-  p.model.half = parameters::HalfModel::yes;
+  p.model.half = parameters::SymmetryModel::yes;
   show_teeth("halves", p);
-  p.model.half               = parameters::HalfModel::automatic;
+  p.model.half               = parameters::SymmetryModel::automatic;
   p.effects.tooth_compliance = Switch::off;
   show_teeth("switched off", p);
   p.effects.tooth_compliance = Switch::automatic;
-  p.model.elastic_links      = parameters::ElasticLinks::arriving;
+  p.model.elastic_links      = parameters::ElasticLinks::region_of_interest;
   p.output.window_start      = 28e-3;
   show_teeth("reduced rollers, then rigid ones", p);
   p.model.elastic_links              = parameters::ElasticLinks::all;
   p.model.fidelity                   = Fidelity::full;
   p.drive.sprockets.driven().elastic = Switch::off;
-  p.model.half                       = parameters::HalfModel::no;
+  p.model.half                       = parameters::SymmetryModel::no;
   show_teeth("full, rigid driven sprocket", p);
   p.effects.tooth_compliance = Switch::on;
   show_teeth("switched on", p);
@@ -147,7 +147,7 @@ int main()
   show("reduced, engagements only", half);
   std::cout << "error of masses below 1e-12: " << (error_of_masses(half) < 1e-12) << '\n';
 
-  p.model.elastic_links = parameters::ElasticLinks::arriving;
+  p.model.elastic_links = parameters::ElasticLinks::region_of_interest;
   p.output.window_start = 28e-3;
   show("reduced among rigid ones", build(p));
 

@@ -46,7 +46,7 @@ int main()
   p.model.stiffness_from  = parameters::StiffnessFrom::dimensions;
   p.mesh.refinement       = 1;
   p.output.field_interval = 0.;
-  for (const auto half : {parameters::HalfModel::no, parameters::HalfModel::yes})
+  for (const auto half : {parameters::SymmetryModel::no, parameters::SymmetryModel::yes})
     {
       p.model.half = half;
       p.model.driven_inertia.reset();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A roller shrunk onto the bush of an inner link, and a piece of chain with its pins shrunk into
-// bushes, too: all nodes of the joints stay closed. The stable step that is printed is safe, and
-// not far below the one at which the bodies blow up. With an argument: for so many steps, and with
-// the share of the limit at which they do.
+// bushes, too: all nodes of the joints stay closed. The critical time step that is printed is safe,
+// and not far below the one at which the bodies blow up. With an argument: for so many steps, and
+// with the share of the limit at which they do.
 #include "../support/blow_up.h"
 
 #include <chaindrive/drive/chain.h>
@@ -13,7 +13,7 @@ using namespace test;
 namespace
 {
 scene::Scene
-make_scene(const mesh::RollerGrid &grid, const double stiffness, const scene::ContactLaw &shape)
+make_scene(const mesh::RollerGrid &grid, const double stiffness, const scene::ContactLaw &ratios)
 {
   scene::Scene   scene = empty_scene();
   const Material steel;
@@ -40,10 +40,10 @@ make_scene(const mesh::RollerGrid &grid, const double stiffness, const scene::Co
   joint.name    = "roller-bush";
   joint.elastic = true;
   joint.law     = {stiffness,
-                   shape.damping * stiffness,
-                   shape.friction,
-                   shape.tangential_stiffness * stiffness,
-                   shape.tangential_damping * stiffness};
+                   ratios.damping * stiffness,
+                   ratios.friction,
+                   ratios.tangential_stiffness * stiffness,
+                   ratios.tangential_damping * stiffness};
   joint.pairs.push_back({1,
                          dealii::Point<3>(),
                          0.5 * tight.roller_bore,
@@ -59,9 +59,9 @@ make_scene(const mesh::RollerGrid &grid, const double stiffness, const scene::Co
 /// A piece of chain: that, a roller on the other bush, and outer links with their pins shrunk into
 /// the bushes.
 scene::Scene
-make_chain(const mesh::RollerGrid &grid, const double stiffness, const scene::ContactLaw &shape)
+make_chain(const mesh::RollerGrid &grid, const double stiffness, const scene::ContactLaw &ratios)
 {
-  scene::Scene   scene = make_scene(grid, stiffness, shape);
+  scene::Scene   scene = make_scene(grid, stiffness, ratios);
   const Material steel;
   const auto     chain = drive::make_chain(parameters::Chain());
   auto           tight = chain;
@@ -115,7 +115,7 @@ int main(int argc, char **argv)
     std::string       name;
     mesh::RollerGrid  grid;
     double            stiffness;
-    scene::ContactLaw shape;
+    scene::ContactLaw ratios;
     bool              reduced = false, chain = false, mixed = false;
   };
   const double tau = 4e-8;
@@ -142,8 +142,8 @@ int main(int argc, char **argv)
              false,
              true}})
     {
-      scene::Scene scene = c.chain ? make_chain(c.grid, c.stiffness, c.shape) :
-                                     make_scene(c.grid, c.stiffness, c.shape);
+      scene::Scene scene = c.chain ? make_chain(c.grid, c.stiffness, c.ratios) :
+                                     make_scene(c.grid, c.stiffness, c.ratios);
       if (c.reduced)
         {
           const scene::Body roller = scene.bodies[1];

@@ -4,7 +4,7 @@
 // elements and its penalty contact. The middle plane x = 0 of the inner link is held, that of the
 // outer one is moved by the extension that statics gives for a load; the force is compared. Links
 // are pulled at both ends: of each, the quarter towards the joint with z > 0 has all there is to
-// know. Once more with plates and bushes of shells, and as prm/paper/full-shell.prm has them.
+// know. Once more with plates and bushes of solid-shells, and as prm/paper/full-shell.prm has them.
 #include "../support/joint_statics.h"
 #include "../support/links.h"
 
@@ -123,11 +123,11 @@ int main(int argc, char **argv)
     }
   for (const Grids &grids : all)
     for (const Walls &walls : kinds_of_walls)
-      if (&grids == &all.front() || walls.plates == parameters::Wall::brick)
+      if (&grids == &all.front() || walls.plates == parameters::ElementType::solid)
         for (const double factor : {0.5, 5.})
           {
             std::cout << "full, " << grids.name
-                      << (walls.plates == parameters::Wall::brick ? "" : ", " + walls.name)
+                      << (walls.plates == parameters::ElementType::solid ? "" : ", " + walls.name)
                       << ", penalty factor " << factor << ": force over that of statics"
                       << std::fixed << std::setprecision(2);
             for (const double load : {500., 1412., 3000.})

@@ -164,7 +164,7 @@ int main(int argc, char **argv)
                   << std::fixed << std::setprecision(2);
         for (const double load : {500., 1412., 3000.})
           {
-            const statics::Pressed pressed = statics::at_force(
+            const statics::ContactSolution pressed = statics::at_force(
                 [&](const unsigned int n) {
                   return library.pressed_roller(
                       drive.chain, drive.sprockets[0], drive.sprocket_width, n);

@@ -126,7 +126,7 @@ def imports(tree):
 
 
 def halves(tree):
-    """What a half model computes is made whole by utilities/mirror_symmetry.h alone."""
+    """What a symmetry model computes is made whole by utilities/mirror_symmetry.h alone."""
     factor = r"\d+\.\d*"
     ban = re.compile(
         rf"\b\w*half\w*(?:\(\))?\s*\?\s*{factor}\s*:\s*{factor}"  # half ? 2. : 1.
@@ -251,5 +251,45 @@ def packages(tree):
     return violations
 
 
+# What the field calls otherwise: a word of old, and the field's.
+FIELD_WORDS = [
+    (r"\b\w*giv(?:e|es|ing)[ _]way\w*", "deflect, compliance"),
+    (r"\b(?:by|of|to|on)_shapes\b|\bby (?:\w+ )?shapes\b|\battachment[ _]vectors?\b", "mode, attachment mode"),
+    (r"\bdealt[ _]out\b|\bis_dealt_out\b|\bDeals?\b", "distributed, partition"),
+    (r"\bmoment of momentum\b", "angular momentum"),
+    (r"\b\w*[Ss]table[ _]steps?\w*", "critical time step"),
+    (r"\b\w*senseless\w*|\boverlap_max\b|\b(?:the|an|largest|mean|its) overlap\b", "penetration, penetration limit"),
+    (r"\bsound[ _](?:runs?|until)\w*", "valid, valid until"),
+    (r"\beats? (?:up )?(?:the )?energy\b", "dissipates"),
+    (r"\bWall::|\b(?:Wall(?:Stresses|Cell)|ThroughWall)\b", "element type, through the thickness"),
+    (r"\b\w*[Cc]olumn[ _]?[Mm]ass(?:es)?\w*", "selective mass scaling"),
+    (r"\bhalf[ _]models?\b|\bHalfModel\b", "symmetry model"),
+    (r"\b(?:\w+_)?[Ff]ollowers?\b", "rigid surface nodes"),
+    (r"\barriving links\b|\w*_links_arrive\b", "links in the region of interest"),
+    (r"\bcomes?_apart\b|\blose_touch\b", "separate, lose contact"),
+    (r"\b\w+_stations?\b|\baxial stations?\b", "axial ring"),
+    (r"\bfore(?:tells?|told)\b", "predict, estimate"),
+    (r"\bHeard\b|\blisten\w*\(", "radiated sound, received"),
+    (r"\bmoves_by_nodes\b", "nodal"),
+    (r"\bPictures\b|\b\w+_in_pictures\b", "field output"),
+    (r"\b(?:hold|put|take|some|more|there)_(?=\W)", "a name that can be searched"),
+]
+EVERYDAY = r"\b(?:hold|put|take)\("  # functions; in Python numpy has some
+
+
+def field_words(tree):
+    """Code and its comments call things as the field does. Old names that are still read have files of their own."""
+    violations = []
+    for path, text in tree.items():
+        if not path.startswith(("source/", "include/", "python/", "scripts/")) or not path.endswith((".cc", ".h", ".py")):
+            continue
+        if path.endswith("/old_names.cc"):
+            continue
+        joined = re.sub(r"[ \t]*\n[ \t]*(?://[/!]?<?|#)?[ \t]*", " ", text)
+        for ban, field in FIELD_WORDS + ([(EVERYDAY, "a name that can be searched")] if is_cxx(path) else []):
+            violations += [f"{path}: '{found.strip()}': {field}" for found in sorted({m[0] for m in re.finditer(ban, joined)})]
+    return violations
+
+
 RULES = {rule.__name__: rule for rule in (layering, licence, imports, halves, length, words, links, prose, results_documented,
-                                          prm_listed, packages)}
+                                          prm_listed, packages, field_words)}

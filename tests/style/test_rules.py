@@ -153,6 +153,27 @@ class Files(unittest.TestCase):
         self.assert_rule(rules.packages, good, {"packaging/packages.txt": listed + "study: snakemake\n"})
         self.assert_rule(rules.packages, good, {"packaging/packages.txt": listed + "study   four  # a list; of CMake\n"})
 
+    def test_field_words(self):
+        self.assert_rule(
+            rules.field_words,
+            {
+                "source/a.cc": "/// The part deflects by its modes.\ncritical_time_step(); // a table of shape functions\nvalues.take_all();\n",
+                "source/parameters/old_names.cc": '{"Model/Half model", "Model/Symmetry model"}, {"stable_step"}',
+                "python/b.py": "numbers.take(1)  # a sound drive\n",
+                "tests/c.cc": "// parts give way\n",
+            },
+            {
+                "include/d.h": "/// The part gives\n/// way a little.\n",
+                "source/e.cc": "bool is_dealt_out();",
+                "source/f.cc": "double x = stable_step();",
+                "source/g.cc": "force.take(node);",
+                "source/h.cc": "// of a half model",
+                "source/i.cc": "bool there_ = false;",
+                "python/j.py": "# what sound runs stay below\n",
+                "scripts/k.py": "largest = summary['overlap_max']\n",
+            },
+        )
+
     def test_formatting(self):
         with tempfile.TemporaryDirectory() as folder:
             good, bad = Path(folder, "good.cc"), Path(folder, "bad.cc")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-// How far beyond the limit of the stable step closed contacts become unstable.
+// How far beyond the limit of the critical time step closed contacts become unstable.
 
 #include "reduced.h"
 
@@ -16,7 +16,7 @@ inline double
 blow_up(const scene::Scene &scene, const unsigned long settling, const unsigned long steps)
 {
   dynamics::System                       system(scene, false);
-  const double                           limit = system.stable_step_limit();
+  const double                           limit = system.critical_time_step();
   std::mt19937                           random(1);
   std::uniform_real_distribution<double> uniform(-1e-3, 1e-3); // m/s
   advance(system, settling, 0.8 * limit, []() {});

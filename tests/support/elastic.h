@@ -32,20 +32,20 @@ inline const std::array<std::pair<Formulation, std::string>, 3> formulations{
      {Formulation::enhanced, "enhanced"},
      {Formulation::full, "full"}}};
 
-/// A kind of elements: those of formulations, shells and membranes.
+/// A kind of elements: those of formulations, solid-shells and membranes.
 struct Kind
 {
-  Formulation      formulation;
-  std::string      name;
-  parameters::Wall wall = parameters::Wall::brick;
+  Formulation             formulation;
+  std::string             name;
+  parameters::ElementType element_type = parameters::ElementType::solid;
 };
 
 inline const std::array<Kind, 5> kinds{
     {{Formulation::one_point, "one point"},
      {Formulation::enhanced, "enhanced"},
      {Formulation::full, "full"},
-     {Formulation::enhanced, "shell", parameters::Wall::shell},
-     {Formulation::enhanced, "membrane", parameters::Wall::membrane}}};
+     {Formulation::enhanced, "solid-shell", parameters::ElementType::solid_shell},
+     {Formulation::enhanced, "membrane", parameters::ElementType::membrane}}};
 
 /// Direction across the walls of a ring about the z axis, and of a plate.
 inline Tensor<1, 3> across_ring(const Point<3> &x) { return Point<3>(x[0], x[1], 0.); }
@@ -59,8 +59,8 @@ inline Hexahedra elements_of(const mesh::Part    &part,
                              Tensor<1, 3> (*across)(const Point<3> &) = across_ring)
 {
   element::Selection all;
-  all.wall   = kind.wall;
-  all.across = across;
+  all.element_type = kind.element_type;
+  all.across       = across;
   return Hexahedra(part, material, kind.formulation, 0.1, most_regular, all);
 }
 

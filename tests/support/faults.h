@@ -93,7 +93,7 @@ public:
         const MPI_Comm      comm = MPI_COMM_SELF)
       : scene(the_scene)
       , system(scene, false, comm)
-      , limit(system.stable_step_limit())
+      , limit(system.critical_time_step())
       , guard(scene, system, 0.05, limit)
       , services(system)
       , dt(part_of_limit * limit)
@@ -144,7 +144,7 @@ public:
                    const double                    times    = 1.)
   {
     std::string  message;
-    double       sound_until = -1.;
+    double       valid_until = -1.;
     const double begin       = system.world.time;
     unsigned int n           = 0;
     for (n = 1; n <= 100 && message.empty(); ++n)
@@ -159,7 +159,7 @@ public:
       catch (const dynamics::Fault &stopped)
         {
           message     = stopped.what();
-          sound_until = stopped.sound_until();
+          valid_until = stopped.valid_until();
         }
     const MPI_Comm comm = system.world.communicator();
     bool           same = true;
@@ -180,13 +180,13 @@ public:
       std::cout << "  names no entry that could be changed\n";
     if (!places_differ(message))
       std::cout << "  names a place twice\n";
-    if (!(sound_until <= begin + 1e-12 && sound_until >= 0.))
+    if (!(valid_until <= begin + 1e-12 && valid_until >= 0.))
       std::cout << "  holds a state after the fault for sound\n";
   }
 
   const scene::Scene scene;
   System             system;
-  const double       limit; ///< stable step, s
+  const double       limit; ///< critical time step, s
   dynamics::Guard    guard;
   dynamics::Services services;
   const double       dt; ///< s

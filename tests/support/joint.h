@@ -81,7 +81,7 @@ struct Tubes
   /// Node of the reference at a place of the grid.
   unsigned int node(const unsigned int station, const unsigned int column) const
   {
-    return offsets[station * grid.n_columns() + column] / (3 * n_lanes);
+    return offsets[station * grid.n_circumferential() + column] / (3 * n_lanes);
   }
 
   mesh::CylinderGrid        grid;

@@ -70,7 +70,7 @@ public:
   /// Normal force [N] of a node of the cylinder's side.
   double normal_force(const unsigned int station, const unsigned int column) const
   {
-    const unsigned int node = station * bodies_[1]->grid.n_columns() + column;
+    const unsigned int node = station * bodies_[1]->grid.n_circumferential() + column;
     return joints_.state()[(node * contact::n_touch_entries + contact::touch_normal) * n_lanes];
   }
 

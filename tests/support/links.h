@@ -13,9 +13,9 @@ namespace test
 /// What plates and bushes are made of, and whether plates bend (Effects/Plate bending).
 struct Walls
 {
-  std::string      name;
-  parameters::Wall plates, bushes;
-  bool             plates_bend;
+  std::string             name;
+  parameters::ElementType plates, bushes;
+  bool                    plates_bend;
 
   parameters::Elements elements() const
   {
@@ -26,12 +26,18 @@ struct Walls
   }
 };
 
-/// Bricks, shells, what prm/paper/full-shell.prm has, and its membranes let go.
+/// Bricks, solid-shells, what prm/paper/full-shell.prm has, and its membranes let go.
 inline const std::array<Walls, 4> kinds_of_walls{
-    {{"brick", parameters::Wall::brick, parameters::Wall::brick, true},
-     {"shell", parameters::Wall::shell, parameters::Wall::shell, true},
-     {"membrane", parameters::Wall::membrane, parameters::Wall::shell, false},
-     {"membrane not held", parameters::Wall::membrane, parameters::Wall::shell, true}}};
+    {{"solid", parameters::ElementType::solid, parameters::ElementType::solid, true},
+     {"solid-shell",
+      parameters::ElementType::solid_shell,
+      parameters::ElementType::solid_shell,
+      true},
+     {"membrane", parameters::ElementType::membrane, parameters::ElementType::solid_shell, false},
+     {"membrane not held",
+      parameters::ElementType::membrane,
+      parameters::ElementType::solid_shell,
+      true}}};
 
 /// The stiffness of the half z >= 0 of a link of the material of section Material, row 3 node +
 /// component; its nodes are those of mesh::Nodes. Where plates do not bend, springs a thousand

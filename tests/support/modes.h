@@ -48,7 +48,7 @@ struct LinearModel
   }
 
   /// Holds a degree of freedom still.
-  void hold(const unsigned int i)
+  void constrain(const unsigned int i)
   {
     const double large = 1e3 * stiffness.diag_element(i);
     for (auto entry = stiffness.begin(i); entry != stiffness.end(i); ++entry)
@@ -60,12 +60,12 @@ struct LinearModel
   }
 
   /// Holds component i at the reference positions for which @p held says so.
-  void hold(const Hexahedra                                             &reference,
-            const std::function<bool(const Point<3> &, unsigned int i)> &held)
+  void constrain(const Hexahedra                                             &reference,
+                 const std::function<bool(const Point<3> &, unsigned int i)> &held)
   {
     for (unsigned int i = 0; i < stiffness.m(); ++i)
       if (held(reference.position[i / 3], i % 3))
-        hold(i);
+        constrain(i);
   }
 
   /// Displacements under @p force, in a frame that accelerates with it where nothing is held:
@@ -89,7 +89,7 @@ struct LinearModel
 struct Mode
 {
   double         frequency; ///< Hz
-  Vector<double> shape;
+  Vector<double> vector;
 };
 
 /// The @p n natural modes next to the frequency @p near [Hz], ascending.
@@ -116,13 +116,13 @@ natural_modes(const LinearModel &model, const double near, const unsigned int n)
     start[i] = std::sin(1. + 12.9898 * i * i); // all modes take part
   solver.set_initial_vector(start);
   std::vector<std::complex<double>> values(n);
-  std::vector<Vector<double>>       shapes(n, Vector<double>(size));
-  solver.solve(model.stiffness, model.mass, inverse, values, shapes);
+  std::vector<Vector<double>>       vectors(n, Vector<double>(size));
+  solver.solve(model.stiffness, model.mass, inverse, values, vectors);
 
   std::vector<Mode> modes;
   for (unsigned int i = 0; i < n; ++i)
     modes.push_back(
-        {std::sqrt(std::max(0., values[i].real())) / (2. * dealii::numbers::PI), shapes[i]});
+        {std::sqrt(std::max(0., values[i].real())) / (2. * dealii::numbers::PI), vectors[i]});
   std::sort(modes.begin(), modes.end(), [](const Mode &a, const Mode &b) {
     return a.frequency < b.frequency;
   });
@@ -132,9 +132,9 @@ natural_modes(const LinearModel &model, const double near, const unsigned int n)
 /// The share of @p field in the kinetic energy of a mode, 0 to 1.
 inline double share(const LinearModel &model, const Mode &mode, const Vector<double> &field)
 {
-  const double product = model.mass.matrix_scalar_product(mode.shape, field);
+  const double product = model.mass.matrix_scalar_product(mode.vector, field);
   return product * product /
-         (model.mass.matrix_norm_square(mode.shape) * model.mass.matrix_norm_square(field));
+         (model.mass.matrix_norm_square(mode.vector) * model.mass.matrix_norm_square(field));
 }
 
 /// Displacements of a free part that turns about the z axis with the speed @p omega [rad/s].

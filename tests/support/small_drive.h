@@ -15,7 +15,7 @@ namespace test
 inline const std::vector<std::string> small_full_drive = {
     "Model/Fidelity=full",
     "Mesh/Refinement=1",
-    "Time/Step in us=auto",
+    "Time/Time step in us=auto",
     "Drive/Number of links=22",
     "Drive/Driver teeth=9",
     "Drive/Driven teeth=9",
@@ -32,23 +32,24 @@ inline const std::vector<std::string> small_full_drive = {
     "Loads/Torque ramp angle in rad=0.01"};
 
 /// That drive with @p more overrides.
-inline std::vector<std::string> small_full_drive_with(const std::vector<std::string> &more)
+inline std::vector<std::string>
+small_full_drive_with(const std::vector<std::string> &more_overrides)
 {
   std::vector<std::string> overrides = small_full_drive;
-  overrides.insert(overrides.end(), more.begin(), more.end());
+  overrides.insert(overrides.end(), more_overrides.begin(), more_overrides.end());
   return overrides;
 }
 /// Runs that drive from rest to full speed within 0.5 ms, and on to 1.5 ms, with @p more overrides.
 /// Energy must close, the driver turn as prescribed and the chain pull the load round.
-inline nlohmann::json start_small_full_drive(std::vector<std::string> more = {})
+inline nlohmann::json start_small_full_drive(std::vector<std::string> more_overrides = {})
 {
-  more.insert(more.end(),
-              {"Loads/Ramp time in ms=0.5",
-               "Time/End time in ms=1.5",
-               "Output/Window start in ms=1",
-               "Output/CSV=true",
-               "Output/Field interval in ms=1"});
-  const nlohmann::json s      = run("prm/paper/layered-auto.prm", small_full_drive_with(more));
+  more_overrides.insert(more_overrides.end(),
+                        {"Loads/Ramp time in ms=0.5",
+                         "Time/End time in ms=1.5",
+                         "Output/Window start in ms=1",
+                         "Output/CSV=true",
+                         "Output/Field interval in ms=1"});
+  const nlohmann::json s = run("prm/paper/layered-auto.prm", small_full_drive_with(more_overrides));
   const double         angle  = s["driven_angle_end"];
   const double         turned = 120.74 * (1.5e-3 - 0.25e-3); // rad: the ramp costs half its time
   range("energy imbalance / energy turned over", s["energy_imbalance_max"], 0., 1e-3);

@@ -31,7 +31,7 @@ struct Tooth
   unsigned int refinement = 1;    ///< of a generated sprocket
   double       softness   = 1.;   ///< of the contact springs
   double       friction   = 0.;
-  double       stiffness  = 0.; ///< with which rigid teeth give way, N/m; 0: they do not
+  double       stiffness  = 0.; ///< with which rigid teeth deflect, N/m; 0: they do not
   double       turned     = 0.; ///< sprocket, rad
   Vector3      moved;           ///< roller, from 5 um above the bottom of gap 0, m
   Vector3      velocity = vector(-1.3, 0.);
@@ -229,7 +229,7 @@ inline void check_balance(const Sprocket sprocket)
   c.friction = 0.2;
   c.spin     = 500.;
   dynamics::System system(make_scene(c), true);
-  const double     dt    = 0.5 * system.stable_step_limit();
+  const double     dt    = 0.5 * system.critical_time_step();
   World           &world = system.world;
   double           worst = 0., moment = 0., largest = 0.;
   advance(system, 300, dt, [&]() {

@@ -69,7 +69,7 @@ int main()
       std::cout << (half ? "half" : "whole")
                 << ": forces, moments and masses to 1e-12: " << (error < 1e-12 ? "yes" : "NO")
                 << ", free along " << symmetry.n_free_directions() << ", stations";
-      for (const double z : symmetry.stations(0.5))
+      for (const double z : symmetry.axial_positions(0.5))
         std::cout << ' ' << z;
       std::cout << '\n';
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Statistics of a signal over a window whose ends lie inside steps of unequal length: mean,
 // deviation, extremes and harmonics against their closed forms. Harmonics are taken over whole
-// turns of the phase, so that a wave of one and a half times its frequency leaks into none of them
-// over an even number of turns. A window that begins later than the run, one that is moved before
-// it begins, and statistics that go on from a copy give the same.
+// revolutions of the phase, so that a wave of one and a half times its frequency leaks into none of
+// them over an even number of turns. A window that begins later than the run, one that is moved
+// before it begins, and statistics that go on from a copy give the same.
 #include <chaindrive/utilities/signal_statistics.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct Both
         time, duration, value, turns.next(time, duration, frequency * (time + duration)));
   }
 
-  WholeTurns       turns;
+  WholeRevolutions turns;
   SignalStatistics statistics;
 };
 
@@ -55,7 +55,7 @@ void run(Both &both, const double end, const unsigned int n, const Function &x)
 void print(const std::string &what, Both &both)
 {
   const auto &s = both.statistics;
-  std::cout << what << ": " << both.turns.n_turns() << " turns" << std::endl;
+  std::cout << what << ": " << both.turns.n_revolutions() << " turns" << std::endl;
   const auto error =
       [](const std::string &name, const double value, const double exact, const double parts) {
         std::cout << "  " << name << " less the exact one, in parts of " << std::fixed
@@ -67,7 +67,7 @@ void print(const std::string &what, Both &both)
   const double amplitudes[] = {2., 0.5, 0., 0.1};
   for (unsigned int n = 0; n < 4; ++n)
     error("harmonic " + std::to_string(n + 1),
-          s.harmonics(both.turns.n_turns())[n],
+          s.harmonics(both.turns.n_revolutions())[n],
           amplitudes[n],
           1e6);
 }
@@ -97,9 +97,9 @@ int main()
   double change = 0.;
   for (unsigned int n = 0; n < 4; ++n)
     change = std::max(change,
-                      std::abs(more.statistics.harmonics(more.turns.n_turns())[n] -
+                      std::abs(more.statistics.harmonics(more.turns.n_revolutions())[n] -
                                plain.statistics.harmonics(4)[n]));
-  std::cout << "with nine tenths of a turn more: " << more.turns.n_turns()
+  std::cout << "with nine tenths of a turn more: " << more.turns.n_revolutions()
             << " turns, harmonics the same: " << (change < 1e-4 ? "yes" : "no") << std::endl;
 
   // no leakage, and few steps
@@ -146,7 +146,7 @@ int main()
     }
   bool same = true;
   for (const Both *both : {&late, &copy})
-    same = same && both->turns.n_turns() == 4 &&
+    same = same && both->turns.n_revolutions() == 4 &&
            both->statistics.mean() == whole.statistics.mean() &&
            both->statistics.deviation() == whole.statistics.deviation() &&
            both->statistics.harmonics(4) == whole.statistics.harmonics(4);

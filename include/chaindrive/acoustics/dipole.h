@@ -49,9 +49,9 @@ struct Source
 ///   p(t) = m/(4 pi) (1/c d/dt + 1/r) (n . a)/r at t - r/c,
 ///
 /// a compact dipole (Pierce, Acoustics, 4-7) whose r and direction n towards the observer are those
-/// of the time of emission. Nothing is added at times that are not heard. Each emission is taken
-/// to when it is heard, and what comes is interpolated between: both grids must be fine beside its
-/// periods. InputError when the source comes faster than sound.
+/// of the time of emission. Nothing is added at times that are not received. Each emission is taken
+/// to when it is received, and what comes is interpolated between: both grids must be fine beside
+/// its periods. InputError when the source comes faster than sound.
 void add_pressure(const Air                  &air,
                   const Source               &source,
                   const dealii::Tensor<1, 3> &observer,

@@ -70,8 +70,8 @@ void check_interval(const parameters::Acoustics &settings, const Site &site, dou
 /// By how much later than its emission any sound arrives at most, s.
 double longest_delay(const parameters::Acoustics &settings, const Site &site);
 
-/// What an observer hears.
-struct Heard
+/// The sound pressure that an observer receives.
+struct ReceivedSound
 {
   Observer            observer;
   std::vector<double> pressure; ///< Pa
@@ -86,21 +86,21 @@ struct Heard
 /// The noise of a drive over whole pitch periods.
 struct Noise
 {
-  Grid                     grid; ///< times at which it is heard
-  unsigned int             periods;
-  double                   highest; ///< frequency, Hz
-  std::vector<Band>        bands;
-  std::vector<Heard>       observers;
-  std::vector<double>      contributions; ///< of Site::sprockets: levels at the first observer
-  std::vector<double>      rollers;       ///< levels at the first observer
-  std::vector<double>      angles;        ///< of the directivity, from Site::along, rad
-  std::vector<double>      directivity;   ///< levels
-  std::vector<std::string> notes;         ///< what is to be said of it, a sentence each
+  Grid                       grid; ///< times at which it is received
+  unsigned int               periods;
+  double                     highest; ///< frequency, Hz
+  std::vector<Band>          bands;
+  std::vector<ReceivedSound> observers;
+  std::vector<double>        contributions; ///< of Site::sprockets: levels at the first observer
+  std::vector<double>        rollers;       ///< levels at the first observer
+  std::vector<double>        angles;        ///< of the directivity, from Site::along, rad
+  std::vector<double>        directivity;   ///< levels
+  std::vector<std::string>   notes;         ///< what is to be said of it, a sentence each
 };
 
-/// The sound of all rollers as compact dipoles that move (dipole.h), heard within [@p start, @p
-/// end] (s), of which the last whole pitch periods count that can be heard from the first sample of
-/// @p motion on.
+/// The sound of all rollers as compact dipoles that move (dipole.h), received within [@p start, @p
+/// end] (s), of which the last whole pitch periods count that can be received from the first sample
+/// of @p motion on.
 ///
 /// Accelerations are means over the samples, never picked ones: differences of velocities, made
 /// good for the mean, limited to the highest frequency and refined before sound arrives. Each
@@ -109,10 +109,10 @@ struct Noise
 /// @throws InputError, calling the histories @p name, for samples that are not equally far apart,
 /// too few for a pitch period or too far apart for the highest frequency, and for an observer or a
 /// floor that is in the chain's way.
-Noise listen(const Motion                &motion,
-             const Site                  &site,
-             const parameters::Acoustics &settings,
-             double                       start,
-             double                       end,
-             const std::string           &name);
+Noise compute_noise(const Motion                &motion,
+                    const Site                  &site,
+                    const parameters::Acoustics &settings,
+                    double                       start,
+                    double                       end,
+                    const std::string           &name);
 } // namespace chaindrive::acoustics

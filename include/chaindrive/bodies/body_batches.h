@@ -23,11 +23,12 @@ namespace chaindrive
 /// neighbours lie in the same lane of neighbouring batches, so that the joints of one batch meet
 /// one other batch. Those of reduced bodies are in an order that makes neighbours lie in one batch.
 ///
-/// Whole batches are dealt out to the ranks. A rank sees of the batches of others the nodes that it
-/// asked for, as ghosts: their positions and velocities come and forces that it adds to them go
-/// home by NodeExchange. Ghosts that it may want have room, but travel only while it wants them.
-/// Nodes of reduced bodies do not travel: batches whose nodes several ranks touch are shared, which
-/// is that all ranks know their motion, and each rank places for itself the nodes that it reads.
+/// Whole batches are distributed over the ranks. A rank sees of the batches of others the nodes
+/// that it asked for, as ghosts: their positions and velocities come and forces that it adds to
+/// them go home by NodeExchange. Ghosts that it may want have room, but travel only while it wants
+/// them. Nodes of reduced bodies do not travel: batches whose nodes several ranks touch are shared,
+/// which is that all ranks know their motion, and each rank places for itself the nodes that it
+/// reads.
 class BodyBatches
 {
 public:

@@ -28,7 +28,7 @@ public:
   void advance(World &world, const Step &step, const ForceTimer &timer) override;
   void use_forces(World &world, const Step &step) override;
 
-  double stable_step() const override { return stable_step_; }
+  double critical_time_step() const override { return critical_time_step_; }
   double largest_frequency(const std::vector<double> &springs) const override
   {
     return part_.largest_frequency(springs);
@@ -75,7 +75,7 @@ private:
 
   element::ElasticPart    part_;
   Material                material_;
-  double                  stable_step_; ///< s
+  double                  critical_time_step_; ///< s
   const element::Kernels &kernels_;
 };
 } // namespace chaindrive

@@ -25,7 +25,7 @@ public:
   unsigned int copies() const { return group_; }
 
   /// Uses the forces on nodes, which are complete now, while the numbers of a batch are in the
-  /// cache: bodies that move by nodes get their internal forces, a kick by a whole step and a
+  /// cache: nodal bodies get their internal forces, a kick by a whole step and a
   /// drift, modes of batches that no other rank touches their second kick. Books energies and
   /// momenta of the present instant. With Step::moves false nothing moves, and the forces, now
   /// complete, stay on the nodes.
@@ -35,8 +35,8 @@ public:
   /// become zero. Positions stay.
   virtual void use_forces(World &world, const Step &step) = 0;
 
-  /// Stable step [s] of these bodies without contacts.
-  virtual double stable_step() const = 0;
+  /// Critical time step [s] of these bodies without contacts.
+  virtual double critical_time_step() const = 0;
 
   /// Where a node of a copy of this rank is now, m, and its velocity, m/s; of nodes that move by
   /// themselves, half a step before.
@@ -74,14 +74,14 @@ public:
   virtual double largest_frequency(const std::vector<double> &springs) const = 0;
 };
 
-/// Elastic bodies that move as rigid ones do and by shapes besides, which are modes of unit mass
+/// Elastic bodies that move as rigid ones do and by modes of unit mass besides,
 /// whose amplitudes q [m sqrt(kg)] and rates q' are their state.
 class ModalGroup : public ElasticGroup
 {
 public:
   using ElasticGroup::ElasticGroup;
 
-  /// Forces on the shapes of batches that all ranks move alike: each rank adds its own until
+  /// Forces on the modes of batches that all ranks move alike: each rank adds its own until
   /// World::sum_over_ranks() makes them the forces of all. The same numbers on each rank.
   virtual std::vector<dealii::ArrayView<double>> shared_forces(const World &world) = 0;
 
@@ -89,31 +89,31 @@ public:
   /// of whole bodies.
   virtual void advance_shared(World &world, const Step &step) = 0;
 
-  /// How many shapes a body has beside its rigid motions.
-  virtual unsigned int n_shapes() const = 0;
+  /// How many modes a body has beside its rigid motions.
+  virtual unsigned int n_modes() const = 0;
 
-  /// Squared frequencies [1/s2] as a matrix in terms of shapes and rigid motions of unit mass, in
+  /// Squared frequencies [1/s2] as a matrix in terms of modes and rigid motions of unit mass, in
   /// this order, when @p springs [N/m, body axes] hold the nodes; without any, of free bodies.
   virtual dealii::FullMatrix<double>
-  matrix_of_shapes(const std::vector<dealii::SymmetricTensor<2, 3>> &springs) const = 0;
+  modal_matrix(const std::vector<dealii::SymmetricTensor<2, 3>> &springs) const = 0;
 
-  /// How unit amplitudes of the shapes and of the rigid motions, in the order of
-  /// matrix_of_shapes(), move @p node, body axes, 1/sqrt(kg).
+  /// How unit amplitudes of the modes and of the rigid motions, in the order of
+  /// modal_matrix(), move @p node, body axes, 1/sqrt(kg).
   virtual std::vector<dealii::Tensor<1, 3>> motions_of(unsigned int node) const = 0;
 
   /// The present amplitudes of a copy that this rank moves, m sqrt(kg), in that order; and new
-  /// ones, the same on all ranks that move it, with which its shapes are at rest.
+  /// ones, the same on all ranks that move it, with which its modes are at rest.
   virtual std::vector<double> amplitudes_of(const World &world, unsigned int copy) const = 0;
   virtual void
   rest_at(const World &world, unsigned int copy, const std::vector<double> &amplitudes) = 0;
 
-  /// Kinetic energy [J] of the shapes that this rank owns at the last advance().
-  virtual double shape_energy(const World &world) const = 0;
+  /// Kinetic energy [J] of the modes that this rank owns at the last advance().
+  virtual double modal_energy(const World &world) const = 0;
 
-  /// All shapes come to rest where they are.
+  /// All modes come to rest where they are.
   virtual void rest() = 0;
 
   /// The rates of a copy are multiplied by @p factor, on all ranks alike.
-  virtual void slow_shapes(const World &world, unsigned int copy, double factor) = 0;
+  virtual void slow_modes(const World &world, unsigned int copy, double factor) = 0;
 };
 } // namespace chaindrive

@@ -15,7 +15,10 @@ public:
 
   /// Inverse inertia tensor of @p body about its centre of mass (a hub's: about its axis) in world
   /// axes, 1/(kg m2); zero where it cannot turn.
-  const dealii::Tensor<2, 3> &turning(const unsigned int body) const { return turning_[body]; }
+  const dealii::Tensor<2, 3> &inverse_inertia(const unsigned int body) const
+  {
+    return inverse_inertia_[body];
+  }
 
   /// About what @p body turns: its centre of mass or its axis, m.
   const dealii::Tensor<1, 3> &centre(const unsigned int body) const { return pivot_[body]; }
@@ -25,7 +28,7 @@ public:
 
 private:
   const World                      &world_;
-  std::vector<dealii::Tensor<2, 3>> turning_;
+  std::vector<dealii::Tensor<2, 3>> inverse_inertia_;
   std::vector<dealii::Tensor<1, 3>> pivot_; ///< about what a body turns: centre of mass or axis, m
 };
 } // namespace chaindrive

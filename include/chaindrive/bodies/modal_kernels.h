@@ -10,29 +10,29 @@ namespace chaindrive
 /// position and velocity of the centre of mass, angular velocity, in world axes.
 enum RigidEntry : unsigned int
 {
-  rigid_rotation  = 0,
-  rigid_position  = 9,  ///< m
-  rigid_velocity  = 12, ///< m/s
-  rigid_turning   = 15, ///< rad/s
-  n_rigid_entries = 18
+  rigid_rotation         = 0,
+  rigid_position         = 9,  ///< m
+  rigid_velocity         = 12, ///< m/s
+  rigid_angular_velocity = 15, ///< rad/s
+  n_rigid_entries        = 18
 };
 
-/// Some nodes of a batch of reduced bodies and the shapes that move them, by a Symmetry of the part
-/// (reduction/symmetry.h): an orbit is a node and its images, and the table of shapes has the
+/// Some nodes of a batch of reduced bodies and the modes that move them, by a Symmetry of the part
+/// (reduction/symmetry.h): an orbit is a node and its images, and the table of modes has the
 /// motion of the first of them alone. All arrays are aligned to 64 bytes.
 struct ModalNodes
 {
   static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
   unsigned int        n_orbits;      ///< some
-  const unsigned int *orbit;         ///< their numbers in the table of shapes
+  const unsigned int *orbit;         ///< their numbers in the table of modes
   unsigned int        n_images;      ///< as many as classes: 1, 2, 4 or 8
   const unsigned int *node;          ///< [orbit][image], numbers in the part; none: not wanted
   unsigned int        reflection[3]; ///< Symmetry::reflection(), [component]
   unsigned int        n_modes;
   const unsigned int *first_mode; ///< [class], and n_modes: modes are in the order of classes
   const double       *reference;  ///< [node of the part][component], body axes, m
-  const double       *shape;      ///< [orbit][mode][component], body axes, 1/sqrt(kg)
+  const double       *mode_shape; ///< [orbit][mode][component], body axes, 1/sqrt(kg)
   const double       *rigid;      ///< [RigidEntry][lane]
 };
 

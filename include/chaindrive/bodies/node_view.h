@@ -63,7 +63,7 @@ public:
   }
 
   /// The value, which becomes zero.
-  dealii::Tensor<1, 3> take(const std::size_t node) const
+  dealii::Tensor<1, 3> extract(const std::size_t node) const
   {
     const dealii::Tensor<1, 3> v = (*this)[node];
     set(node, dealii::Tensor<1, 3>());

@@ -2,7 +2,7 @@
 #pragma once
 
 // Bodies of the kernels of modal_kernels.h, for `width` bodies of a batch at a time: the numbers of
-// a shape are read once for all of them.
+// a mode are read once for all of them.
 
 #include <chaindrive/bodies/modal_kernels.h>
 #include <chaindrive/utilities/pack.h>
@@ -62,24 +62,24 @@ CHAINDRIVE_ALWAYS_INLINE void
 find_rigid(const double *rigid, const int lane, const double earlier, Rigid<width> &c)
 {
   using P = Pack<double, width>;
-  P turning[3];
+  P angular_velocity[3];
   load_rigid(rigid, rigid_position, lane, c.position);
   load_rigid(rigid, rigid_velocity, lane, c.velocity);
   load_rigid(rigid, rigid_rotation, lane, c.rotation);
-  load_rigid(rigid, rigid_turning, lane, turning);
+  load_rigid(rigid, rigid_angular_velocity, lane, angular_velocity);
   const P e(earlier);
 #pragma GCC unroll 3
   for (int j = 0; j < 3; ++j)
     {
       const P column[3] = {c.rotation[j], c.rotation[3 + j], c.rotation[6 + j]};
       P       turned[3], before[3], by_place[3];
-      cross(turning, column, turned);
+      cross(angular_velocity, column, turned);
       for (int i = 0; i < 3; ++i)
         {
           before[i]             = column[i] - e * turned[i];
           c.by_speed[3 * i + j] = before[i] - e * turned[i];
         }
-      cross(turning, before, by_place);
+      cross(angular_velocity, before, by_place);
       for (int i = 0; i < 3; ++i)
         c.by_place[3 * i + j] = by_place[i];
     }
@@ -98,12 +98,12 @@ CHAINDRIVE_ALWAYS_INLINE void sum_of_class(const PlaceArguments &arg,
 {
   using P                 = Pack<double, width>;
   const ModalNodes &nodes = arg.nodes;
-  const double     *shape[count];
+  const double     *mode_shape[count];
   P                 q_sum[count][3], rate_sum[count][3];
   for (int n = 0; n < count; ++n)
     {
-      shape[n] =
-          nodes.shape + static_cast<unsigned long>(nodes.orbit[first + n]) * 3 * nodes.n_modes;
+      mode_shape[n] =
+          nodes.mode_shape + static_cast<unsigned long>(nodes.orbit[first + n]) * 3 * nodes.n_modes;
       for (int d = 0; d < 3; ++d)
         q_sum[n][d] = rate_sum[n][d] = P(0.);
     }
@@ -117,7 +117,7 @@ CHAINDRIVE_ALWAYS_INLINE void sum_of_class(const PlaceArguments &arg,
       for (int n = 0; n < count; ++n)
         for (int d = 0; d < 3; ++d)
           {
-            const P phi(shape[n][3 * m + d]);
+            const P phi(mode_shape[n][3 * m + d]);
             q_sum[n][d] += phi * q;
             if (with_rate)
               rate_sum[n][d] += phi * rate;
@@ -326,8 +326,8 @@ CHAINDRIVE_ALWAYS_INLINE void project_forces(const GatherArguments &arg,
 #pragma GCC unroll 1
   for (unsigned int i = 0; i < n; ++i)
     {
-      const double *shape =
-          arg.nodes.shape +
+      const double *mode_shape =
+          arg.nodes.mode_shape +
           3 * (static_cast<unsigned long>(arg.found[i]) * arg.nodes.n_modes + first);
       P f[3];
       for (int d = 0; d < 3; ++d)
@@ -335,7 +335,7 @@ CHAINDRIVE_ALWAYS_INLINE void project_forces(const GatherArguments &arg,
       for (int d = 0; d < 3; ++d)
 #pragma GCC unroll 8
         for (int m = 0; m < count; ++m)
-          sum[m][d % n_sums] += P(shape[3 * m + d]) * f[d];
+          sum[m][d % n_sums] += P(mode_shape[3 * m + d]) * f[d];
     }
   for (int m = 0; m < count; ++m)
     {

@@ -11,8 +11,8 @@ namespace chaindrive
 {
 /// Which rank owns which batches of the elastic bodies of one part and motion: the first batch of
 /// each rank, and the number of batches.
-using Deals = std::map<std::pair<scene::Motion, scene::PartOf>, std::vector<unsigned int>>;
+using Partition = std::map<std::pair<scene::Motion, scene::PartOf>, std::vector<unsigned int>>;
 
-/// Deals them out to @p n_ranks ranks. Loads are equal shares of elements, shapes and joints.
-Deals partition(const scene::Scene &scene, unsigned int n_ranks);
+/// Distributes them over @p n_ranks ranks. Loads are equal shares of elements, modes and joints.
+Partition partition(const scene::Scene &scene, unsigned int n_ranks);
 } // namespace chaindrive

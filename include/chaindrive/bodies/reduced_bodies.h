@@ -16,14 +16,14 @@
 
 namespace chaindrive
 {
-/// The shapes of the reduced bodies of one part: rigid motion and a basis,
+/// The modes of the reduced bodies of one part: rigid motion and a basis,
 ///
 ///   x_a = x_c + R (X_a + Phi_a q),   q" + W^2 q = sum Phi_a^T R^T f_a.
 ///
 /// The rigid motion is that of RigidBodies, with mass and inertia of the nodes. This group has q,
 /// which the rank that owns a batch computes, or all do for a shared one, places the nodes of sides
 /// that touch, and takes the forces on them to q and, as moments, to the bodies. Forces act at
-/// displaced nodes, so that their power is that on R, x_c and q; momentum and moment of momentum
+/// displaced nodes, so that their power is that on R, x_c and q; momentum and angular momentum
 /// are those of a rigid body. What is left out is the inertia that comes from q itself: its part in
 /// the inertia tensor, and Coriolis and centrifugal forces on it, of the order of the speed of
 /// turning over the lowest frequency.
@@ -58,15 +58,14 @@ public:
                  std::vector<dealii::Tensor<1, 3>> &position,
                  std::vector<dealii::Tensor<1, 3>> &velocity) const override;
 
-  double shape_energy(const World &world) const override;
+  double modal_energy(const World &world) const override;
   void   rest() override;
-  void   slow_shapes(const World &world, unsigned int copy, double factor) override;
+  void   slow_modes(const World &world, unsigned int copy, double factor) override;
 
-  double stable_step() const override;
+  double critical_time_step() const override;
   dealii::FullMatrix<double>
-  matrix_of_shapes(const std::vector<dealii::SymmetricTensor<2, 3>> &springs) const override;
+  modal_matrix(const std::vector<dealii::SymmetricTensor<2, 3>> &springs) const override;
   std::vector<dealii::Tensor<1, 3>> motions_of(unsigned int node) const override;
-  unsigned int                      n_shapes() const override { return n_modes(); }
   std::vector<double> amplitudes_of(const World &world, unsigned int copy) const override;
   void
   rest_at(const World &world, unsigned int copy, const std::vector<double> &amplitudes) override;
@@ -76,7 +75,7 @@ public:
   void        serialize(const Archive &archive, World &world) override;
   std::size_t memory_consumption() const override;
 
-  unsigned int n_modes() const { return static_cast<unsigned int>(square_.size()); }
+  unsigned int n_modes() const override { return static_cast<unsigned int>(square_.size()); }
 
   double omega(const unsigned int m) const { return std::sqrt(square_[m]); } ///< rad/s
 
@@ -88,7 +87,7 @@ public:
 private:
   using Numbers = dealii::AlignedVector<double>;
 
-  /// The shapes of @p basis, which are those of a part with @p nodes, and the orbits, first those
+  /// The modes of @p basis, which are those of a part with @p nodes, and the orbits, first those
   /// with nodes of which @p touches is not 0.
   void take_basis(const mesh::Nodes       &nodes,
                   const reduction::Basis  &basis,
@@ -98,18 +97,18 @@ private:
   std::size_t per_batch() const { return std::size_t(n_modes()) * n_lanes; }
   std::size_t place_of(const BodyBatches &copies, unsigned int copy, unsigned int mode) const;
 
-  /// The second kick of the shapes of @p batch, or with Step::moves false only its accelerations.
+  /// The second kick of the modes of @p batch, or with Step::moves false only its accelerations.
   /// Adds @p share of their energies to @p ledger.
   void kick_again(unsigned int batch, const Step &step, double share, Ledger &ledger);
 
   /// Phi of mode @p m at @p node, body axes.
-  dealii::Tensor<1, 3> shape_at(unsigned int node, unsigned int m) const;
+  dealii::Tensor<1, 3> mode_at(unsigned int node, unsigned int m) const;
 
-  /// Sum over the shapes at @p node of what @p numbers say of a copy, body axes.
-  dealii::Tensor<1, 3> sum_of_shapes(const World   &world,
-                                     const Numbers &numbers,
-                                     unsigned int   copy,
-                                     unsigned int   node) const;
+  /// Sum over the modes at @p node of what @p numbers say of a copy, body axes.
+  dealii::Tensor<1, 3> sum_of_modes(const World   &world,
+                                    const Numbers &numbers,
+                                    unsigned int   copy,
+                                    unsigned int   node) const;
 
   /// The frames of the bodies of @p batch side by side.
   void take_frames(const World &world, unsigned int batch);
@@ -130,7 +129,7 @@ private:
   /// Amplitudes have changed by themselves: where nodes were tells no speed.
   void forget_places();
 
-  /// Some @p orbits with the @p nodes that are read, moved as the frames taken last and the shapes
+  /// Some @p orbits with the @p nodes that are read, moved as the frames taken last and the modes
   /// say.
   ModalNodes modal_nodes(const std::vector<unsigned int> &orbits, const ReadNodes &nodes) const;
 
@@ -147,7 +146,7 @@ private:
   std::vector<unsigned int> orbit_, image_;  ///< of each node
   unsigned int              n_touching_ = 0; ///< orbits with nodes that may touch, the first ones
   std::vector<unsigned int> node_;           ///< of these, as in ModalNodes
-  Numbers                   shape_, reference_;
+  Numbers                   mode_shape_, reference_;
 
   std::vector<reduction::Vector> rigid_motions_; ///< of unit mass, 1/sqrt(kg)
 

@@ -33,7 +33,7 @@ struct Rim
   void even_out_forces(BodyBatches &copies) const;
 
   /// Places the nodes that the hub holds as the sprocket's @p frame says.
-  void hold(BodyBatches &copies, const Frame &frame) const;
+  void fix_to_hub(BodyBatches &copies, const Frame &frame) const;
 
   unsigned int                        body;
   unsigned int                        group; ///< in World::copies: sector s is copy s

@@ -5,7 +5,7 @@
 
 namespace chaindrive
 {
-/// A spring between two bodies along one direction, as the stable step sees it.
+/// A spring between two bodies along one direction, as the critical time step sees it.
 struct Spring
 {
   unsigned int         first, second;
@@ -14,6 +14,6 @@ struct Spring
   dealii::Tensor<1, 3> second_at;
   double               stiffness; ///< N/m
   double               damping;   ///< N s/m
-  bool turning = false; ///< it resists turning about its direction instead: N m and N m s per rad
+  bool is_rotational = false;     ///< it resists rotation about its direction: N m, N m s per rad
 };
 } // namespace chaindrive

@@ -24,9 +24,9 @@ namespace chaindrive
 /// beside them, because a rigid body's rotation is no vector. `frames` repeats positions and
 /// velocities in the form that forces are computed from.
 ///
-/// Elastic bodies move by nodes, or are reduced: rigid bodies whose nodes move by shapes as well.
-/// The nodes of both and the shapes are dealt out to the ranks of a communicator, all else, and
-/// shapes of batches whose nodes several ranks touch, is repeated on each of them. While forces are
+/// Elastic bodies move by nodes, or are reduced: rigid bodies whose nodes move by modes as well.
+/// The nodes of both and the modes are distributed over the ranks of a communicator, all else, and
+/// modes of batches whose nodes several ranks touch, is repeated on each of them. While forces are
 /// evaluated, a rank adds its own share of resultants, moments and energies to what it holds;
 /// sum_over_ranks() makes the totals of it.
 class World
@@ -85,7 +85,7 @@ public:
     unsigned int group = none, copy = none;
   };
 
-  /// Whether this is the rank that adds the share of everything that is not dealt out.
+  /// Whether this is the rank that adds the share of everything that is not distributed.
   bool is_first_rank() const { return rank_ == 0; }
 
   /// Whether this rank writes what there is to say of @p body: all but elastic ones are the first
@@ -114,8 +114,8 @@ public:
   };
 
   /// Sums what the ranks have added since clear_forces(): forces and moments on bodies, forces on
-  /// shared shapes, the ledger but for the work of the hubs, and what @p others have to be summed;
-  /// with halves, of whole bodies, but for the shapes. Shares out frames of elastic bodies.
+  /// shared modes, the ledger but for the work of the hubs, and what @p others have to be summed;
+  /// with halves, of whole bodies, but for the modes. Shares out frames of elastic bodies.
   /// Collective.
   void sum_over_ranks(std::initializer_list<Summands> others = {});
 
@@ -158,7 +158,7 @@ public:
   bool         has_elastic_bodies() const { return !groups.elastic().empty(); }
 
   /// Whether the motion of @p body is that of its nodes: three degrees of freedom each.
-  bool moves_by_nodes(const unsigned int body) const
+  bool is_nodal(const unsigned int body) const
   {
     return elastic_address[body].group < n_nodal_groups();
   }
@@ -206,7 +206,7 @@ public:
   std::vector<Rim>         rims;            ///< of elastic sprockets
 
   std::vector<Address>
-      node_address; ///< per body, in copies: elastic_address, and those of followers
+      node_address; ///< per body, in copies: elastic_address, and those of rigid surface nodes
 
   /// How all of this moves: rigid bodies, hubs, then one group for each of the copies.
   BodyGroups groups;

@@ -32,8 +32,8 @@ public:
     return touch;
   }
 
-  /// The same into @p touch, of which only the gap is set where there is no overlap: a Touch that
-  /// is made anew for each slave costs as much as the rest.
+  /// The same into @p touch, of which only the gap is set where there is no penetration: a Touch
+  /// that is made anew for each slave costs as much as the rest.
   void project(const World                &world,
                const dealii::Tensor<1, 3> &x,
                const double                radius,

@@ -45,7 +45,7 @@ struct ClosedSide
   bool touches_in_part() const { return half_angle < dealii::numbers::PI; }
 
   /// Holds an elastic body's node of @p mass [kg] by a spring @p k [N/m].
-  void hold(const unsigned int node, const double k, const double mass)
+  void add_spring(const unsigned int node, const double k, const double mass)
   {
     stiffness[node] = k;
     eigenvalue      = std::max(eigenvalue, k / mass);

@@ -60,8 +60,8 @@ public:
 
   /// Refuses (InputError) a start with surfaces that overlap by more than a nanometre, unless the
   /// contact force there is no more than the @p prestress [N] of the chain: names the interface,
-  /// the joint and the overlap.
-  void refuse_overlap(World &world, double prestress);
+  /// the joint and the penetration.
+  void refuse_penetration(World &world, double prestress);
 
   const PointerList<Family> &families() const { return families_; }
 

@@ -9,14 +9,14 @@
 
 namespace chaindrive::contact
 {
-/// A point that overlaps a surface by @p overlap [m], growing at @p rate [m/s], on a spring of
+/// A point that overlaps a surface by @p penetration [m], growing at @p rate [m/s], on a spring of
 /// @p stiffness [N/m].
 struct SpringPoint
 {
-  double stiffness, overlap, rate;
+  double stiffness, penetration, rate;
 };
 
-/// How far a surface gives way along its own normals, m, and how fast, m/s.
+/// How far a surface deflects along its own normals, m, and how fast, m/s.
 struct Deflection
 {
   double depth = 0., rate = 0.;
@@ -30,7 +30,7 @@ struct Deflection
 ///
 /// Since forces on the points, k_a <d_a - t> along their normals, are the derivatives of V, what
 /// the springs hold is given back. The sum is piecewise linear and convex in t: Newton's method
-/// from t = 0 deflects the surface ever farther, leaves out points that come apart and ends with
+/// from t = 0 deflects the surface ever farther, leaves out points that separate and ends with
 /// the exact t when there are no more of these. The rate is that of t with the same points.
 inline Deflection deflection_under(const double stiffness, const std::vector<SpringPoint> &points)
 {
@@ -42,10 +42,10 @@ inline Deflection deflection_under(const double stiffness, const std::vector<Spr
       n_before = n;
       n        = 0;
       for (const SpringPoint &point : points)
-        if (point.overlap > result.depth)
+        if (point.penetration > result.depth)
           {
             springs += point.stiffness;
-            force += point.stiffness * point.overlap;
+            force += point.stiffness * point.penetration;
             rate += point.stiffness * point.rate;
             ++n;
           }
@@ -56,7 +56,7 @@ inline Deflection deflection_under(const double stiffness, const std::vector<Spr
 }
 
 /// Books what the spring of a surface stores and what dashpots lose by its deflection: by the same
-/// rule as for a point, with t for the overlap and the sum of the points' forces.
+/// rule as for a point, with t for the penetration and the sum of the points' forces.
 inline void book_deflection(const double      stiffness,
                             const TouchState &before,
                             const TouchState &now,
@@ -65,7 +65,7 @@ inline void book_deflection(const double      stiffness,
   scene::ContactLaw law;
   law.stiffness = stiffness;
   ContactEnergies<double> energies{ledger.contact, ledger.contact_damping, ledger.friction};
-  PointApproach<double>{-now.overlap, 0.}.book(law, before, now, energies);
+  PointApproach<double>{-now.penetration, 0.}.book(law, before, now, energies);
   ledger.contact         = energies.stored;
   ledger.contact_damping = energies.damping_loss;
 }

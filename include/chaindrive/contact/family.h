@@ -46,20 +46,20 @@ public:
   /// the last call [s], zero at the first one.
   virtual void add_forces(World &world, double dt) = 0;
 
-  /// Appends the springs of every pair, held closed, for the stable step. Pairs of smooth surfaces
-  /// that the search has left out do not count.
+  /// Appends the springs of every pair, held closed, for the critical time step. Pairs of smooth
+  /// surfaces that the search has left out do not count.
   virtual void add_springs(const World &world, std::vector<Spring> &springs) const = 0;
 
-  /// The contact of elastic nodes, held closed, for the stable step; none for rigid and lumped
-  /// slaves, whose springs are above.
+  /// The contact of elastic nodes, held closed, for the critical time step; none for rigid and
+  /// lumped slaves, whose springs are above.
   virtual std::vector<ClosedPair> closed_pairs(const World &) const { return {}; }
 
   /// Nodes that a search found to overlap without having been looked at before; there must be none.
   unsigned long n_missed() const { return n_missed_; }
 
   /// Whether each rank evaluates the pairs whose elastic bodies it owns. Families that are not
-  /// dealt out are evaluated by the first rank.
-  bool is_dealt_out() const { return !owner_.empty(); }
+  /// distributed are evaluated by the first rank.
+  bool is_distributed() const { return !owner_.empty(); }
 
   /// Appends the records of the pairs that rank @p rank evaluates to @p numbers, or takes them from
   /// there, beginning at @p position, which moves on. Pairs that are out of reach are left out.
@@ -76,9 +76,9 @@ public:
   /// Whether this family needs search() at all.
   virtual bool needs_search() const = 0;
 
-  /// An overlap [m] out of all proportion to the bodies: a quarter of the smallest radius of a
+  /// A penetration [m] out of all proportion to the bodies: a quarter of the smallest radius of a
   /// slave, which even a soft penalty does not need.
-  double senseless_overlap() const { return 0.25 * smallest_radius_; }
+  double penetration_limit() const { return 0.25 * smallest_radius_; }
 
   /// The node of an elastic slave that overlaps most in pair @p i, if this rank evaluates it.
   virtual std::optional<unsigned int> deepest_node(const unsigned int) const { return {}; }
@@ -110,7 +110,7 @@ protected:
     records_.push_back(record);
   }
 
-  /// What pair @p i of a family that is dealt out remembers.
+  /// What pair @p i of a family that is distributed remembers.
   virtual void serialize_pair(const unsigned int i, const Archive &archive)
   {
     archive("state", states_[i]);
@@ -119,7 +119,7 @@ protected:
   /// Whether the last search left pair @p i within reach: the same on all ranks.
   virtual bool within_reach(const unsigned int) const { return true; }
 
-  /// Takes @p radius [m] of a slave into account for senseless_overlap().
+  /// Takes @p radius [m] of a slave into account for penetration_limit().
   void add_radius(const double radius)
   {
     if (radius > 0.)

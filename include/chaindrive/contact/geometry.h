@@ -11,7 +11,7 @@ namespace chaindrive::contact
 /// Where a slave point with a radius is nearest to a surface.
 struct Touch
 {
-  double               gap = std::numeric_limits<double>::max(); ///< m, negative: overlap
+  double               gap = std::numeric_limits<double>::max(); ///< m, negative: penetration
   dealii::Tensor<1, 3> normal;      ///< unit, away from the master's material, world axes
   dealii::Tensor<1, 3> point;       ///< on the slave's surface, world, m
   dealii::Tensor<1, 3> along;       ///< unit tangent in the plane normal to the master's z axis

@@ -10,26 +10,26 @@
 namespace chaindrive::contact
 {
 /// What the two sides of all joints of one kind have in common. The bore is the master, the
-/// cylinder inside it the slave; the columns of both run round the same way, their stations the
+/// cylinder inside it the slave; the columns of both run round the same way, their rings the
 /// same way along the axes.
-struct JointShape
+struct JointGrid
 {
-  unsigned int  master_columns, master_stations;
+  unsigned int  master_circumferential, master_rings;
   unsigned int  axis_stride; ///< the bore's axis is that of every so-many-th master column
-  unsigned int  slave_columns, slave_stations;
+  unsigned int  slave_circumferential, slave_rings;
   double        master_radius; ///< undeformed, m
-  double        chord_factor;  ///< 4 sin^2(pi / master_columns)
+  double        chord_factor;  ///< 4 sin^2(pi / master_circumferential)
   bool          half;          ///< the bore goes on beyond its first ring, see mesh::Part::half
-  const double *area;          ///< per slave station, of each node there, m2
-  const double *cover; ///< 1/m; per slave station, one over half of the length it stands for
+  const double *area;          ///< per slave ring, of each node there, m2
+  const double *cover;         ///< 1/m; per slave ring, one over half of the length it stands for
 };
 
-/// What a slave node remembers from step to step: contact::TouchState in numbers. Its overlap is
-/// the mean of that of the surface about it. The tangents are those round the bore,
+/// What a slave node remembers from step to step: contact::TouchState in numbers. Its penetration
+/// is the mean of that of the surface about it. The tangents are those round the bore,
 /// counter-clockwise, and along it.
 enum TouchEntry : unsigned int
 {
-  touch_overlap,           ///< m
+  touch_penetration,       ///< m
   touch_normal,            ///< N
   touch_slip_around,       ///< m
   touch_slip_along,        ///< m
@@ -51,10 +51,10 @@ struct JointWindow
 struct JointSums
 {
   // of the last call
-  double       stored[n_lanes];      ///< energy of the penalty springs, normal and tangential, J
-  double       force[3][n_lanes];    ///< resultant on the slave, world axes, N
-  double       penetration[n_lanes]; ///< largest overlap, m
-  unsigned int touching[n_lanes];    ///< nodes with a force
+  double       stored[n_lanes];   ///< energy of the penalty springs, normal and tangential, J
+  double       force[3][n_lanes]; ///< resultant on the slave, world axes, N
+  double       largest_penetration[n_lanes]; ///< largest penetration, m
+  unsigned int touching[n_lanes];            ///< nodes with a force
   // added up until the caller clears them
   double damping_loss[n_lanes];  ///< J
   double friction_loss[n_lanes]; ///< J
@@ -65,8 +65,8 @@ struct JointSums
 /// the node with that offset, 3 n_lanes times its number. A lane without a joint has null pointers.
 struct JointArguments
 {
-  const JointShape   *shape;
-  const unsigned int *master_node[n_lanes]; ///< offsets [station][column]
+  const JointGrid    *grid;
+  const unsigned int *master_node[n_lanes]; ///< offsets [ring][column]
   const unsigned int *slave_node[n_lanes];
   const double       *master_position[n_lanes]; ///< world axes, m
   const double       *slave_position[n_lanes];
@@ -74,11 +74,11 @@ struct JointArguments
   const double       *slave_velocity[n_lanes];
   double             *master_force[n_lanes]; ///< to which contact forces are added, N
   double             *slave_force[n_lanes];
-  scene::ContactLaw   law;     ///< per m2
-  double              dt;      ///< since the last call, s; 0 at the first one
-  double             *state;   ///< [slave node][TouchEntry][lane], zero at the start
-  unsigned int       *station; ///< [slave station][lane], master station that it met last
-  unsigned int       *cell;    ///< [slave column][lane], master column that it met last
+  scene::ContactLaw   law;   ///< per m2
+  double              dt;    ///< since the last call, s; 0 at the first one
+  double             *state; ///< [slave node][TouchEntry][lane], zero at the start
+  unsigned int       *ring;  ///< [slave ring][lane], master ring that it met last
+  unsigned int       *cell;  ///< [slave column][lane], master column that it met last
   JointWindow        *window;
   JointSums          *sums;
 };

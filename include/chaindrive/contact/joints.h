@@ -14,7 +14,7 @@
 
 namespace chaindrive::contact
 {
-/// Tables of the joints of one kind, such as all roller bores on bushes: JointShape and its arrays.
+/// Tables of the joints of one kind, such as all roller bores on bushes: JointGrid and its arrays.
 class JointTables
 {
 public:
@@ -22,15 +22,15 @@ public:
   /// the columns of either are not equally far apart.
   JointTables(const mesh::CylinderGrid &master, const mesh::CylinderGrid &slave);
 
-  JointShape   shape() const;
-  unsigned int n_slave_nodes() const { return shape_.slave_columns * shape_.slave_stations; }
+  JointGrid    grid() const;
+  unsigned int n_slave_nodes() const { return grid_.slave_circumferential * grid_.slave_rings; }
 
 private:
-  JointShape          shape_;
+  JointGrid           grid_;
   std::vector<double> area_, cover_;
 };
 
-/// Offsets [station][column] of the nodes of a side in the state of a batch of bodies, for
+/// Offsets [ring][column] of the nodes of a side in the state of a batch of bodies, for
 /// JointArguments. @p vertex_of_node is element::Hexahedra::vertex. Throws std::logic_error if a
 /// vertex of the side is no node.
 std::vector<unsigned int> node_offsets(const mesh::CylinderGrid        &grid,
@@ -82,9 +82,9 @@ public:
   /// cylinder those in its window, of the bore those that they may meet, with one more on either
   /// side, since nothing slides by a column while a search holds. To be called after search(), at
   /// any time.
-  void mark_columns(int lane, bool of_slave, std::vector<char> &columns) const;
+  void mark_circumferential(int lane, bool of_slave, std::vector<char> &columns) const;
 
-  const JointShape &shape() const { return shape_; }
+  const JointGrid &grid() const { return grid_; }
 
   /// Slave nodes that add_forces() visits in all joints.
   unsigned int n_visited() const;
@@ -108,12 +108,12 @@ private:
 
   const JointTables            &tables_;
   const JointKernels           &kernels_;
-  JointShape                    shape_;
+  JointGrid                     grid_;
   JointArguments                arguments_;
   JointWindow                   window_;
   JointSums                     sums_;
   dealii::AlignedVector<double> state_, gap_, covered_;
-  std::vector<unsigned int>     station_, cell_;
+  std::vector<unsigned int>     ring_, cell_;
   std::vector<unsigned int>     searched_cell_; ///< cell_ at the last search
   std::array<double, n_lanes>   closing_{};
   SearchCadence                 cadence_;       ///< s

@@ -24,7 +24,7 @@ public:
 
   /// To be called before ghosts are fetched. @p searched: families have searched; @p dt is the time
   /// since the last call [s]. Collective.
-  void look(World &world, bool searched, double dt);
+  void update(World &world, bool searched, double dt);
 
   /// Everything has been placed anew: the next look() is at all.
   void forget() { cadence_ = {}; }

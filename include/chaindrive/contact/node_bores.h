@@ -13,7 +13,7 @@
 namespace chaindrive::contact
 {
 /// Elastic cylinders in elastic bores, n_lanes joints at a time: see JointBatch. One of the two may
-/// be rigid, see World::Follower. One record per pair. A joint is evaluated by the rank that owns
+/// be rigid, see RigidSurfaceNodes. One record per pair. A joint is evaluated by the rank that owns
 /// its bore or, where nodes do not travel and that makes loads more even, its cylinder.
 class NodeBores : public Family
 {
@@ -57,7 +57,7 @@ private:
     struct Side
     {
       unsigned int              group;
-      std::vector<unsigned int> node; ///< [station][column]
+      std::vector<unsigned int> node; ///< [ring][column]
       unsigned int              n_columns;
       std::vector<unsigned int> copy; ///< of each pair
       /// [batch of joints]: nodes by batches of bodies

@@ -23,7 +23,7 @@ namespace chaindrive::contact
 /// left alone until its gap may have closed, see PointCadence. A node that is found to touch after
 /// it has been left alone is counted as missed.
 ///
-/// A rigid surface may give way under all nodes of a body as a whole, see deflection_under(): what
+/// A rigid surface may deflect under all nodes of a body as a whole, see deflection_under(): what
 /// it is made of bends behind the contact. Under each body it does so by itself.
 class NodeContact : public SurfaceContact
 {
@@ -80,14 +80,14 @@ private:
     scene::ContactLaw    law;
     Touch                touch;
     double               gap;               ///< from the surface where it stands undeflected, m
-    double               receding  = 0.;    ///< speed at which the surface gives way, m/s
+    double               receding  = 0.;    ///< speed at which the surface deflects, m/s
     bool                 may_touch = false; ///< it lies over the surface's width
   };
 
   /// Contact of body @p i with its record.
   void add_body_forces(World &world, unsigned int i, double dt);
 
-  /// The same of all its nodes, on a surface that gives way.
+  /// The same of all its nodes, on a surface that deflects.
   void add_forces_on_deflected(World &world, unsigned int i, double dt, Resultant &sum);
 
   bool is_due(const unsigned int i, const unsigned int s)
@@ -121,7 +121,7 @@ private:
 
   double                   surface_stiffness_; ///< see scene::SurfaceFamily, N/m
   double                   half_angle_;        ///< see scene::SurfaceFamily, rad
-  std::vector<Visit>       visits_;            ///< of one body, on a surface that gives way
-  std::vector<SpringPoint> overlapping_;       ///< nodes of it
+  std::vector<Visit>       visits_;            ///< of one body, on a surface that deflects
+  std::vector<SpringPoint> penetrating_;       ///< nodes of it
 };
 } // namespace chaindrive::contact

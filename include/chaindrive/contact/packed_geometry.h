@@ -75,18 +75,18 @@ template <int width>
 CHAINDRIVE_ALWAYS_INLINE bool
 take_lanes(const JointArguments &arg, const int lane, Joints<width> &joints)
 {
-  int some = -1;
+  int valid_lane = -1;
   for (int l = 0; l < width; ++l)
     {
       joints.present[l] = arg.master_position[lane + l] != nullptr;
       if (joints.present[l])
-        some = lane + l;
+        valid_lane = lane + l;
     }
-  if (some < 0)
+  if (valid_lane < 0)
     return false;
   for (int l = 0; l < width; ++l)
     {
-      const int from            = joints.present[l] ? lane + l : some;
+      const int from            = joints.present[l] ? lane + l : valid_lane;
       joints.master_node[l]     = arg.master_node[from];
       joints.slave_node[l]      = arg.slave_node[from];
       joints.master_position[l] = arg.master_position[from];
@@ -126,10 +126,10 @@ CHAINDRIVE_ALWAYS_INLINE void into_frame(const P (&axes)[3][3], const P (&x)[3],
 
 /// The bore's frame from its nodes: the axis goes through the centres of the first and last rings.
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE void find_frame(const JointShape &shape, Joints<width> &joints)
+CHAINDRIVE_ALWAYS_INLINE void find_frame(const JointGrid &grid, Joints<width> &joints)
 {
   using P                 = Pack<double, width>;
-  const unsigned int last = (shape.master_stations - 1) * shape.master_columns;
+  const unsigned int last = (grid.master_rings - 1) * grid.master_circumferential;
   P                  start[3], end[3], column[3];
   unsigned int       offset[width];
   for (int l = 0; l < width; ++l)
@@ -138,7 +138,7 @@ CHAINDRIVE_ALWAYS_INLINE void find_frame(const JointShape &shape, Joints<width> 
   for (int i = 0; i < 3; ++i)
     start[i] = end[i] = P(0.);
 #pragma GCC unroll 1
-  for (unsigned int c = 0; c < shape.master_columns; c += shape.axis_stride)
+  for (unsigned int c = 0; c < grid.master_circumferential; c += grid.axis_stride)
     {
       P x[3];
       for (int l = 0; l < width; ++l)
@@ -152,10 +152,10 @@ CHAINDRIVE_ALWAYS_INLINE void find_frame(const JointShape &shape, Joints<width> 
       for (int i = 0; i < 3; ++i)
         start[i] += x[i];
     }
-  if (shape.half) // the axis of the whole bore is parallel to z
+  if (grid.half) // the axis of the whole bore is parallel to z
     for (int i = 0; i < 2; ++i)
       start[i] = end[i];
-  const P one(1.), share(double(shape.axis_stride) / shape.master_columns);
+  const P one(1.), share(double(grid.axis_stride) / grid.master_circumferential);
   P(&e)[3][3] = joints.axes;
   for (int i = 0; i < 3; ++i)
     {
@@ -194,14 +194,14 @@ take_slave(const Joints<width> &joints, const unsigned int (&index)[width], Meet
 /// How deep inside the bore's ends a slave node is, over half of the length that it stands for:
 /// negative outside. @p cover is the reciprocal of that half.
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE Pack<double, width> depth_inside(const JointShape     &shape,
+CHAINDRIVE_ALWAYS_INLINE Pack<double, width> depth_inside(const JointGrid      &grid,
                                                           const Joints<width>  &joints,
                                                           const Meeting<width> &m,
                                                           const double          cover)
 {
   using P          = Pack<double, width>;
   const P from_end = joints.length - m.x[2];
-  return (shape.half ? from_end : least(m.x[2], from_end)) * P(cover);
+  return (grid.half ? from_end : least(m.x[2], from_end)) * P(cover);
 }
 
 /// How much of the length that a slave node stands for is inside the bore: it falls to 0 at the
@@ -219,23 +219,23 @@ CHAINDRIVE_ALWAYS_INLINE P near_side(const P along)
   return greatest(P(-0.01), least(P(1.01), along));
 }
 
-/// Tries the side of the polygon between the columns @p cell and its next and the rings @p station
+/// Tries the side of the polygon between the columns @p cell and its next and the rings @p ring
 /// [n_lanes apart] and its next: sets nodes, places along and corners. @p before and @p after are
 /// positive where the ray lies after the first corner and before the second one, m2.
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE void try_side(const JointShape    &shape,
+CHAINDRIVE_ALWAYS_INLINE void try_side(const JointGrid     &grid,
                                        const Joints<width> &joints,
                                        const unsigned int (&cell)[width],
-                                       const unsigned int  *station,
+                                       const unsigned int  *ring,
                                        Meeting<width>      &m,
                                        Pack<double, width> &before,
                                        Pack<double, width> &after)
 {
   using P                    = Pack<double, width>;
-  const unsigned int columns = shape.master_columns;
+  const unsigned int columns = grid.master_circumferential;
   for (int l = 0; l < width; ++l)
     {
-      const unsigned int *row  = joints.master_node[l] + station[l] * columns;
+      const unsigned int *row  = joints.master_node[l] + ring[l] * columns;
       const unsigned int  next = cell[l] + 1 == columns ? 0 : cell[l] + 1;
       m.node[0][l]             = row[cell[l]];
       m.node[1][l]             = row[next];
@@ -264,28 +264,28 @@ CHAINDRIVE_ALWAYS_INLINE void try_side(const JointShape    &shape,
   after  = m.corner[1][1] * m.x[0] - m.corner[1][0] * m.x[1];
 }
 
-/// Finds the side of the polygon that the ray passes, from @p cell and @p station on, which it
+/// Finds the side of the polygon that the ray passes, from @p cell and @p ring on, which it
 /// updates, and with it the gap. A column's neighbours are told by the signs of cross products: no
 /// angle is computed, and the bore may be deformed.
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE void meet(const JointShape    &shape,
+CHAINDRIVE_ALWAYS_INLINE void meet(const JointGrid     &grid,
                                    const Joints<width> &joints,
                                    unsigned int (&cell)[width],
-                                   unsigned int   *station,
+                                   unsigned int   *ring,
                                    Meeting<width> &m)
 {
-  using P                         = Pack<double, width>;
-  const unsigned int columns      = shape.master_columns;
-  const unsigned int last_station = shape.master_stations - 2;
-  constexpr double   tolerance    = 1e-12;
+  using P                      = Pack<double, width>;
+  const unsigned int columns   = grid.master_circumferential;
+  const unsigned int last_ring = grid.master_rings - 2;
+  constexpr double   tolerance = 1e-12;
 
   m.radius = square_root(m.x[0] * m.x[0] + m.x[1] * m.x[1]);
   // round-off must not send the search to and fro between two neighbours
   const P margin = P(-tolerance) * m.radius * m.radius;
   P       before, after;
-  try_side(shape, joints, cell, station, m, before, after);
+  try_side(grid, joints, cell, ring, m, before, after);
 #pragma GCC unroll 1
-  for (unsigned int trial = 0; trial < columns + last_station + 2; ++trial)
+  for (unsigned int trial = 0; trial < columns + last_ring + 2; ++trial)
     {
       const P outside = least(m.along[0], P(1.) - m.along[0]);
       if (!any_less(least(before, after), margin) && !any_less(outside, P(-tolerance)))
@@ -293,20 +293,20 @@ CHAINDRIVE_ALWAYS_INLINE void meet(const JointShape    &shape,
       bool moved = false;
       for (int l = 0; l < width; ++l)
         {
-          const unsigned int old_cell = cell[l], old_station = station[l];
+          const unsigned int old_cell = cell[l], old_ring = ring[l];
           if (before[l] < margin[l])
             cell[l] = cell[l] == 0 ? columns - 1 : cell[l] - 1;
           else if (after[l] < margin[l])
             cell[l] = cell[l] + 1 == columns ? 0 : cell[l] + 1;
-          if (m.along[0][l] < -tolerance && station[l] > 0)
-            --station[l];
-          else if (m.along[0][l] > 1. + tolerance && station[l] < last_station)
-            ++station[l];
-          moved |= cell[l] != old_cell || station[l] != old_station;
+          if (m.along[0][l] < -tolerance && ring[l] > 0)
+            --ring[l];
+          else if (m.along[0][l] > 1. + tolerance && ring[l] < last_ring)
+            ++ring[l];
+          moved |= cell[l] != old_cell || ring[l] != old_ring;
         }
       if (!moved)
         break;
-      try_side(shape, joints, cell, station, m, before, after);
+      try_side(grid, joints, cell, ring, m, before, after);
     }
   for (int c = 0; c < 2; ++c)
     m.along[c] = near_side(m.along[c]);
@@ -316,8 +316,8 @@ CHAINDRIVE_ALWAYS_INLINE void meet(const JointShape    &shape,
                    (m.corner[0][1] + m.around * (m.corner[1][1] - m.corner[0][1])) * m.x[1];
   m.chord = toward / m.radius;
   // the undeformed bore is that far outside the side of its polygon
-  const P rest = P(1.) - P(shape.chord_factor) * m.around * (P(1.) - m.around);
-  m.gap        = m.chord - m.radius + P(shape.master_radius) * (P(1.) - square_root(rest));
+  const P rest = P(1.) - P(grid.chord_factor) * m.around * (P(1.) - m.around);
+  m.gap        = m.chord - m.radius + P(grid.master_radius) * (P(1.) - square_root(rest));
 }
 
 /// How a slave node moves against the bore's material: its velocity less that of the point of the
@@ -345,7 +345,7 @@ CHAINDRIVE_ALWAYS_INLINE void find_motion(const Joints<width>         &joints,
                                           Motion<Pack<double, width>> &motion)
 {
   using P = Pack<double, width>;
-  P point[3], turning[3], tilting[3]; // world, then frame
+  P point[3], velocity_around[3], tilting[3]; // world, then frame
   for (int i = 0; i < 3; ++i)
     {
       P upper[2], corner[2];
@@ -361,19 +361,19 @@ CHAINDRIVE_ALWAYS_INLINE void find_motion(const Joints<width>         &joints,
           upper[c]      = gather(to, i * n_lanes) - lower;
           corner[c]     = lower + m.along[c] * upper[c];
         }
-      turning[i] = corner[1] - corner[0];
-      tilting[i] = upper[0] + m.around * (upper[1] - upper[0]);
+      velocity_around[i] = corner[1] - corner[0];
+      tilting[i]         = upper[0] + m.around * (upper[1] - upper[0]);
 
       const double *from[width];
       for (int l = 0; l < width; ++l)
         from[l] = joints.slave_velocity[l] + (m.slave[l] - joints.slave_position[l]);
-      point[i] = gather(from, i * n_lanes) - corner[0] - m.around * turning[i];
+      point[i] = gather(from, i * n_lanes) - corner[0] - m.around * velocity_around[i];
     }
   const P one(1.), inverse = one / m.radius;
   P(&ray)[2] = motion.ray;
   P v[3], turn[3], lean[3];
   into_frame(joints.axes, point, v);
-  into_frame(joints.axes, turning, turn);
+  into_frame(joints.axes, velocity_around, turn);
   into_frame(joints.axes, tilting, lean);
   for (int i = 0; i < 2; ++i)
     {

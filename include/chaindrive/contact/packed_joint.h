@@ -4,9 +4,9 @@
 // Bodies of the kernels of joint_kernels.h, for `width` joints at a time: lane l of a pack is joint
 // l, with its own two bodies, its own window of slave columns and its own nodes.
 //
-// For each station (ring of slave nodes), one column of the window after the other:
+// For each ring of slave nodes, one column of the window after the other:
 //   visit()         finds the gap of a node, see packed_geometry.h
-//   add_share()     from its gap and those of its two neighbours in the ring, the mean overlap of
+//   add_share()   from its gap and those of its two neighbours in the ring, the mean penetration of
 //                   the surface that the node stands for: forces are smooth functions of where the
 //                   nodes are, as they would not be if each of few nodes touched by itself
 //   touch_nodes()   the law, see penalty.h, with stiffness and damping of the node's area; then
@@ -95,11 +95,11 @@ struct Visit
   unsigned int   column[width];
   P              active; ///< 1, or 0 where the node is not in the lane's window
   P              cover;  ///< see covered()
-  P              overlap_before;
+  P              penetration_before;
   P              gap; ///< m
 };
 
-/// Visits the slave nodes of station @p s that are @p place columns after the first of the windows.
+/// Visits the slave nodes of ring @p s that are @p place columns after the first of the windows.
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE void visit(const JointArguments &arg,
                                     const int             lane,
@@ -109,43 +109,45 @@ CHAINDRIVE_ALWAYS_INLINE void visit(const JointArguments &arg,
                                     Visit<width>         &v)
 {
   using P                   = Pack<double, width>;
-  const JointShape  &shape  = *arg.shape;
+  const JointGrid   &grid   = *arg.grid;
   const JointWindow &window = *arg.window;
   unsigned int       index[width], cell[width];
-  const double      *overlap[width];
+  const double      *penetration[width];
   alignas(64) double exists[width], active[width];
   for (int l = 0; l < width; ++l)
     {
       const unsigned int count  = joints.present[l] ? window.count[lane + l] : 0;
       const unsigned int column = window.first[lane + l] + place;
-      v.column[l] = column < shape.slave_columns ? column : column - shape.slave_columns;
-      index[l]    = s * shape.slave_columns + v.column[l];
-      overlap[l]  = arg.state + (index[l] * n_touch_entries + touch_overlap) * n_lanes + lane + l;
-      cell[l]     = arg.cell[v.column[l] * n_lanes + lane + l];
-      active[l]   = place < count ? 1. : 0.;
-      exists[l]   = place < count || count == shape.slave_columns ? 1. : 0.;
+      v.column[l] =
+          column < grid.slave_circumferential ? column : column - grid.slave_circumferential;
+      index[l] = s * grid.slave_circumferential + v.column[l];
+      penetration[l] =
+          arg.state + (index[l] * n_touch_entries + touch_penetration) * n_lanes + lane + l;
+      cell[l]   = arg.cell[v.column[l] * n_lanes + lane + l];
+      active[l] = place < count ? 1. : 0.;
+      exists[l] = place < count || count == grid.slave_circumferential ? 1. : 0.;
     }
   take_slave(joints, index, v.meeting);
-  const P depth    = depth_inside(shape, joints, v.meeting, shape.cover[s]);
-  v.active         = P::load(active);
-  v.cover          = v.active * covered(depth);
-  v.overlap_before = v.active * gather(overlap, 0);
-  v.gap            = P(1.);
+  const P depth        = depth_inside(grid, joints, v.meeting, grid.cover[s]);
+  v.active             = P::load(active);
+  v.cover              = v.active * covered(depth);
+  v.penetration_before = v.active * gather(penetration, 0);
+  v.gap                = P(1.);
   // A neighbour of a node that is just inside may be just outside, but not far: the bore is tilted
   // by less than 0.02. Its gap counts nevertheless, and whether it does must not depend on other
   // lanes.
-  const P counts = if_less(P(-0.1), depth, P::load(exists), P(0.)) + v.overlap_before;
+  const P counts = if_less(P(-0.1), depth, P::load(exists), P(0.)) + v.penetration_before;
   if (!any_less(P(0.), counts))
     return;
-  meet(shape, joints, cell, arg.station + s * n_lanes + lane, v.meeting);
+  meet(grid, joints, cell, arg.ring + s * n_lanes + lane, v.meeting);
   for (int l = 0; l < width; ++l)
     arg.cell[v.column[l] * n_lanes + lane + l] = cell[l];
   v.gap = if_less(P(0.), counts, v.meeting.gap, P(1.));
 }
 
-/// Between two neighbouring columns the overlap is linear, from a at the first one to b at the
+/// Between two neighbouring columns the penetration is linear, from a at the first one to b at the
 /// other; negative is a gap. Of what lies there the first column has the share of its hat function,
-/// 1 - x at the part x of the way. Adds that of the overlap where there is one, the integral of
+/// 1 - x at the part x of the way. Adds that of the penetration where there is one, the integral of
 /// max(0, a + (b - a) x) (1 - x), and of the area that overlaps, the integral of 1 - x:
 ///
 ///   a, b > 0       (2 a + b) / 6          1/2
@@ -155,21 +157,21 @@ CHAINDRIVE_ALWAYS_INLINE void visit(const JointArguments &arg,
 /// With both neighbours these sum up to the means over the area that the node stands for.
 template <typename P>
 CHAINDRIVE_ALWAYS_INLINE void
-add_share(const P gap, const P neighbours_gap, P &overlap, P &overlapping)
+add_share(const P gap, const P neighbours_gap, P &penetration, P &penetrating)
 {
   const P zero(0.), half(0.5), sixth(1. / 6.);
   const P a = zero - gap, b = zero - neighbours_gap;
   const P high = greatest(a, b), low = least(a, b), positive = greatest(zero, high);
-  // t: the part of the way from the higher one to the lower one on which there is overlap
+  // t: the part of the way from the higher one to the lower one on which there is penetration
   const P t      = positive / greatest(high - low, P(1e-300));
   const P nearer = half * t * (P(2.) - t), farther = half * t * t;
   const P both = sixth * (a + a + b);
   const P one  = sixth * positive * if_less(a, b, t * t, t * (P(3.) - t));
-  overlap += if_less(low, zero, one, both);
-  overlapping += if_less(low, zero, if_less(a, b, farther, nearer), half);
+  penetration += if_less(low, zero, one, both);
+  penetrating += if_less(low, zero, if_less(a, b, farther, nearer), half);
 }
 
-/// Contact forces of the nodes of one visit. @p overlap and @p overlapping as add_share() gives
+/// Contact forces of the nodes of one visit. @p penetration and @p penetrating as add_share() gives
 /// them.
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE void touch_nodes(const JointArguments                 &arg,
@@ -177,22 +179,23 @@ CHAINDRIVE_ALWAYS_INLINE void touch_nodes(const JointArguments                 &
                                           const Joints<width>                  &joints,
                                           const unsigned int                    s,
                                           const Visit<width>                   &v,
-                                          const Pack<double, width>             overlap,
-                                          const Pack<double, width>             overlapping,
+                                          const Pack<double, width>             penetration,
+                                          const Pack<double, width>             penetrating,
                                           ContactEnergies<Pack<double, width>> &energies,
                                           Pack<double, width> (&total)[3])
 {
-  using P                 = Pack<double, width>;
-  const JointShape &shape = *arg.shape;
-  const P           zero(0.);
-  unsigned int      state_at[width];
-  const double     *state[width];
+  using P               = Pack<double, width>;
+  const JointGrid &grid = *arg.grid;
+  const P          zero(0.);
+  unsigned int     state_at[width];
+  const double    *state[width];
   for (int l = 0; l < width; ++l)
     {
-      state_at[l] = (s * shape.slave_columns + v.column[l]) * n_touch_entries * n_lanes + lane + l;
-      state[l]    = arg.state + state_at[l];
+      state_at[l] =
+          (s * grid.slave_circumferential + v.column[l]) * n_touch_entries * n_lanes + lane + l;
+      state[l] = arg.state + state_at[l];
     }
-  TouchStateOf<P> touch{v.overlap_before,
+  TouchStateOf<P> touch{v.penetration_before,
                         v.active * gather(state, touch_normal * n_lanes),
                         {v.active * gather(state, touch_slip_around * n_lanes),
                          v.active * gather(state, touch_slip_along * n_lanes)},
@@ -205,19 +208,19 @@ CHAINDRIVE_ALWAYS_INLINE void touch_nodes(const JointArguments                 &
   const P slip_rate[2] = {motion.relative[1] - motion.arm * motion.spin,
                           motion.relative[2] - motion.arm * motion.tilt};
 
-  const P                      share = v.cover * P(shape.area[s]), dt(arg.dt);
+  const P                      share = v.cover * P(grid.area[s]), dt(arg.dt);
   const scene::ContactLawOf<P> law{share * P(arg.law.stiffness),
-                                   share * overlapping * P(arg.law.damping),
+                                   share * penetrating * P(arg.law.damping),
                                    P(arg.law.friction),
                                    share * P(arg.law.tangential_stiffness),
                                    share * P(arg.law.tangential_damping)};
   const NodeApproach<P>        approach{
-      overlap, v.gap, zero - motion.relative[0], dt * motion.relative[0]};
+      penetration, v.gap, zero - motion.relative[0], dt * motion.relative[0]};
   update_touch(law, approach, slip_rate, dt, arg.law.friction > 0., touch, energies);
 
   alignas(64) double now[n_touch_entries][width], changes[width];
-  (touch.overlap + v.overlap_before).store(changes);
-  touch.overlap.store(now[touch_overlap]);
+  (touch.penetration + v.penetration_before).store(changes);
+  touch.penetration.store(now[touch_penetration]);
   touch.normal.store(now[touch_normal]);
   touch.slip[0].store(now[touch_slip_around]);
   touch.slip[1].store(now[touch_slip_along]);
@@ -248,13 +251,13 @@ CHAINDRIVE_ALWAYS_INLINE void touch_nodes(const JointArguments                 &
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE void add_forces_of(const JointArguments &arg, const int lane)
 {
-  using P                 = Pack<double, width>;
-  const JointShape &shape = *arg.shape;
-  JointSums        &sums  = *arg.sums;
+  using P               = Pack<double, width>;
+  const JointGrid &grid = *arg.grid;
+  JointSums       &sums = *arg.sums;
   for (int l = lane; l < lane + width; ++l)
     {
-      sums.stored[l] = sums.penetration[l] = 0.;
-      sums.touching[l]                     = 0;
+      sums.stored[l] = sums.largest_penetration[l] = 0.;
+      sums.touching[l]                             = 0;
       for (auto &component : sums.force)
         component[l] = 0.;
     }
@@ -268,15 +271,15 @@ CHAINDRIVE_ALWAYS_INLINE void add_forces_of(const JointArguments &arg, const int
       visits = arg.window->count[lane + l];
   if (visits == 0)
     return;
-  const bool closed = visits == shape.slave_columns;
-  find_frame(shape, joints);
+  const bool closed = visits == grid.slave_circumferential;
+  find_frame(grid, joints);
 
   const P            zero(0.);
   ContactEnergies<P> energies{zero, zero, zero};
-  P                  total[3] = {zero, zero, zero}, penetration(0.);
+  P                  total[3] = {zero, zero, zero}, largest_penetration(0.);
 
 #pragma GCC unroll 1
-  for (unsigned int s = 0; s < shape.slave_stations; ++s)
+  for (unsigned int s = 0; s < grid.slave_rings; ++s)
     {
       // Visit i is that of the node i - 1 places after the window's first; the forces of a node
       // follow the visit of the next one. A window all round begins and ends with a neighbour.
@@ -295,14 +298,15 @@ CHAINDRIVE_ALWAYS_INLINE void add_forces_of(const JointArguments &arg, const int
 
           if (i >= 2)
             {
-              P overlap(0.), overlapping(0.);
-              add_share(v.gap, gap_before, overlap, overlapping);
-              add_share(v.gap, next.gap, overlap, overlapping);
-              overlap = if_less(zero, v.cover, overlap, zero);
-              if (any_less(zero, overlap + v.overlap_before))
+              P penetration(0.), penetrating(0.);
+              add_share(v.gap, gap_before, penetration, penetrating);
+              add_share(v.gap, next.gap, penetration, penetrating);
+              penetration = if_less(zero, v.cover, penetration, zero);
+              if (any_less(zero, penetration + v.penetration_before))
                 {
-                  touch_nodes(arg, lane, joints, s, v, overlap, overlapping, energies, total);
-                  penetration = greatest(penetration, if_less(zero, overlap, zero - v.gap, zero));
+                  touch_nodes(arg, lane, joints, s, v, penetration, penetrating, energies, total);
+                  largest_penetration =
+                      greatest(largest_penetration, if_less(zero, penetration, zero - v.gap, zero));
                 }
             }
           gap_before = v.gap;
@@ -311,8 +315,8 @@ CHAINDRIVE_ALWAYS_INLINE void add_forces_of(const JointArguments &arg, const int
 
   for (int l = 0; l < width; ++l)
     {
-      sums.stored[lane + l]      = energies.stored[l];
-      sums.penetration[lane + l] = penetration[l];
+      sums.stored[lane + l]              = energies.stored[l];
+      sums.largest_penetration[lane + l] = largest_penetration[l];
       for (int i = 0; i < 3; ++i)
         sums.force[i][lane + l] = total[i][l];
       sums.damping_loss[lane + l] += energies.damping_loss[l];
@@ -325,34 +329,34 @@ template <int width>
 CHAINDRIVE_ALWAYS_INLINE void
 measure_gaps_of(const JointArguments &arg, GapArguments &gaps, const int lane)
 {
-  using P                 = Pack<double, width>;
-  const JointShape &shape = *arg.shape;
-  Joints<width>     joints;
+  using P               = Pack<double, width>;
+  const JointGrid &grid = *arg.grid;
+  Joints<width>    joints;
   for (int l = 0; l < width; ++l)
     gaps.closing[lane + l] = 0.;
   if (!take_lanes(arg, lane, joints))
     return;
-  find_frame(shape, joints);
+  find_frame(grid, joints);
 
   P closing(0.);
 #pragma GCC unroll 1
-  for (unsigned int s = 0; s < shape.slave_stations; ++s)
+  for (unsigned int s = 0; s < grid.slave_rings; ++s)
 #pragma GCC unroll 1
-    for (unsigned int c = 0; c < shape.slave_columns; ++c)
+    for (unsigned int c = 0; c < grid.slave_circumferential; ++c)
       {
         Meeting<width> m;
         unsigned int   index[width], cell[width];
         for (int l = 0; l < width; ++l)
           {
-            index[l] = s * shape.slave_columns + c;
+            index[l] = s * grid.slave_circumferential + c;
             cell[l]  = arg.cell[c * n_lanes + lane + l];
           }
         take_slave(joints, index, m);
-        meet(shape, joints, cell, arg.station + s * n_lanes + lane, m);
+        meet(grid, joints, cell, arg.ring + s * n_lanes + lane, m);
         for (int l = 0; l < width; ++l)
           arg.cell[c * n_lanes + lane + l] = cell[l];
         m.gap.store(gaps.gap + index[0] * n_lanes + lane);
-        covered(depth_inside(shape, joints, m, shape.cover[s]))
+        covered(depth_inside(grid, joints, m, grid.cover[s]))
             .store(gaps.covered + index[0] * n_lanes + lane);
         Motion<P> motion;
         find_motion(joints, m, motion);

@@ -14,7 +14,7 @@ namespace chaindrive::contact
 template <typename Number>
 struct TouchStateOf
 {
-  Number overlap{};       ///< penetration of the last evaluation, m; 0 when apart
+  Number penetration{};   ///< penetration of the last evaluation, m; 0 when apart
   Number normal{};        ///< force along the master's normal, N, never negative
   Number slip[2]{};       ///< elastic part of the slip in the master's tangents, m
   Number tangential[2]{}; ///< force on the slave along the master's tangents, N
@@ -34,14 +34,18 @@ struct ContactEnergies
 // stores and loses. There are two: of a point by itself, and of a node that stands for the surface
 // about it.
 
-/// The approach of a point by itself: its overlap is d = max(0, -g), its spring holds k d^2 / 2.
+/// The approach of a point by itself: its penetration is d = max(0, -g), its spring holds k d^2 /
+/// 2.
 template <typename Number>
 struct PointApproach
 {
   Number gap;  ///< g, negative when the surfaces overlap, m
   Number rate; ///< g', m/s
 
-  CHAINDRIVE_ALWAYS_INLINE Number overlap() const { return greatest(Number(0.), Number(0.) - gap); }
+  CHAINDRIVE_ALWAYS_INLINE Number penetration() const
+  {
+    return greatest(Number(0.), Number(0.) - gap);
+  }
 
   /// The work of the normal force over the step, by the trapezoidal rule, is stored in the spring
   /// or lost in the dashpot.
@@ -51,26 +55,27 @@ struct PointApproach
                                      ContactEnergies<Number>           &energies) const
   {
     const Number half(0.5);
-    const Number stored_before = half * law.stiffness * before.overlap * before.overlap;
-    const Number stored        = half * law.stiffness * now.overlap * now.overlap;
+    const Number stored_before = half * law.stiffness * before.penetration * before.penetration;
+    const Number stored        = half * law.stiffness * now.penetration * now.penetration;
     energies.stored += stored;
-    energies.damping_loss += half * (before.normal + now.normal) * (now.overlap - before.overlap) -
-                             (stored - stored_before);
+    energies.damping_loss +=
+        half * (before.normal + now.normal) * (now.penetration - before.penetration) -
+        (stored - stored_before);
   }
 };
 
-/// The approach of a node: its overlap is the mean of that of the surface about it, of which it has
-/// a share also when only its neighbour overlaps. Nodes share the energy of the springs between
+/// The approach of a node: its penetration is the mean of that of the surface about it, of which it
+/// has a share also when only its neighbour overlaps. Nodes share the energy of the springs between
 /// them as k d (-g) / 2, which for a point by itself is its own k d^2 / 2.
 template <typename Number>
 struct NodeApproach
 {
-  Number mean_overlap; ///< d, m
-  Number gap;          ///< g, at the node, m
-  Number rate;         ///< g', m/s
-  Number closing;      ///< by how much the surfaces have come closer over the step, m
+  Number mean_penetration; ///< d, m
+  Number gap;              ///< g, at the node, m
+  Number rate;             ///< g', m/s
+  Number closing;          ///< by how much the surfaces have come closer over the step, m
 
-  CHAINDRIVE_ALWAYS_INLINE Number overlap() const { return mean_overlap; }
+  CHAINDRIVE_ALWAYS_INLINE Number penetration() const { return mean_penetration; }
 
   /// What the normal force is more than that of the spring is the dashpot's, whose work over the
   /// step is lost.
@@ -80,9 +85,9 @@ struct NodeApproach
                                      ContactEnergies<Number>           &energies) const
   {
     const Number half(0.5);
-    const Number spring = law.stiffness * now.overlap;
+    const Number spring = law.stiffness * now.penetration;
     energies.stored -= half * spring * gap;
-    const Number damping_before = before.normal - law.stiffness * before.overlap;
+    const Number damping_before = before.normal - law.stiffness * before.penetration;
     energies.damping_loss += half * (damping_before + now.normal - spring) * closing;
   }
 };
@@ -109,9 +114,9 @@ CHAINDRIVE_ALWAYS_INLINE Number length(const Number (&v)[2])
 /// s'), it is (T + k_t s) . s' <= 0.
 /// Stored energy and losses are booked by the trapezoidal rule over the step.
 ///
-/// @p approach tells overlap d [m] and gap rate g' [m/s]; @p slip_rate s' is the velocity of the
-/// slave's material relative to the master's along the two tangents [m/s]; @p dt the time since the
-/// last evaluation [s]. Without friction @p touch keeps what it has of slip.
+/// @p approach tells penetration d [m] and gap rate g' [m/s]; @p slip_rate s' is the velocity of
+/// the slave's material relative to the master's along the two tangents [m/s]; @p dt the time since
+/// the last evaluation [s]. Without friction @p touch keeps what it has of slip.
 template <typename Number, typename Approach>
 CHAINDRIVE_ALWAYS_INLINE void update_touch(const scene::ContactLawOf<Number> &law,
                                            const Approach                    &approach,
@@ -124,11 +129,11 @@ CHAINDRIVE_ALWAYS_INLINE void update_touch(const scene::ContactLawOf<Number> &la
   const Number               zero(0.), half(0.5);
   const TouchStateOf<Number> before = touch;
 
-  touch.overlap = approach.overlap();
+  touch.penetration = approach.penetration();
   touch.normal =
       if_less(zero,
-              touch.overlap,
-              greatest(zero, law.stiffness * touch.overlap - law.damping * approach.rate),
+              touch.penetration,
+              greatest(zero, law.stiffness * touch.penetration - law.damping * approach.rate),
               zero);
   approach.book(law, before, touch, energies);
   if (!with_friction)

@@ -7,8 +7,8 @@
 
 namespace chaindrive::contact
 {
-/// A plane of a rigid body that goes on for ever. The springs of closed contacts, for the stable
-/// step, take it to hold the body's z direction.
+/// A plane of a rigid body that goes on for ever. The springs of closed contacts, for the critical
+/// time step, take it to hold the body's z direction.
 class Plane : public Surface
 {
 public:

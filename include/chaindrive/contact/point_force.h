@@ -35,13 +35,13 @@ struct PointForce
 
 /// The force on a slave that overlaps. Its material moves at @p relative [m/s] against the surface,
 /// and slips at @p slip [m/s], which is the same where the surface does not turn under it.
-inline PointForce press(const scene::ContactLaw    &law,
-                        const Touch                &touch,
-                        const dealii::Tensor<1, 3> &relative,
-                        const dealii::Tensor<1, 3> &slip,
-                        const double                dt,
-                        TouchState                 &state,
-                        Ledger                     &ledger)
+inline PointForce penalty_force(const scene::ContactLaw    &law,
+                                const Touch                &touch,
+                                const dealii::Tensor<1, 3> &relative,
+                                const dealii::Tensor<1, 3> &slip,
+                                const double                dt,
+                                TouchState                 &state,
+                                Ledger                     &ledger)
 {
   dealii::Tensor<1, 2> slip_rate;
   slip_rate[0] = slip * touch.along;
@@ -56,19 +56,19 @@ inline PointForce press(const scene::ContactLaw    &law,
   return force;
 }
 
-/// A slave that has just come apart: the spring gives back what it held.
+/// A slave that has just separated: the spring gives back what it held.
 inline void
-come_apart(const scene::ContactLaw &law, const double dt, TouchState &state, Ledger &ledger)
+separate(const scene::ContactLaw &law, const double dt, TouchState &state, Ledger &ledger)
 {
-  if (state.overlap > 0.)
+  if (state.penetration > 0.)
     update_point(law, 0., 0., dealii::Tensor<1, 2>(), dt, state, ledger);
 }
 
 /// A slave and a surface that overlap lose each other, past an edge: what their springs held is
 /// lost.
-inline void lose_touch(const scene::ContactLaw &law, TouchState &state, Ledger &ledger)
+inline void lose_contact(const scene::ContactLaw &law, TouchState &state, Ledger &ledger)
 {
-  ledger.contact_damping += 0.5 * law.stiffness * state.overlap * state.overlap;
+  ledger.contact_damping += 0.5 * law.stiffness * state.penetration * state.penetration;
   ledger.friction += 0.5 * law.tangential_stiffness *
                      (state.slip[0] * state.slip[0] + state.slip[1] * state.slip[1]);
   state = TouchState();

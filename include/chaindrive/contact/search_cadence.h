@@ -52,7 +52,7 @@ public:
     left_alone_ = true;
   }
 
-  /// Whether forces have been evaluated without a search since the last one: an overlap that is
+  /// Whether forces have been evaluated without a search since the last one: a penetration that is
   /// found then, where there was a gap, has been missed.
   bool left_alone() const { return left_alone_; }
 

@@ -50,8 +50,8 @@ inline double carried_length(const double l, const double a)
   return a * (1. + 2. * q - q * (q + 1.) * a / l);
 }
 
-/// The area [m2] of the slave's nodes that a node of a bore in @p station carries, at most,
-/// wherever along and about the axis the @p slave is. In half models it stays where it is.
+/// The area [m2] of the slave's nodes that a node of a bore in @p ring carries, at most,
+/// wherever along and about the axis the @p slave is. In symmetry models it stays where it is.
 double
-carried_area(const mesh::CylinderGrid &bore, unsigned int station, const mesh::CylinderGrid &slave);
+carried_area(const mesh::CylinderGrid &bore, unsigned int ring, const mesh::CylinderGrid &slave);
 } // namespace chaindrive::contact

@@ -68,6 +68,6 @@ Drive make_drive(const Parameters  &parameters,
                  const JointShifts &shifts       = {});
 
 /// Refuses (InputError) a Contact/Tooth stiffness with which the load would press rollers deep into
-/// the teeth: for a model in which teeth give way, else the entry has no effect.
+/// the teeth: for a model in which teeth deflect, else the entry has no effect.
 void refuse_soft_teeth(const Parameters &parameters, const Drive &drive);
 } // namespace chaindrive::drive

@@ -9,7 +9,7 @@ struct HangingSpan
   double length;      ///< between its ends, m
   double weight;      ///< per metre, N/m
   double flexibility; ///< by how much longer a newton more of its tension makes what it pulls: the
-                      ///< span itself and what gives way at its ends, m/N; above 0
+                      ///< span itself and what deflects at its ends, m/N; above 0
 
   /// The tension [N] in its middle: the one, H, that stretches the chain to the length of its
   /// parabola, slack + flexibility H = weight^2 length^3 / (24 H^2). @p slack [m] is the length of

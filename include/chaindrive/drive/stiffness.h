@@ -10,7 +10,7 @@
 
 namespace chaindrive::drive
 {
-/// What `auto` stands for: how the parts of a chain give way, N/m, as force over approach.
+/// What `auto` stands for: how the parts of a chain deflect, N/m, as force over approach.
 struct PartStiffness
 {
   double per_pitch;    ///< of the chain in a pull test
@@ -59,7 +59,7 @@ conforming_contact(double radius, double clearance, double q, const Material &st
 double largest_half_angle(double radius, double clearance, const Material &steel);
 
 /// Modulus [N/m3] of a foundation in a seat wider than the roller of @p radius [m] by @p clearance
-/// [m] that gives way by a force of @p stiffness [N/m] at @p load [N] on the @p length [m]: the
+/// [m] that deflects by a force of @p stiffness [N/m] at @p load [N] on the @p length [m]: the
 /// force over the mean of the deflection, weighted by the pressure of conforming contact.
 double foundation_of_seat(double          radius,
                           double          clearance,

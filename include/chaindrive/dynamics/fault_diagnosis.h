@@ -42,8 +42,8 @@ std::vector<FaultSite> faults_not_finite(const scene::Scene &scene, const System
 std::vector<FaultSite>
 faults_of_balance(const scene::Scene &scene, const System &system, const LastStep *last, double dt);
 
-/// The largest overlap of each interface in parts of Family::senseless_overlap().
-std::vector<FaultSite> faults_of_overlap(const scene::Scene &scene, const System &system);
+/// The largest penetration of each interface in parts of Family::penetration_limit().
+std::vector<FaultSite> faults_of_penetration(const scene::Scene &scene, const System &system);
 
 /// What moves or pulls most: the largest acceleration of a body, the largest forces of bars and
 /// contacts, the fastest node relative to its body.

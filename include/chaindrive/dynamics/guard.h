@@ -19,17 +19,17 @@ namespace chaindrive::dynamics
 class Fault : public RunError
 {
 public:
-  /// @p sound_until [s] is the an instant long enough ago that nothing was wrong then: a fault is
+  /// @p valid_until [s] is the an instant long enough ago that nothing was wrong then: a fault is
   /// found within 100 steps.
-  Fault(const std::string &message, const double sound_until)
-      : RunError(message), sound_until_(sound_until)
+  Fault(const std::string &message, const double valid_until)
+      : RunError(message), valid_until_(valid_until)
   {
   }
 
-  double sound_until() const { return sound_until_; } ///< s; a later checkpoint is not to be used
+  double valid_until() const { return valid_until_; } ///< s; a later checkpoint is not to be used
 
 private:
-  double sound_until_;
+  double valid_until_;
 };
 
 /// Keeps the energy turned over and the largest imbalance of the ledger, and tells when it does not
@@ -75,34 +75,33 @@ private:
 /// - Momentum. When all forces between bodies are equal and opposite,
 ///     sum m v - sum m v at the start + integral of (force on hubs - gravity - drag) dt
 ///   is zero to round-off with central differences, whatever the step: a reaction that is lost or
-///   has the wrong sign stays in it. Only along x and y in half models and where plates do not bend
-///   out of their planes.
+///   has the wrong sign stays in it. Only along x and y in symmetry models and where plates do not
+///   bend out of their planes.
 /// - Energy. No loss and no stored energy is negative, the imbalance does not jump from one look to
 ///   the next by more than the step explains, and the losses do not fall.
-/// - Overlap. No surfaces overlap by Family::senseless_overlap(): a contact that pulls instead of
-///   pushing gets there in a few steps. What one rank sees is a Request::alarm, and all ranks
+/// - Penetration. No surfaces overlap by Family::penetration_limit(): a contact that pulls instead
+///   of pushing gets there in a few steps. What one rank sees is a Request::alarm, and all ranks
 ///   stop at the next step.
 ///
-/// A step above the stable one is found when something blows up: in the simple and full models
+/// A step above the critical one is found when something blows up: in the simple and full models
 /// within 32 steps at 1.3 times the limit, in the layered one within 100 at 1.6 times, since the
 /// bound of rigid joints takes all of them for closed at once, along the worst of directions.
 /// Moment of momentum is not balanced:
 /// a lost moment is found when its work is too much of the energy, or not at all; the tests
 /// contact/forces_cancel, joint_forces_cancel and plate_faces look at moments.
 ///
-/// The limits and what sound runs come to are at the top of guard.cc.
+/// The limits and what valid runs come to are at the top of guard.cc.
 class Guard : public Observer
 {
 public:
-  /// @p limit as in EnergyGuard; @p stable_step [s] is that of @p system. When not @p on, the
-  /// ledger must close, that is all. @p overload: what is known before the run of loads that the
-  /// drive does not stand, in sentences; a message names it before it advises on steps and
-  /// contacts.
-  /// @p scene must outlive this.
+  /// @p limit as in EnergyGuard; @p critical_time_step [s] is that of @p system. When not @p on,
+  /// the ledger must close, that is all. @p overload: what is known before the run of loads that
+  /// the drive does not stand, in sentences; a message names it before it advises on steps and
+  /// contacts. @p scene must outlive this.
   Guard(const scene::Scene &scene,
         const System       &system,
         double              limit,
-        double              stable_step,
+        double              critical_time_step,
         bool                on       = true,
         std::string         overload = "");
 
@@ -135,7 +134,7 @@ private:
   Finding ledger_does_not_close(const System &system, Services &services) const;
 
   /// What is wrong at a look, @p dt [s] after the step before it.
-  std::optional<Finding> look(const System &system, double dt, Services &services);
+  std::optional<Finding> update(const System &system, double dt, Services &services);
   std::optional<Finding> look_at_momentum(const System &system, double dt, Services &services);
   std::optional<Finding> look_at_energy(const System &system, double dt, Services &services);
 
@@ -163,12 +162,12 @@ private:
 
   const scene::Scene &scene_;
   EnergyGuard         energy_;
-  double              least_energy_; ///< that is judged, J
-  double              stable_step_;  ///< of rigid models, s; infinite with elastic bodies
+  double              least_energy_;       ///< that is judged, J
+  double              critical_time_step_; ///< of rigid models, s; infinite with elastic bodies
   bool                on_;
   std::string         overload_;
   unsigned int        calls_ = 0; ///< since the last look
-  double              sound_until_;
+  double              valid_until_;
 
   std::array<double, 8> looked_; ///< instants of the last looks, s
 

@@ -9,15 +9,15 @@ namespace chaindrive::dynamics
 /// balance with the forces that they then exert on each other. Links keep their centres of mass and
 /// directions (inertia relief: what moves a body as a whole strains nothing), rims their hubs,
 /// rigid bodies their places; a roller finds its own between tooth and bush. So do reduced ones,
-/// whose shapes relax.
+/// whose modes relax.
 ///
 /// The drive, at rest, unloaded and without friction, is a System of its own: internal and contact
 /// forces are those of the run. Dynamic relaxation with kinetic damping (Barnes, Int. J. Space
 /// Structures 14, 1999, 89) moves it: whenever the kinetic energy has passed a maximum, all comes
 /// to a stop. The first step after a stop goes down the gradient of the energy, for which the step
-/// must be below sqrt(2) over the largest frequency; shapes, which stop a step later, need a
+/// must be below sqrt(2) over the largest frequency; modes, which stop a step later, need a
 /// shorter one. No node is let move faster than contacts
-/// foresee, so that deep overlaps are pressed out and no contact is missed.
+/// foresee, so that deep penetrations are pressed out and no contact is missed.
 class Relaxation
 {
 public:
@@ -25,7 +25,7 @@ public:
   /// while waves run along a link five times. RunError if no balance is found.
   Relaxation(const scene::Scene &scene, MPI_Comm comm, double change = 2e-3);
 
-  /// Strains the bodies of @p world, which is made of the same scene and dealt out alike; nodes
+  /// Strains the bodies of @p world, which is made of the same scene and distributed alike; nodes
   /// move as their bodies do at the start.
   void strain(World &world) const;
 

@@ -18,18 +18,18 @@ namespace chaindrive::dynamics
 class System
 {
 public:
-  /// Builds the state and its forces from @p scene, dealt out to the ranks of @p comm; refuses
-  /// initial overlap (InputError).
+  /// Builds the state and its forces from @p scene, distributed over the ranks of @p comm; refuses
+  /// initial penetration (InputError).
   System(const scene::Scene &scene, bool search_every_step, MPI_Comm comm = MPI_COMM_SELF);
 
   /// Evaluates all forces at the present state and moves nothing: on bodies, on nodes of elastic
-  /// ones, and the accelerations of shapes. Energies and centres of mass are those of the present
+  /// ones, and the accelerations of modes. Energies and centres of mass are those of the present
   /// positions and velocities. @p dt is the time since the last evaluation [s], in which contacts
   /// slide and dampers lose energy; with 0 nothing is lost and the same forces come out again.
   /// Nodes must be where the frames are: at the start, and after first_half(). Collective.
   void evaluate_forces(double dt = 0.);
 
-  /// The same between the halves of a step @p dt [s], and what moves by nodes or shapes moves on
+  /// The same between the halves of a step @p dt [s], and what moves by nodes or modes moves on
   /// with its forces while its numbers are in the cache (see system.cc). Collective.
   void evaluate_and_move(double dt);
 
@@ -41,8 +41,8 @@ public:
 
   /// The limit of the step from each kind of spring alone, and that of all together [s], see
   /// stability/step_limit.h.
-  std::vector<stability::StepLimit> step_limits() const;
-  double                            stable_step_limit() const;
+  std::vector<stability::TimeStepLimit> step_limits() const;
+  double                                critical_time_step() const;
 
   /// The state between two steps, at least one after the start. Collective.
   void serialize(const Archive &archive);

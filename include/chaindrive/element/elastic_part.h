@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/element/column_masses.h>
 #include <chaindrive/element/element_block.h>
+#include <chaindrive/element/selective_masses.h>
 #include <chaindrive/parameters/model.h>
 
 #include <memory>
@@ -23,9 +23,9 @@ public:
 
   const std::vector<std::unique_ptr<const ElementBlock>> &blocks() const { return blocks_; }
 
-  /// Masses of its nodes; with Elements/Column mass scaling, of the columns through a roller's
+  /// Masses of its nodes; with Elements/Selective mass scaling, of the columns through a roller's
   /// wall.
-  const ColumnMasses &masses() const { return masses_; }
+  const SelectiveMasses &masses() const { return masses_; }
 
   /// Adds the internal forces of all blocks to those of one batch.
   void add_forces(const BatchState &batch) const;
@@ -38,6 +38,6 @@ public:
 
 private:
   std::vector<std::unique_ptr<const ElementBlock>> blocks_;
-  ColumnMasses                                     masses_;
+  SelectiveMasses                                  masses_;
 };
 } // namespace chaindrive::element

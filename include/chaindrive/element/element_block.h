@@ -85,13 +85,13 @@ void assemble(const std::vector<const ElementBlock *> &blocks,
               dealii::SparsityPattern                 &pattern,
               dealii::SparseMatrix<double>            &matrix);
 
-class ColumnMasses;
+class SelectiveMasses;
 
 /// Largest natural frequency [rad/s] of the free part with the masses @p mass at small amplitudes,
 /// from above, by largest_eigenvalue(). @p springs [N/m], if not empty, hold each node in all
 /// directions.
 double largest_frequency(const std::vector<const ElementBlock *> &blocks,
-                         const ColumnMasses                      &mass,
+                         const SelectiveMasses                   &mass,
                          const std::vector<double>               &springs);
 
 /// The same with @p mass of each node, kg.

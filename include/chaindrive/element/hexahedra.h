@@ -20,12 +20,12 @@ struct Selection
   /// Components whose cells they are; if empty, all but the rigid zone of a sprocket.
   std::vector<dealii::types::material_id> components;
 
-  /// Shells and membranes have the hourglass stiffness of shell_stiffness() in the place of that of
-  /// their formulation, and its kernel is that of Formulation::enhanced.
-  parameters::Wall wall = parameters::Wall::brick;
+  /// Solid-shells and membranes have the hourglass stiffness of solid_shell_stiffness() in the
+  /// place of that of their formulation, and its kernel is that of Formulation::enhanced.
+  parameters::ElementType element_type = parameters::ElementType::solid;
 
-  /// Direction through the wall at the middle of a cell [m], from its inner to its outer face; of
-  /// shells and membranes.
+  /// Direction through the thickness at the middle of a cell [m], from its inner to its outer face;
+  /// of solid-shells and membranes.
   std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &)> across;
 
   bool has(const dealii::types::material_id component) const;

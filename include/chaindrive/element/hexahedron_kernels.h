@@ -4,15 +4,16 @@
 // Forces of trilinear hexahedra and the step of their nodes, for P::width copies at a time. A
 // number of an element is the same for all copies; what varies from copy to copy is a pack.
 //
-// An element is the amplitudes x_m = h_m . x of seven modes of its eight vertices (shapes.h), not
-// the vertices: sums and differences find them, and most numbers of regular elements vanish. The
-// numbers (kernels.h) are G, the mean gradient in terms of modes; H_aj = h_a . X_j, what of the
-// hourglass vectors is linear; and K, the hourglass stiffness. Components of positions are i, axes
-// of the element j and k, hourglass modes a, and W is the energy (doc/theory.md, section 3).
+// An element is the amplitudes x_m = h_m . x of seven base vectors of its eight vertices
+// (shapes.h), not the vertices: sums and differences find them, and most numbers of regular
+// elements vanish. The numbers (kernels.h) are G, the mean gradient in terms of base vectors; H_aj
+// = h_a . X_j, what of the hourglass vectors is linear; and K, the hourglass stiffness. Components
+// of positions are i, axes of the element j and k, hourglass modes a, and W is the energy
+// (doc/theory.md, section 3).
 //
 // Mean gradient, add_mean_forces(), Formulation::one_point and enhanced:
 //
-//   x_im  = h_m . x_i                       amplitudes of positions                gather_modes()
+//   x_im  = h_m . x_i                    amplitudes of positions                gather_amplitudes()
 //   F_ij  = sum_m G_jm x_im                 deformation gradient, mean over the element
 //   q_ia  = x_ia - sum_j H_aj F_ij          hourglass amplitudes gamma_a . x_i: as
 //                                           gamma_a = h_a - sum_j H_aj B_j and F_ij = B_j . x_i
@@ -21,12 +22,12 @@
 //   enhanced:  p_ak = sum_i F_ik q_ia       amplitudes turned back into the element's axes
 //              s = K p                      12 of them, in the blocks of shapes.h
 //              dW/dq_ia = sum_k F_ik s_ak,  dW/dF_ik = (V F S)_ik + sum_a q_ia s_ak
-//   shell:     as enhanced with the mean strain E + D p in the place of E: what amplitudes strain
-//              where a shell's strains are sampled; then s = K p + V D^T S
+//   solid-shell: as enhanced with the mean strain E + D p in the place of E: what amplitudes strain
+//              where a solid-shell's strains are sampled; then s = K p + V D^T S
 //   then back by the transposes of all that led here, T = dW/dF and r = dW/dx_m:
 //   T_ij -= sum_a H_aj dW/dq_ia             q depends on F
 //   r_im  = sum_j G_jm T_ij  (+ dW/dq_ia where m is an hourglass mode a)
-//   f_i  -= sum_m h_m r_im                                                        scatter_modes()
+//   f_i  -= sum_m h_m r_im                                                     scatter_amplitudes()
 //
 // Eight points, add_full_forces(): derivatives of x along the axes of the unit cell at the points
 // from the amplitudes, F with the inverse Jacobian of each point, its stress, and the same way
@@ -81,9 +82,9 @@ CHAINDRIVE_ALWAYS_INLINE void times(const P (&F)[3], const Symmetric<P> &S, P (&
   T[2] = F[0] * S.zx + F[1] * S.yz + F[2] * S.zz;
 }
 
-/// The amplitudes of the modes of eight numbers.
+/// The amplitudes of the base vectors of eight numbers.
 template <typename P>
-CHAINDRIVE_ALWAYS_INLINE void to_modes(const P (&x)[8], P (&mode)[n_modes])
+CHAINDRIVE_ALWAYS_INLINE void to_amplitudes(const P (&x)[8], P (&amplitude)[n_base_vectors])
 {
   // differences and sums along x, at y and z
   const P d0 = x[1] - x[0], d1 = x[3] - x[2], d2 = x[5] - x[4], d3 = x[7] - x[6];
@@ -91,26 +92,26 @@ CHAINDRIVE_ALWAYS_INLINE void to_modes(const P (&x)[8], P (&mode)[n_modes])
   // then along y, at z
   const P dd0 = d1 - d0, dd1 = d3 - d2, ds0 = d1 + d0, ds1 = d3 + d2;
   const P sd0 = s1 - s0, sd1 = s3 - s2, ss0 = s1 + s0, ss1 = s3 + s2;
-  mode[mode_x]   = ds1 + ds0;
-  mode[mode_y]   = sd1 + sd0;
-  mode[mode_z]   = ss1 - ss0;
-  mode[mode_xy]  = dd1 + dd0;
-  mode[mode_yz]  = sd1 - sd0;
-  mode[mode_zx]  = ds1 - ds0;
-  mode[mode_xyz] = dd1 - dd0;
+  amplitude[base_x]   = ds1 + ds0;
+  amplitude[base_y]   = sd1 + sd0;
+  amplitude[base_z]   = ss1 - ss0;
+  amplitude[base_xy]  = dd1 + dd0;
+  amplitude[base_yz]  = sd1 - sd0;
+  amplitude[base_zx]  = ds1 - ds0;
+  amplitude[base_xyz] = dd1 - dd0;
 }
 
-/// Subtracts sum_m h_m r_m from eight numbers, the transpose of to_modes().
+/// Subtracts sum_m h_m r_m from eight numbers, the transpose of to_amplitudes().
 template <typename P>
-CHAINDRIVE_ALWAYS_INLINE void subtract_modes(const P (&r)[n_modes], P (&x)[8])
+CHAINDRIVE_ALWAYS_INLINE void subtract_amplitudes(const P (&r)[n_base_vectors], P (&x)[8])
 {
   // what differs along x and what does not, at z = -1 and 1
-  const P ds0 = r[mode_x] - r[mode_zx], ds1 = r[mode_x] + r[mode_zx];
-  const P dd0 = r[mode_xy] - r[mode_xyz], dd1 = r[mode_xy] + r[mode_xyz];
-  const P sd0 = r[mode_y] - r[mode_yz], sd1 = r[mode_y] + r[mode_yz];
+  const P ds0 = r[base_x] - r[base_zx], ds1 = r[base_x] + r[base_zx];
+  const P dd0 = r[base_xy] - r[base_xyz], dd1 = r[base_xy] + r[base_xyz];
+  const P sd0 = r[base_y] - r[base_yz], sd1 = r[base_y] + r[base_yz];
   // at y and z
   const P d0 = ds0 - dd0, d1 = ds0 + dd0, d2 = ds1 - dd1, d3 = ds1 + dd1;
-  const P s0 = sd0 + r[mode_z], s1 = sd0 - r[mode_z], s2 = sd1 - r[mode_z], s3 = sd1 + r[mode_z];
+  const P s0 = sd0 + r[base_z], s1 = sd0 - r[base_z], s2 = sd1 - r[base_z], s3 = sd1 + r[base_z];
   x[0] += s0 + d0;
   x[1] += s0 - d0;
   x[2] -= s1 - d1;
@@ -123,24 +124,26 @@ CHAINDRIVE_ALWAYS_INLINE void subtract_modes(const P (&r)[n_modes], P (&x)[8])
 
 /// The amplitudes of component @p i of an element's positions.
 template <typename P>
-CHAINDRIVE_ALWAYS_INLINE void
-gather_modes(const Vertices &vertices, const int i, const double *from, P (&mode)[n_modes])
+CHAINDRIVE_ALWAYS_INLINE void gather_amplitudes(const Vertices &vertices,
+                                                const int       i,
+                                                const double   *from,
+                                                P (&amplitude)[n_base_vectors])
 {
   P x[8];
   for (int a = 0; a < 8; ++a)
     x[a] = P::load(from + (3 * vertices.node[a] + i) * n_lanes);
-  to_modes(x, mode);
+  to_amplitudes(x, amplitude);
 }
 
 /// Subtracts what has the amplitudes @p r from component @p i of the forces of an element.
 template <typename P>
 CHAINDRIVE_ALWAYS_INLINE void
-scatter_modes(const P (&r)[n_modes], const Vertices &vertices, const int i, double *to)
+scatter_amplitudes(const P (&r)[n_base_vectors], const Vertices &vertices, const int i, double *to)
 {
   P f[8];
   for (int a = 0; a < 8; ++a)
     f[a] = P::load(to + (3 * vertices.node[a] + i) * n_lanes);
-  subtract_modes(r, f);
+  subtract_amplitudes(r, f);
   for (int a = 0; a < 8; ++a)
     f[a].store(to + (3 * vertices.node[a] + i) * n_lanes);
 }
@@ -149,20 +152,20 @@ scatter_modes(const P (&r)[n_modes], const Vertices &vertices, const int i, doub
 template <int width, Formulation formulation, Shape shape>
 CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const int lane)
 {
-  using P                      = Pack<double, width>;
-  constexpr NonZeros gradient  = gradient_entries(shape);
-  constexpr NonZeros shift     = shift_entries(shape);
-  constexpr NonZeros stiffness = hourglass_entries(shape);
-  constexpr NonZeros coupling  = coupling_entries(shape);
-  constexpr bool     pulls     = formulation != Formulation::one_point;
-  constexpr bool     shell     = formulation == Formulation::shell;
+  using P                        = Pack<double, width>;
+  constexpr NonZeros gradient    = gradient_entries(shape);
+  constexpr NonZeros shift       = shift_entries(shape);
+  constexpr NonZeros stiffness   = hourglass_entries(shape);
+  constexpr NonZeros coupling    = coupling_entries(shape);
+  constexpr bool     pulls       = formulation != Formulation::one_point;
+  constexpr bool     solid_shell = formulation == Formulation::solid_shell;
   P                  strain_energy_4(0.), hourglass_energy_2(0.); // times four, times two
   const double      *position = arg.position + lane;
   double            *force    = arg.force + lane;
 
-  P mode[3][n_modes]; // component, mode
+  P amplitude[3][n_base_vectors]; // component, base vector
   for (int i = 0; i < 3; ++i)
-    gather_modes(arg.vertices[0], i, position, mode[i]);
+    gather_amplitudes(arg.vertices[0], i, position, amplitude[i]);
   // while elements keep the arithmetic busy memory has time: a share of the lines with each of them
   constexpr unsigned int line    = 8;
   const unsigned int     share   = 1 + arg.n_next / (line * arg.n_elements);
@@ -182,12 +185,12 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
 #pragma GCC unroll 78
       for (int n = 0; n < gradient.size; ++n)
         for (int i = 0; i < 3; ++i)
-          F[i][gradient.row[n]] += P(G[n]) * mode[i][gradient.column[n]];
+          F[i][gradient.row[n]] += P(G[n]) * amplitude[i][gradient.column[n]];
 
       P q[3][4]; // component, amplitude
       for (int i = 0; i < 3; ++i)
         for (int alpha = 0; alpha < 4; ++alpha)
-          q[i][alpha] = mode[i][mode_xy + alpha];
+          q[i][alpha] = amplitude[i][base_xy + alpha];
 #pragma GCC unroll 78
       for (int n = 0; n < shift.size; ++n)
         for (int i = 0; i < 3; ++i)
@@ -215,7 +218,7 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
         }
 
       Symmetric<P> C = twice_green_strain(F);
-      if constexpr (shell)
+      if constexpr (solid_shell)
         {
           P *const strain[6] = {&C.xx, &C.yy, &C.zz, &C.xy, &C.yz, &C.zx};
 #pragma GCC unroll 78
@@ -223,7 +226,7 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
             *strain[coupling.row[n]] += P(K[stiffness.size + n]) * pulled[coupling.column[n]];
         }
       const Symmetric<P> S = stress(C, arg.lambda, arg.mu, numbers[0], strain_energy_4);
-      if constexpr (shell)
+      if constexpr (solid_shell)
         {
           const P half(0.5);
           const P along[6] = {half * S.xx, half * S.yy, half * S.zz, S.xy, S.yz, S.zx};
@@ -238,32 +241,32 @@ CHAINDRIVE_ALWAYS_INLINE void add_mean_forces(const ForceArguments &arg, const i
           P T[3];
           times(F[i], S, T);
           // additions for the next element, beside multiplications of this one
-          gather_modes(next, i, position, mode[i]);
-          P r[n_modes] = {};
+          gather_amplitudes(next, i, position, amplitude[i]);
+          P r[n_base_vectors] = {};
           if constexpr (pulls)
             {
 #pragma GCC unroll 78
               for (int n = 0; n < 12; ++n)
                 {
-                  r[mode_xy + amplitudes[n].alpha] += F[i][amplitudes[n].k] * s[n];
+                  r[base_xy + amplitudes[n].alpha] += F[i][amplitudes[n].k] * s[n];
                   T[amplitudes[n].k] += q[i][amplitudes[n].alpha] * s[n];
                 }
             }
           else
             for (int alpha = 0; alpha < 4; ++alpha)
               {
-                r[mode_xy + alpha] = P(K[0]) * q[i][alpha];
-                hourglass_energy_2 += r[mode_xy + alpha] * q[i][alpha];
+                r[base_xy + alpha] = P(K[0]) * q[i][alpha];
+                hourglass_energy_2 += r[base_xy + alpha] * q[i][alpha];
               }
 
               // the transposes of q and of F
 #pragma GCC unroll 78
           for (int n = 0; n < shift.size; ++n)
-            T[shift.column[n]] -= P(H[n]) * r[mode_xy + shift.row[n]];
+            T[shift.column[n]] -= P(H[n]) * r[base_xy + shift.row[n]];
 #pragma GCC unroll 78
           for (int n = 0; n < gradient.size; ++n)
             r[gradient.column[n]] += P(G[n]) * T[gradient.row[n]];
-          scatter_modes(r, arg.vertices[e], i, force);
+          scatter_amplitudes(r, arg.vertices[e], i, force);
         }
     }
   (P::load(arg.strain_energy + lane) + P(0.25) * strain_energy_4).store(arg.strain_energy + lane);
@@ -297,14 +300,15 @@ CHAINDRIVE_ALWAYS_INLINE void add_full_forces(const ForceArguments &arg, const i
       P derivative[3][3][4], sum[3][3][4]; // component, axis, line
       for (int i = 0; i < 3; ++i)
         {
-          P mode[n_modes];
-          gather_modes(arg.vertices[e], i, position, mode);
-          const P product = g_squared * mode[mode_xyz];
+          P amplitude[n_base_vectors];
+          gather_amplitudes(arg.vertices[e], i, position, amplitude);
+          const P product = g_squared * amplitude[base_xyz];
           for (int d = 0; d < 3; ++d)
             {
               // s_d s_d1 and s_d s_d2
-              const P first = g * mode[mode_xy + d], second = g * mode[mode_xy + (d + 2) % 3];
-              const P low = mode[d] - second, high = mode[d] + second;
+              const P first  = g * amplitude[base_xy + d],
+                      second = g * amplitude[base_xy + (d + 2) % 3];
+              const P low = amplitude[d] - second, high = amplitude[d] + second;
               derivative[i][d][0] = low - (first - product);
               derivative[i][d][1] = low + (first - product);
               derivative[i][d][2] = high - (first + product);
@@ -346,21 +350,21 @@ CHAINDRIVE_ALWAYS_INLINE void add_full_forces(const ForceArguments &arg, const i
 
       for (int i = 0; i < 3; ++i)
         {
-          P r[n_modes] = {};
+          P r[n_base_vectors] = {};
           for (int d = 0; d < 3; ++d)
             {
               const P(&line)[4] = sum[i][d];
               const P low = line[1] - line[0], high = line[3] - line[2];
               const P second = line[2] + line[3], none = line[0] + line[1];
               r[d] = none + second;
-              r[mode_xy + d] += low + high;
-              r[mode_xy + (d + 2) % 3] += second - none;
-              r[mode_xyz] += high - low;
+              r[base_xy + d] += low + high;
+              r[base_xy + (d + 2) % 3] += second - none;
+              r[base_xyz] += high - low;
             }
-          for (int m = mode_xy; m < mode_xyz; ++m)
+          for (int m = base_xy; m < base_xyz; ++m)
             r[m] = g * r[m];
-          r[mode_xyz] = g_squared * r[mode_xyz];
-          scatter_modes(r, arg.vertices[e], i, force);
+          r[base_xyz] = g_squared * r[base_xyz];
+          scatter_amplitudes(r, arg.vertices[e], i, force);
         }
     }
   (P::load(arg.strain_energy + lane) + P(0.25) * strain_energy_4).store(arg.strain_energy + lane);
@@ -432,7 +436,7 @@ void update(const UpdateArguments &arg)
 }
 
 template <int width>
-void apply_column_masses(const ColumnArguments &arg)
+void apply_selective_masses(const SelectiveMassArguments &arg)
 {
   using P = Pack<double, width>;
   const P half_kick(0.5 * arg.kick), kept(1. - 0.5 * arg.kick * arg.drag);
@@ -478,8 +482,8 @@ constexpr Kernels make_kernels(const char *name)
           {add_internal_forces<width, Formulation::one_point>,
            add_internal_forces<width, Formulation::enhanced>,
            add_internal_forces<width, Formulation::full>,
-           add_internal_forces<width, Formulation::shell>},
+           add_internal_forces<width, Formulation::solid_shell>},
           update<width>,
-          apply_column_masses<width>};
+          apply_selective_masses<width>};
 }
 } // namespace chaindrive::element::packed

@@ -9,14 +9,14 @@
 
 namespace chaindrive::element
 {
-/// How the elements of a block are integrated: those of section Elements, and shells, which are as
-/// enhanced but condensed from a solid-shell (shell_stiffness.h).
+/// How the elements of a block are integrated: those of section Elements, and solid-shells, which
+/// are as enhanced but condensed from a solid-shell (solid_shell_stiffness.h).
 enum class Formulation
 {
   one_point = static_cast<int>(parameters::Formulation::one_point),
   enhanced  = static_cast<int>(parameters::Formulation::enhanced),
   full      = static_cast<int>(parameters::Formulation::full),
-  shell
+  solid_shell
 };
 
 /// The vertices of an element in deal.II's order, and where its numbers begin: elements of one
@@ -28,12 +28,13 @@ struct Vertices
 };
 
 /// What the kernels read of an element besides its vertices, one number after the other:
-/// - with one point: the volume V [m3]; the mean gradient G [1/m] in terms of the modes (see
+/// - with one point: the volume V [m3]; the mean gradient G [1/m] in terms of the base vectors (see
 ///   shapes.h), row by row; the linear part h_alpha . X_j [m] of the hourglass vectors, row by row;
 ///   then the stiffness [N/m] of the hourglass amplitudes q_alpha,k = gamma_alpha . u_k with
 ///   gamma_alpha = h_alpha - B_j (h_alpha . X_j): one number for all (Formulation::one_point), or
-///   the lower triangle of each block of the matrix, row by row (Formulation::enhanced and shell);
-/// - of a shell also twice the mean Green's strain per amplitude, row by row, 1/m;
+///   the lower triangle of each block of the matrix, row by row (Formulation::enhanced and
+///   solid-shell);
+/// - of a solid-shell also twice the mean Green's strain per amplitude, row by row, 1/m;
 /// - with eight: at each of them the volume and the inverse of the Jacobian dX / dxi, row by row.
 /// Only those that do not vanish for the shape.
 constexpr int n_numbers(const Shape shape, const Formulation formulation)
@@ -42,7 +43,7 @@ constexpr int n_numbers(const Shape shape, const Formulation formulation)
     return (shape == Shape::general ? 8 : 4) * (1 + jacobian_entries(shape).size);
   return 1 + gradient_entries(shape).size + shift_entries(shape).size +
          (formulation == Formulation::one_point ? 1 : hourglass_entries(shape).size) +
-         (formulation == Formulation::shell ? coupling_entries(shape).size : 0);
+         (formulation == Formulation::solid_shell ? coupling_entries(shape).size : 0);
 }
 
 /// One batch: n_lanes copies of a part, side by side in memory as [node][component][lane].
@@ -81,11 +82,11 @@ struct UpdateArguments
   double       *momentum;       ///< [component][lane], to which sum m v is added, kg m/s
 };
 
-/// What accelerates the nodes of columns together (ColumnMasses), of one batch. With M' = L D L^T,
-/// L having ones on its diagonal, the accelerations a = M'^-1 f are found and forces become M a. To
-/// the kinetic energy is added what M' has more than M at the instant of the forces, with the
+/// What accelerates the nodes of columns together (SelectiveMasses), of one batch. With M' = L D
+/// L^T, L having ones on its diagonal, the accelerations a = M'^-1 f are found and forces become M
+/// a. To the kinetic energy is added what M' has more than M at the instant of the forces, with the
 /// velocities in the middle of the kick.
-struct ColumnArguments
+struct SelectiveMassArguments
 {
   unsigned int        n_columns;
   const unsigned int *begin; ///< per column and for the end: where it begins in what follows
@@ -108,7 +109,7 @@ struct Kernels
   int         width; ///< numbers that the machine computes at a time
   void (*add_internal_forces[4])(const ForceArguments &); ///< by Formulation
   void (*update)(const UpdateArguments &);
-  void (*apply_column_masses)(const ColumnArguments &);
+  void (*apply_selective_masses)(const SelectiveMassArguments &);
 };
 
 /// Kernels of @p width 1, 2, 4 or 8 numbers; null where this machine has none.

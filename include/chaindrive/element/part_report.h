@@ -27,8 +27,8 @@ struct PartReport
 
   /// 2 / (largest natural frequency of a single elastic cell), s: a step below it is stable for the
   /// whole mesh. Of the fully integrated trilinear element with lumped masses.
-  double       stable_step;
-  unsigned int n_shapes; ///< of elastic cells that differ by more than a motion
+  double       critical_time_step;
+  unsigned int n_distinct_cells; ///< of elastic cells that differ by more than a motion
 
   struct Factor
   {
@@ -49,6 +49,7 @@ struct PartReport
 PartReport make_report(const mesh::Part &part, const Material &material);
 
 /// Prints a table for people, a line for each part: smallest edge, worst scaled Jacobian and aspect
-/// ratio, error of the mesh's mass, largest error of the lumped masses' inertia, stable step.
+/// ratio, error of the mesh's mass, largest error of the lumped masses' inertia, critical time
+/// step.
 void print(std::ostream &out, const std::vector<PartReport> &reports);
 } // namespace chaindrive::element

@@ -28,20 +28,20 @@ constexpr int n_shapes = 3;
 ///      |/        |/         +---- x
 ///      0---------1
 ///
-/// A trilinear field x is sum_m h_m x_m / 8 with the amplitudes x_m = h_m . x of eight modes; with
-/// the coordinates s_d = -1 or 1 of a vertex h_m is 1, then in this order s_x, s_y, s_z, s_x s_y,
-/// s_y s_z, s_z s_x, s_x s_y s_z. The constant one is left out: neither gradients nor forces have a
-/// part in it. The last four are the hourglass modes.
-enum Mode
+/// A trilinear field x is sum_m h_m x_m / 8 with the amplitudes x_m = h_m . x of eight base
+/// vectors; with the coordinates s_d = -1 or 1 of a vertex h_m is 1, then in this order s_x, s_y,
+/// s_z, s_x s_y, s_y s_z, s_z s_x, s_x s_y s_z. The constant one is left out: neither gradients nor
+/// forces have a part in it. The last four are the hourglass modes.
+enum BaseVector
 {
-  mode_x,
-  mode_y,
-  mode_z,
-  mode_xy,
-  mode_yz,
-  mode_zx,
-  mode_xyz,
-  n_modes
+  base_x,
+  base_y,
+  base_z,
+  base_xy,
+  base_yz,
+  base_zx,
+  base_xyz,
+  n_base_vectors
 };
 
 /// The entries of a matrix that do not vanish; the kernels read one number for each.
@@ -58,12 +58,12 @@ struct NonZeros
   }
 };
 
-/// Where the mean gradient has numbers: row j for the derivative along axis j, column for a mode.
-/// The first two rows of a prism are those of its section's Jacobian; the modes beside z belong to
-/// a section that grows across.
+/// Where the mean gradient has numbers: row j for the derivative along axis j, column for a base
+/// vector. The first two rows of a prism are those of its section's Jacobian; the base vectors
+/// beside z belong to a section that grows across.
 constexpr NonZeros gradient_entries(const Shape shape)
 {
-  constexpr bool present[n_shapes][3][n_modes] = {
+  constexpr bool present[n_shapes][3][n_base_vectors] = {
       {{true, true, true, true, true, true, true},
        {true, true, true, true, true, true, true},
        {true, true, true, true, true, true, true}},
@@ -75,7 +75,7 @@ constexpr NonZeros gradient_entries(const Shape shape)
        {false, false, true, false, true, false, false}}};
   NonZeros entries;
   for (int j = 0; j < 3; ++j)
-    for (int m = 0; m < n_modes; ++m)
+    for (int m = 0; m < n_base_vectors; ++m)
       if (present[static_cast<int>(shape)][j][m])
         entries.add(j, m);
   return entries;
@@ -92,7 +92,7 @@ constexpr NonZeros shift_entries(const Shape shape)
   return entries;
 }
 
-/// An hourglass amplitude: component @p k of mode @p alpha, counted from mode_xy.
+/// An hourglass amplitude: component @p k of base vector @p alpha, counted from base_xy.
 struct Amplitude
 {
   int alpha, k;
@@ -133,8 +133,8 @@ constexpr NonZeros hourglass_entries(const Shape shape)
   return entries;
 }
 
-/// Which mean strains of a shell, rows xx, yy, zz, xy, yz, zx, follow from which amplitudes: those
-/// of the block that is even or odd as they are.
+/// Which mean strains of a solid-shell, rows xx, yy, zz, xy, yz, zx, follow from which amplitudes:
+/// those of the block that is even or odd as they are.
 constexpr NonZeros coupling_entries(const Shape shape)
 {
   constexpr int block_of_strain[n_shapes][6] = {

@@ -84,9 +84,9 @@ public:
   }
 };
 
-/// Strain and stress of every brick of a part, from the mean gradient over the cell. What bends
-/// through one layer of cells has its stress in their middle surface; see face_stress() for its
-/// sides, and WallStresses for shells.
+/// Strain and stress of every solid element of a part, from the mean gradient over the cell. What
+/// bends through one layer of cells has its stress in their middle surface; see face_stress() for
+/// its sides, and SolidShellStresses for solid-shells.
 class CellStresses : public StressRecovery
 {
 public:

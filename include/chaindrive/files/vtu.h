@@ -40,8 +40,8 @@ struct VtuGrid
   std::vector<IntegerData>  cell_numbers;
 };
 
-/// The arrays of integers of the last picture of a series by their names, and what they were packed
-/// to: most pictures have the same.
+/// The arrays of integers of the last output of a series by their names, and what they were packed
+/// to: most outputs have the same.
 struct VtuPacked
 {
   struct Array
@@ -58,7 +58,7 @@ struct VtuPacked
 /// points: for a chain that is five times the numbers and ten times the CPU time.
 void write_vtu(std::ostream &out, const VtuGrid &grid, double time, VtuPacked &before);
 
-/// Writes the file that makes one picture of @p pieces, files written by write_vtu() with the same
+/// Writes the file that makes one output of @p pieces, files written by write_vtu() with the same
 /// fields as @p grid.
 void write_pvtu(std::ostream &out, const VtuGrid &grid, const std::vector<std::string> &pieces);
 } // namespace chaindrive::files

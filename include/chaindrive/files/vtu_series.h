@@ -16,9 +16,10 @@
 
 namespace chaindrive::files
 {
-/// Pictures of one thing at several instants: `NAME.pvd` in a directory, which lists one VTU file
-/// for each instant in the folder `fields` beside it; with several ranks, one of each rank and a
-/// PVTU file that names them. Every failure to write is a RunError; earlier instants stay readable.
+/// Field output of one thing at several instants: `NAME.pvd` in a directory, which lists one VTU
+/// file for each instant in the folder `fields` beside it; with several ranks, one of each rank and
+/// a PVTU file that names them. Every failure to write is a RunError; earlier instants stay
+/// readable.
 class VtuSeries
 {
 public:

@@ -35,7 +35,7 @@ public:
   /// The forces [N] on its bodies at the last call of add_forces(), for who looks for faults.
   virtual std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>> forces() const { return {}; }
 
-  /// Its springs at the present state, as stiff as they can become, for the stable step.
+  /// Its springs at the present state, as stiff as they can become, for the critical time step.
   virtual void add_springs(const World &world, std::vector<Spring> &springs) const = 0;
 
   /// What it remembers from step to step.

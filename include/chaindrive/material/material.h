@@ -20,7 +20,7 @@ struct Material
   }
   double mu() const { return 0.5 * youngs_modulus / (1. + poissons_ratio); }
 
-  /// lambda + 2 mu, Pa: stress over strain where the sides cannot give way.
+  /// lambda + 2 mu, Pa: stress over strain where the sides cannot deflect.
   double constrained_modulus() const { return lambda() + 2. * mu(); }
 
   /// Pressure over compression, Pa.

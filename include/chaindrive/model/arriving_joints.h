@@ -11,9 +11,9 @@
 namespace chaindrive::model
 {
 /// Per joint, whether its roller and bush are elastic in an elastic model: all of them, or for
-/// Model/Elastic links = arriving those that reach the driver in Output's window, from the first
-/// bush of an inner link to the second one of another; says so in @p notes. InputError when these
-/// are the whole chain.
+/// Model/Elastic links = region of interest those that reach the driver in Output's window, from
+/// the first bush of an inner link to the second one of another; says so in @p notes. InputError
+/// when these are the whole chain.
 std::vector<char> elastic_joints(const Parameters         &parameters,
                                  const drive::Drive       &drive,
                                  const Effects            &effects,

@@ -11,7 +11,7 @@ namespace chaindrive::model
 /// reads entries checks them against these decisions, and a Model keeps them.
 Effects decide_effects(const Parameters &parameters);
 
-/// Time between two pictures if there are any, s; 0: none. auto is a tenth of the pitch time of the
-/// driver, or a millisecond of one that stands still.
+/// Time between two field outputs if there are any, s; 0: none. auto is a tenth of the pitch time
+/// of the driver, or a millisecond of one that stands still.
 double field_interval(const Parameters &parameters);
 } // namespace chaindrive::model

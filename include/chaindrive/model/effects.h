@@ -26,9 +26,9 @@ enum class Effect
   tooth_compliance,
   plate_bending,
   reduced_bodies,
-  column_mass_scaling,
+  selective_mass_scaling,
   plate_faces,
-  half_model,
+  symmetry_model,
   fields,
   stress_recovery,
   start_up
@@ -53,9 +53,9 @@ inline constexpr Texts<model::Effect, 20> texts_of<model::Effect>{
      {model::Effect::tooth_compliance, "tooth compliance"},
      {model::Effect::plate_bending, "plate bending"},
      {model::Effect::reduced_bodies, "reduced bodies"},
-     {model::Effect::column_mass_scaling, "column mass scaling"},
+     {model::Effect::selective_mass_scaling, "selective mass scaling"},
      {model::Effect::plate_faces, "plate faces"},
-     {model::Effect::half_model, "half model"},
+     {model::Effect::symmetry_model, "symmetry model"},
      {model::Effect::fields, "fields"},
      {model::Effect::stress_recovery, "stress recovery"},
      {model::Effect::start_up, "start-up"}}};

@@ -55,10 +55,11 @@ struct Model
   parameters::Fidelity fidelity = parameters::Fidelity::simple; ///< the builder of the scene
 
   // bodies
-  bool              reduced        = false; ///< elastic bodies move by shapes, else by their nodes
-  bool              others_reduced = false; ///< elastic bodies that do not arrive: else rigid
-  std::vector<char> elastic_joints; ///< per joint, whether its roller and bush arrive where elastic
-                                    ///< bodies must be; all, unless Elastic links = arriving
+  bool reduced        = false; ///< elastic bodies move by modes, else by their nodes
+  bool others_reduced = false; ///< bodies outside the region of interest: else rigid
+  std::vector<char>
+      elastic_joints; ///< per joint, whether its roller and bush arrive where elastic
+                      ///< bodies must be; all, unless Elastic links = region of interest
   Value                 mass_per_pitch; ///< of the whole chain, kg
   std::optional<double> driven_inertia; ///< given for all that turns with the driven hub, kg m2
   Material              material;
@@ -79,7 +80,7 @@ struct Model
   parameters::Time     time;
   parameters::Output   output;
   Window               window;
-  double               field_interval = 0.; ///< between pictures, s; 0: none are written
+  double               field_interval = 0.; ///< between field output, s; 0: none are written
   parameters::Sections sections;            ///< entries of what registers itself
 
   std::vector<std::string> notes; ///< what the log must say about decisions
@@ -87,7 +88,7 @@ struct Model
 
 /// Decides the model of the @p drive of @p parameters, in which @p effects are decided already:
 /// stiffnesses that are auto are those of the drive. Throws InputError for links that arrive in a
-/// window so long that they are the whole chain, and for teeth that give way too much.
+/// window so long that they are the whole chain, and for teeth that deflect too much.
 Model make_model(const Parameters &parameters, const drive::Drive &drive, const Effects &effects);
 
 /// The same with decide_effects() of @p parameters.
@@ -97,7 +98,7 @@ Model make_model(const Parameters &parameters, const drive::Drive &drive);
 Meshes meshes_of(const Parameters &parameters, const Effects &effects);
 
 /// Which stiffnesses of a drive come from elastic solutions of its parts: those that are auto and
-/// that something gives way by.
+/// that something deflects by.
 struct PartStiffnesses
 {
   bool per_pitch; ///< of the chain

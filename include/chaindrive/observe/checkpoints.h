@@ -51,7 +51,7 @@ public:
 
   /// A sentence that names the last checkpoint not later than @p time [s], or says that there is
   /// none.
-  std::string last_sound(double time) const;
+  std::string last_valid(double time) const;
 
 private:
   using Clock = std::chrono::steady_clock;

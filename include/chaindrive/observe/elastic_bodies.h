@@ -14,10 +14,11 @@ namespace chaindrive::observe
 /// An elastic body at one instant, in the numbering of its part's mesh.
 struct ElasticSnapshot
 {
-  std::vector<dealii::Tensor<1, 3>>  displacement; ///< per vertex, world axes, m
-  std::vector<dealii::Tensor<1, 3>>  velocity;     ///< per vertex, m/s, half a step before
-  std::vector<element::Stress>       stress;       ///< per cell
-  std::vector<element::FaceStresses> faces; ///< per cell of a part with shells, zero in its bricks
+  std::vector<dealii::Tensor<1, 3>> displacement; ///< per vertex, world axes, m
+  std::vector<dealii::Tensor<1, 3>> velocity;     ///< per vertex, m/s, half a step before
+  std::vector<element::Stress>      stress;       ///< per cell
+  std::vector<element::FaceStresses>
+      faces; ///< per cell of a part with solid-shells, zero in its solid elements
 };
 
 /// Whether elastic bodies of one of these @p kinds are in the scene.
@@ -43,8 +44,8 @@ private:
   std::map<unsigned int, std::vector<std::unique_ptr<const element::StressRecovery>>> cells_;
 };
 
-/// The waists of the side plates of elastic links. Bodies that move by shapes strain in proportion
-/// to them: each shape has its stresses, which are added, and the squares of strains are left out.
+/// The waists of the side plates of elastic links. Modal bodies strain in proportion
+/// to them: each mode has its stresses, which are added, and the squares of strains are left out.
 class Waists
 {
 public:
@@ -57,8 +58,8 @@ private:
   struct Plates
   {
     PlateStress                  from_nodes;
-    const ModalGroup            *modal = nullptr; ///< null: bodies that move by nodes
-    std::vector<WaistComponents> of_shapes;       ///< per amplitude of a shape
+    const ModalGroup            *modal = nullptr; ///< null: nodal bodies
+    std::vector<WaistComponents> of_modes;        ///< per amplitude of a mode
   };
 
   std::map<unsigned int, Plates> plates_; ///< by group of copies

@@ -43,7 +43,7 @@ struct BodySnapshot
   dealii::ArrayView<const dealii::Tensor<1, 3>> velocity{};     ///< elastic bodies only [m/s]
   dealii::ArrayView<const element::Stress>      stress{};       ///< per cell, elastic bodies only
 
-  /// Per cell of a body with shells, zero in its bricks.
+  /// Per cell of a body with solid-shells, zero in its solid elements.
   dealii::ArrayView<const element::FaceStresses> faces{};
 
   double tension    = 0.; ///< of a link; of a roller, mean of its two links [N]
@@ -64,14 +64,14 @@ struct BarSnapshot
   double                              tension;      ///< N
 };
 
-/// Pictures of the moving chain for ParaView: the series `bodies` and, when there are bars, `bars`
-/// (files::VtuSeries).
+/// Field output of the moving chain for ParaView: the series `bodies` and, when there are bars,
+/// `bars` (files::VtuSeries).
 ///
 /// Points lie where they are now and carry displacement and velocity, cells carry the body's
 /// number, the kind of its part, whether it deforms, its contact force, tension and tooth load.
 /// Where bodies have stresses, cells carry them too: von Mises' of Cauchy's stress, Green's strain
 /// and the second Piola-Kirchhoff stress in body axes (xx, yy, zz, xy, yz, xz), zero in other
-/// bodies; where there are shells, the stress at their faces. Numbers are stored in single
+/// bodies; where there are solid-shells, the stress at their faces. Numbers are stored in single
 /// precision: 0.06 micrometres at 1 m.
 class Fields
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/element/solid_shell_stresses.h>
 #include <chaindrive/element/stress.h>
-#include <chaindrive/element/wall_stresses.h>
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/parameters/model.h>
 
@@ -42,10 +42,10 @@ class PlateStress
 {
 public:
   /// @p part is an inner or outer link, @p nodes are its nodes, @p plates what its plates are of.
-  PlateStress(const mesh::Part  &part,
-              const mesh::Nodes &nodes,
-              const Material    &material,
-              parameters::Wall   plates = parameters::Wall::brick);
+  PlateStress(const mesh::Part       &part,
+              const mesh::Nodes      &nodes,
+              const Material         &material,
+              parameters::ElementType plates = parameters::ElementType::solid);
 
   /// The nodes of the part whose positions are needed.
   const std::vector<unsigned int> &nodes() const { return nodes_; }
@@ -65,7 +65,7 @@ private:
     std::array<unsigned int, 8> node;   ///< places in nodes_
     element::Gradients          gradients;
 
-    std::optional<element::WallCell> wall; ///< of a shell or a membrane
+    std::optional<element::SolidShellCell> wall; ///< of a solid-shell or a membrane
   };
   struct Face
   {
@@ -81,7 +81,7 @@ private:
                                      const std::vector<dealii::Tensor<1, 3>> &position) const;
 
   Material                  material_;
-  parameters::Wall          plates_;
+  parameters::ElementType   plates_;
   std::vector<unsigned int> nodes_;
   std::vector<Cell>         section_;
   std::vector<Face>         lower_edge_, upper_edge_; ///< y < 0, y > 0

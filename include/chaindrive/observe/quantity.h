@@ -115,7 +115,7 @@ public:
   /// Looks at the system before the first step and after each. First rank only.
   virtual void update() {}
 
-  /// Brings together for a sample what is dealt out to the ranks. Collective.
+  /// Brings together for a sample what is distributed over the ranks. Collective.
   virtual void gather() {}
 
   /// A sample has been taken: what counts since the last one begins anew. First rank only.

@@ -19,7 +19,7 @@ struct Summary
 };
 
 /// The members of @p values in the order in which summary.json has them. Those that have no
-/// place in it stand between the results and the figures of the computation.
+/// place in it stand between the results and the key figures of the computation.
 files::Json in_order(const files::Json &values);
 
 /// CPU seconds by phase and `total`. Names become members in snake_case: "Internal force" ->

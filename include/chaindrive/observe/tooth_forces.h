@@ -28,10 +28,10 @@ struct ToothForces
   std::vector<const contact::SurfaceContact *> families; ///< of rigid and of elastic rollers
   std::vector<double>                          roller, roller_peak; ///< per joint
   std::vector<double>                          in_gap, in_gap_peak; ///< per gap of the sprocket
-  double                                       overlap = 0.;        ///< largest so far, m
+  double                                       penetration = 0.;    ///< largest so far, m
 
   /// Looks at the present records of the rollers that are near.
-  void look()
+  void update()
   {
     std::fill(roller.begin(), roller.end(), 0.);
     std::fill(in_gap.begin(), in_gap.end(), 0.);
@@ -42,7 +42,7 @@ struct ToothForces
           const double           normal = record.force * record.normal;
           roller[record.joint] += normal;
           in_gap[record.feature] += normal;
-          overlap = std::max(overlap, -record.gap);
+          penetration = std::max(penetration, -record.gap);
         }
     for (unsigned int k = 0; k < roller.size(); ++k)
       roller_peak[k] = std::max(roller_peak[k], roller[k]);

@@ -26,7 +26,7 @@ public:
   Window(const scene::Scene &scene, const model::Model &model, unsigned int pitches_per_period);
 
   /// Looks at a step. The first rank decides, all ranks know it from the same step on. Collective.
-  void look(const Observation &now);
+  void update(const Observation &now);
 
   double start() const { return start_; } ///< s; infinite as long as the drive has not settled
   double end() const { return end_; }     ///< s; infinite: the end of the run

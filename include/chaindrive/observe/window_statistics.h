@@ -56,7 +56,7 @@ private:
   const Observation &now_;
   const World::Hub  *driver_ = nullptr; ///< null in a scene without
   double             teeth_  = 0.;      ///< of the driver, positive where its angle grows
-  WholeTurns         tooth_periods_;
+  WholeRevolutions   tooth_periods_;
   std::vector<Item>  items_;
 };
 } // namespace chaindrive::observe

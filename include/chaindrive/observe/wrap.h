@@ -24,7 +24,7 @@ public:
   Wrap(const scene::Scene &scene, unsigned int sprocket);
 
   /// Looks at the chain. It must not have slipped by half a pitch since the last call.
-  void look(const World &world);
+  void update(const World &world);
 
   /// By how many pitches the chain has moved ahead of the teeth since the start.
   double slip() const { return slip_; }

@@ -14,7 +14,8 @@ enum class OnResume
 {
   must_stay,
   may_change,
-  must_stay_if_links_arrive ///< with Model/Elastic links = arriving it decides which are elastic
+  must_stay_with_region_of_interest ///< with Model/Elastic links = region of interest it decides
+                                    ///< which are elastic
 };
 
 /// One entry of the .prm file.

@@ -31,7 +31,7 @@ struct Capabilities
 {
   bool has_clearances; ///< rollers, inner and outer links are bodies; else lumps joined by bars
   bool is_elastic;     ///< bodies deform; else their compliance sits in bars and contacts
-  bool is_reduced;     ///< they do so by few shapes
+  bool is_reduced;     ///< they do so by few modes
 };
 
 constexpr Capabilities capabilities_of(const Fidelity fidelity)
@@ -54,12 +54,12 @@ constexpr Capabilities capabilities_of(const Fidelity fidelity)
 enum class ElasticLinks
 {
   all,
-  arriving ///< those that meet the driver in the window of the averages
+  region_of_interest ///< those that meet the driver in the window of the averages
 };
 
 template <>
 inline constexpr Texts<ElasticLinks, 2> texts_of<ElasticLinks>{
-    {{ElasticLinks::all, "all"}, {ElasticLinks::arriving, "arriving"}}};
+    {{ElasticLinks::all, "all"}, {ElasticLinks::region_of_interest, "region of interest"}}};
 
 /// What the others are.
 enum class OtherLinks
@@ -73,7 +73,7 @@ inline constexpr Texts<OtherLinks, 2> texts_of<OtherLinks>{
     {{OtherLinks::rigid, "rigid"}, {OtherLinks::reduced, "reduced"}}};
 
 /// Whether only the halves of bodies at z >= 0 are computed.
-enum class HalfModel
+enum class SymmetryModel
 {
   automatic,
   no,
@@ -81,25 +81,29 @@ enum class HalfModel
 };
 
 template <>
-inline constexpr Texts<HalfModel, 3> texts_of<HalfModel>{
-    {{HalfModel::automatic, "auto"}, {HalfModel::no, "false"}, {HalfModel::yes, "true"}}};
+inline constexpr Texts<SymmetryModel, 3> texts_of<SymmetryModel>{
+    {{SymmetryModel::automatic, "auto"},
+     {SymmetryModel::no, "false"},
+     {SymmetryModel::yes, "true"}}};
 
 template <>
 inline constexpr Texts<Formulation, 3> texts_of<Formulation>{{{Formulation::one_point, "one point"},
                                                               {Formulation::enhanced, "enhanced"},
                                                               {Formulation::full, "full"}}};
 
-/// What the walls of a component are made of (element/shell_stiffness.h).
-enum class Wall
+/// What the walls of a component consist of (element/solid_shell_stiffness.h).
+enum class ElementType
 {
-  brick,
-  shell,
+  solid,
+  solid_shell,
   membrane
 };
 
 template <>
-inline constexpr Texts<Wall, 3> texts_of<Wall>{
-    {{Wall::brick, "brick"}, {Wall::shell, "shell"}, {Wall::membrane, "membrane"}}};
+inline constexpr Texts<ElementType, 3> texts_of<ElementType>{
+    {{ElementType::solid, "solid"},
+     {ElementType::solid_shell, "solid-shell"},
+     {ElementType::membrane, "membrane"}}};
 
 /// Where stiffnesses that are `auto` come from.
 enum class StiffnessFrom
@@ -118,14 +122,14 @@ struct Model
   Fidelity     fidelity = Fidelity::simple;
   Capabilities capabilities() const { return capabilities_of(fidelity); }
 
-  HalfModel             half = HalfModel::automatic; ///< see model/decide.h
-  std::optional<double> mass_per_pitch;              ///< kg, of the whole chain per pitch
+  SymmetryModel         half = SymmetryModel::automatic; ///< see model/decide.h
+  std::optional<double> mass_per_pitch;                  ///< kg, of the whole chain per pitch
   std::optional<double> stiffness_per_pitch; ///< N/m, of the chain in a pull test, per pitch
   StiffnessFrom         stiffness_from = StiffnessFrom::parts; ///< those that are auto
   std::optional<double> driven_inertia; ///< kg m2, of all that turns with the driven hub
   double                chain_damping_ratio = 0.01; ///< of two lumps on their bar, simple only
   ElasticLinks          elastic_links       = ElasticLinks::all;
-  OtherLinks            other_links         = OtherLinks::rigid; ///< beside arriving ones
+  OtherLinks            other_links         = OtherLinks::rigid; ///< outside the region of interest
   Switch elastic_sprockets = Switch::automatic; ///< those on which section Effects does not decide
 
   /// Declares an entry for each member, which takes every value that is set. The object must
@@ -144,18 +148,18 @@ struct Material : chaindrive::Material
 /// Section `Elements`: how elastic bodies are computed.
 struct Elements
 {
-  Formulation formulation           = Formulation::enhanced;
-  double      hourglass_coefficient = 0.1; ///< of one point, after Flanagan and Belytschko
-  double      column_mass_scaling   = 0.;  ///< factor of element::ColumnMasses, rollers' walls
-  Wall        plates                = Wall::brick;
-  Wall        bushes                = Wall::brick;
+  Formulation formulation            = Formulation::enhanced;
+  double      hourglass_coefficient  = 0.1; ///< of one point, after Flanagan and Belytschko
+  double      selective_mass_scaling = 0.;  ///< factor of element::SelectiveMasses, rollers' walls
+  ElementType plates                 = ElementType::solid;
+  ElementType bushes                 = ElementType::solid;
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.
   void declare(Declarations &declarations);
 };
 
-/// Section `Reduction`: the shapes of reduced bodies, see reduction::BasisOptions.
+/// Section `Reduction`: the modes of reduced bodies, see reduction::BasisOptions.
 struct Reduction
 {
   double       modes_up_to = 60e3;  ///< Hz
@@ -180,7 +184,7 @@ struct Mesh
     Cells around, wall, rings, plate_layers, along;
   };
 
-  unsigned int refinement = 0; ///< 0 (coarse, for pictures) ... 4
+  unsigned int refinement = 0; ///< 0 (coarse, for field output) ... 4
   Cells        roller_wall, roller_around, roller_along;
   Link         inner_link, outer_link;
   Cells        sprocket_refinement; ///< 0 ... 4

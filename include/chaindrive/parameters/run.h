@@ -16,8 +16,8 @@ struct Time
 {
   double                start = 0.;           ///< s
   double                end   = 30e-3;        ///< s
-  std::optional<double> step;                 ///< s; auto: from accuracy and the stable step
-  double                safety_factor = 0.9;  ///< largest accepted step / stable step
+  std::optional<double> step;                 ///< s; auto: from accuracy and the critical time step
+  double                safety_factor = 0.9;  ///< largest accepted step / critical time step
   double                energy_limit  = 0.05; ///< imbalance / drive work at which a run stops
   bool                  guard         = true; ///< whether dynamics::Guard looks at more than that
 

@@ -8,16 +8,24 @@
 
 namespace chaindrive::parameters
 {
-/// What to say of an entry @p name that section @p section does not have, to which @p value was to
-/// be given: the entry of the same quantity in another unit, with the value converted to it; that
-/// the quantity is not modelled; the entry that was probably misspelt; the entries of the section.
-/// A sentence, with a blank before it; empty if there is nothing to say. @p with_paths names
-/// entries by their paths.
-std::string advice(const std::vector<Entry> &entries,
-                   const std::string        &section,
-                   const std::string        &name,
-                   const std::string        &value,
-                   bool                      with_paths = false);
+/// That section @p outer (empty: the file) has no section @p name, and which was probably meant.
+std::string unknown_section(const Declarations &declarations,
+                            const std::string  &name,
+                            const std::string  &outer);
+
+/// That section @p section (empty: outside all) has no entry @p name, to which @p value was to be
+/// given, and what to do: the section or the present name of such an entry; the entry of the same
+/// quantity in another unit, with the value converted to it; that the quantity is not modelled; the
+/// entry that was probably misspelt; the entries of the section.
+std::string unknown_entry(const Declarations &declarations,
+                          const std::string  &section,
+                          const std::string  &name,
+                          const std::string  &value);
+
+/// What to do about a @p path that no entry has, to which @p value was to be given; its section may
+/// be missing or wrong. A sentence, with a blank before it.
+std::string
+advice_on_path(const Declarations &declarations, const std::string &path, const std::string &value);
 
 /// Quantities that entries are often sought for and that no entry has, in the words of users, each
 /// with what to know of it: doc/not-modelled.md lists the same.

@@ -15,22 +15,22 @@ struct BasisOptions
   double modes_up_to = 2. * dealii::numbers::PI * 60e3; ///< all free modes below, rad/s
   double cap = 2. * dealii::numbers::PI * 300e3;        ///< no vector has a higher frequency, rad/s
   Orders orders;
-  double negligible = 3e-3; ///< of the compliance under a traction: what gives way less is left out
+  double negligible = 3e-3; ///< of the compliance under a traction: what deflects less is left out
 };
 
 /// Displacements that stand for the elasticity of a part: u = Phi q with q" + W^2 q = Phi^T f.
-/// First natural modes, then attachment vectors. These are made of what tractions on sides that
+/// First natural modes, then attachment modes. These are made of what tractions on sides that
 /// touch displace beside the natural modes, so that the statics of such tractions are those of the
 /// mesh; they vibrate, and those that would be faster than the cap do so with its frequency and a
 /// mass to match, without a change of their compliance.
 struct Basis
 {
-  unsigned int        n_natural = 0; ///< of the shapes; the rest are attachments
-  std::vector<double> omega; ///< W: of each shape, ascending among natural ones and others, rad/s
-  std::vector<Vector> shape; ///< Phi: of each, 1/sqrt(kg)
+  unsigned int        n_natural = 0; ///< of the modes; the rest are attachments
+  std::vector<double> omega; ///< W: of each mode, ascending among natural ones and others, rad/s
+  std::vector<Vector> modes; ///< Phi: of each, 1/sqrt(kg)
 
   std::vector<unsigned int> reflections; ///< the axes of the part's Symmetry
-  std::vector<unsigned int> symmetry;    ///< the class of each shape
+  std::vector<unsigned int> symmetry;    ///< the class of each mode
 
   /// The part of the compliance under a load that the basis lacks.
   struct Error
@@ -52,7 +52,7 @@ struct Basis
 /// values 1/omega^2, are the Ritz vectors of both K and M. The tractions are scaled to unit
 /// compliance before; eigenvectors of C whose value is negligible are left out. All of this is done
 /// for each class of the part's symmetry apart, with the parts of tractions and natural modes that
-/// are of this class, so that every shape is of one.
+/// are of this class, so that every mode is of one.
 Basis make_basis(const FreePart            &part,
                  const std::vector<Vector> &tractions,
                  const BasisOptions        &options);

@@ -5,11 +5,11 @@
 
 namespace chaindrive::reduction
 {
-/// A shape in which a part vibrates.
+/// A mode in which a part vibrates.
 struct Mode
 {
-  double omega; ///< rad/s
-  Vector shape; ///< 1/sqrt(kg)
+  double omega;  ///< rad/s
+  Vector vector; ///< 1/sqrt(kg)
 };
 
 /// The natural modes of @p part up to the frequency @p highest [rad/s] without rigid motions, K phi

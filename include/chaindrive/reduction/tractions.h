@@ -9,7 +9,7 @@
 
 namespace chaindrive::reduction
 {
-/// The highest harmonics about the axis of the pressures in which a part gives way.
+/// The highest harmonics about the axis of the pressures in which a part deflects.
 struct Orders
 {
   unsigned int tube = 8; ///< of rollers and bushes, which become oval

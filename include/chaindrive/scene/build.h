@@ -9,7 +9,7 @@
 
 namespace chaindrive::scene
 {
-/// The shapes of a part whose bodies are reduced ones.
+/// The modes of a part whose bodies are reduced ones.
 using BasisOf = std::function<std::shared_ptr<const reduction::Basis>(const mesh::Part &)>;
 
 /// The scene of the fidelity that @p model asks for. A fidelity is nothing but a choice of
@@ -31,7 +31,7 @@ void add_layered_chain(const model::Model &model, const drive::Drive &drive, Sce
 
 /// The full model: the same bodies made of elastic finite elements, whose nodes touch; or only
 /// those of Model::elastic_joints, the others as in the layered model or reduced. The reduced
-/// model: the same with few shapes in the place of the nodes' own motion.
+/// model: the same with few modes in the place of the nodes' own motion.
 void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene &scene);
 
 /// Finds the bases of reduced bodies and says what they keep.
@@ -85,15 +85,15 @@ ContactLaw make_area_law(const model::Contact &contact,
 /// @p law in series with a foundation of @p modulus [N/m3], with the same damping ratio.
 ContactLaw in_series(const ContactLaw &law, double modulus);
 
-/// Lets the rigid teeth of @p teeth give way by @p stiffness [N/m] under a roller of this @p radius
+/// Lets the rigid teeth of @p teeth deflect by @p stiffness [N/m] under a roller of this @p radius
 /// [m] that bears @p load [N] on the @p length [m]: one half of the compliance is that of the
 /// surface, in series with the law of the contact, the other that of the tooth as a whole.
-void let_give_way(ToothFamily    &teeth,
-                  double          stiffness,
-                  double          radius,
-                  double          length,
-                  double          load,
-                  const Material &steel);
+void make_compliant(ToothFamily    &teeth,
+                    double          stiffness,
+                    double          radius,
+                    double          length,
+                    double          load,
+                    const Material &steel);
 
 /// Meshes of parts.
 std::shared_ptr<const mesh::Part> make_roller_part(const model::Meshes &, const drive::Drive &);

@@ -139,7 +139,7 @@ struct ToothFamily
   unsigned int slave_surface = 0; ///< of elastic slaves: the side of their mesh that touches
   std::vector<SlavePoint> slaves;
   double tooth_stiffness = 0.; ///< of a rigid sprocket's tooth and rim behind the contact with an
-                               ///< elastic slave, N/m; 0: they do not give way
+                               ///< elastic slave, N/m; 0: they do not deflect
   double half_angle = right_angle; ///< up to which round slaves touch under the largest forces, rad
 };
 
@@ -153,7 +153,7 @@ struct SurfaceFamily
   std::vector<SlavePoint>                 slaves;
   bool                                    elastic = false; ///< the slaves are elastic bodies
   unsigned int slave_surface     = 0;  ///< of elastic slaves: the side of their mesh that touches
-  double       surface_stiffness = 0.; ///< of a rigid surface that gives way as a whole under each
+  double       surface_stiffness = 0.; ///< of a rigid surface that deflects as a whole under each
                                        ///< elastic slave, N/m; 0: it does not
   double half_angle = right_angle; ///< up to which round slaves touch under the largest forces, rad
   InterfaceOf interface = Interface::other;

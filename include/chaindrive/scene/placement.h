@@ -31,11 +31,11 @@ inline Frame placed(const dealii::Point<2>     &at,
   return frame;
 }
 
-/// The two axial stations [m] at which half of a line contact of @p length [m] acts, each: the
-/// points of Gauss' rule, so that the second moment of the line is kept. Of a @p half model, that
+/// The two axial positions [m] at which half of a line contact of @p length [m] acts, each: the
+/// points of Gauss' rule, so that the second moment of the line is kept. With @p half set, that
 /// above the middle plane: World::sum_over_ranks() adds its image's force.
-inline std::vector<double> line_stations(const double length, const bool half)
+inline std::vector<double> axial_positions(const double length, const bool half)
 {
-  return MirrorSymmetry(half).stations(length / (2. * std::sqrt(3.)));
+  return MirrorSymmetry(half).axial_positions(length / (2. * std::sqrt(3.)));
 }
 } // namespace chaindrive::scene

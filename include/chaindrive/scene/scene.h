@@ -34,7 +34,7 @@ class ForceElement;
 
 namespace chaindrive::scene
 {
-/// What a body is; pictures and histories tell bodies apart by it.
+/// What a body is; field output and histories tell bodies apart by it.
 enum class Kind
 {
   roller,
@@ -63,7 +63,7 @@ enum class Motion
 {
   lumped,  ///< three translations of a rigid shape, and a spin about z if it has an inertia for it
   rigid,   ///< six degrees of freedom
-  reduced, ///< the same and the shapes of a basis, which move the nodes of the part's mesh
+  reduced, ///< the same and the modes of a basis, which move the nodes of the part's mesh
   elastic  ///< three degrees of freedom per node of the part's mesh; of a sprocket, of its rim
 };
 
@@ -115,8 +115,8 @@ struct Body
 
   PartOf part() const { return {kind, kind == Kind::sprocket ? number : 0}; }
 
-  /// What pictures tell bodies apart by: the number of the kind, on which sprockets count.
-  int number_in_pictures() const
+  /// What field output tells bodies apart by: the number of the kind, on which sprockets count.
+  int number_in_fields() const
   {
     return static_cast<int>(kind) + static_cast<int>(part().sprocket);
   }

@@ -6,7 +6,7 @@
 
 namespace chaindrive::stability
 {
-/// The stable step [s] of the elastic bodies of @p world with all nodes of all contacts held
+/// The critical time step [s] of the elastic bodies of @p world with all nodes of all contacts held
 /// closed, if it is smaller than that of the elements alone, @p limit [s].
 ///
 /// Positions follow from velocities half a step behind, at which the dampers are evaluated too:
@@ -15,11 +15,12 @@ namespace chaindrive::stability
 ///   k (u - v)^2 <= k (1 + t) u^2 + k (1 + 1/t) v^2  for every t > 0,
 /// which leaves each body alone with its elements and the springs of its nodes. The t of two bodies
 /// is that which makes their bounds equal (Weyl: the largest eigenvalues of elements and springs
-/// add up); so the slower body bears most. Bodies that move by shapes are not taken apart where
-/// they meet only each other and the ground, see CoupledShapes.
-double closed_contact_step(const World &world, const contact::Contacts &contacts, double limit);
+/// add up); so the slower body bears most. Modal bodies are not taken apart where
+/// they meet only each other and the ground, see CoupledModes.
+double
+closed_contact_time_step(const World &world, const contact::Contacts &contacts, double limit);
 
-/// The stable step [s] of the nodes of @p family alone, held closed on otherwise free bodies;
-/// infinite if it has none.
-double closed_contact_step(const World &world, const contact::Family &family);
+/// The critical time step [s] of the nodes of @p family alone, held closed on otherwise free
+/// bodies; infinite if it has none.
+double closed_contact_time_step(const World &world, const contact::Family &family);
 } // namespace chaindrive::stability

@@ -20,25 +20,25 @@ struct Time;
 /// that of the state at the start with all contacts closed. What each part of it is, and how far
 /// from the limit of that linear system:
 ///
-/// | part                            | where            | what it is                              |
-/// |---------------------------------|------------------|-----------------------------------------|
-/// | bars                            | stable_step.h    | exact to 1e-6, for their present axes   |
-/// | contacts of rigid, lumped bodies| stable_step.h    | bound for every normal (theory.md);     |
-/// |                                 |                  | 1.7 % below in a layered drive          |
-/// | force elements                  | stable_step.h    | exact to 1e-6; stops as if they acted   |
-/// | elements                        | ElasticGroup     | exact to 1e-6, without strain; of a rim |
-/// |                                 | ::stable_step()  | a bound, 0.3 % below                    |
-/// | contacts of nodes               | closed_contact.h | bound for every split of a spring       |
-/// |                                 |                  | (theory.md); up to 15 % below           |
-/// | contacts of reduced bodies      | coupled_shapes.h | estimate, from above: a search among    |
-/// |                                 |                  | the ways in which contacts close        |
+/// | part                       | where                | what it is                              |
+/// |----------------------------|----------------------|-----------------------------------------|
+/// | bars                       | critical_time_step.h | exact to 1e-6, for their present axes   |
+/// | contacts of rigid bodies   | critical_time_step.h | bound for every normal (theory.md);     |
+/// |                            |                      | 1.7 % below in a layered drive          |
+/// | force elements             | critical_time_step.h | exact to 1e-6; stops as if they acted   |
+/// | elements                   | ElasticGroup         | exact to 1e-6, without strain; of a rim |
+/// |                            | (elastic_group.h)    | a bound, 0.3 % below                    |
+/// | contacts of nodes          | closed_contact.h     | bound for every split of a spring       |
+/// |                            |                      | (theory.md); up to 15 % below           |
+/// | contacts of reduced bodies | coupled_modes.h      | estimate, from above: a search among    |
+/// |                            |                      | the ways in which contacts close        |
 ///
 /// "Exact" is largest_eigenvalue(): a Ritz value of Lanczos' method and its residual. Not linear,
 /// and so beyond all of this, are impacts; that is what `Safety factor` is for.
 namespace chaindrive::stability
 {
 /// One source's limit.
-struct StepLimit
+struct TimeStepLimit
 {
   std::string source;
   double      limit; ///< s
@@ -46,10 +46,10 @@ struct StepLimit
 
 /// The limit of each kind of spring of @p bars, of each of @p forces, of the elements and of @p
 /// contacts alone.
-std::vector<StepLimit> step_limits(const World             &world,
-                                   const Bars              &bars,
-                                   const ForceElements     &forces,
-                                   const contact::Contacts &contacts);
+std::vector<TimeStepLimit> step_limits(const World             &world,
+                                       const Bars              &bars,
+                                       const ForceElements     &forces,
+                                       const contact::Contacts &contacts);
 
 /// The limit [s] of all of them together.
 double step_limit(const World             &world,
@@ -58,20 +58,20 @@ double step_limit(const World             &world,
                   const contact::Contacts &contacts);
 
 /// The chosen step and why.
-struct StepChoice
+struct TimeStepChoice
 {
-  std::vector<StepLimit> step_limits; ///< of each kind of spring alone
-  double                 limit;       ///< of all coupled, s
-  double                 step;        ///< s
-  std::string            reason;
+  std::vector<TimeStepLimit> step_limits; ///< of each kind of spring alone
+  double                     limit;       ///< of all coupled, s
+  double                     step;        ///< s
+  std::string                reason;
 };
 
 /// The step of a run: the one asked for, if it does not exceed the safety factor times the limit
 /// (InputError otherwise, with both numbers); or, when none is asked for, the smaller of that
 /// product and a fortieth of the shortest period.
-StepChoice choose_step(const World             &world,
-                       const Bars              &bars,
-                       const ForceElements     &forces,
-                       const contact::Contacts &contacts,
-                       const parameters::Time  &time);
+TimeStepChoice choose_time_step(const World             &world,
+                                const Bars              &bars,
+                                const ForceElements     &forces,
+                                const contact::Contacts &contacts,
+                                const parameters::Time  &time);
 } // namespace chaindrive::stability

@@ -103,7 +103,7 @@ public:
 
 private:
   void assemble();
-  void hold(dealii::AffineConstraints<double> &constraints) const;
+  void constrain(dealii::AffineConstraints<double> &constraints) const;
 
   const Piece   &piece_;
   const Material material_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/statics/contact_problem.h>
 #include <chaindrive/statics/elastic_piece.h>
-#include <chaindrive/statics/press.h>
 
 #include <vector>
 
@@ -17,10 +17,10 @@ struct Side
   double                     angle; ///< of the line along which it is pressed, from +x, rad
   bool                       bore;  ///< the side is pressed away from the axis
   bool across = false; ///< the piece is there on both sides of the line: patches are twice as large
-                       ///< as those of the grid, and give way by the mean of both
+                       ///< as those of the grid, and deflect by the mean of both
 };
 
-/// How a piece gives way, and how well that is known.
+/// How a piece deflects, and how well that is known.
 struct PieceFlexibility
 {
   Flexibility   values; ///< of the patches of all its sides, one after the other, m/Pa

@@ -29,18 +29,18 @@ public:
 
   /// Two links of a chain that are pulled, the pin of one in the bush of the other: one interface,
   /// whose approach is the extension per pitch.
-  Press pulled_links(const drive::ChainDimensions &chain, unsigned int n_angles);
+  ContactProblem pulled_links(const drive::ChainDimensions &chain, unsigned int n_angles);
 
   /// A roller pressed on the seat of a @p sprocket's tooth gap by the bush in it. Interface 0:
   /// tooth and roller, 1: roller and bush. Approaches are those of the sprocket's hub, the roller's
   /// centre of mass and the link's centre of mass. The line of pressure is turned by @p position
   /// [rad] from the bottom of the seat; pressure is symmetric about it, tooth and rim answer with
   /// their mean of both sides.
-  Press pressed_roller(const drive::ChainDimensions &chain,
-                       const drive::Sprocket        &sprocket,
-                       double                        sprocket_width,
-                       unsigned int                  n_angles,
-                       double                        position = 0.);
+  ContactProblem pressed_roller(const drive::ChainDimensions &chain,
+                                const drive::Sprocket        &sprocket,
+                                double                        sprocket_width,
+                                unsigned int                  n_angles,
+                                double                        position = 0.);
 
   /// The largest stress on the edge of the hole in a side plate that a pin pulls, per force on one
   /// of its eighths: the pressure on the far half of the hole is like the cosine of the angle.

@@ -9,7 +9,7 @@
 
 namespace chaindrive::statics
 {
-/// How the parts of a drive of @p steel give way at the reference load: what is @p wanted from
+/// How the parts of a drive of @p steel deflect at the reference load: what is @p wanted from
 /// elastic solutions, all else estimated; empty if nothing is. Collective over @p comm.
 drive::StiffnessOf part_stiffness(const std::optional<model::PartStiffnesses> &wanted,
                                   const Material                              &steel,
@@ -17,5 +17,5 @@ drive::StiffnessOf part_stiffness(const std::optional<model::PartStiffnesses> &w
 
 /// The contact of @p make (number of patches about the line of pressure) under @p force [N]: with
 /// as many patches as it needs.
-Pressed at_force(const std::function<Press(unsigned int)> &make, double force);
+ContactSolution at_force(const std::function<ContactProblem(unsigned int)> &make, double force);
 } // namespace chaindrive::statics

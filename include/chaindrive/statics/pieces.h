@@ -27,7 +27,7 @@ Piece link_quarter(const drive::ChainDimensions &chain);
 Piece roller_quarter(const drive::ChainDimensions &chain);
 
 /// The half z >= 0 of @p n_sectors (odd) of the rim about tooth gap 0, held by the hub.
-Piece rim_sector(const drive::ToothForm    &form,
-                 const mesh::SprocketShape &shape,
-                 unsigned int               n_sectors);
+Piece rim_sector(const drive::ToothForm         &form,
+                 const mesh::SprocketDimensions &dimensions,
+                 unsigned int                    n_sectors);
 } // namespace chaindrive::statics

@@ -24,25 +24,28 @@ namespace chaindrive
 ///       hand_.serialize(archive / "hand");
 ///     }
 ///
-/// What is repeated on every rank is written by the first one and read by all. What is dealt out
+/// What is repeated on every rank is written by the first one and read by all. What is distributed
 /// goes through of_this_rank(), under names that do not depend on the number of ranks.
 class Archive
 {
 public:
   using Bytes = std::vector<char>;
   /// Takes the item of a name: so many bytes from an address on.
-  using Put = std::function<void(const std::string &, const char *, std::size_t)>;
+  using WriteItem = std::function<void(const std::string &, const char *, std::size_t)>;
   /// Gives the item of a name; none when there is no such item.
-  using Get = std::function<std::optional<Bytes>(const std::string &)>;
+  using ReadItem = std::function<std::optional<Bytes>(const std::string &)>;
 
   /// An archive to be written. With @p own_only, on all ranks but the first, only what goes through
   /// of_this_rank() is.
-  explicit Archive(Put put, bool own_only = false) : put_(std::move(put)), skips_(own_only) {}
+  explicit Archive(WriteItem write_item, bool own_only = false)
+      : write_item_(std::move(write_item)), skips_(own_only)
+  {
+  }
 
   /// An archive to be read.
-  explicit Archive(Get get) : get_(std::move(get)) {}
+  explicit Archive(ReadItem get) : read_item_(std::move(get)) {}
 
-  bool reads() const { return static_cast<bool>(get_); }
+  bool reads() const { return static_cast<bool>(read_item_); }
 
   /// The part of this archive called @p name.
   Archive operator/(const std::string &name) const
@@ -72,7 +75,7 @@ public:
     else if (!skips_)
       {
         const Bytes bytes = dealii::Utilities::pack(value, false);
-        put_(path_ + name, bytes.data(), bytes.size());
+        write_item_(path_ + name, bytes.data(), bytes.size());
       }
   }
 
@@ -93,7 +96,7 @@ public:
         Bytes bytes(n * sizeof(T));
         for (std::size_t i = 0; i < n; ++i)
           std::memcpy(bytes.data() + i * sizeof(T), first + i * every, sizeof(T));
-        put_(path_ + name, bytes.data(), bytes.size());
+        write_item_(path_ + name, bytes.data(), bytes.size());
       }
   }
 
@@ -109,8 +112,8 @@ private:
   Bytes get(const std::string &name) const;
   Bytes get(const std::string &name, std::size_t size) const;
 
-  Put         put_;
-  Get         get_;
+  WriteItem   write_item_;
+  ReadItem    read_item_;
   std::string path_;
   bool        skips_ = false;
 };

@@ -24,7 +24,7 @@ public:
   constexpr explicit MirrorSymmetry(const bool half = false) : half_(half) {}
 
   /// Whether only what lies at z >= 0 is computed.
-  constexpr bool is_half() const { return half_; }
+  constexpr bool is_active() const { return half_; }
 
   /// How many times what is computed makes up the whole: 2 or 1.
   constexpr double multiplicity() const { return half_ ? 2. : 1.; }
@@ -64,7 +64,7 @@ public:
   }
 
   /// Of two places -@p z and @p z those that are computed.
-  std::vector<double> stations(const double z) const
+  std::vector<double> axial_positions(const double z) const
   {
     return half_ ? std::vector<double>{z} : std::vector<double>{-z, z};
   }

@@ -9,8 +9,8 @@
 namespace chaindrive
 {
 /// Cuts steps where a phase has gone a whole number of turns since the begin of a window, so that
-/// Fourier integrals over whole turns are free of leakage whatever the step.
-class WholeTurns
+/// Fourier integrals over whole revolutions are free of leakage whatever the step.
+class WholeRevolutions
 {
 public:
   static constexpr unsigned int n_orders = 4;
@@ -32,7 +32,7 @@ public:
   };
 
   /// Of a window from @p start to @p end [s].
-  WholeTurns(const double start, const double end) : start_(start), end_(end) {}
+  WholeRevolutions(const double start, const double end) : start_(start), end_(end) {}
 
   /// From now on the window is another one.
   void move_to(const double start, const double end)
@@ -46,8 +46,8 @@ public:
   /// phase stands or goes back; they are valid until the next call.
   const std::vector<Piece> &next(double time, double duration, double phase);
 
-  /// Whole turns that have ended in the window.
-  unsigned int n_turns() const { return state_.turns; }
+  /// Whole revolutions that have ended in the window.
+  unsigned int n_revolutions() const { return state_.turns; }
 
   /// All that it remembers from step to step, to be copied.
   struct State
@@ -68,24 +68,26 @@ private:
 };
 
 /// Time-weighted mean, standard deviation, least and largest value of a signal over a window, and
-/// the amplitudes of the first harmonics of a phase over its whole turns:
+/// the amplitudes of the first harmonics of a phase over its whole revolutions:
 ///
-///   a_n = |2/Phi int x exp(i n phi) dphi|,   Phi = 2 pi times the number of whole turns,
+///   a_n = |2/Phi int x exp(i n phi) dphi|,   Phi = 2 pi times the number of whole revolutions,
 ///
 /// by the trapezoidal rule over the steps. For mean and deviation the value at the end of a step
 /// stands for the whole step.
 class SignalStatistics
 {
 public:
-  using Orders = WholeTurns::Orders;
+  using Orders = WholeRevolutions::Orders;
 
   /// Of a window from @p start to @p end [s].
   SignalStatistics(const double start, const double end) : mean_(start, end) {}
 
   /// The signal is @p value at the end of a step from @p time on of @p duration [s], whose @p
   /// pieces are in the window.
-  void
-  add(double time, double duration, double value, const std::vector<WholeTurns::Piece> &pieces);
+  void add(double                                      time,
+           double                                      duration,
+           double                                      value,
+           const std::vector<WholeRevolutions::Piece> &pieces);
 
   /// See WindowMean.
   void move_to(const double start, const double end) { mean_.move_to(start, end); }
@@ -97,7 +99,7 @@ public:
   double least() const { return least_; }
   double largest() const { return largest_; }
 
-  /// Amplitudes over @p turns whole turns; not a number when there are none.
+  /// Amplitudes over @p turns whole revolutions; not a number when there are none.
   Orders harmonics(unsigned int turns) const;
 
 private:

@@ -16,7 +16,7 @@ from chaindrive.run import Array, Run
 
 #: Usual in makers' catalogues: breaking load over the largest tension, where drive/checks.cc has 7 over the mean.
 LEAST_SAFETY = 5.
-#: Of the energy balance, what sound runs stay below.
+#: Of the energy balance, what valid runs stay below.
 MOST_IMBALANCE = 0.005
 
 
@@ -231,8 +231,8 @@ def noise(run: Run) -> Answer | None:
     if not run.acoustics:
         return None
     observers = run.acoustics["observers"]
-    heard = next((o for o in observers if o["name"] == "microphone"), observers[0])
-    return Answer("Noise", heard["level_a"], "dB(A)", f"Level of the rollers' sound at {heard['name']}, {number(heard['level'], 3)}\u00a0dB without "
+    received = next((o for o in observers if o["name"] == "microphone"), observers[0])
+    return Answer("Noise", received["level_a"], "dB(A)", f"Level of the rollers' sound at {received['name']}, {number(received['level'], 3)}\u00a0dB without "
                   "weighting. Housing, shafts and plates are not in it.")
 
 
@@ -241,6 +241,6 @@ def quality(run: Run) -> Answer:
     error = run.summary["energy_imbalance_max"]
     warns, limit = error > MOST_IMBALANCE, f"{100 * MOST_IMBALANCE:g}\u00a0%"
     return Answer("Error of the energy balance", 100. * error, "%", "The largest in the whole run, of the energy turned over. " +
-                  (f"Sound runs stay below {limit}: this one cannot be trusted." if warns else
-                   f"Sound runs stay below {limit}: the arithmetic can be trusted so far, the model is another question."), warns,
+                  (f"Valid runs stay below {limit}: this one cannot be trusted." if warns else
+                   f"Valid runs stay below {limit}: the arithmetic can be trusted so far, the model is another question."), warns,
                   of_window=False)

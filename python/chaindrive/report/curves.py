@@ -473,8 +473,8 @@ def roller_bands(subjects: Subjects) -> Figure:
 def pressures(subjects: Subjects) -> Figure:
     """Sound pressure at the microphone over time."""
     def pressure(run: Run) -> tuple[Array, Array]:
-        heard = run.sound()
-        return 1e3 * heard.index.to_numpy(), heard.iloc[:, microphone(run)].to_numpy()
+        received = run.sound()
+        return 1e3 * received.index.to_numpy(), received.iloc[:, microphone(run)].to_numpy()
 
     with_noise = [s for s in subjects if s.run.acoustics]
     return together(with_noise, "pressure", "Sound pressure at the microphone", "What it hears of the rollers." +

@@ -17,7 +17,7 @@ from chaindrive.report.text import escape, number, percent, quantity, sentences,
 from chaindrive.run import Run
 
 WORDS = {"simple": "lumped rollers and elastic bars", "layered": "rigid rollers and links with clearances",
-         "reduced": "bodies that deform by some shapes each", "full": "elastic finite elements"}
+         "reduced": "bodies that deform by some modes each", "full": "elastic finite elements"}
 
 #: Beside what is found in a window whose means tell nothing.
 INVALID = ' <b class="invalid">not valid</b>'
@@ -74,8 +74,8 @@ def what(run: Run) -> list[tuple[str, str]]:
                          + (INVALID if run.window_is_valid is False else "")))
         else:
             rows.append(("window of the means", "none: the drive had not settled when the run ended"))
-        rows.append(("time step", f"{quantity(summary.get('step'), 's')}, {number(summary.get('steps'))} steps; stable below "
-                     f"{quantity(summary.get('stable_step'), 's')}"))
+        rows.append(("time step", f"{quantity(summary.get('time_step'), 's')}, {number(summary.get('steps'))} steps; stable below "
+                     f"{quantity(summary.get('critical_time_step'), 's')}"))
         took = summary.get("cpu_seconds", {}).get("total")
         rows.append(("computing", f"{number(summary.get('wall_seconds'), 3)}\u00a0s elapsed, {number(took, 3)}\u00a0s of CPU time on "
                      f"{number(summary.get('ranks'))} rank{'s' if summary.get('ranks', 1) != 1 else ''}, {quantity(summary.get('memory_peak'), 'B', 3)}"))
@@ -240,9 +240,9 @@ def costs(run: Run) -> str:
             if run.summary.get(name) is not None:
                 ledger.append((title, quantity(run.summary[name], "J")))
         out += table(["energy at the end", ""], ledger, "Ledger of the whole run")
-    overlap = run.summary.get("overlap_max")
+    overlap = run.summary.get("penetration_max")
     if overlap:
-        out += table(["interface", "largest overlap"], [(escape(name), quantity(value, "m", 3)) for name, value in overlap.items()])
+        out += table(["interface", "largest penetration"], [(escape(name), quantity(value, "m", 3)) for name, value in overlap.items()])
     return f'<div class="side">{out}</div>'
 
 

@@ -54,13 +54,13 @@ double HalfProfile::where_turned_by(const double angle) const
   double           turned = 0., s = 0.;
   for (const drive::Segment &segment : segments_)
     {
-      const double more =
+      const double subdivided =
           segment.kind == drive::Segment::Kind::line ? 0. : segment.begin_angle - segment.end_angle;
-      if (std::abs(turned + more - angle) < snap)
+      if (std::abs(turned + subdivided - angle) < snap)
         return s + segment.length();
-      if (turned + more > angle)
+      if (turned + subdivided > angle)
         return s + (angle - turned) * segment.radius;
-      turned += more;
+      turned += subdivided;
       s += segment.length();
     }
   return ends_.front();
@@ -77,8 +77,8 @@ HalfProfile::divide(const double first, const double last, const double size) co
       if (to > from)
         {
           const auto n = std::max(1u, static_cast<unsigned int>(std::lround((to - from) / size)));
-          const auto more = divide(from, to, n);
-          points.insert(points.end(), more.begin() + 1, more.end());
+          const auto subdivided = divide(from, to, n);
+          points.insert(points.end(), subdivided.begin() + 1, subdivided.end());
           from = to;
         }
     }

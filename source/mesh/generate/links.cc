@@ -61,7 +61,7 @@ Point<2> outline_of_half(const drive::Plate &plate, const double corner, const d
   return {x + t * c, t * s};
 }
 
-struct LinkShape
+struct LinkDimensions
 {
   drive::Plate plate;
   double       diameter, bore, length; ///< of bush or pin
@@ -127,13 +127,13 @@ void add_tube(PlanarMesh        &section,
   section.add_grid(rows, component, false);
 }
 
-PlanarMesh link_section(const LinkShape &shape, const LinkGrid &grid)
+PlanarMesh link_section(const LinkDimensions &dimensions, const LinkGrid &grid)
 {
   const unsigned int n = grid.around, half = n / 2;
   PlanarMesh         section;
 
   // The outline's points: equal angles, but the corner at mid-pitch takes the nearest of them.
-  const double       corner_angle = std::atan2(shape.plate.waist, -shape.plate.hole_pitch);
+  const double corner_angle = std::atan2(dimensions.plate.waist, -dimensions.plate.hole_pitch);
   const unsigned int corner =
       std::min(static_cast<unsigned int>(std::lround(corner_angle / (2. * PI / n))), half - 1);
   std::vector<Point<2>> outline(n);
@@ -144,7 +144,7 @@ PlanarMesh link_section(const LinkShape &shape, const LinkGrid &grid)
                        corner_angle + (PI - corner_angle) * (i - corner) / (half - corner);
       if (2 * i == n)
         phi = PI;
-      outline[i] = outline_of_half(shape.plate, corner_angle, phi);
+      outline[i] = outline_of_half(dimensions.plate, corner_angle, phi);
       if (i > 0 && 2 * i < n)
         outline[n - i] = {outline[i][0], -outline[i][1]};
     }
@@ -154,7 +154,7 @@ PlanarMesh link_section(const LinkShape &shape, const LinkGrid &grid)
   for (const double side : {1., -1.})
     {
       const auto place = [side](const Point<2> &p) { return Point<2>(side * p[0], side * p[1]); };
-      const Point<2> hole(0.5 * shape.plate.hole_pitch, 0.);
+      const Point<2> hole(0.5 * dimensions.plate.hole_pitch, 0.);
 
       std::vector<Ring> rings; // from outside in
       for (unsigned int j = 0; j <= grid.rings; ++j)
@@ -163,7 +163,7 @@ PlanarMesh link_section(const LinkShape &shape, const LinkGrid &grid)
           Ring         ring(n);
           for (unsigned int i = 0; i < n; ++i)
             {
-              const Point<2> inner = hole + on_circle(0.5 * shape.diameter, i, n);
+              const Point<2> inner = hole + on_circle(0.5 * dimensions.diameter, i, n);
               const Point<2> p     = j == 0 ? outline[i] : outline[i] + s * (inner - outline[i]);
               if (j == 0 && side < 0. && i >= corner && i <= n - corner)
                 ring[i] = shared[n - i];
@@ -174,20 +174,20 @@ PlanarMesh link_section(const LinkShape &shape, const LinkGrid &grid)
         }
       if (side > 0.)
         shared = rings.front();
-      section.add_grid(rings, shape.plate_id, true);
+      section.add_grid(rings, dimensions.plate_id, true);
 
-      add_tube(section, rings.back(), place(hole), shape.bore, grid.wall, shape.tube_id);
+      add_tube(section, rings.back(), place(hole), dimensions.bore, grid.wall, dimensions.tube_id);
     }
   return section;
 }
 
-Part make_link(const std::string &name, const LinkShape &shape, LinkGrid grid)
+Part make_link(const std::string &name, const LinkDimensions &dimensions, LinkGrid grid)
 {
-  if (shape.bore == 0.) // the square inside has its corners at 45 degrees
+  if (dimensions.bore == 0.) // the square inside has its corners at 45 degrees
     grid.around = (grid.around + 7) / 8 * 8;
 
-  const double inner_face = 0.5 * (shape.length - shape.plate.thickness),
-               outer_face = 0.5 * (shape.length + shape.plate.thickness);
+  const double inner_face = 0.5 * (dimensions.length - dimensions.plate.thickness),
+               outer_face = 0.5 * (dimensions.length + dimensions.plate.thickness);
   std::vector<double> planes;
   if (!grid.half)
     {
@@ -201,20 +201,21 @@ Part make_link(const std::string &name, const LinkShape &shape, LinkGrid grid)
     planes.push_back(z);
 
   const auto present = [&](const Component c, const unsigned int layer) {
-    return c == shape.tube_id || std::abs(planes[layer] + planes[layer + 1]) > 2. * inner_face;
+    return c == dimensions.tube_id || std::abs(planes[layer] + planes[layer + 1]) > 2. * inner_face;
   };
   const auto surface_of = [&](const Component c, const Point<3> &centre, const bool end_face) {
-    if (c == shape.plate_id)
+    if (c == dimensions.plate_id)
       {
         if (!end_face)
           return plate_edges;
-        return std::abs(centre[2]) > 0.5 * shape.length ? plate_outer_faces : plate_inner_faces;
+        return std::abs(centre[2]) > 0.5 * dimensions.length ? plate_outer_faces :
+                                                               plate_inner_faces;
       }
     if (end_face)
       return centre[2] == 0. ? middle_plane : other_surface;
     const bool   second = centre[0] > 0.;
-    const double r      = std::hypot(std::abs(centre[0]) - 0.5 * shape.plate.hole_pitch, centre[1]);
-    if (r > 0.25 * (shape.diameter + shape.bore))
+    const double r = std::hypot(std::abs(centre[0]) - 0.5 * dimensions.plate.hole_pitch, centre[1]);
+    if (r > 0.25 * (dimensions.diameter + dimensions.bore))
       {
         if (c == bush)
           return second ? bush_outside_second : bush_outside_first;
@@ -228,7 +229,7 @@ Part make_link(const std::string &name, const LinkShape &shape, LinkGrid grid)
   Part part;
   part.name = name;
   part.half = grid.half;
-  part.mesh = sweep(link_section(shape, grid), planes, present, surface_of);
+  part.mesh = sweep(link_section(dimensions, grid), planes, present, surface_of);
   return part;
 }
 } // namespace

@@ -82,7 +82,9 @@ graded(const double outer, const double inner, const double size, const double r
 class HalfSector
 {
 public:
-  HalfSector(const drive::ToothForm &form, const SprocketShape &shape, unsigned int refinement);
+  HalfSector(const drive::ToothForm   &form,
+             const SprocketDimensions &dimensions,
+             unsigned int              refinement);
 
   PlanarMesh        mesh;
   std::vector<bool> on_gap_line, on_tooth_line;
@@ -100,9 +102,9 @@ unsigned int HalfSector::add(const Point<2> &p, const bool gap_line, const bool 
   return mesh.add(p);
 }
 
-HalfSector::HalfSector(const drive::ToothForm &form,
-                       const SprocketShape    &shape,
-                       const unsigned int      refinement)
+HalfSector::HalfSector(const drive::ToothForm   &form,
+                       const SprocketDimensions &dimensions,
+                       const unsigned int        refinement)
 {
   const HalfProfile profile(form);
   const double      half_pitch_angle = PI / form.teeth;
@@ -114,10 +116,10 @@ HalfSector::HalfSector(const drive::ToothForm &form,
   constexpr double       per_pitch[n_levels] = {8., 10., 14., 20., 28.};
   const double           size = pitch / per_pitch[std::min(refinement, n_levels - 1)];
 
-  const double hub_radius = 0.5 * shape.hub_diameter, bore_radius = 0.5 * shape.bore;
+  const double hub_radius = 0.5 * dimensions.hub_diameter, bore_radius = 0.5 * dimensions.bore;
   if (!(bore_radius > 0. && bore_radius < hub_radius && hub_radius < root - 0.1 * pitch))
-    throw InputError("A sprocket with a bore of " + to_text(1e3 * shape.bore) +
-                     " mm, a hub diameter of " + to_text(1e3 * shape.hub_diameter) +
+    throw InputError("A sprocket with a bore of " + to_text(1e3 * dimensions.bore) +
+                     " mm, a hub diameter of " + to_text(1e3 * dimensions.hub_diameter) +
                      " mm and a root diameter of " + to_text(2e3 * root) +
                      " mm cannot be meshed: 0 < bore < hub diameter < root diameter - 0.2 pitch is "
                      "needed.");
@@ -207,11 +209,11 @@ HalfSector::HalfSector(const drive::ToothForm &form,
 }
 } // namespace
 
-PlanarMesh sprocket_section(const drive::ToothForm &form,
-                            const SprocketShape    &shape,
-                            const unsigned int      refinement)
+PlanarMesh sprocket_section(const drive::ToothForm   &form,
+                            const SprocketDimensions &dimensions,
+                            const unsigned int        refinement)
 {
-  const HalfSector   half(form, shape, refinement);
+  const HalfSector   half(form, dimensions, refinement);
   const unsigned int n = static_cast<unsigned int>(half.mesh.points.size());
   const unsigned int z = form.teeth;
 
@@ -260,16 +262,16 @@ PlanarMesh sprocket_section(const drive::ToothForm &form,
   return section;
 }
 
-Part make_sprocket(const drive::ToothForm &form,
-                   const SprocketShape    &shape,
-                   const double            density,
-                   const unsigned int      refinement,
-                   const bool              half)
+Part make_sprocket(const drive::ToothForm   &form,
+                   const SprocketDimensions &dimensions,
+                   const double              density,
+                   const unsigned int        refinement,
+                   const bool                half)
 {
   constexpr unsigned int n_levels           = 5;
   constexpr unsigned int n_layers[n_levels] = {2, 2, 4, 6, 8};
 
-  const double middle     = 0.5 * (0.5 * shape.hub_diameter + 0.5 * shape.bore);
+  const double middle     = 0.5 * (0.5 * dimensions.hub_diameter + 0.5 * dimensions.bore);
   const auto   surface_of = [middle](Component, const Point<3> &centre, const bool end_face) {
     if (end_face)
       return centre[2] == 0. ? middle_plane : sprocket_sides;
@@ -282,15 +284,16 @@ Part make_sprocket(const drive::ToothForm &form,
   part.n_sectors = form.teeth;
   part.half      = half;
   part.mesh      = sweep(
-      sprocket_section(form, shape, refinement),
-      planes_of(0.5 * shape.width, n_layers[std::min(refinement, n_levels - 1)], half),
+      sprocket_section(form, dimensions, refinement),
+      planes_of(0.5 * dimensions.width, n_layers[std::min(refinement, n_levels - 1)], half),
       [](Component, unsigned int) { return true; },
       surface_of);
-  part.exact = drive::sprocket_solid(form, shape.bore, shape.width, density);
+  part.exact = drive::sprocket_solid(form, dimensions.bore, dimensions.width, density);
 
   std::array<double, n_components> masses{};
-  masses[hub_zone] = drive::tube(shape.hub_diameter, shape.bore, shape.width, density).mass;
-  masses[rim]      = part.exact.mass - masses[hub_zone];
+  masses[hub_zone] =
+      drive::tube(dimensions.hub_diameter, dimensions.bore, dimensions.width, density).mass;
+  masses[rim] = part.exact.mass - masses[hub_zone];
   match_masses(part, masses);
   return part;
 }

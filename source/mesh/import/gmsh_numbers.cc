@@ -49,10 +49,10 @@ void GmshNumbers::fail(const std::string &expected) const
 
 void GmshNumbers::expect(const std::string &text)
 {
-  bool there = next_line();
-  if (binary_ && there && line.empty()) // the end of the binary data
-    there = next_line();
-  if (!there || line != text)
+  bool has_line = next_line();
+  if (binary_ && has_line && line.empty()) // the end of the binary data
+    has_line = next_line();
+  if (!has_line || line != text)
     fail("'" + text + "'");
 }
 

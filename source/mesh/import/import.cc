@@ -74,9 +74,9 @@ void check_surfaces(const std::string              &file,
       std::any_of(gmsh.elements.begin(), gmsh.elements.end(), [](const GmshFile::Element &element) {
         return !element.groups->empty() && *element.groups != std::vector<long>{0};
       });
-  const auto there = mesh.get_boundary_ids();
+  const auto present_ids = mesh.get_boundary_ids();
   for (const Surface surface : {tooth_flanks, hub})
-    if (std::count(there.begin(), there.end(), surface) == 0)
+    if (std::count(present_ids.begin(), present_ids.end(), surface) == 0)
       throw InputError(
           "No quadrangle of the mesh '" + file + "' belongs to its physical surface '" +
           surface_name(surface) + "'" +
@@ -196,21 +196,22 @@ std::unique_ptr<dealii::Triangulation<3>> upper_half(const std::string          
           high = std::max(high, cell->vertex(v)[2]);
         }
       if (low < -same && high > same)
-        throw InputError("Model/Half model = true needs a mesh with vertices in its middle plane, "
-                         "but in '" +
-                         file + "' the cell at " + in_mm(cell->center()) +
-                         " lies on both sides of it. Choose another mesh, or Half model = false.");
+        throw InputError(
+            "Model/Symmetry model = true needs a mesh with vertices in its middle plane, "
+            "but in '" +
+            file + "' the cell at " + in_mm(cell->center()) +
+            " lies on both sides of it. Choose another mesh, or Symmetry model = false.");
       if (high > same)
         above.push_back(cell->active_cell_index());
       difference += (high > same ? 1. : -1.) * cell->measure();
       volume += cell->measure();
     }
   if (std::abs(difference) > 1e-6 * volume)
-    throw InputError("Model/Half model = true needs a mesh that is symmetric about its middle "
+    throw InputError("Model/Symmetry model = true needs a mesh that is symmetric about its middle "
                      "plane, but '" +
                      file +
                      "' has different volumes on its two sides. Choose another mesh, or "
-                     "Half model = false.");
+                     "Symmetry model = false.");
   auto half = cut_out(mesh, above, [](const CellIterator &) { return middle_plane; });
   dealii::GridTools::transform(
       [same](const Point<3> &x) { return Point<3>(x[0], x[1], std::abs(x[2]) < same ? 0. : x[2]); },

@@ -90,7 +90,7 @@ CylinderGrid::CylinderGrid(const Part &part, const Surface side) : half(part.hal
   axis   = circumcentre(a, b, c);
   radius = axis.distance(a);
 
-  std::vector<double> all_stations, all_angles;
+  std::vector<double> all_rings, all_angles;
   const auto          angle_of = [&](const Point<3> &p) {
     double angle = std::atan2(p[1] - axis[1], p[0] - axis[0]);
     if (angle < -tolerance)
@@ -101,42 +101,43 @@ CylinderGrid::CylinderGrid(const Part &part, const Surface side) : half(part.hal
     {
       if (!(std::abs(axis.distance(flat(p)) - radius) < tolerance * radius))
         refuse("it is no cylinder about an axis parallel to z");
-      all_stations.push_back(p[2]);
+      all_rings.push_back(p[2]);
       all_angles.push_back(angle_of(p));
     }
-  stations = different(all_stations, tolerance * radius);
-  angles   = different(all_angles, tolerance);
+  rings  = different(all_rings, tolerance * radius);
+  angles = different(all_angles, tolerance);
 
   constexpr unsigned int none = static_cast<unsigned int>(-1);
-  vertex.assign(std::size_t(n_stations()) * n_columns(), none);
+  vertex.assign(std::size_t(n_rings()) * n_circumferential(), none);
   for (const auto &[number, p] : points)
-    vertex[nearest(stations, p[2]) * n_columns() + nearest(angles, angle_of(p))] = number;
-  if (n_stations() < 2 || n_columns() < 3 || points.size() != vertex.size() ||
+    vertex[nearest(rings, p[2]) * n_circumferential() + nearest(angles, angle_of(p))] = number;
+  if (n_rings() < 2 || n_circumferential() < 3 || points.size() != vertex.size() ||
       std::count(vertex.begin(), vertex.end(), none) > 0 ||
-      n_faces != (n_stations() - 1) * n_columns())
-    refuse("its vertices are no grid of stations along the axis and columns around it");
+      n_faces != (n_rings() - 1) * n_circumferential())
+    refuse(
+        "its vertices are no grid of rings along the axis and circumferential positions around it");
 }
 
-double CylinderGrid::area(const unsigned int station, const unsigned int column) const
+double CylinderGrid::area(const unsigned int ring, const unsigned int column) const
 {
-  const unsigned int n    = n_columns();
+  const unsigned int n    = n_circumferential();
   const double       next = angles[(column + 1) % n] + (column + 1 == n ? 2. * PI : 0.);
   const double       last = angles[(column + n - 1) % n] - (column == 0 ? 2. * PI : 0.);
-  const double       from = stations[station == 0 ? 0 : station - 1];
-  const double       to   = stations[std::min(station + 1, n_stations() - 1)];
+  const double       from = rings[ring == 0 ? 0 : ring - 1];
+  const double       to   = rings[std::min(ring + 1, n_rings() - 1)];
   return radius * 0.5 * (next - last) * 0.5 * (to - from);
 }
 
 double CylinderGrid::depth(const double z) const
 {
-  const double from_end = stations.back() - z;
-  return half ? from_end : std::min(z - stations.front(), from_end);
+  const double from_end = rings.back() - z;
+  return half ? from_end : std::min(z - rings.front(), from_end);
 }
 
 bool CylinderGrid::uniform() const
 {
-  const double step = 2. * PI / n_columns();
-  for (unsigned int i = 0; i < n_columns(); ++i)
+  const double step = 2. * PI / n_circumferential();
+  for (unsigned int i = 0; i < n_circumferential(); ++i)
     if (std::abs(angles[i] - angles[0] - i * step) > 1e-9 * step)
       return false;
   return true;

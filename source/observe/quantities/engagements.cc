@@ -101,7 +101,7 @@ public:
   void update() override
   {
     for (Sprocket &sprocket : sprockets_)
-      look(sprocket, now_.system.world, now_.dt());
+      follow(sprocket, now_.system.world, now_.dt());
   }
 
   void summarize(files::Json &summary) const override
@@ -150,7 +150,7 @@ private:
     std::vector<double>            force;      ///< per joint, this step, N
   };
 
-  void look(Sprocket &sprocket, const World &world, const double dt)
+  void follow(Sprocket &sprocket, const World &world, const double dt)
   {
     const std::vector<contact::Record> &records = sprocket.teeth->records();
     const Frame                        &hub     = world.frames[sprocket.teeth->master()];

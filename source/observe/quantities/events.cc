@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-// What makes figures of a run meaningless: a chain that jumps, is off its sprocket, stands on tips,
-// hangs where it must pull, or would have broken. Runs go on; their summary says so.
+// What makes key figures of a run meaningless: a chain that jumps, is off its sprocket, stands on
+// tips, hangs where it must pull, or would have broken. Runs go on; their summary says so.
 
 namespace chaindrive::observe
 {
@@ -42,7 +42,7 @@ struct Lasting
   double since = -1.; ///< s; below zero: it is not so
 
   /// For how long it has been so, s.
-  double look(const bool is_so, const double time)
+  double update(const bool is_so, const double time)
   {
     if (!is_so)
       since = -1.;
@@ -212,17 +212,17 @@ private:
   {
     const double time   = now_.time();
     const int    before = sprocket.wrap.jumped();
-    sprocket.wrap.look(now_.system.world);
+    sprocket.wrap.update(now_.system.world);
     if (const int teeth = std::abs(sprocket.wrap.jumped() - before); teeth > 0)
       book(sprocket.jumped, time, sprocket.jumped.amount + teeth);
-    if (const double lasts = sprocket.off_since.look(sprocket.wrap.is_off(), time);
+    if (const double lasts = sprocket.off_since.update(sprocket.wrap.is_off(), time);
         lasts >= pitch_time_)
       book(sprocket.off, time - lasts, lasts);
     const std::vector<unsigned int> &tips = sprocket.wrap.on_tips();
     for (unsigned int k = 0; k < sprocket.tip_since.size(); ++k)
       {
         const bool   is_on = std::find(tips.begin(), tips.end(), k) != tips.end();
-        const double lasts = sprocket.tip_since[k].look(is_on, time);
+        const double lasts = sprocket.tip_since[k].update(is_on, time);
         if (lasts >= pitch_time_)
           book(sprocket.tip, time - lasts, lasts, k);
       }
@@ -263,7 +263,7 @@ private:
     pitch_.pull += pull;
     if (time < pitch_.begin + pitch_time_)
       return;
-    slack_since_.look(pitch_.tension < slack_part * pitch_.pull, pitch_.begin);
+    slack_since_.update(pitch_.tension < slack_part * pitch_.pull, pitch_.begin);
     if (slack_since_.since >= 0. && time - slack_since_.since >= slack_pitches * pitch_time_)
       book(slack_, slack_since_.since, time - slack_since_.since);
     pitch_ = {};
@@ -338,9 +338,9 @@ private:
   OfPitch                 pitch_;
 };
 
-const Registered<Events>
-    registered_events({"events",
-                       "What makes the figures of a run meaningless: a chain that jumps or breaks.",
-                       {"search"}});
+const Registered<Events> registered_events(
+    {"events",
+     "What makes the key figures of a run meaningless: a chain that jumps or breaks.",
+     {"search"}});
 } // namespace
 } // namespace chaindrive::observe

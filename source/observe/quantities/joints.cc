@@ -47,12 +47,12 @@ public:
         contents.histories.push_back(
             {path + "_force_peak", "N", "Its largest value since the last sample"});
         contents.histories.push_back(
-            {path + "_gap", "m", "Smallest gap in the joint, negative: overlap"});
+            {path + "_gap", "m", "Smallest gap in the joint, negative: penetration"});
       }
     for (const scene::Interface interface : all_interfaces)
-      contents.summary.push_back({"overlap_max/" + parameters::text_of(interface),
+      contents.summary.push_back({"penetration_max/" + parameters::text_of(interface),
                                   "m",
-                                  "overlap of the two sides, largest"});
+                                  "penetration of the two sides, largest"});
     return contents;
   }
 
@@ -78,7 +78,7 @@ public:
           for (const contact::Record &record : family->records())
             {
               kind.force[record.joint] += record.force * record.normal;
-              kind.overlap = std::max(kind.overlap, -record.gap);
+              kind.penetration = std::max(kind.penetration, -record.gap);
             }
         for (unsigned int k = 0; k < kind.force.size(); ++k)
           kind.peak[k] = std::max(kind.peak[k], kind.force[k]);
@@ -94,7 +94,7 @@ public:
   void summarize(files::Json &summary) const override
   {
     for (const Kind &kind : kinds_)
-      summary["overlap_max"][kind.name] = kind.overlap;
+      summary["penetration_max"][kind.name] = kind.penetration;
   }
 
   void serialize(const Archive &archive) override
@@ -103,7 +103,7 @@ public:
       {
         const Archive part = archive / kind.name;
         part.numbers("peak", kind.peak);
-        part("overlap", kind.overlap);
+        part("overlap", kind.penetration);
       }
   }
 
@@ -111,9 +111,9 @@ private:
   struct Kind
   {
     std::string                          name;
-    std::vector<const contact::Family *> families;     ///< of rigid and of elastic bodies
-    std::vector<double>                  force, peak;  ///< per joint, N
-    double                               overlap = 0.; ///< largest so far, m
+    std::vector<const contact::Family *> families;         ///< of rigid and of elastic bodies
+    std::vector<double>                  force, peak;      ///< per joint, N
+    double                               penetration = 0.; ///< largest so far, m
   };
   std::vector<Kind> kinds_;
 };

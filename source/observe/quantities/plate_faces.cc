@@ -22,7 +22,7 @@ public:
 
   static Contents contents()
   {
-    return {{}, {{"overlap_max/plate faces", "m", "overlap of the two sides, largest"}}};
+    return {{}, {{"penetration_max/plate faces", "m", "penetration of the two sides, largest"}}};
   }
 
   void update() override
@@ -30,19 +30,19 @@ public:
     for (Kind &kind : kinds_)
       for (const contact::Family *family : kind.families)
         for (const contact::Record &record : family->records())
-          kind.overlap = std::max(kind.overlap, -record.gap);
+          kind.penetration = std::max(kind.penetration, -record.gap);
   }
 
   void summarize(files::Json &summary) const override
   {
     for (const Kind &kind : kinds_)
-      summary["overlap_max"][kind.name] = kind.overlap;
+      summary["penetration_max"][kind.name] = kind.penetration;
   }
 
   void serialize(const Archive &archive) override
   {
     for (Kind &kind : kinds_)
-      (archive / kind.name)("overlap", kind.overlap);
+      (archive / kind.name)("overlap", kind.penetration);
   }
 
 private:
@@ -50,7 +50,7 @@ private:
   {
     std::string                          name;
     std::vector<const contact::Family *> families;
-    double                               overlap = 0.; ///< largest so far, m
+    double                               penetration = 0.; ///< largest so far, m
   };
   std::vector<Kind> kinds_;
 };

@@ -63,8 +63,7 @@ public:
                     now_.roller_bodies.end(),
                     [this](const unsigned int k) { return turns(now_.scene.bodies[k]); }))
       add("spin", [this, &frames](const unsigned int k) {
-        return now_.system.world.moves_by_nodes(k) ? spin_of_nodes_[k] :
-                                                     frames[k].angular_velocity[2];
+        return now_.system.world.is_nodal(k) ? spin_of_nodes_[k] : frames[k].angular_velocity[2];
       });
   }
 
@@ -75,11 +74,11 @@ public:
     dynamics::accelerations(world, acceleration_);
     if (std::none_of(now_.roller_bodies.begin(),
                      now_.roller_bodies.end(),
-                     [&world](const unsigned int k) { return world.moves_by_nodes(k); }))
+                     [&world](const unsigned int k) { return world.is_nodal(k); }))
       return;
     spin_of_nodes_.assign(world.n_bodies(), 0.);
     for (const unsigned int k : now_.roller_bodies)
-      if (world.moves_by_nodes(k) && world.owns(k))
+      if (world.is_nodal(k) && world.owns(k))
         spin_of_nodes_[k] = spin_of_nodes(now_.system, k);
     dealii::Utilities::MPI::sum(spin_of_nodes_, world.communicator(), spin_of_nodes_);
   }

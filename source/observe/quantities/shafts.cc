@@ -52,7 +52,7 @@ public:
   {
     for (std::size_t i = 0; i < shafts_.size(); ++i)
       {
-        shafts_[i].look();
+        shafts_[i].update();
         values_[2 * i]     = shafts_[i].load.norm();
         values_[2 * i + 1] = shafts_[i].direction();
       }
@@ -123,7 +123,7 @@ private:
     /// Of the load, from the line to the other end of the span that pulls most, towards it, rad.
     double direction() const { return std::atan2(load * up, load * along); }
 
-    void look()
+    void update()
     {
       load = dealii::Tensor<1, 3>();
       for (const contact::SurfaceContact *family : teeth)

@@ -29,9 +29,9 @@ public:
       {
         for (const files::Described &history : histories_of(name))
           contents.histories.push_back(history);
-        contents.summary.push_back({"overlap_max/" + scene::name_of_teeth(name),
+        contents.summary.push_back({"penetration_max/" + scene::name_of_teeth(name),
                                     "m",
-                                    "overlap of the two sides, largest"});
+                                    "penetration of the two sides, largest"});
       }
     return contents;
   }
@@ -56,7 +56,7 @@ public:
   void update() override
   {
     for (ToothForces &forces : sprockets_)
-      forces.look();
+      forces.update();
   }
 
   void begin_interval() override
@@ -69,7 +69,7 @@ public:
   void summarize(files::Json &summary) const override
   {
     for (const ToothForces &forces : sprockets_)
-      summary["overlap_max"][scene::name_of_teeth(forces.name)] = forces.overlap;
+      summary["penetration_max"][scene::name_of_teeth(forces.name)] = forces.penetration;
   }
 
   void serialize(const Archive &archive) override
@@ -81,7 +81,7 @@ public:
         part.numbers("roller peak", forces.roller_peak);
         part.numbers("gap", forces.in_gap);
         part.numbers("gap peak", forces.in_gap_peak);
-        part("overlap", forces.overlap);
+        part("overlap", forces.penetration);
       }
   }
 
@@ -95,7 +95,7 @@ private:
             {rollers + "_force_peak", "N", peak},
             {rollers + "_gap",
              "m",
-             "Gap to the " + name + "'s teeth, negative: overlap; NaN out of reach"},
+             "Gap to the " + name + "'s teeth, negative: penetration; NaN out of reach"},
             {teeth + "_force", "N", "Normal force in each gap between two teeth"},
             {teeth + "_force_peak", "N", peak}};
   }

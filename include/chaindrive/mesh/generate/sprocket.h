@@ -7,7 +7,7 @@
 namespace chaindrive::mesh
 {
 /// Sizes of a sprocket besides its teeth.
-struct SprocketShape
+struct SprocketDimensions
 {
   double bore;         ///< diameter, m
   double hub_diameter; ///< of the zone that is rigid in elastic models, m; inside the root circle
@@ -21,15 +21,16 @@ struct SprocketShape
 /// A sector is symmetric about its gap. Each half has a block for the tooth, one below it and one
 /// below the seat; the three meet in a point of the profile at angles of about 60 degrees. Rings
 /// follow below the teeth, down to the hub circle and the bore.
-PlanarMesh
-sprocket_section(const drive::ToothForm &form, const SprocketShape &shape, unsigned int refinement);
+PlanarMesh sprocket_section(const drive::ToothForm   &form,
+                            const SprocketDimensions &dimensions,
+                            unsigned int              refinement);
 
 /// A sprocket of hexahedra, exactly cyclic (see Part::n_sectors): origin on the axis in the middle
 /// plane, gap 0 centred on +x. Throws InputError for sizes that do not fit. Refinement levels 0
 /// to 4. For @p half see Part::half.
-Part make_sprocket(const drive::ToothForm &form,
-                   const SprocketShape    &shape,
-                   double                  density,
-                   unsigned int            refinement,
-                   bool                    half = false);
+Part make_sprocket(const drive::ToothForm   &form,
+                   const SprocketDimensions &dimensions,
+                   double                    density,
+                   unsigned int              refinement,
+                   bool                      half = false);
 } // namespace chaindrive::mesh

@@ -115,15 +115,15 @@ int main(int argc, char **argv)
   std::cout << "ring under even pressure, each patch to 1e-3: " << (worst < 1e-3 ? "yes" : "NO")
             << '\n';
 
-  const std::vector<GivingPart> both = {{"hole", 0, of_hole.values}, {"pin", 0, of_pin.values}};
-  const Press                   press(
+  const std::vector<CompliantPart> both = {{"hole", 0, of_hole.values}, {"pin", 0, of_pin.values}};
+  const ContactProblem             problem(
       {{grid, [=](const double t) { return clearance * (1. - std::cos(t)); }}}, both, steel);
   // the four quarters of a slice make a pin of twice its depth
   for (const double q : {2e4, 1e5, 4e5, 1e6})
     {
-      const Pressed pressed = press.at(q * 2. * depth);
-      const auto    exact   = drive::conforming_contact(radius, clearance, q, steel);
-      const double  peak = pressed.on_line[0] / exact.peak_pressure - 1., strip = grid.width / 8.;
+      const ContactSolution pressed = problem.at(q * 2. * depth);
+      const auto            exact   = drive::conforming_contact(radius, clearance, q, steel);
+      const double peak = pressed.on_line[0] / exact.peak_pressure - 1., strip = grid.width / 8.;
       std::cout << "q " << 1e-3 * q << " N/mm: peak pressure within 4 percent: "
                 << (std::abs(peak) < 0.04 ? "yes" : "NO") << ", half angle to a strip: "
                 << (std::abs(pressed.half_angle[0] - exact.half_angle) < 1.2 * strip ? "yes" : "NO")
@@ -131,13 +131,13 @@ int main(int argc, char **argv)
     }
 
   // half width 2 sqrt(q R / (pi E*)), pressure 2 q / (pi times it); E* of two equal materials
-  const double wide = 1e-3, curvature_radius = radius * radius / wide;
-  const Press  hertz(
+  const double         wide = 1e-3, curvature_radius = radius * radius / wide;
+  const ContactProblem hertz(
       {{grid, [=](const double t) { return wide * (1. - std::cos(t)); }}}, both, steel);
   for (const double q : {3e5, 1e6, 2e6})
     {
-      const Pressed pressed = hertz.at(q * 2. * depth);
-      const double  half    = 2. * std::sqrt(q * curvature_radius / (PI * steel.contact_modulus())),
+      const ContactSolution pressed = hertz.at(q * 2. * depth);
+      const double half = 2. * std::sqrt(q * curvature_radius / (PI * steel.contact_modulus())),
                    peak = 2. * q / (PI * half), strip = radius * grid.width / 8.;
       std::cout << "q " << 1e-3 * q << " N/mm: Hertz' pressure to 3 percent: "
                 << (std::abs(pressed.on_line[0] / peak - 1.) < 0.03 ? "yes" : "NO")

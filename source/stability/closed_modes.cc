@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/stability/closed_shapes.h>
+#include <chaindrive/stability/closed_modes.h>
 #include <chaindrive/utilities/eigenvalue.h>
 
 #include <deal.II/base/numbers.h>
@@ -44,14 +44,14 @@ double largest(const Matrix &matrix)
                             [&](auto &product, const auto &x) { matrix.vmult(product, x); });
 }
 
-Matrix added_to_shapes(const ModalGroup          &bodies,
-                       const contact::ClosedSide &side,
-                       const scene::ContactLaw   &law)
+Matrix added_to_modes(const ModalGroup          &bodies,
+                      const contact::ClosedSide &side,
+                      const scene::ContactLaw   &law)
 {
   const double across = law.friction > 0. ? law.tangential_stiffness / law.stiffness : 0.;
 
   const bool   in_part = side.touches_in_part() && !side.normal.empty();
-  Matrix       worst   = bodies.matrix_of_shapes({});
+  Matrix       worst   = bodies.modal_matrix({});
   double       fastest = 0.;
   const Matrix free    = worst;
   for (unsigned int i = 0; i < (in_part ? n_directions : 1); ++i)
@@ -62,7 +62,7 @@ Matrix added_to_shapes(const ModalGroup          &bodies,
           direction[0] = std::cos(2. * dealii::numbers::PI * i / n_directions);
           direction[1] = std::sin(2. * dealii::numbers::PI * i / n_directions);
         }
-      const Matrix matrix = bodies.matrix_of_shapes(springs_of(side, across, direction));
+      const Matrix matrix = bodies.modal_matrix(springs_of(side, across, direction));
       const double value  = largest(matrix);
       if (value > fastest)
         {
@@ -74,7 +74,9 @@ Matrix added_to_shapes(const ModalGroup          &bodies,
   return worst;
 }
 
-void OnShapes::Side::take(const Matrix &of_kind, const double factor, const double time)
+void ModalBodies::Side::update_largest(const Matrix &of_kind,
+                                       const double  factor,
+                                       const double  time)
 {
   if (factor > stiffness)
     {
@@ -84,7 +86,7 @@ void OnShapes::Side::take(const Matrix &of_kind, const double factor, const doub
   damping = std::max(damping, factor * time);
 }
 
-double OnShapes::eigenvalue(const double dt) const
+double ModalBodies::eigenvalue(const double dt) const
 {
   Matrix matrix = free;
   for (const auto &[surface, side] : sides)
@@ -92,7 +94,7 @@ double OnShapes::eigenvalue(const double dt) const
   return largest(matrix);
 }
 
-double OnShapes::stable_step() const
+double ModalBodies::critical_time_step() const
 {
   // a step that is too large, then ever smaller brackets: dt^2 eigenvalue(dt) grows with dt
   double low = 0., high = 2. / std::sqrt(largest(free));

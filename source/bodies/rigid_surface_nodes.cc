@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/bodies/followers.h>
 #include <chaindrive/bodies/node_view.h>
+#include <chaindrive/bodies/rigid_surface_nodes.h>
 #include <chaindrive/bodies/world.h>
 
 #include <utility>
 
 namespace chaindrive
 {
-Followers::Followers(const unsigned int group, std::vector<Side> sides)
+RigidSurfaceNodes::RigidSurfaceNodes(const unsigned int group, std::vector<Side> sides)
     : group_(group), sides_(std::move(sides))
 {
 }
 
-void Followers::place_surface(World &world, const double earlier)
+void RigidSurfaceNodes::place_surface(World &world, const double earlier)
 {
   BodyBatches   &copies = world.copies[group_];
   const NodeView position(copies.position), velocity(copies.velocity);
@@ -32,7 +32,7 @@ void Followers::place_surface(World &world, const double earlier)
     }
 }
 
-void Followers::gather_forces(World &world)
+void RigidSurfaceNodes::gather_forces(World &world)
 {
   BodyBatches   &copies = world.copies[group_];
   const NodeView position(std::as_const(copies.position));
@@ -45,7 +45,7 @@ void Followers::gather_forces(World &world)
         {
           const std::size_t          at = copies.index(side.copy, node);
           const dealii::Tensor<1, 3> couple =
-              cross_product_3d(position[at] - world.frames[side.body].position, force.take(at));
+              cross_product_3d(position[at] - world.frames[side.body].position, force.extract(at));
           for (unsigned int d = 0; d < 3; ++d)
             world.moment.local_element(3 * side.body + d) += couple[d];
         }

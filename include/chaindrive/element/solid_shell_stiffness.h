@@ -10,10 +10,10 @@
 
 namespace chaindrive::element
 {
-/// Points through the wall in which a shell is integrated.
-enum class ThroughWall
+/// Points through the thickness in which a solid-shell is integrated.
+enum class ThicknessPoints
 {
-  one, ///< a membrane: what varies through the wall has no stiffness
+  one, ///< a membrane: what varies through the thickness has no stiffness
   two  ///< bends as a plate does
 };
 
@@ -23,7 +23,7 @@ constexpr unsigned int n_strains = 6;
 /// Their pairs of directions.
 constexpr unsigned int strain_pair[n_strains][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
 
-struct ShellStiffness
+struct SolidShellStiffness
 {
   dealii::FullMatrix<double> stiffness;   ///< row 3 a + i for component i of vertex a, N/m
   dealii::FullMatrix<double> mean_strain; ///< over the volume: row of the strain, 1/m
@@ -41,20 +41,20 @@ struct ShellStiffness
 /// zeta,
 ///   eta zeta and xi eta zeta, so that a wall that bends gets thinner and thicker, and xi-xi with
 ///   xi, eta-eta with eta, xi-eta with xi and with eta, so that it bends in its own plane.
-ShellStiffness shell_stiffness(const mesh::Corners &corners,
-                               unsigned int         across,
-                               const Material      &material,
-                               ThroughWall          points = ThroughWall::two);
+SolidShellStiffness solid_shell_stiffness(const mesh::Corners &corners,
+                                          unsigned int         across,
+                                          const Material      &material,
+                                          ThicknessPoints      points = ThicknessPoints::two);
 
-/// Stiffness in bending of a membrane over that of a shell: what holds the normals of its faces,
-/// which have no stiffness of their own.
+/// Stiffness in bending of a membrane over that of a solid-shell: what holds the normals of its
+/// faces, which have no stiffness of their own.
 constexpr double membrane_bending = 0.01;
 
-/// That of a shell, or of a membrane with this part of what a shell has beside it.
-ShellStiffness wall_stiffness(const mesh::Corners &corners,
-                              unsigned int         across,
-                              const Material      &material,
-                              parameters::Wall     wall);
+/// That of a solid-shell, or of a membrane with this part of what a solid-shell has beside it.
+SolidShellStiffness stiffness_of_type(const mesh::Corners    &corners,
+                                      unsigned int            across,
+                                      const Material         &material,
+                                      parameters::ElementType element_type);
 
 /// The axis of the unit cell that lies nearest to @p direction.
 unsigned int nearest_axis(const mesh::Corners &corners, const dealii::Tensor<1, 3> &direction);

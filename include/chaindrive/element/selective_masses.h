@@ -17,20 +17,20 @@ namespace chaindrive::element
 ///
 /// for each direction, m_l being what a layer's share of the column weighs. A column that moves as
 /// a whole weighs what it did; what moves against each other weighs more, which slows the vibration
-/// through the wall down: that of one layer of stiffness k from 2 sqrt(k / m_l) to
+/// through the thickness down: that of one layer of stiffness k from 2 sqrt(k / m_l) to
 /// 2 sqrt(k / (m_l (1 + 4 factor))). Linear momentum is that of M. After Olovsson, Simonsson,
 /// Unosson (2005), with the edges of a column in the place of all edges of an element.
-class ColumnMasses
+class SelectiveMasses
 {
 public:
   /// @p mass per node, kg, without columns.
-  explicit ColumnMasses(std::vector<double> mass);
+  explicit SelectiveMasses(std::vector<double> mass);
 
-  /// @p columns of nodes, in their order through the wall, of a part with @p nodes. No node is in
-  /// two of them.
-  ColumnMasses(const mesh::Nodes                            &nodes,
-               const std::vector<std::vector<unsigned int>> &columns,
-               double                                        factor);
+  /// @p columns of nodes, in their order through the thickness, of a part with @p nodes. No node is
+  /// in two of them.
+  SelectiveMasses(const mesh::Nodes                            &nodes,
+                  const std::vector<std::vector<unsigned int>> &columns,
+                  double                                        factor);
 
   /// Whether M' is M.
   bool empty() const { return node_.empty(); }
@@ -39,7 +39,7 @@ public:
 
   /// Makes M M'^-1 f of the forces f of one batch, with which nodes of the masses M are accelerated
   /// as those of M' by f, and adds to its kinetic energy what M' has more than M; see
-  /// ColumnArguments.
+  /// SelectiveMassArguments.
   void apply(const Kernels &kernels,
              double         kick,
              double         drag,
@@ -61,6 +61,6 @@ private:
   std::vector<double>       scale_; ///< per node, 1 over the diagonal of L, 1/sqrt(kg)
   std::vector<unsigned int> begin_; ///< per column, in what follows, and the end
   std::vector<unsigned int> node_;  ///< column after column
-  std::vector<double>       added_, lower_, pivot_; ///< as ColumnArguments says
+  std::vector<double>       added_, lower_, pivot_; ///< as SelectiveMassArguments says
 };
 } // namespace chaindrive::element

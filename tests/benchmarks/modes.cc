@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Speed of the kernels of reduced bodies: nanoseconds of one core per body, node and shape for
-// placing nodes, with velocities from rates or from the step, and for taking forces to shapes.
+// Speed of the kernels of reduced bodies: nanoseconds of one core per body, node and mode for
+// placing nodes, with velocities from rates or from the step, and for taking forces to modes.
 #include <chaindrive/bodies/modal_kernels.h>
 #include <chaindrive/utilities/pack.h>
 
@@ -62,12 +62,12 @@ int main(int argc, char **argv)
   std::iota(node.begin(), node.end(), 0u);
   for (unsigned int c = 0; c <= n_images; ++c)
     first_mode.push_back(c * n_modes / n_images);
-  const Numbers reference = numbers(3 * n_nodes), shape = numbers(3 * n_orbits * n_modes),
+  const Numbers reference = numbers(3 * n_nodes), mode_shape = numbers(3 * n_orbits * n_modes),
                 rigid = numbers(n_rigid_entries * n_lanes), amplitude = numbers(modes),
                 rate = numbers(modes), pushed = numbers(field);
   Numbers position = numbers(field), velocity = numbers(field), force = numbers(field),
           modal_force = numbers(modes), moment = numbers(3 * n_lanes), in_body = numbers(field);
-  std::printf("%u nodes, %u images each, %u shapes; ns per body, node and shape\n%6s%14s%14s%14s\n",
+  std::printf("%u nodes, %u images each, %u modes; ns per body, node and mode\n%6s%14s%14s%14s\n",
               n_nodes,
               n_images,
               n_modes,
@@ -88,7 +88,7 @@ int main(int argc, char **argv)
                              n_modes,
                              first_mode.data(),
                              reference.data(),
-                             shape.data(),
+                             mode_shape.data(),
                              rigid.data()};
       PlaceArguments   place{
           nodes, amplitude.data(), rate.data(), 5e-8, position.data(), velocity.data()};

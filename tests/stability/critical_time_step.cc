@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The printed stable step against exact limits: a spring pair, a chain of bars, a bar with a
+// The printed critical time step against exact limits: a spring pair, a chain of bars, a bar with a
 // dashpot, a stiff bar beside a damped soft one, a rigid roller on a frictional surface; and runs
 // just below and just above it. With an argument: for so many steps.
 #include "../support/scenes.h"
@@ -14,7 +14,7 @@ unsigned long steps = 20000;
 double growth(const scene::Scene &scene, const double share, const double kick)
 {
   dynamics::System system(scene, false);
-  const double     dt = share * system.stable_step_limit();
+  const double     dt = share * system.critical_time_step();
   system.world.velocity.local_element(0) += kick;
   double largest = 0.;
   advance(system, steps, dt, [&]() {
@@ -35,7 +35,7 @@ int main(int argc, char **argv)
     scene.bodies       = {lump(m, Vector3()), lump(m, vector(0.01, 0.))};
     scene.bars         = {{0, 1, 0.01, k, 0.}};
     ratio("two lumps and a bar",
-          dynamics::System(scene, false).stable_step_limit(),
+          dynamics::System(scene, false).critical_time_step(),
           2. / std::sqrt(2. * k / m));
     verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
     verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
@@ -43,7 +43,7 @@ int main(int argc, char **argv)
     const double xi = 0.1, w = std::sqrt(2. * k / m);
     scene.bars[0].damping = 2. * xi * std::sqrt(k * 0.5 * m);
     ratio("with a dashpot",
-          dynamics::System(scene, false).stable_step_limit(),
+          dynamics::System(scene, false).critical_time_step(),
           2. / w * (std::sqrt(1. + xi * xi) - xi));
     verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
     verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
@@ -57,7 +57,7 @@ int main(int argc, char **argv)
     for (unsigned int i = 0; i + 1 < n; ++i)
       scene.bars.push_back({i, i + 1, 0.01, k, 0.});
     const double w = 2. * std::sqrt(k / m) * std::sin(0.5 * dealii::numbers::PI * (n - 1) / n);
-    ratio("chain of 60 lumps", dynamics::System(scene, false).stable_step_limit(), 2. / w, 4);
+    ratio("chain of 60 lumps", dynamics::System(scene, false).critical_time_step(), 2. / w, 4);
     verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
     verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
   }
@@ -76,7 +76,7 @@ int main(int argc, char **argv)
           const double a = first, b = second.first + 2. * second.second / dt;
           dt = 2. / std::sqrt((a + b + std::sqrt(a * a - a * b + b * b)) / m);
         }
-      ratio(name, dynamics::System(scene, false).stable_step_limit(), dt);
+      ratio(name, dynamics::System(scene, false).critical_time_step(), dt);
       verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
       verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
     }
@@ -94,7 +94,7 @@ int main(int argc, char **argv)
     scene.surfaces.push_back(on_surface(
         plane(1, vector(0., 1.)), {k, 0., 100., 0.8 * k, 0.}, {{0, dealii::Point<3>(), r, 0}}));
     const double w = std::sqrt(0.8 * k * (1. / m + r * r / inertia));
-    ratio("roller that sticks", dynamics::System(scene, false).stable_step_limit(), 2. / w);
+    ratio("roller that sticks", dynamics::System(scene, false).critical_time_step(), 2. / w);
     verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
     verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 100.);
   }
@@ -116,7 +116,7 @@ int main(int argc, char **argv)
           plane(1, turned(1., 0.)), {k, 0., 0., 0., 0.}, {{0, dealii::Point<3>(), r, 0}}));
       const double w = std::sqrt((k_bar + k) / m);
       ratio("roller between bar and tooth",
-            dynamics::System(scene, false).stable_step_limit(),
+            dynamics::System(scene, false).critical_time_step(),
             2. / w);
       verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
       verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
@@ -139,7 +139,7 @@ int main(int argc, char **argv)
                                           {k, 0., 0., 0., 0.},
                                           {{side, dealii::Point<3>(), r, 0}}));
     ratio("two rollers on a light hub",
-          dynamics::System(scene, false).stable_step_limit(),
+          dynamics::System(scene, false).critical_time_step(),
           2. / std::sqrt(k * (1. / m + 2. * far * far / inertia)));
     verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
     verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
@@ -157,7 +157,7 @@ int main(int argc, char **argv)
     joint.pairs = {{1, dealii::Point<3>(), 5.05e-3, {0, dealii::Point<3>(), 5e-3, 0}}};
     scene.bores.push_back(joint);
     ratio("pin in a bore, bar across",
-          dynamics::System(scene, false).stable_step_limit(),
+          dynamics::System(scene, false).critical_time_step(),
           2. / std::sqrt((k + k_bar) / m));
   }
 }

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/element/column_masses.h>
+#include <chaindrive/element/selective_masses.h>
 
 #include <cmath>
 #include <utility>
 
 namespace chaindrive::element
 {
-ColumnMasses::ColumnMasses(std::vector<double> mass) : mass_(std::move(mass))
+SelectiveMasses::SelectiveMasses(std::vector<double> mass) : mass_(std::move(mass))
 {
   for (const double m : mass_)
     scale_.push_back(1. / std::sqrt(m));
 }
 
-ColumnMasses::ColumnMasses(const mesh::Nodes                            &nodes,
-                           const std::vector<std::vector<unsigned int>> &columns,
-                           const double                                  factor)
-    : ColumnMasses(nodes.mass)
+SelectiveMasses::SelectiveMasses(const mesh::Nodes                            &nodes,
+                                 const std::vector<std::vector<unsigned int>> &columns,
+                                 const double                                  factor)
+    : SelectiveMasses(nodes.mass)
 {
   begin_.push_back(0);
   for (const std::vector<unsigned int> &column : columns)
@@ -46,28 +46,28 @@ ColumnMasses::ColumnMasses(const mesh::Nodes                            &nodes,
     }
 }
 
-void ColumnMasses::apply(const Kernels &kernels,
-                         const double   kick,
-                         const double   drag,
-                         const double  *velocity,
-                         double        *force,
-                         double        *kinetic_energy) const
+void SelectiveMasses::apply(const Kernels &kernels,
+                            const double   kick,
+                            const double   drag,
+                            const double  *velocity,
+                            double        *force,
+                            double        *kinetic_energy) const
 {
-  kernels.apply_column_masses({static_cast<unsigned int>(begin_.size()) - 1,
-                               begin_.data(),
-                               node_.data(),
-                               mass_.data(),
-                               added_.data(),
-                               lower_.data(),
-                               pivot_.data(),
-                               kick,
-                               drag,
-                               velocity,
-                               force,
-                               kinetic_energy});
+  kernels.apply_selective_masses({static_cast<unsigned int>(begin_.size()) - 1,
+                                  begin_.data(),
+                                  node_.data(),
+                                  mass_.data(),
+                                  added_.data(),
+                                  lower_.data(),
+                                  pivot_.data(),
+                                  kick,
+                                  drag,
+                                  velocity,
+                                  force,
+                                  kinetic_energy});
 }
 
-void ColumnMasses::solve_lower(dealii::Vector<double> &x) const
+void SelectiveMasses::solve_lower(dealii::Vector<double> &x) const
 {
   for (std::size_t c = 0; c + 1 < begin_.size(); ++c)
     for (unsigned int i = begin_[c] + 1; i < begin_[c + 1]; ++i)
@@ -77,7 +77,7 @@ void ColumnMasses::solve_lower(dealii::Vector<double> &x) const
     x[i] *= scale_[i / 3];
 }
 
-void ColumnMasses::solve_upper(dealii::Vector<double> &x) const
+void SelectiveMasses::solve_upper(dealii::Vector<double> &x) const
 {
   for (std::size_t i = 0; i < x.size(); ++i)
     x[i] *= scale_[i / 3];
@@ -87,7 +87,7 @@ void ColumnMasses::solve_upper(dealii::Vector<double> &x) const
         x[3 * node_[i - 1] + d] -= lower_[i] * x[3 * node_[i] + d];
 }
 
-double ColumnMasses::added(const dealii::Vector<double> &a) const
+double SelectiveMasses::added(const dealii::Vector<double> &a) const
 {
   double sum = 0.;
   for (std::size_t c = 0; c + 1 < begin_.size(); ++c)
@@ -100,7 +100,7 @@ double ColumnMasses::added(const dealii::Vector<double> &a) const
   return sum;
 }
 
-std::size_t ColumnMasses::memory_consumption() const
+std::size_t SelectiveMasses::memory_consumption() const
 {
   return (mass_.size() + added_.size() + lower_.size() + pivot_.size()) * sizeof(double) +
          (begin_.size() + node_.size()) * sizeof(unsigned int);

@@ -25,7 +25,7 @@ struct ClosedKind
 /// All kinds of contact of @p family, closed.
 std::vector<ClosedKind> closed_kinds(const World &world, const contact::Family &family);
 
-/// Bodies that move by shapes and the springs between them: a Floquet analysis of one pitch.
+/// Modal bodies and the springs between them: a Floquet analysis of one pitch.
 ///
 /// An endless straight chain, all of whose pitches are closed alike, vibrates in waves: each pitch
 /// moves as the one before times exp(i q). Here one body of each part is joined as one pitch is;
@@ -40,7 +40,7 @@ std::vector<ClosedKind> closed_kinds(const World &world, const contact::Family &
 ///
 /// Where a contact touches in part, it does so about one of n_directions: one way to close. The
 /// limit is that of the ways found by find_worst().
-class CoupledShapes
+class CoupledModes
 {
 public:
   using Matrix = dealii::FullMatrix<double>;
@@ -64,17 +64,16 @@ public:
 
   using Ways = std::vector<unsigned int>; ///< one of each interface
 
-  /// Of those of @p kinds in which bodies that move by shapes take part; nothing if there are none,
+  /// Of those of @p kinds in which modal bodies take part; nothing if there are none,
   /// or if one of them is not between two such bodies or such a body and the ground, or if bodies
   /// may meet different ones with the same side.
-  static std::optional<CoupledShapes> make(const World                   &world,
-                                           const std::vector<ClosedKind> &kinds);
+  static std::optional<CoupledModes> make(const World &world, const std::vector<ClosedKind> &kinds);
 
   /// The largest dt [s] with dt^2 K + 2 dt C <= 4 M for the ways of find_worst().
-  double stable_step() const;
+  double critical_time_step() const;
 
-  /// The step without contacts [s], for which stable_step() looks for the worst ways: these matter
-  /// more than how strong the dampers are.
+  /// The step without contacts [s], for which critical_time_step() looks for the worst ways: these
+  /// matter more than how strong the dampers are.
   double free_step() const;
 
   /// Looks for the ways of all contacts with the largest eigenvalue for a step @p dt [s]: those

@@ -11,5 +11,5 @@ namespace chaindrive::mesh
 /// cells to the opposite side of the wall; ascending in the number of their first node. @p nodes
 /// are those of @p part.
 std::vector<std::vector<unsigned int>>
-wall_columns(const Part &part, const Nodes &nodes, Surface surface);
+thickness_columns(const Part &part, const Nodes &nodes, Surface surface);
 } // namespace chaindrive::mesh

@@ -97,7 +97,7 @@ int main()
                   << (found > (1. - 1e-9) * exact && found < (1. + 1e-6) * exact ? "yes" : "NO")
                   << '\n';
         // the normals of a single membrane have so little stiffness that they leave small angles
-        if (reference.n_elements() <= 8 && kind.wall != parameters::Wall::membrane)
+        if (reference.n_elements() <= 8 && kind.element_type != parameters::ElementType::membrane)
           std::cout << part.first << ", " << kind.name << ": bounded at 0.98 of the limit: "
                     << (bounded_steps(reference, 0.98, 100000) == 100000 ? "yes" : "NO")
                     << "; blown up at 1.02: "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/element/shell_stiffness.h>
+#include <chaindrive/element/solid_shell_stiffness.h>
 
 #include <array>
 #include <cmath>
@@ -113,10 +113,10 @@ FullMatrix<double> to_axes(const Tensor<2, 3> &rows)
 }
 
 /// The strains that are added: row of the strain, column of its amplitude.
-FullMatrix<double> added_strains(const Place &at, const ThroughWall points)
+FullMatrix<double> added_strains(const Place &at, const ThicknessPoints points)
 {
   const double       xi = at[0], eta = at[1], zeta = at[2];
-  const bool         bends = points == ThroughWall::two;
+  const bool         bends = points == ThicknessPoints::two;
   FullMatrix<double> M(n_strains, bends ? 8 : 4);
   M(0, 0) = xi;
   M(1, 1) = eta;
@@ -159,10 +159,10 @@ FullMatrix<double> elasticity(const double lambda, const double mu)
   return C;
 }
 
-ShellStiffness shell_stiffness(const mesh::Corners &corners,
-                               const unsigned int   across,
-                               const Material      &material,
-                               const ThroughWall    points)
+SolidShellStiffness solid_shell_stiffness(const mesh::Corners  &corners,
+                                          const unsigned int    across,
+                                          const Material       &material,
+                                          const ThicknessPoints points)
 {
   const Convected           cell(corners, across);
   const FullMatrix<double>  C      = elasticity(material.lambda(), material.mu());
@@ -170,7 +170,7 @@ ShellStiffness shell_stiffness(const mesh::Corners &corners,
   const FullMatrix<double>  turn   = to_axes(middle);
   const double              g      = 1. / std::sqrt(3.);
   const std::vector<double> heights =
-      points == ThroughWall::two ? std::vector<double>{-g, g} : std::vector<double>{0.};
+      points == ThicknessPoints::two ? std::vector<double>{-g, g} : std::vector<double>{0.};
 
   const unsigned int n_added = added_strains({{0., 0., 0.}}, points).n();
   FullMatrix<double> k(n_displacements, n_displacements), coupling(n_displacements, n_added),
@@ -203,17 +203,19 @@ ShellStiffness shell_stiffness(const mesh::Corners &corners,
   return {k, mean};
 }
 
-ShellStiffness wall_stiffness(const mesh::Corners   &corners,
-                              const unsigned int     across,
-                              const Material        &material,
-                              const parameters::Wall wall)
+SolidShellStiffness stiffness_of_type(const mesh::Corners          &corners,
+                                      const unsigned int            across,
+                                      const Material               &material,
+                                      const parameters::ElementType element_type)
 {
-  ShellStiffness shell = shell_stiffness(corners, across, material, ThroughWall::two);
-  if (wall == parameters::Wall::membrane)
+  SolidShellStiffness shell =
+      solid_shell_stiffness(corners, across, material, ThicknessPoints::two);
+  if (element_type == parameters::ElementType::membrane)
     {
       shell.stiffness *= membrane_bending;
-      shell.stiffness.add(1. - membrane_bending,
-                          shell_stiffness(corners, across, material, ThroughWall::one).stiffness);
+      shell.stiffness.add(
+          1. - membrane_bending,
+          solid_shell_stiffness(corners, across, material, ThicknessPoints::one).stiffness);
     }
   return shell;
 }

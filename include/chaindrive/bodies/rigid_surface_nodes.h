@@ -7,7 +7,7 @@ namespace chaindrive
 {
 /// Nodes on those sides of rigid bodies of one kind that nodes of elastic ones touch: a group with
 /// no modes. They follow the frames of their bodies, and hand the moments of contact on to them.
-class Followers : public BodyGroup, public SurfaceGroup
+class RigidSurfaceNodes : public BodyGroup, public SurfaceGroup
 {
 public:
   /// Nodes of one side of a rigid body.
@@ -18,7 +18,7 @@ public:
   };
 
   /// @p sides of bodies that are @p world's copies number @p group.
-  Followers(unsigned int group, std::vector<Side> sides);
+  RigidSurfaceNodes(unsigned int group, std::vector<Side> sides);
 
   void place_surface(World &world, double earlier) override;
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// More mass in the columns of nodes through the wall of a roller: the columns, the stable step that
-// it gives, what it does to the statics of turning and to the modes of the ring, and rollers in
-// free flight that spin and ring, whose momenta and energy are those of the added mass too.
+// More mass in the columns of nodes through the wall of a roller: the columns, the critical time
+// step that it gives, what it does to the statics of turning and to the modes of the ring, and
+// rollers in free flight that spin and ring, whose momenta and energy are those of the added mass
+// too.
 #include "../support/modes.h"
 #include "../support/scenes.h"
 
 #include <chaindrive/element/elastic_part.h>
 #include <chaindrive/mesh/generate/links.h>
-#include <chaindrive/mesh/wall_columns.h>
+#include <chaindrive/mesh/thickness_columns.h>
 
 using namespace test;
 
@@ -25,7 +26,7 @@ std::shared_ptr<const mesh::Part> make_part()
 element::ElasticPart elastic(const mesh::Part &part, const double factor)
 {
   parameters::Elements elements;
-  elements.column_mass_scaling = factor;
+  elements.selective_mass_scaling = factor;
   return {part, mesh::Nodes(part), Material(), elements};
 }
 
@@ -35,7 +36,7 @@ LinearModel model_with(const mesh::Part &part, const double factor)
   const Hexahedra   reference(part, Material(), Formulation::enhanced);
   LinearModel       model(reference);
   const mesh::Nodes nodes(part);
-  for (const auto &column : mesh::wall_columns(part, nodes, mesh::roller_bore))
+  for (const auto &column : mesh::thickness_columns(part, nodes, mesh::roller_bore))
     {
       double mass = 0.;
       for (const unsigned int node : column)
@@ -86,9 +87,9 @@ double ring_mode(const LinearModel &model, const mesh::Part &part, const double 
 
 scene::Scene flying(const std::shared_ptr<const mesh::Part> &part, const double factor)
 {
-  scene::Scene scene                 = empty_scene();
-  scene.elements.column_mass_scaling = factor;
-  scene.parts[scene::Kind::roller]   = part;
+  scene::Scene scene                    = empty_scene();
+  scene.elements.selective_mass_scaling = factor;
+  scene.parts[scene::Kind::roller]      = part;
   for (unsigned int k = 0; k < 9; ++k)
     {
       scene::Body roller = body(scene::Motion::elastic,
@@ -138,7 +139,7 @@ int main()
 {
   const double factor  = 0.5;
   const auto   part    = make_part();
-  const auto   columns = mesh::wall_columns(*part, mesh::Nodes(*part), mesh::roller_bore);
+  const auto   columns = mesh::thickness_columns(*part, mesh::Nodes(*part), mesh::roller_bore);
   std::cout << columns.size() << " columns of " << columns.front().size() << " nodes\n";
   const Hexahedra   reference(*part, Material(), Formulation::enhanced);
   const LinearModel before = model_with(*part, 0.), after = model_with(*part, factor);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/part.h>
-#include <chaindrive/observe/pictures.h>
+#include <chaindrive/observe/field_output.h>
 #include <chaindrive/utilities/ranks.h>
 
 #include <deal.II/base/mpi.h>
@@ -10,9 +10,9 @@
 
 namespace chaindrive::observe
 {
-Pictures::Drawing::Drawing(const scene::Scene     &scene,
-                           const dynamics::System &system,
-                           const std::string      &directory)
+FieldOutput::Drawing::Drawing(const scene::Scene     &scene,
+                              const dynamics::System &system,
+                              const std::string      &directory)
     : fields(directory, system.world.communicator())
     , elastic(system)
     , spans(scene, system)
@@ -24,21 +24,21 @@ Pictures::Drawing::Drawing(const scene::Scene     &scene,
     sectors.emplace(rim.group, PartPatches(*rim.sector->part->mesh));
 }
 
-Pictures::Pictures(const scene::Scene     &scene,
-                   const model::Model     &model,
-                   const dynamics::System &system,
-                   const std::string      &directory,
-                   PhaseTimer             &timer)
+FieldOutput::FieldOutput(const scene::Scene     &scene,
+                         const model::Model     &model,
+                         const dynamics::System &system,
+                         const std::string      &directory,
+                         PhaseTimer             &timer)
     : scene_(scene), phase_(timer.add("Output")), schedule_(model.time.start, model.field_interval)
 {
   if (model.field_interval > 0.)
     drawing_ = std::make_unique<Drawing>(scene, system, directory);
 }
 
-void Pictures::observe(const dynamics::System &system,
-                       const unsigned long,
-                       const double,
-                       dynamics::Services &services)
+void FieldOutput::observe(const dynamics::System &system,
+                          const unsigned long,
+                          const double,
+                          dynamics::Services &services)
 {
   const PhaseTimer::Scope scope(services.timer(), phase_);
   if (!schedule_.due(system.world.time))
@@ -47,7 +47,7 @@ void Pictures::observe(const dynamics::System &system,
   write(system);
 }
 
-void Pictures::serialize(const Archive &archive, const dynamics::System &system)
+void FieldOutput::serialize(const Archive &archive, const dynamics::System &system)
 {
   schedule_.serialize(archive / "schedule", system.world.time);
   bool has_fields = drawing_ != nullptr;
@@ -101,7 +101,7 @@ Loads loads_of(const scene::Scene       &scene,
       loads.roller.resize(scene.drive.n_joints, 0.);
       for (ToothForces &forces : teeth)
         {
-          forces.look();
+          forces.update();
           for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
             loads.roller[k] += forces.roller[k];
           for (unsigned int s = 0; s < scene.drive.sprockets.size(); ++s)
@@ -162,7 +162,7 @@ std::vector<BarSnapshot> snapshots_of_bars(const dynamics::System &system)
 }
 } // namespace
 
-void Pictures::write(const dynamics::System &system)
+void FieldOutput::write(const dynamics::System &system)
 {
   const World &world = system.world;
 
@@ -181,7 +181,7 @@ void Pictures::write(const dynamics::System &system)
       {
         bodies.push_back({&drawing_->parts.at(scene_.bodies[b].part()),
                           b,
-                          scene_.bodies[b].number_in_pictures(),
+                          scene_.bodies[b].number_in_fields(),
                           scene_.bodies[b].initial,
                           world.frames[b],
                           contact_force[b],
@@ -204,7 +204,7 @@ void Pictures::write(const dynamics::System &system)
             sector                  = drawing_->elastic.of(system, {rim.group, s});
             bodies.push_back({&drawing_->sectors.at(rim.group),
                               rim.body,
-                              scene_.bodies[rim.body].number_in_pictures(),
+                              scene_.bodies[rim.body].number_in_fields(),
                               copies.start[s],
                               world.frames[rim.body],
                               contact_force[rim.body],

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/stability/closed_shapes.h>
-#include <chaindrive/stability/coupled_shapes.h>
-#include <chaindrive/stability/stable_step.h>
+#include <chaindrive/stability/closed_modes.h>
+#include <chaindrive/stability/coupled_modes.h>
+#include <chaindrive/stability/critical_time_step.h>
 #include <chaindrive/utilities/eigenvalue.h>
 
 #include <deal.II/base/numbers.h>
@@ -54,7 +54,7 @@ void multiply(const Matrix &matrix, const Vector &x, Vector &y)
       to[i] += x[j] * matrix(j, i);
 }
 
-/// The groups of bodies that move by shapes by their number in World::copies, others nullptr.
+/// The groups of modal bodies by their number in World::copies, others nullptr.
 std::vector<const ModalGroup *> groups_of(const World &world)
 {
   std::vector<const ModalGroup *> groups(world.copies.size(), nullptr);
@@ -172,7 +172,7 @@ const ModalGroup *group_of(const std::vector<const ModalGroup *> &groups, const 
 }
 using Side = std::pair<unsigned int, unsigned int>; // group and surface
 
-/// The kinds of contact that bodies by shapes have.
+/// The kinds of contact that bodies by modes have.
 struct Sorted
 {
   std::vector<const ClosedKind *> joints;  ///< between two of them
@@ -180,7 +180,7 @@ struct Sorted
   std::map<Side, unsigned int>    n_kinds; ///< of the joints of a side
 };
 
-/// Sorts @p kinds; false if CoupledShapes::make() makes nothing of them.
+/// Sorts @p kinds; false if CoupledModes::make() makes nothing of them.
 bool sort(const std::vector<ClosedKind>         &kinds,
           const std::vector<const ModalGroup *> &groups,
           Sorted                                &sorted)
@@ -189,9 +189,9 @@ bool sort(const std::vector<ClosedKind>         &kinds,
   for (const ClosedKind &kind : kinds)
     {
       const auto &[master, slave] = kind.sides;
-      const bool by_shapes[2]     = {group_of(groups, master) != nullptr,
+      const bool is_modal[2]      = {group_of(groups, master) != nullptr,
                                      group_of(groups, slave) != nullptr};
-      if (by_shapes[0] && by_shapes[1] && !slave.springs.empty())
+      if (is_modal[0] && is_modal[1] && !slave.springs.empty())
         {
           sorted.joints.push_back(&kind);
           for (const ClosedSide &side : kind.sides)
@@ -200,9 +200,9 @@ bool sort(const std::vector<ClosedKind>         &kinds,
               surfaces[side.group].insert(side.surface);
             }
         }
-      else if (by_shapes[1] && master.group == ClosedSide::none)
+      else if (is_modal[1] && master.group == ClosedSide::none)
         sorted.grounds.push_back(&kind);
-      else if (by_shapes[0] || by_shapes[1])
+      else if (is_modal[0] || is_modal[1])
         return false;
     }
   for (const auto &[side, n] : sorted.n_kinds)
@@ -220,24 +220,24 @@ std::vector<ClosedKind> closed_kinds(const World &world, const contact::Family &
   return kinds;
 }
 
-unsigned int CoupledShapes::add_body(const ModalGroup &group)
+unsigned int CoupledModes::add_body(const ModalGroup &group)
 {
-  const Matrix free  = group.matrix_of_shapes({});
+  const Matrix free  = group.modal_matrix({});
   const auto   first = static_cast<unsigned int>(free_.size());
   for (unsigned int m = 0; m < free.m(); ++m)
     free_.push_back(free(m, m));
   return first;
 }
 
-std::optional<CoupledShapes> CoupledShapes::make(const World                   &world,
-                                                 const std::vector<ClosedKind> &kinds)
+std::optional<CoupledModes> CoupledModes::make(const World                   &world,
+                                               const std::vector<ClosedKind> &kinds)
 {
   const std::vector<const ModalGroup *> groups = groups_of(world);
   Sorted                                sorted;
   if (!sort(kinds, groups, sorted))
     return {};
 
-  CoupledShapes                                     system;
+  CoupledModes                                      system;
   std::map<unsigned int, std::vector<unsigned int>> bodies; // of a group: their first motions
   const auto                                        body = [&](const ClosedSide &side) {
     std::vector<unsigned int> &of_group = bodies[side.group];
@@ -271,11 +271,11 @@ std::optional<CoupledShapes> CoupledShapes::make(const World                   &
   return system;
 }
 
-void CoupledShapes::add_ways(const World                       &world,
-                             const ClosedKind                  &kind,
-                             const std::array<unsigned int, 2> &first,
-                             const bool                         closes_pitch,
-                             Interface                         &interface)
+void CoupledModes::add_ways(const World                       &world,
+                            const ClosedKind                  &kind,
+                            const std::array<unsigned int, 2> &first,
+                            const bool                         closes_pitch,
+                            Interface                         &interface)
 {
   const std::vector<const ModalGroup *> groups = groups_of(world);
   const ClosedSide                     &slave  = kind.sides[1];
@@ -326,7 +326,7 @@ void CoupledShapes::add_ways(const World                       &world,
     }
 }
 
-void CoupledShapes::assemble(const Ways &ways, const double dt, Matrix &matrix) const
+void CoupledModes::assemble(const Ways &ways, const double dt, Matrix &matrix) const
 {
   matrix.reinit(free_.size(), free_.size());
   for (unsigned int m = 0; m < free_.size(); ++m)
@@ -342,7 +342,7 @@ void CoupledShapes::assemble(const Ways &ways, const double dt, Matrix &matrix) 
     }
 }
 
-CoupledShapes::Ways CoupledShapes::find_worst(const double dt) const
+CoupledModes::Ways CoupledModes::find_worst(const double dt) const
 {
   constexpr unsigned int n_rounds = 6, n_steps = 8;
   const std::size_t      n = free_.size();
@@ -397,7 +397,7 @@ CoupledShapes::Ways CoupledShapes::find_worst(const double dt) const
   return worst;
 }
 
-double CoupledShapes::eigenvalue(const Ways &ways, const double dt) const
+double CoupledModes::eigenvalue(const Ways &ways, const double dt) const
 {
   Matrix matrix;
   assemble(ways, dt, matrix);
@@ -405,12 +405,12 @@ double CoupledShapes::eigenvalue(const Ways &ways, const double dt) const
                             [&](auto &product, const auto &x) { multiply(matrix, x, product); });
 }
 
-double CoupledShapes::free_step() const
+double CoupledModes::free_step() const
 {
   return 2. / std::sqrt(*std::max_element(free_.begin(), free_.end()));
 }
 
-double CoupledShapes::stable_step() const
+double CoupledModes::critical_time_step() const
 {
   double time = 0.;
   for (const Interface &interface : interfaces_)
@@ -420,7 +420,7 @@ double CoupledShapes::stable_step() const
   constexpr double without_dampers = 1e300;
   const double     springs         = eigenvalue(worst, without_dampers);
   // from a safe step to a larger one that is safe too, since the dampers soften as it grows
-  double step = stable_step_of(springs, springs * time);
+  double step = critical_time_step_of(springs, springs * time);
   for (double before = 0.; step > 1.0001 * before;)
     {
       before = step;

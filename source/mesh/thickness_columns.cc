@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/mesh/wall_columns.h>
+#include <chaindrive/mesh/thickness_columns.h>
 
 #include <map>
 
 namespace chaindrive::mesh
 {
 std::vector<std::vector<unsigned int>>
-wall_columns(const Part &part, const Nodes &nodes, const Surface surface)
+thickness_columns(const Part &part, const Nodes &nodes, const Surface surface)
 {
   std::map<unsigned int, std::vector<unsigned int>> columns; // by first node
   for (const auto &first : part.mesh->active_cell_iterators())

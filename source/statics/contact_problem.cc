@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/statics/press.h>
+#include <chaindrive/statics/contact_problem.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <deal.II/base/numbers.h>
@@ -25,11 +25,11 @@ double love(const double x, const double y, const double a, const double b)
          part(x - a, y + b) + part(x - a, y - b) - part(y - b, x + a) + part(y - b, x - a);
 }
 
-/// Displacements of strips (number: strip * n_stations + station) of both bodies under pressures on
+/// Displacements of strips (number: strip * n_rings + ring) of both bodies under pressures on
 /// strips and on their mirror images, their means over patches left out, m/Pa.
 dealii::FullMatrix<double> within_patches(const PatchGrid &grid, const Material &material)
 {
-  const unsigned int         m = grid.n_stations(), n = grid.n_angles * n_strips * m;
+  const unsigned int         m = grid.n_rings(), n = grid.n_angles * n_strips * m;
   const double               h      = grid.radius * grid.width / n_strips;
   const double               factor = 2. / (dealii::numbers::PI * material.plane_modulus());
   dealii::FullMatrix<double> u(n, n);
@@ -66,28 +66,28 @@ unsigned int PatchGrid::number(const double angle, const double height) const
   const double a = std::abs(angle) / width, h = std::abs(height);
   if (!(a < n_angles) || h >= z.back())
     return none;
-  const auto station = std::upper_bound(z.begin(), z.end(), h) - z.begin() - 1;
-  return static_cast<unsigned int>(a) * n_stations() + static_cast<unsigned int>(station);
+  const auto ring = std::upper_bound(z.begin(), z.end(), h) - z.begin() - 1;
+  return static_cast<unsigned int>(a) * n_rings() + static_cast<unsigned int>(ring);
 }
 
-Press::Press(std::vector<Interface>  interfaces,
-             std::vector<GivingPart> parts,
-             const Material         &material)
+ContactProblem::ContactProblem(std::vector<Interface>     interfaces,
+                               std::vector<CompliantPart> parts,
+                               const Material            &material)
     : interfaces_(std::move(interfaces)), parts_(std::move(parts))
 {
-  std::vector<unsigned int> station;
+  std::vector<unsigned int> ring;
   unsigned int              first = 0;
   for (unsigned int k = 0; k < interfaces_.size(); ++k)
     {
       const PatchGrid &grid = interfaces_[k].grid;
       for (unsigned int i = 0; i < grid.n_angles * n_strips; ++i)
-        for (unsigned int s = 0; s < grid.n_stations(); ++s)
+        for (unsigned int s = 0; s < grid.n_rings(); ++s)
           {
             const double angle = (i + 0.5) * grid.width / n_strips;
             interface_.push_back(k);
-            patch_.push_back(first + i / n_strips * grid.n_stations() + s);
+            patch_.push_back(first + i / n_strips * grid.n_rings() + s);
             strip_.push_back(i);
-            station.push_back(s);
+            ring.push_back(s);
             gap_.push_back(interfaces_[k].gap(angle));
             along_.push_back(std::cos(angle));
             share_.push_back(4. * along_.back() * grid.area(s) / n_strips);
@@ -95,7 +95,7 @@ Press::Press(std::vector<Interface>  interfaces,
       first += grid.n();
     }
   Flexibility flexibility(first, first);
-  for (const GivingPart &part : parts_)
+  for (const CompliantPart &part : parts_)
     {
       AssertThrow(part.first + part.values.m() <= first, dealii::ExcInternalError());
       for (unsigned int i = 0; i < part.values.m(); ++i)
@@ -114,13 +114,13 @@ Press::Press(std::vector<Interface>  interfaces,
         const unsigned int k = interface_[i];
         if (interface_[j] == k)
           {
-            const unsigned int m = interfaces_[k].grid.n_stations();
-            fine_(i, j) += within[k](strip_[i] * m + station[i], strip_[j] * m + station[j]);
+            const unsigned int m = interfaces_[k].grid.n_rings();
+            fine_(i, j) += within[k](strip_[i] * m + ring[i], strip_[j] * m + ring[j]);
           }
       }
 }
 
-Pressed Press::at(const double force) const
+ContactSolution ContactProblem::at(const double force) const
 {
   const unsigned int n = static_cast<unsigned int>(gap_.size()),
                      m = static_cast<unsigned int>(interfaces_.size());
@@ -191,7 +191,7 @@ Pressed Press::at(const double force) const
         break;
     }
 
-  Pressed result;
+  ContactSolution result;
   result.approach        = approach;
   result.reaches_the_end = false;
   unsigned int first     = 0;
@@ -210,7 +210,7 @@ Pressed Press::at(const double force) const
             if (pressure[i] > 0.)
               result.half_angle[k] = std::max(result.half_angle[k],
                                               std::acos(along_[i]) + 0.5 * grid.width / n_strips);
-            if (pressure[i] > 0. && patch_[i] - first >= grid.n() - grid.n_stations())
+            if (pressure[i] > 0. && patch_[i] - first >= grid.n() - grid.n_rings())
               result.reaches_the_end = true;
           }
       first += grid.n();
@@ -222,7 +222,7 @@ Pressed Press::at(const double force) const
     mean[patch_[i]] += pressure[i] / n_strips;
   for (unsigned int i = 0; i < n; ++i)
     weight[patch_[i]] += share_[i] / along_[i] / force;
-  for (const GivingPart &part : parts_)
+  for (const CompliantPart &part : parts_)
     {
       double way = 0.;
       for (unsigned int i = 0; i < part.values.m(); ++i)

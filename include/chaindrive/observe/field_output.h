@@ -18,28 +18,28 @@
 
 namespace chaindrive::observe
 {
-/// Writes pictures of a run, every Output/Field interval.
-class Pictures : public dynamics::Observer
+/// Writes the field output of a run, every Output/Field interval.
+class FieldOutput : public dynamics::Observer
 {
 public:
-  /// Pictures go to @p directory. @p scene must outlive this.
-  Pictures(const scene::Scene     &scene,
-           const model::Model     &model,
-           const dynamics::System &system,
-           const std::string      &directory,
-           PhaseTimer             &timer);
+  /// It goes to @p directory. @p scene must outlive this.
+  FieldOutput(const scene::Scene     &scene,
+              const model::Model     &model,
+              const dynamics::System &system,
+              const std::string      &directory,
+              PhaseTimer             &timer);
 
   void        observe(const dynamics::System &system,
                       unsigned long           step,
                       double                  dt,
                       dynamics::Services     &services) override;
-  std::string name() const override { return "pictures"; }
+  std::string name() const override { return "field output"; }
 
   /// A resumed run may have another interval.
   void serialize(const Archive &archive, const dynamics::System &system) override;
 
 private:
-  /// What is drawn of each part and kept between pictures.
+  /// What is drawn of each part and kept between outputs.
   struct Drawing
   {
     Drawing(const scene::Scene     &scene,

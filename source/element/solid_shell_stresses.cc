@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/element/shell_stiffness.h>
-#include <chaindrive/element/wall_stresses.h>
+#include <chaindrive/element/solid_shell_stiffness.h>
+#include <chaindrive/element/solid_shell_stresses.h>
 
 namespace chaindrive::element
 {
 using dealii::SymmetricTensor;
 using dealii::Tensor;
 
-WallCell::WallCell(const mesh::Corners   &corners,
-                   const Tensor<1, 3>    &across,
-                   const Material        &material,
-                   const parameters::Wall wall)
-    : corners_(corners), material_(material), wall_(wall), gradients_(mean_gradients(corners))
+SolidShellCell::SolidShellCell(const mesh::Corners          &corners,
+                               const Tensor<1, 3>           &across,
+                               const Material               &material,
+                               const parameters::ElementType element_type)
+    : corners_(corners)
+    , material_(material)
+    , element_type_(element_type)
+    , gradients_(mean_gradients(corners))
 {
   const unsigned int axis = nearest_axis(corners, across);
-  strain_                 = wall_stiffness(corners, axis, material, wall).mean_strain;
+  strain_                 = stiffness_of_type(corners, axis, material, element_type).mean_strain;
 
   std::array<Face, 2> faces; // at the low and at the high end of the axis
   Tensor<1, 3>        upwards;
@@ -43,7 +46,7 @@ WallCell::WallCell(const mesh::Corners   &corners,
   outer_              = faces[is_outer ? 1 : 0];
 }
 
-Stress WallCell::mean(const std::array<Tensor<1, 3>, 8> &position) const
+Stress SolidShellCell::mean(const std::array<Tensor<1, 3>, 8> &position) const
 {
   // D q depends on what the positions have beside the mean gradient, F^T (x - F X): that of the
   // hourglass amplitudes, up to a constant, which strains do not see
@@ -66,8 +69,8 @@ Stress WallCell::mean(const std::array<Tensor<1, 3>, 8> &position) const
   return stress(F, strain, material_);
 }
 
-SymmetricTensor<2, 3> WallCell::stress_in(const Face                        &face,
-                                          const std::array<Tensor<1, 3>, 8> &position) const
+SymmetricTensor<2, 3> SolidShellCell::stress_in(const Face                        &face,
+                                                const std::array<Tensor<1, 3>, 8> &position) const
 {
   std::array<Tensor<1, 3>, 4> corners;
   for (unsigned int v = 0; v < 4; ++v)
@@ -80,10 +83,10 @@ SymmetricTensor<2, 3> WallCell::stress_in(const Face                        &fac
   return symmetrize(sum);
 }
 
-FaceStresses WallCell::faces(const std::array<Tensor<1, 3>, 8> &position) const
+FaceStresses SolidShellCell::faces(const std::array<Tensor<1, 3>, 8> &position) const
 {
   FaceStresses found{stress_in(inner_, position), stress_in(outer_, position)};
-  if (wall_ == parameters::Wall::membrane)
+  if (element_type_ == parameters::ElementType::membrane)
     {
       const SymmetricTensor<2, 3> middle  = 0.5 * (found.inner + found.outer),
                                   bending = 0.5 * membrane_bending * (found.outer - found.inner);
@@ -92,10 +95,10 @@ FaceStresses WallCell::faces(const std::array<Tensor<1, 3>, 8> &position) const
   return found;
 }
 
-WallStresses::WallStresses(const mesh::Part  &part,
-                           const mesh::Nodes &nodes,
-                           const Material    &material,
-                           const Selection   &selection)
+SolidShellStresses::SolidShellStresses(const mesh::Part  &part,
+                                       const mesh::Nodes &nodes,
+                                       const Material    &material,
+                                       const Selection   &selection)
     : n_cells_(part.mesh->n_active_cells())
 {
   unsigned int n_elastic = 0;
@@ -107,13 +110,16 @@ WallStresses::WallStresses(const mesh::Part  &part,
           continue;
         cell_.push_back(cell->active_cell_index());
         nodes_.push_back(nodes.cells[elastic]);
-        walls_.emplace_back(
-            mesh::corners_of(cell), selection.across(cell->center()), material, selection.wall);
+        walls_.emplace_back(mesh::corners_of(cell),
+                            selection.across(cell->center()),
+                            material,
+                            selection.element_type);
       }
 }
 
 std::array<Tensor<1, 3>, 8>
-WallStresses::corners_of(const unsigned int e, const std::vector<Tensor<1, 3>> &position) const
+SolidShellStresses::corners_of(const unsigned int               e,
+                               const std::vector<Tensor<1, 3>> &position) const
 {
   std::array<Tensor<1, 3>, 8> corners;
   for (unsigned int a = 0; a < 8; ++a)
@@ -121,15 +127,15 @@ WallStresses::corners_of(const unsigned int e, const std::vector<Tensor<1, 3>> &
   return corners;
 }
 
-void WallStresses::recover(const std::vector<Tensor<1, 3>> &position,
-                           std::vector<Stress>             &stresses) const
+void SolidShellStresses::recover(const std::vector<Tensor<1, 3>> &position,
+                                 std::vector<Stress>             &stresses) const
 {
   for (unsigned int e = 0; e < walls_.size(); ++e)
     stresses[cell_[e]] = walls_[e].mean(corners_of(e, position));
 }
 
-void WallStresses::recover_faces(const std::vector<Tensor<1, 3>> &position,
-                                 std::vector<FaceStresses>       &stresses) const
+void SolidShellStresses::recover_faces(const std::vector<Tensor<1, 3>> &position,
+                                       std::vector<FaceStresses>       &stresses) const
 {
   for (unsigned int e = 0; e < walls_.size(); ++e)
     stresses[cell_[e]] = walls_[e].faces(corners_of(e, position));

@@ -8,7 +8,7 @@
 #include <chaindrive/contact/contacts.h>
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/mesh/generate/links.h>
-#include <chaindrive/stability/coupled_shapes.h>
+#include <chaindrive/stability/coupled_modes.h>
 
 using namespace test;
 
@@ -72,10 +72,10 @@ int main()
       for (const auto &family : contacts.families())
         for (stability::ClosedKind &kind : stability::closed_kinds(world, *family))
           kinds.push_back(std::move(kind));
-      const auto shapes = stability::CoupledShapes::make(world, kinds);
-      verdict(std::string(name) + ": coupled", shapes.has_value());
-      const auto  &joints = shapes->interfaces();
-      const double dt = shapes->free_step(), found = shapes->eigenvalue(shapes->find_worst(dt), dt);
+      const auto modes = stability::CoupledModes::make(world, kinds);
+      verdict(std::string(name) + ": coupled", modes.has_value());
+      const auto  &joints = modes->interfaces();
+      const double dt = modes->free_step(), found = modes->eigenvalue(modes->find_worst(dt), dt);
       std::cout << joints.size() << " joints with " << joints[0].ways.size() << " and "
                 << joints[1].ways.size() << " ways\n";
 
@@ -83,7 +83,7 @@ int main()
       for (unsigned int i = 0; i < joints[0].ways.size(); ++i)
         for (unsigned int j = 0; j < joints[1].ways.size(); ++j)
           {
-            const double value = shapes->eigenvalue({i, j}, dt);
+            const double value = modes->eigenvalue({i, j}, dt);
             largest            = std::max(largest, value);
             smallest           = std::min(smallest, value);
           }
@@ -91,6 +91,6 @@ int main()
       verdict("the slowest way is more than 0.1 % below",
               std::sqrt(smallest) < 0.999 * std::sqrt(largest));
       verdict("the step is that of the way found",
-              std::abs(shapes->stable_step() * std::sqrt(found) / 2. - 1.) < 1e-5);
+              std::abs(modes->critical_time_step() * std::sqrt(found) / 2. - 1.) < 1e-5);
     }
 }

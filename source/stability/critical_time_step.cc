@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/bodies/mobility.h>
-#include <chaindrive/stability/stable_step.h>
+#include <chaindrive/stability/critical_time_step.h>
 #include <chaindrive/utilities/eigenvalue.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ Ends ends_of(const Mobility &mobility, const Spring &s)
       End                       &end  = ends[i];
       const dealii::Tensor<1, 3> pull = i == 0 ? -s.direction : s.direction;
       end.body                        = i == 0 ? s.first : s.second;
-      if (s.turning)
+      if (s.is_rotational)
         {
           end.moment = pull;
           continue;
@@ -62,7 +62,7 @@ double largest_of(const World               &world,
     for (unsigned int body = 0; body < world.n_bodies(); ++body)
       {
         force[body] *= world.inverse_mass[body];
-        moment[body] = mobility.turning(body) * moment[body];
+        moment[body] = mobility.inverse_inertia(body) * moment[body];
       }
     for (std::size_t i = 0; i < k.size(); ++i)
       {
@@ -75,7 +75,7 @@ double largest_of(const World               &world,
 }
 } // namespace
 
-double stable_step(const World &world, const std::vector<Spring> &springs)
+double critical_time_step(const World &world, const std::vector<Spring> &springs)
 {
   if (springs.empty())
     return std::numeric_limits<double>::infinity();
@@ -92,7 +92,7 @@ double stable_step(const World &world, const std::vector<Spring> &springs)
   const auto largest = [&](const std::vector<double> &k) {
     return largest_of(world, mobility, ends, k);
   };
-  double step = stable_step_of(largest(stiffness), largest(damping));
+  double step = critical_time_step_of(largest(stiffness), largest(damping));
   // from a safe step to a larger one that is safe too, since the springs soften as it grows
   for (double before = 0.; std::isfinite(step) && step > 1.0001 * before;)
     {
@@ -105,7 +105,7 @@ double stable_step(const World &world, const std::vector<Spring> &springs)
   return step;
 }
 
-double stable_step_of(const double stiffness, const double damping)
+double critical_time_step_of(const double stiffness, const double damping)
 {
   return 4. / (damping + std::sqrt(damping * damping + 4. * stiffness));
 }

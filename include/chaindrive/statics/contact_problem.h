@@ -12,24 +12,24 @@
 namespace chaindrive::statics
 {
 /// Patches of a cylindrical side about the line along which it is pressed, on one side of that line
-/// and of the middle plane: a quarter of the contact. Patch (angle a, station s) has the number
-/// a * n_stations() + s.
+/// and of the middle plane: a quarter of the contact. Patch (angle a, ring s) has the number
+/// a * n_rings() + s.
 struct PatchGrid
 {
   double              radius;   ///< m
   double              width;    ///< of a patch, rad
   unsigned int        n_angles; ///< on one side of the line
-  std::vector<double> z;        ///< bounds of the stations, from 0 outwards, m
+  std::vector<double> z;        ///< bounds of the rings, from 0 outwards, m
 
-  unsigned int n_stations() const { return static_cast<unsigned int>(z.size() - 1); }
-  unsigned int n() const { return n_angles * n_stations(); }
+  unsigned int n_rings() const { return static_cast<unsigned int>(z.size() - 1); }
+  unsigned int n() const { return n_angles * n_rings(); }
 
   static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
   /// The patch at @p angle [rad] from the line and @p height [m] of either sign, or none.
   unsigned int number(double angle, double height) const;
 
-  /// Area of a quarter's patch at station @p s, m2.
+  /// Area of a quarter's patch at ring @p s, m2.
   double area(const unsigned int s) const { return radius * width * (z[s + 1] - z[s]); }
 };
 
@@ -44,8 +44,8 @@ struct Interface
 /// where sides move apart.
 using Flexibility = dealii::FullMatrix<double>;
 
-/// A part that gives way, of the patches from @p first on.
-struct GivingPart
+/// A part that deflects, of the patches from @p first on.
+struct CompliantPart
 {
   std::string  name;
   unsigned int first;
@@ -53,7 +53,7 @@ struct GivingPart
 };
 
 /// What a force presses together.
-struct Pressed
+struct ContactSolution
 {
   std::vector<double>              approach;   ///< of each interface's two bodies, m
   std::vector<std::vector<double>> pressure;   ///< of each interface's patches, on the average, Pa
@@ -74,19 +74,21 @@ struct Pressed
 ///   u = (1 - nu^2)/(pi E) p sum of +- (x +- a) arsinh((y +- b)/|x +- a|) and the same with x and
 ///   y, a and b exchanged
 /// (Love 1929; Johnson, Contact Mechanics, 3.5), of which the mean over patches is left out since
-/// it is in the parts' flexibility. With that of the half-plane, whose stations along the axis know
-/// nothing of each other, the flexibility of narrow stations would not be positive definite.
-class Press
+/// it is in the parts' flexibility. With that of the half-plane, whose rings along the axis know
+/// nothing of each other, the flexibility of narrow rings would not be positive definite.
+class ContactProblem
 {
 public:
-  Press(std::vector<Interface> interfaces, std::vector<GivingPart> parts, const Material &material);
+  ContactProblem(std::vector<Interface>     interfaces,
+                 std::vector<CompliantPart> parts,
+                 const Material            &material);
 
   /// Pressure >= 0, gap >= 0, one of them zero, at a @p force [N] in each interface.
-  Pressed at(double force) const;
+  ContactSolution at(double force) const;
 
 private:
   std::vector<Interface>     interfaces_;
-  std::vector<GivingPart>    parts_;
+  std::vector<CompliantPart> parts_;
   dealii::FullMatrix<double> fine_;                      ///< m/Pa
   std::vector<double>        gap_;                       ///< m
   std::vector<double>        share_;                     ///< of the force, per pressure, m2
