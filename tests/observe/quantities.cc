@@ -75,7 +75,7 @@ int main()
       show("full, tensions and plate stress", p);
       p.output.quantities   = {QuantityGroup::engagements};
       p.model.elastic_links = parameters::ElasticLinks::region_of_interest;
-      show("full, engagements, arriving links", p);
+      show("full, engagements, links in the region of interest", p);
 
       // what auto leaves out is as if it were switched off
       p                                      = small_drive(fidelity);
