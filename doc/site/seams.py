@@ -103,7 +103,7 @@ SEAMS = {
         [Code("points with a radius", "include/chaindrive/contact/surface_contact.h", ("SlavePoint",)),
          Code("SlaveNodes", "include/chaindrive/contact/slave_nodes.h", ("position", "velocity", "area", "cover", "announce"))]]),
     "contact law": Seam("contact", "The same code for one point and for packs of eight: an approach gives penetration and closing speed, update_touch() turns them into forces and energies.", [
-        [calls("press()", "include/chaindrive/contact/point_force.h", "update_touch"),
+        [calls("penalty_force()", "include/chaindrive/contact/point_force.h", "update_touch"),
          calls("joints, side by side", "include/chaindrive/contact/packed_joint.h", "update_touch")],
         [Code("update_touch()", "include/chaindrive/contact/penalty.h", ("ContactEnergies", "TouchStateOf"))],
         [Code("PointApproach", "include/chaindrive/contact/penalty.h", ("gap", "rate", "penetration", "book")),
