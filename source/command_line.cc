@@ -123,8 +123,8 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
       "kW", value_of(c.design.kilowatt)->value_name("KW"), "template: power of the load");
   visible.add_options()("plugin",
                         options::value(&c.plugins)->value_name("LIBRARY"),
-                        "run, plan, parts, noise, template, document: load this shared library, "
-                        "which adds to the program; may be repeated");
+                        "run, plan, parts, noise, study, template, document: load this shared "
+                        "library, which adds to the program; may be repeated");
   add("man", c.man, "document: print the manual page (troff)");
   add("schema", c.schema, "document: print all histories and summary members of runs (JSON)");
   visible.add_options()("completion",

@@ -114,7 +114,10 @@ Plugin examine_plugin(const std::string &path)
     if (other.name == texts[2])
       throw InputError("The plug-ins '" + other.path + "' and '" + path + "' have the same name, " +
                        texts[2] + ": load one of them.");
-  return {path, texts[2], texts[3], checksum(bytes)};
+  return {std::filesystem::absolute(path).lexically_normal().string(),
+          texts[2],
+          texts[3],
+          checksum(bytes)};
 }
 
 std::vector<std::string> registered_by(const std::string &plugin)

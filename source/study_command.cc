@@ -14,6 +14,7 @@
 #include <chaindrive/packages.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/reader.h>
+#include <chaindrive/plugins.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/simulation.h>
 #include <chaindrive/statics/part_stiffness.h>
@@ -140,9 +141,11 @@ std::string text_of(const Run                 &run,
 {
   const parameters::Input input = model::read_entries(run.values);
   study.check_quantities(input.parameters.output);
+  std::ostringstream plugins;
+  print_plugins(plugins, "# ");
   return "# " + variant.name + ", start phase " + to_text(run.phase) + ", for chaindrive " +
          version + (variant.ranks > 1 ? " on " + std::to_string(variant.ranks) + " ranks" : "") +
-         "\n" + meshes + "\n" + input.resolved;
+         "\n" + meshes + plugins.str() + "\n" + input.resolved;
 }
 
 /// Whether @p run stands in @p directory as it is: then it was checked when it was written.
@@ -383,10 +386,13 @@ files::Json as_json(const parameters::StudyInput &input,
   json["file"] = command_line.parameter_file;
   json["title"] =
       study.title.empty() ? fs::path(command_line.parameter_file).stem().string() : study.title;
-  json["text"]      = study.text;
-  json["quick"]     = command_line.quick;
-  json["program"]   = fs::read_symlink("/proc/self/exe").string();
-  json["version"]   = version;
+  json["text"]    = study.text;
+  json["quick"]   = command_line.quick;
+  json["program"] = fs::read_symlink("/proc/self/exe").string();
+  json["version"] = version;
+  json["plugins"] = files::Json::array();
+  for (const Plugin &plugin : loaded_plugins())
+    json["plugins"].push_back(plugin.path);
   json["reference"] = study.reference;
   json["outputs"]   = study.outputs;
   json["against"]   = study.against;

@@ -12,7 +12,7 @@ namespace chaindrive
 /// A plug-in that is loaded.
 struct Plugin
 {
-  std::string path; ///< as it was given
+  std::string path; ///< absolute
   std::string name, version;
   std::string checksum; ///< of the file (utilities/checksum.h)
 };

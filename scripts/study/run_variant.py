@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""run_variant.py FOLDER RANKS PROGRAM: one run of a study. It resumes from a checkpoint if there is one of the
-same variant.prm, and writes result.json at its end, also after a failure: status, error (the sentence), wall (s,
-of this call). Without result.json it ends with a nonzero status: it was stopped and has to be started again."""
+"""run_variant.py FOLDER RANKS PROGRAM [PLUGIN]...: one run of a study. It resumes from a checkpoint if there is
+one of the same variant.prm, and writes result.json at its end, also after a failure: status, error (the sentence),
+wall (s, of this call). Without result.json it ends with a nonzero status: it was stopped and has to be started again."""
 import ctypes
 import fcntl
 import json
@@ -28,7 +28,7 @@ def is_orphan(parent):
     return os.getppid() != parent
 
 
-def run(folder, ranks, program):
+def run(folder, ranks, program, plugins):
     """Status and last words of chaindrive; the status is below zero when a signal ended it."""
     parent = os.getppid()
     # whoever worked here before may still be writing its checkpoint: the run has the lock, too
@@ -41,6 +41,8 @@ def run(folder, ranks, program):
     given, before = folder / "variant.prm", folder / "input.prm"
     same = before.exists() and before.read_bytes() == given.read_bytes()
     words = [program, str(given), "--output", str(folder), "--quiet", *(["--resume", "auto"] if same else [])]
+    for plugin in plugins:
+        words += ["--plugin", plugin]
     if ranks > 1:
         words = [str(RANKS), str(ranks), *words]
     with open(folder / "errors.txt", "w+", encoding="utf-8", errors="replace") as errors:
@@ -60,9 +62,9 @@ def run(folder, ranks, program):
 
 
 def main():
-    folder, ranks, program = pathlib.Path(sys.argv[1]), int(sys.argv[2]), sys.argv[3]
+    folder, ranks, program, plugins = pathlib.Path(sys.argv[1]), int(sys.argv[2]), sys.argv[3], sys.argv[4:]
     start = time.time()
-    status, said = run(folder, ranks, program)
+    status, said = run(folder, ranks, program, plugins)
     sentences = [line.removeprefix("chaindrive: ") for line in said if line.startswith("chaindrive: ")]
     if status not in (0, 2, 3):
         sys.exit(f"{folder}: not finished (status {status})\n" + "\n".join(said))

@@ -77,13 +77,14 @@ void print_statistics(std::ostream &out, const files::Json &statistics)
         continue; // not asked for
       if (!headed)
         out << "  " << std::left << std::setw(18) << "in the window" << std::right << std::setw(12)
-            << "mean" << std::setw(11) << "deviation" << std::setw(11) << "least" << std::setw(11)
-            << "largest"
+            << "mean" << std::setw(11) << "95 % +-" << std::setw(11) << "deviation" << std::setw(11)
+            << "least" << std::setw(11) << "largest"
             << "   harmonics of tooth frequency\n";
       headed                   = true;
       const files::Json &found = statistics[row.member];
       out << "  " << std::left << std::setw(18) << row.text << std::right;
       number(out, found["mean"], row.scale);
+      number(out, found["uncertainty"], row.scale, 2, 11);
       for (const char *name : {"deviation", "least", "largest"})
         number(out, found[name], row.scale, 4, 11);
       for (const files::Json &amplitude : found["harmonics"])
@@ -122,7 +123,9 @@ void print_impacts(std::ostream &out, const files::Json &impacts)
       out << "  impacts on the " << std::left << std::setw(7) << sprocket << std::right
           << std::setw(6) << found["number"].get<unsigned int>() << ", peak force ";
       number(out, found["peak_force"]["mean"], 1., 4, 0);
-      out << " N (largest ";
+      out << " N (95 % +- ";
+      number(out, found["peak_force"]["uncertainty"], 1., 2, 0);
+      out << ", largest ";
       number(out, found["peak_force"]["largest"], 1., 4, 0);
       out << "), impulse ";
       number(out, found["impulse"]["mean"], 1., 3, 0);

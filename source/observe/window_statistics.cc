@@ -5,6 +5,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <boost/serialization/vector.hpp>
+
 #include <algorithm>
 #include <utility>
 
@@ -23,7 +25,7 @@ WindowStatistics::WindowStatistics(const Observation &now, const std::vector<Sig
       teeth_  = now.scene.drive.driver().sense * double(now.scene.drive.driver().teeth);
     }
   for (const Signal &signal : signals)
-    items_.push_back({signal, SignalStatistics(now.window().start(), now.window().end())});
+    items_.push_back({signal, SignalStatistics(now.window().start(), now.window().end()), {}});
 }
 
 void WindowStatistics::add(const double *values, [[maybe_unused]] const std::size_t n)
@@ -40,7 +42,10 @@ void WindowStatistics::add(const double *values, [[maybe_unused]] const std::siz
   const auto &pieces =
       tooth_periods_.next(begin, now_.dt(), driver_ != nullptr ? teeth_ * driver_->angle : 0.);
   for (Item &item : items_)
-    item.statistics.add(begin, now_.dt(), *values++, pieces);
+    {
+      item.statistics.add(begin, now_.dt(), *values, pieces);
+      item.tooth_periods.add(*values++, pieces);
+    }
 }
 
 double WindowStatistics::mean(const std::string &name) const
@@ -53,11 +58,13 @@ double WindowStatistics::mean(const std::string &name) const
 
 void WindowStatistics::summarize(files::Json &summary) const
 {
-  files::Json &all     = summary["statistics"];
-  all["tooth_periods"] = tooth_periods_.n_revolutions();
-  for (const auto &[signal, statistics] : items_)
+  files::Json &all         = summary["statistics"];
+  all["tooth_periods"]     = tooth_periods_.n_revolutions();
+  const unsigned int least = now_.window().pitches_per_period();
+  for (const auto &[signal, statistics, periods] : items_)
     all[signal.name] = {{"unit", signal.unit},
                         {"mean", statistics.mean()},
+                        {"uncertainty", uncertainty_of_mean(periods.values(), least)},
                         {"deviation", statistics.deviation()},
                         {"least", statistics.least()},
                         {"largest", statistics.largest()},
@@ -73,6 +80,7 @@ std::vector<files::Described> WindowStatistics::members(const std::vector<Signal
       members.push_back({path + "unit", "", "unit of all these"});
       for (const auto &[name, meaning] :
            {std::make_pair("mean", "mean"),
+            std::make_pair("uncertainty", "of the mean: half of its 95 % confidence interval"),
             std::make_pair("deviation", "standard deviation"),
             std::make_pair("least", "least"),
             std::make_pair("largest", "largest"),
@@ -89,8 +97,9 @@ void WindowStatistics::serialize(const Archive &archive)
   const double  time   = now_.time();
   tooth_periods_.move_to(window.start(), window.end());
   archive("tooth periods", tooth_periods_.state());
-  for (auto &[signal, statistics] : items_)
+  for (auto &[signal, statistics, periods] : items_)
     {
+      archive(signal.name + " per tooth period", periods);
       statistics.move_to(window.start(), window.end());
       SignalStatistics earlier = statistics;
       archive(signal.name, earlier);

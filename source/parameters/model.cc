@@ -76,10 +76,8 @@ void Model::declare(Declarations &declarations)
       "Other links",
       other_links,
       "Model of the links and rollers outside the region of interest, with Elastic links = region "
-      "of "
-      "interest. rigid: as in layered fidelity. reduced: as in reduced fidelity, so their joints "
-      "are "
-      "those of the elastic ones; costs more.");
+      "of interest. rigid: as in layered fidelity. reduced: as in reduced fidelity, so their "
+      "joints are those of the elastic ones; costs more.");
   add(declarations,
       "Elastic sprockets",
       elastic_sprockets,

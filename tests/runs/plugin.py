@@ -2,7 +2,7 @@
 """plugin.py CASE BUILD: what is made outside of the sources, against what is installed in a folder that is moved.
 
   run      doc/plugin-example: its brake and its quantity in a run against closed forms, in the documents, in what the run
-           leaves behind, when it resumes, on two ranks; without it, or switched off, nothing changes
+           leaves behind, when it resumes, in a study, on two ranks; without it, or switched off, nothing changes
   refuse   libraries that are no plug-ins, or none for this program, each in one sentence
   library  a program with chaindrive's library
 """
@@ -19,6 +19,7 @@ from program import check, start
 
 CASE, BUILD = sys.argv[1], pathlib.Path(sys.argv[2])
 BRAKE, DAMPING = "Additions/viscous brake", 0.3  # N m s, of example.prm
+DAMPING_ENTRY = "Damping in N m s"
 Z1, Z2, PITCH, SPEED, TORQUE, INERTIA = 11, 23, 19.05e-3, 120.0, 20.0, 5e-3  # of example.prm
 FEW = ("--set", "Time/End time in ms=3", "--set", "Output/Window start in ms=0", "--set", "Output/Field interval in ms=0")
 
@@ -83,6 +84,8 @@ def closed_forms(program, plugin):
     near("work of the brake", found["energy/spring_damping_loss"][-1],
          float(np.sum(0.5 * DAMPING * (speed[1:] ** 2 + speed[:-1] ** 2) * np.diff(time))), 0.05)
     check(summary["energy"]["spring_damping_loss"] >= found["energy/spring_damping_loss"][-1] > 0, "the summary lacks the work")
+    near("power of the brake in the window", summary["losses"]["force elements"]["power"],
+         float(np.mean(DAMPING * speed_in ** 2)), 0.5)
     error = found["hubs/transmission_error"]
     wanted = found["hubs/driven_angle"] - found["hubs/driver_angle"] * Z1 / Z2
     check(np.max(np.abs(error - wanted)) < 1e-12 < np.ptp(error), "the quantity is not what the angles say")
@@ -157,6 +160,38 @@ def resume(program, plugin):
         check(whole[name].tobytes() == parts[name].tobytes(), f"{name} is another one after the run has resumed")
 
 
+def study(program, plugin):
+    """The runs of a study have the plug-ins of its command line, and run again when a library has changed."""
+    pathlib.Path("brakes.prm").write_text(f"""include example/example.prm
+subsection Study
+  set Outputs = tight_tension_mean
+end
+subsection Additions
+  subsection viscous brake
+    set {DAMPING_ENTRY} = {{0.3 | 0.6}}
+  end
+end
+""")
+    words = [program, "study", "brakes.prm", *FEW, "--cores", "2", "--output", "brakes"]
+    check("--plugin FILE" in say(*words, status=2), "a study without the plug-in")
+    copy = pathlib.Path("copy.so").resolve()
+    shutil.copy(plugin, copy)
+    say(*words, "--plugin", "copy.so")
+    results = sorted(pathlib.Path("brakes").glob("*/*/result.json"))
+    check(len(results) == 2 and all(json.loads(file.read_text())["status"] == 0 for file in results), f"{results}")
+    summaries = [json.loads((file.parent / "summary.json").read_text()) for file in results]
+    check(all(one["plugins"][0]["path"] == str(copy) for one in summaries), "the plug-ins of runs")
+    powers = [one["losses"]["force elements"]["power"] for one in summaries]
+    check(1.8 < powers[1] / powers[0] < 2.0, f"the powers of the brake with twice the damping: {powers}")
+    times = [file.stat().st_mtime for file in results]
+    say(*words, "--plugin", "copy.so")
+    check([file.stat().st_mtime for file in results] == times, "finished runs have run again")
+    with open(copy, "ab") as file:
+        file.write(b" ")
+    say(*words, "--plugin", "copy.so")
+    check(all(file.stat().st_mtime > time for file, time in zip(results, times)), "the runs are those of another library")
+
+
 def run():
     root = installed()
     program, plugin = root / "bin/chaindrive", example(root)
@@ -165,6 +200,7 @@ def run():
     documents(program, plugin)
     without(program, plugin)
     resume(program, plugin)
+    study(program, plugin)
     two = ["mpirun", "-n", "2", program, "example/example.prm", *FEW, "--output", "two"]
     check("adds addition 'viscous brake'" in say(*two, "--plugin", plugin), "two ranks")
 

@@ -5,6 +5,7 @@
 #include <chaindrive/files/json.h>
 #include <chaindrive/observe/observation.h>
 #include <chaindrive/utilities/archive.h>
+#include <chaindrive/utilities/batch_means.h>
 #include <chaindrive/utilities/signal_statistics.h>
 
 #include <initializer_list>
@@ -15,7 +16,8 @@ namespace chaindrive::observe
 {
 /// What the summary says of signals over the window of the averages (Window): `statistics`. The
 /// harmonics are those of the tooth frequency: their phase is the driver's angle times its number
-/// of teeth.
+/// of teeth. The uncertainty of a mean is that of means over tooth periods, in batches of at least
+/// a period of the drive's slowest resonance.
 class WindowStatistics
 {
 public:
@@ -51,6 +53,7 @@ private:
   {
     Signal           signal;
     SignalStatistics statistics;
+    RevolutionMeans  tooth_periods; ///< its means in them
   };
 
   const Observation &now_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/surface_contact.h>
 #include <chaindrive/observe/quantity.h>
+#include <chaindrive/utilities/batch_means.h>
 #include <chaindrive/utilities/signal_statistics.h>
 
 #include <boost/serialization/string.hpp>
@@ -90,6 +91,9 @@ public:
                                      std::make_pair("impulse", "N s"),
                                      std::make_pair("normal_speed", "m/s")})
       for (const auto &[which, meaning] : {std::make_pair("mean", "mean"),
+                                           std::make_pair("uncertainty",
+                                                          "mean, half of its 95 % confidence "
+                                                          "interval"),
                                            std::make_pair("deviation", "standard deviation"),
                                            std::make_pair("largest", "largest")})
         contents.summary.push_back({std::string("impacts/*/") + name + "/" + which,
@@ -234,15 +238,21 @@ private:
                                        std::make_pair("normal_speed", &Engagement::normal_speed)})
       {
         // each counts as much as any other
-        const double     n = static_cast<double>(chosen.size());
-        SignalStatistics statistics(0., n);
+        const double        n = static_cast<double>(chosen.size());
+        SignalStatistics    statistics(0., n);
+        std::vector<double> values;
         for (unsigned int i = 0; i < chosen.size(); ++i)
-          statistics.add(i, 1., chosen[i]->*member, {});
+          {
+            values.push_back(chosen[i]->*member);
+            statistics.add(i, 1., values.back(), {});
+          }
         // of a sample, from which that of all impacts is estimated
         const double deviation = statistics.deviation() * std::sqrt(n / (n - 1.));
-        result[name]           = {{"mean", statistics.mean()},
-                                  {"deviation", n > 1. ? deviation : std::nan("")},
-                                  {"largest", statistics.largest()}};
+        result[name]           = {
+                      {"mean", statistics.mean()},
+                      {"uncertainty", uncertainty_of_mean(values, now_.window().pitches_per_period())},
+                      {"deviation", n > 1. ? deviation : std::nan("")},
+                      {"largest", statistics.largest()}};
       }
     return result;
   }

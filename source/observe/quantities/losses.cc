@@ -35,7 +35,9 @@ public:
     return {{},
             {{"losses/*/friction", "J", "lost by friction of an interface in the window"},
              {"losses/*/damping", "J", "lost by damping of an interface in the window"},
-             {"losses/*/energy", "J", "lost by an interface, chain damping or drag in the window"},
+             {"losses/*/energy",
+              "J",
+              "lost by an interface, chain damping, drag or force elements in the window"},
              {"losses/*/power", "W", "the same over the time of the window"},
              {"window_energy/drive_work", "J", "work of the driver in the window"},
              {"window_energy/resisting_work", "J", "work against the load in the window"},
@@ -87,6 +89,8 @@ public:
       add("chain damping", within_[chain_damping]);
     if (now_.system.loads.drag() != 0.)
       add("drag", within_[drag]);
+    if (!now_.scene.forces.empty())
+      add("force elements", within_[spring_damping]);
 
     const double in = within_[drive_work], out = within_[resisting_work],
                  stored      = within_[stored_energy];
@@ -120,6 +124,7 @@ private:
     lost,
     chain_damping,
     drag,
+    spring_damping,
     n_terms
   };
 
@@ -133,7 +138,8 @@ private:
                                   ledger.stored(),
                                   ledger.lost(),
                                   ledger.chain_damping,
-                                  ledger.drag};
+                                  ledger.drag,
+                                  ledger.spring_damping};
     for (const contact::Loss &loss : now_.system.contacts.losses())
       values.insert(values.end(), {loss.friction, loss.damping});
     return values;
