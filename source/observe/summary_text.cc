@@ -84,7 +84,7 @@ void print_statistics(std::ostream &out, const files::Json &statistics)
       const files::Json &found = statistics[row.member];
       out << "  " << std::left << std::setw(18) << row.text << std::right;
       number(out, found["mean"], row.scale);
-      number(out, found["uncertainty"], row.scale, 2, 11);
+      number(out, found["uncertainty"], row.scale, 3, 11);
       for (const char *name : {"deviation", "least", "largest"})
         number(out, found[name], row.scale, 4, 11);
       for (const files::Json &amplitude : found["harmonics"])
@@ -124,7 +124,7 @@ void print_impacts(std::ostream &out, const files::Json &impacts)
           << std::setw(6) << found["number"].get<unsigned int>() << ", peak force ";
       number(out, found["peak_force"]["mean"], 1., 4, 0);
       out << " N (95 % +- ";
-      number(out, found["peak_force"]["uncertainty"], 1., 2, 0);
+      number(out, found["peak_force"]["uncertainty"], 1., 4, 0);
       out << ", largest ";
       number(out, found["peak_force"]["largest"], 1., 4, 0);
       out << "), impulse ";

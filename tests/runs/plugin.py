@@ -49,7 +49,7 @@ def example(root, *targets):
     """The installed example, copied and built."""
     shutil.copytree(root / "share/doc/chaindrive/doc/plugin-example", "example")
     build("example", root, *targets)
-    return pathlib.Path("example/build/example.so")
+    return pathlib.Path("example/build/example.so").resolve()
 
 
 def histories(directory):

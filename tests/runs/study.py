@@ -235,7 +235,7 @@ def checks():
     check(said[0] == said[1] and "12 of 24 variants cannot run" in said[0], f"others with five at a time:\n{said[0]}\n{said[1]}")
     order = [int(line.split(":")[0].removeprefix("time-step=")) for line in said[1].splitlines() if line.startswith("time-step=")]
     check(order == list(range(50, 74, 2)), f"the order of the sentences: {order}")
-    listed = [line.split()[0] for line in study("--dry-run", status=2).splitlines() if line.startswith("  step=")]
+    listed = [line.split()[0] for line in study("--dry-run", status=2).splitlines() if line.startswith("  time-step=")]
     check(len(listed) == 24 and listed[:2] == ["time-step=50", "time-step=0.11"], f"--dry-run lists {listed}")
 
     text = "subsection Loads\n set Drag in 1/s = {" + " | ".join(map(str, range(400))) + "}\nend\n"
