@@ -165,6 +165,7 @@ def study(program, plugin):
     pathlib.Path("brakes.prm").write_text(f"""include example/example.prm
 subsection Study
   set Outputs = tight_tension_mean
+  set Phases = 1
 end
 subsection Additions
   subsection viscous brake
