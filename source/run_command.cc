@@ -13,6 +13,7 @@
 #include <chaindrive/observe/checkpoints.h>
 #include <chaindrive/observe/field_output.h>
 #include <chaindrive/observe/progress.h>
+#include <chaindrive/observe/until.h>
 #include <chaindrive/plugins.h>
 #include <chaindrive/scene/plan.h>
 #include <chaindrive/simulation.h>
@@ -238,7 +239,8 @@ std::string window_sentence(const Simulation &simulation)
 {
   const observe::Window &window = simulation.window();
   const double           time   = simulation.system().world.time;
-  if (!window.waits() || window.is_full(time))
+  if (!window.waits() || window.is_full(time) ||
+      (window.settled() && !simulation.model.output.until.empty()))
     return "";
   const std::string end = "Time/End time in ms = " + to_text(simulation.parameters.time.end * 1e3);
   return window.settled() ?
@@ -303,6 +305,10 @@ void end_files(Prepared &prepared)
   if (!loaded_plugins().empty())
     summary.values["plugins"] = plugins_as_json();
   files::write_json(prepared.directory.path() + "/summary.json", summary.values);
+  if (const std::string sentence =
+          observe::until_sentence(summary.values, prepared.simulation.system().world.time);
+      !sentence.empty())
+    log << sentence << '\n';
   warn(log, window_sentence(prepared.simulation));
   warn_of_events(log, summary.values);
   warn(log, hourglass_sentence(summary.values));

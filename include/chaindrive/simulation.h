@@ -51,8 +51,12 @@ public:
   /// system has already gone @p done steps. Returns the number of steps since the start.
   unsigned long run(const std::vector<dynamics::Observer *> &others = {}, unsigned long done = 0);
 
-  /// Whether the run is over: at its end, or before it when its window is full.
-  bool is_finished() const { return done_ == n_steps() || window().is_full(system_->world.time); }
+  /// Whether the run is over: at its end, or before it when its window is full or it knows what
+  /// Output/Until asks for.
+  bool is_finished() const
+  {
+    return done_ == n_steps() || recorder_->knows_enough() || window().is_full(system_->world.time);
+  }
 
   /// The window of the averages.
   const observe::Window &window() const { return recorder_->window(); }

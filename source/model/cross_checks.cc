@@ -71,6 +71,10 @@ void check_settled_window(const Parameters &p, Findings &findings)
 
 void check_window(const Parameters &p, Findings &findings)
 {
+  findings.contradiction(
+      !p.output.until.empty() && p.loads.driver_speed == 0.,
+      "Output/Until counts the pitches that the driver takes in, but Loads/Driver "
+      "speed in rad/s = 0; leave Until empty.");
   const parameters::Output &output = p.output;
   if (!output.window_start)
     return check_settled_window(p, findings);

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/recorder.h>
 #include <chaindrive/utilities/checksum.h>
+#include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/text.h>
 #include <chaindrive/version.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <utility>
@@ -18,6 +22,21 @@ std::size_t expected_samples(const model::Model &model, const unsigned long n_st
 {
   const double intervals = (model.time.end - model.time.start) / model.output.history_interval;
   return static_cast<std::size_t>(std::min(intervals + 1., double(n_steps))) + 1;
+}
+
+/// The summary of what the @p quantities see before the first step: every mean has its member.
+files::Json means_at_start(const std::vector<NamedQuantity> &quantities)
+{
+  files::Json summary;
+  for (const NamedQuantity &item : quantities)
+    item.quantity->summarize(summary);
+  return summary;
+}
+
+/// Of the driver, s.
+double pitch_time(const scene::Scene &scene)
+{
+  return 2. * dealii::numbers::PI / (scene.drive.driver().teeth * scene.loads.driver_speed);
 }
 
 /// The components of a unit vector as text, so that they read back exactly.
@@ -36,6 +55,10 @@ Recorder::Recorder(const scene::Scene     &scene,
     , now_(scene, model, system, pitches_per_period)
     , quantities_(make_quantities(now_))
     , samples_(model.time.start, model.output.history_interval)
+    , until_(model.output.until,
+             model.output.until.empty() ? files::Json() : means_at_start(quantities_),
+             pitches_per_period)
+    , questions_(model.time.start, until_.is_asked() ? pitch_time(scene) : 0.)
     , reads_contacts_(
           now_.window().waits() ||
           std::any_of(quantities_.begin(), quantities_.end(), [](const NamedQuantity &item) {
@@ -85,8 +108,21 @@ void Recorder::observe(const dynamics::System &system,
 
   if (takes_samples_ && samples_.due(now_.time()))
     take_sample();
-  if (now_.window().is_full(now_.time()))
+  if (questions_.due(now_.time()) && is_known())
+    knows_enough_ = true;
+  if (knows_enough_ || now_.window().is_full(now_.time()))
     services.stop_run();
+}
+
+bool Recorder::is_known() const
+{
+  files::Json so_far;
+  summarize(so_far);
+  const World &world = now_.system.world;
+  bool         known = world.is_first_rank() && Until::is_reached(so_far);
+  if (n_ranks_in(world.communicator()) > 1)
+    known = dealii::Utilities::MPI::broadcast(world.communicator(), known);
+  return known;
 }
 
 void Recorder::take_sample()
@@ -106,6 +142,7 @@ void Recorder::serialize(const Archive &archive, const dynamics::System &)
   for (const NamedQuantity &item : quantities_)
     item.quantity->serialize(archive / item.name);
   samples_.serialize(archive / "samples", now_.time());
+  questions_.serialize(archive / "questions", now_.time());
   if (sampling_)
     sampling_->histories->serialize(archive / "histories");
 }
@@ -132,5 +169,6 @@ void Recorder::summarize(files::Json &summary) const
 {
   for (const NamedQuantity &item : quantities_)
     item.quantity->summarize(summary);
+  until_.summarize(summary);
 }
 } // namespace chaindrive::observe

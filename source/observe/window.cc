@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace chaindrive::observe
 {
@@ -18,6 +19,7 @@ Window::Window(const scene::Scene &scene,
     , start_(model.window.start)
     , end_(model.window.end)
     , run_end_(model.time.end)
+    , until_(!model.output.until.empty())
     , pitches_per_period_(pitches_per_period)
 {
   if (!waits_)
@@ -32,6 +34,8 @@ Window::Window(const scene::Scene &scene,
     pitches = std::max(pitches, judged_pitches());
   length_       = pitches * drift_->pitch_time();
   earliest_end_ = drift_->period_start() + judged_pitches() * drift_->pitch_time() + length_;
+  if (until_) // as long as it takes
+    length_ = std::numeric_limits<double>::infinity();
 }
 
 void Window::update(const Observation &now)
@@ -59,6 +63,8 @@ void Window::next_period(const Observation &now)
 files::Json Window::summary(const double time) const
 {
   files::Json window = {{"start", start_}, {"end", std::min(end_, run_end_)}, {"settled", nullptr}};
+  if (until_)
+    window["end"] = std::min({end_, run_end_, time});
   window["judged_pitches"] = judged_pitches();
   if (!waits_)
     return window;

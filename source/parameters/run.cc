@@ -2,10 +2,37 @@
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/run.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
+#include <optional>
 
 namespace chaindrive::parameters
 {
+namespace
+{
+/// "driver_peak_mean=2, tight_tension_mean=0.5", in percent; empty if it is not understood, or
+/// names a mean twice.
+std::optional<std::vector<Wanted>> read_wanted(const std::string &text)
+{
+  std::vector<Wanted> all;
+  for (const std::string &word : dealii::Utilities::split_string_list(text, ','))
+    {
+      const std::size_t           equals  = std::min(word.find('='), word.size());
+      const std::string           output  = dealii::Utilities::trim(word.substr(0, equals));
+      const std::optional<double> percent = from_entry_text(
+          dealii::Utilities::trim(word.substr(std::min(equals + 1, word.size()))), unit::percent);
+      if (output.empty() || !percent || !(*percent > 0. && *percent <= 1.) ||
+          std::any_of(all.begin(), all.end(), [&output](const Wanted &one) {
+            return one.output == output;
+          }))
+        return {};
+      all.push_back({output, *percent});
+    }
+  return all;
+}
+} // namespace
+
 bool Output::names(const QuantityGroup group) const
 {
   return std::find(quantities.begin(), quantities.end(), group) != quantities.end();
@@ -135,6 +162,19 @@ void Output::declare(Declarations &declarations)
       "Length, in whole pitch times of the driver, of a window that begins when the drive has "
       "settled. If the driven inertia on the tight span vibrates more slowly than the tooth "
       "frequency, it is at least six of its periods.");
+  declarations.add(
+      "Until",
+      "",
+      "names of means with a percentage above 0 and up to 100, such as driver_peak_mean=2, "
+      "separated by commas, or nothing",
+      "The run ends when these means of the window are known so well: when half of the 95 % "
+      "confidence interval of each (doc/output.md) is at most so many percent of it, and the "
+      "window contains at least eight periods of the drive's slowest resonance; at End time at "
+      "the latest. Possible are the signals of `statistics`, such as tight_tension_mean, and of "
+      "`impacts`, such as driver_peak_mean, driven_impulse_mean and driver_normal_speed_mean. "
+      "Default: the run ends at End time, or when a window that waits is full.",
+      [](const std::string &text) { return read_wanted(text).has_value(); },
+      [this](const std::string &text) { until = *read_wanted(text); });
   add(declarations,
       "Checkpoint interval in ms",
       checkpoint_interval,

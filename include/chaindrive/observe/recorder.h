@@ -4,6 +4,7 @@
 #include <chaindrive/dynamics/observer.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/schedule.h>
+#include <chaindrive/observe/until.h>
 
 #include <memory>
 #include <optional>
@@ -33,7 +34,8 @@ public:
                        const std::string &parameter_text,
                        unsigned long      n_steps);
 
-  /// The run ends when a window that begins with the settled drive is full.
+  /// The run ends when a window that begins with the settled drive is full, or when it knows what
+  /// Output/Until asks for, which is looked at every pitch time.
   void        observe(const dynamics::System &system,
                       unsigned long           step,
                       double                  dt,
@@ -58,6 +60,9 @@ public:
   /// The window of the averages.
   const Window &window() const { return now_.window(); }
 
+  /// Whether the run knows what Output/Until asks for, and ends.
+  bool knows_enough() const { return knows_enough_; }
+
   /// Adds what the quantities have to say of the run up to now. Collective.
   void summarize(files::Json &summary) const;
 
@@ -73,10 +78,16 @@ private:
     Channels                          channels;
   };
 
+  /// Whether all that Output/Until asks for is known now. Collective.
+  bool is_known() const;
+
   PhaseTimer::Phase          phase_;
   Observation                now_;
   std::vector<NamedQuantity> quantities_;
   Schedule                   samples_;
+  Until                      until_;
+  Schedule                   questions_; ///< when it is asked whether enough is known
+  bool                       knows_enough_ = false;
   bool                       reads_contacts_; ///< see Quantity
   bool                       takes_samples_ = false;
   std::optional<Sampling>    sampling_; ///< on the first rank

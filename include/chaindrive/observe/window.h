@@ -16,9 +16,9 @@ class Observation;
 /// The window over which the summary averages: from a time that is given, or for
 /// Output/Window start in ms = settled, from the end of the period after which the drive has
 /// settled (Drift), over a number of whole pitch times: as many as are asked for, and where a
-/// period is longer than a pitch time, no fewer than the decision took. The drive is then looked at
-/// from the instant on at which the driver has its full speed and the load torque has jumped, if it
-/// does.
+/// period is longer than a pitch time, no fewer than the decision took; with Output/Until, to the
+/// end of the run. The drive is then looked at from the instant on at which the driver has its full
+/// speed and the load torque has jumped, if it does.
 class Window
 {
 public:
@@ -60,6 +60,7 @@ private:
   bool                 waits_, open_;
   double               start_, end_; ///< s
   double               run_end_;     ///< s
+  bool                 until_;       ///< the run ends when its means are known (Until)
   unsigned int         pitches_per_period_;
   double               length_       = 0.; ///< of a window that waits, s
   double               earliest_end_ = 0.; ///< s

@@ -66,6 +66,13 @@ inline constexpr Texts<Precision, 2> texts_of<Precision>{
     {{Precision::single, "single"}, {Precision::full, "double"}}};
 
 /// Section `Output`.
+/// A mean value of the summary, and how exactly it is to be known.
+struct Wanted
+{
+  std::string output;      ///< such as driver_peak_mean
+  double      uncertainty; ///< half of the 95 % confidence interval over the mean
+};
+
 struct Output
 {
   std::vector<QuantityGroup> quantities; ///< that are asked for; empty: all that the scene has
@@ -79,12 +86,13 @@ struct Output
   std::string               directory;                ///< empty: results/<name of the .prm file>
   double                    history_interval = 20e-6; ///< s
   Precision                 precision        = Precision::single;
-  std::optional<double>     field_interval   = 1e-3;    ///< s; 0: none; empty: auto
-  std::vector<unsigned int> rollers;                    ///< chosen rollers; empty: all
-  bool                      csv          = false;       ///< histories as CSV beside HDF5
-  std::optional<double>     window_start = 10e-3;       ///< s, of the averages; empty: when settled
-  std::optional<double>     window_end;                 ///< s; auto: the end of the run
-  unsigned int              window_pitches      = 10;   ///< length of a window that waits
+  std::optional<double>     field_interval   = 1e-3; ///< s; 0: none; empty: auto
+  std::vector<unsigned int> rollers;                 ///< chosen rollers; empty: all
+  bool                      csv          = false;    ///< histories as CSV beside HDF5
+  std::optional<double>     window_start = 10e-3;    ///< s, of the averages; empty: when settled
+  std::optional<double>     window_end;              ///< s; auto: the end of the run
+  unsigned int              window_pitches = 10;     ///< length of a window that waits
+  std::vector<Wanted>       until; ///< the run ends when all are known; empty: at its end time
   double                    checkpoint_interval = 0.;   ///< s, simulated; 0: none at such times
   double                    checkpoint_wait     = 600.; ///< s, elapsed; 0: none at such times
   double                    wall_clock_limit    = 0.;   ///< s, elapsed; 0: none
