@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/utilities/complementarity_kernels.h>
+#include <chaindrive/utilities/pack.h>
+
+// Templates that complementarity_kernels_*.cc instantiate for one instruction set each.
+
+namespace chaindrive::packed
+{
+template <int width>
+void factor(const unsigned int n, double *a)
+{
+  using Numbers = Pack<double, width>;
+  for (unsigned int lane = 0; lane < n_lanes; lane += width)
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        double *const row = a + triangle_row(i) * n_lanes + lane;
+        for (unsigned int j = 0; j <= i; ++j)
+          {
+            const double *const other = a + triangle_row(j) * n_lanes + lane;
+            Numbers             sum   = Numbers::load(row + j * n_lanes);
+            for (unsigned int k = 0; k < j; ++k)
+              sum -= Numbers::load(row + k * n_lanes) * Numbers::load(other + k * n_lanes);
+            if (j < i)
+              sum = sum * Numbers::load(other + j * n_lanes);
+            else
+              sum = Numbers(1.) / square_root(sum);
+            sum.store(row + j * n_lanes);
+          }
+      }
+}
+
+template <int width>
+void solve(const unsigned int n, const double *l, double *x)
+{
+  using Numbers = Pack<double, width>;
+  for (unsigned int lane = 0; lane < n_lanes; lane += width)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double *const row = l + triangle_row(i) * n_lanes + lane;
+          Numbers             sum = Numbers::load(x + i * n_lanes + lane);
+          for (unsigned int k = 0; k < i; ++k)
+            sum -= Numbers::load(row + k * n_lanes) * Numbers::load(x + k * n_lanes + lane);
+          (sum * Numbers::load(row + i * n_lanes)).store(x + i * n_lanes + lane);
+        }
+      for (unsigned int i = n; i-- > 0;)
+        {
+          const double *const row = l + triangle_row(i) * n_lanes + lane;
+          const Numbers       y =
+              Numbers::load(x + i * n_lanes + lane) * Numbers::load(row + i * n_lanes);
+          y.store(x + i * n_lanes + lane);
+          for (unsigned int k = 0; k < i; ++k)
+            (Numbers::load(x + k * n_lanes + lane) - Numbers::load(row + k * n_lanes) * y)
+                .store(x + k * n_lanes + lane);
+        }
+    }
+}
+
+/// Of @p n_packs packs from @p sum on.
+template <int width, int n_packs>
+CHAINDRIVE_ALWAYS_INLINE void add_some(const unsigned int  stride,
+                                       const double       *matrix,
+                                       const unsigned int  n_rows,
+                                       const unsigned int *row,
+                                       const double       *factor,
+                                       double             *sum)
+{
+  using Numbers = Pack<double, width>;
+  Numbers at[n_packs];
+  for (int p = 0; p < n_packs; ++p)
+    at[p] = Numbers::load(sum + p * width);
+  for (unsigned int r = 0; r < n_rows; ++r)
+    {
+      const double *const entries = matrix + static_cast<unsigned long>(row[r]) * stride;
+      const Numbers       times   = Numbers(factor[r]);
+      for (int p = 0; p < n_packs; ++p)
+        at[p] += times * Numbers::load(entries + p * width);
+    }
+  for (int p = 0; p < n_packs; ++p)
+    at[p].store(sum + p * width);
+}
+
+template <int width>
+void add_rows(const unsigned int  stride,
+              const double       *matrix,
+              const unsigned int  n_rows,
+              const unsigned int *row,
+              const double       *factor,
+              double             *sum)
+{
+  constexpr int n_packs = 4;
+  unsigned int  i       = 0;
+  for (; i + n_packs * width <= stride; i += n_packs * width)
+    add_some<width, n_packs>(stride, matrix + i, n_rows, row, factor, sum + i);
+  for (; i < stride; i += width)
+    add_some<width, 1>(stride, matrix + i, n_rows, row, factor, sum + i);
+}
+
+template <int width>
+constexpr ComplementarityKernels make_complementarity_kernels()
+{
+  return {width, factor<width>, solve<width>, add_rows<width>};
+}
+} // namespace chaindrive::packed
