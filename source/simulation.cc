@@ -80,10 +80,11 @@ struct ShiftOfJoint
 };
 
 /// The bases of the parts of @p parameters, each found once. Collective over @p comm.
-scene::BasisOf part_bases(const Parameters &parameters, const MPI_Comm comm)
+scene::BasisOf
+part_bases(const Parameters &parameters, const MPI_Comm comm, const Announce &announce)
 {
   using Known = std::map<std::string, std::shared_ptr<const reduction::Basis>>;
-  return [&parameters, comm, known = std::make_shared<Known>()](const mesh::Part &part) {
+  return [&parameters, comm, announce, known = std::make_shared<Known>()](const mesh::Part &part) {
     auto &basis = (*known)[part.name];
     if (!basis)
       {
@@ -94,7 +95,8 @@ scene::BasisOf part_bases(const Parameters &parameters, const MPI_Comm comm)
                                   parameters.elements,
                                   reduction::options_of(parameters.reduction),
                                   cache,
-                                  comm));
+                                  comm,
+                                  announce));
       }
     return basis;
   };
@@ -105,11 +107,12 @@ scene::BasisOf part_bases(const Parameters &parameters, const MPI_Comm comm)
 std::pair<drive::Drive, model::Model> decide(const Parameters               &parameters,
                                              const std::vector<std::string> &folders,
                                              const scene::BasisOf           &basis_of,
-                                             const MPI_Comm                  comm)
+                                             const MPI_Comm                  comm,
+                                             const Announce                 &announce)
 {
   const model::Effects     effects   = model::decide_effects(parameters);
   const drive::StiffnessOf stiffness = statics::part_stiffness(
-      model::part_stiffnesses(parameters, effects), parameters.material, comm);
+      model::part_stiffnesses(parameters, effects), parameters.material, comm, announce);
   drive::Drive       drive = drive::make_drive(parameters, stiffness);
   const model::Model model = model::make_model(parameters, drive, effects);
   if (!parameters.model.capabilities().is_elastic || effects.is_on(model::Effect::start_up))
@@ -122,6 +125,9 @@ std::pair<drive::Drive, model::Model> decide(const Parameters               &par
       seats(n, ShiftOfJoint{seat_stiffness});
   for (unsigned int i = 0; i < 6; ++i)
     {
+      if (announce)
+        announce("Straining the elastic bodies for a settled start, round " +
+                 std::to_string(i + 1) + " of at most 6 ...");
       const scene::Scene scene  = scene::build_scene(model, drive, folders, basis_of);
       const auto         forces = dynamics::Relaxation(scene, comm).joint_forces();
       const double       much   = 0.2 * drive.layout.prestress;
@@ -177,16 +183,22 @@ std::unique_ptr<dynamics::System> make_system(const model::Model &model,
 
 Simulation::Simulation(const Parameters               &parameters,
                        const std::vector<std::string> &folders,
-                       const MPI_Comm                  comm)
-    : Simulation(parameters, folders, part_bases(parameters, comm), comm)
+                       const MPI_Comm                  comm,
+                       const Announce                 &announce)
+    : Simulation(parameters, folders, part_bases(parameters, comm, announce), comm, announce)
 {
 }
 
 Simulation::Simulation(const Parameters               &parameters,
                        const std::vector<std::string> &folders,
                        const scene::BasisOf           &basis_of,
-                       const MPI_Comm                  comm)
-    : Simulation(parameters, folders, basis_of, decide(parameters, folders, basis_of, comm), comm)
+                       const MPI_Comm                  comm,
+                       const Announce                 &announce)
+    : Simulation(parameters,
+                 folders,
+                 basis_of,
+                 decide(parameters, folders, basis_of, comm, announce),
+                 comm)
 {
 }
 

@@ -11,6 +11,7 @@
 #include <chaindrive/observe/summary.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/build.h>
+#include <chaindrive/utilities/announce.h>
 
 #include <mpi.h>
 
@@ -34,8 +35,12 @@ public:
   /// Prepares a run: the drive, its scene, the state at the start and the step. Meshes are looked
   /// for in @p folders. Elastic bodies are distributed over the ranks of @p comm; lumped and rigid
   /// models are too small for that: the first rank computes them alone and the others are idle.
-  /// InputError for what cannot be run. Collective. @p parameters must outlive this.
-  Simulation(const Parameters &parameters, const std::vector<std::string> &folders, MPI_Comm comm);
+  /// InputError for what cannot be run. @p announce is told what takes long in it. Collective. @p
+  /// parameters must outlive this.
+  Simulation(const Parameters               &parameters,
+             const std::vector<std::string> &folders,
+             MPI_Comm                        comm,
+             const Announce                 &announce = {});
 
   /// Whether this rank has nothing to do. It then has nothing but drive and scene, and may not call
   /// what follows.
@@ -79,7 +84,8 @@ private:
   Simulation(const Parameters               &parameters,
              const std::vector<std::string> &folders,
              const scene::BasisOf           &basis_of,
-             MPI_Comm                        comm);
+             MPI_Comm                        comm,
+             const Announce                 &announce);
   Simulation(const Parameters                            &parameters,
              const std::vector<std::string>              &folders,
              const scene::BasisOf                        &basis_of,
