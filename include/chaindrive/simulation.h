@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/drive/checks.h>
+#include <chaindrive/drive/design_life.h>
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/dynamics/guard.h>
@@ -22,6 +23,11 @@
 
 namespace chaindrive
 {
+class Simulation;
+
+/// How long its chain lasts, in closed form.
+drive::DesignLife life_of(const Simulation &simulation);
+
 /// One run of a drive from parameters to a summary, without files and console:
 ///
 ///     Simulation simulation(parameters, {"."}, MPI_COMM_WORLD);

@@ -2,6 +2,7 @@
 #include <chaindrive/drive/catalogue.h>
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/drive/hanging_span.h>
+#include <chaindrive/drive/ratings.h>
 #include <chaindrive/path/span.h>
 
 #include <deal.II/base/numbers.h>
@@ -16,36 +17,6 @@ using parameters::Role;
 
 namespace
 {
-/// The usual limits of Shigley's Mechanical Engineering Design, chapter 17, after the American
-/// Chain Association: power that link plates endure, power that rollers and bushes endure under
-/// their impacts, and the speed at which joints begin to gall. They are regressions in inches,
-/// pounds and revolutions per minute for the sizes 25 to 240; of other standards' chains of the
-/// same pitch they are a guide.
-struct UsualLimits
-{
-  double pitch;             ///< inches
-  double teeth, rpm;        ///< of the smaller sprocket
-  double tension;           ///< pounds
-  bool   light, rollerless; ///< size 41; sizes 25 and 35
-
-  double power() const ///< W
-  {
-    const double plates = 0.004 * std::pow(teeth, 1.08) * std::pow(rpm, 0.9) *
-                          std::pow(pitch, 3. - 0.07 * pitch) * (light ? 0.55 : 1.);
-    const double factor  = light ? 3.4 : (rollerless ? 29. : 17.);
-    const double rollers = 1000. * factor * std::pow(teeth, 1.5) * std::pow(pitch, 0.8) /
-                           std::pow(std::max(rpm, 1.), 1.5);
-    return 745.7 * std::min(plates, rollers);
-  }
-
-  double speed() const ///< rpm
-  {
-    const double inside =
-        82.5 / (std::pow(7.95, pitch) * std::pow(1.0278, teeth) * std::pow(1.323, tension / 1000.));
-    return 1000. * std::pow(inside, 1. / (1.59 * std::log10(pitch) + 1.873));
-  }
-};
-
 void set_limits(Facts &facts)
 {
   const auto &smaller =
@@ -54,12 +25,8 @@ void set_limits(Facts &facts)
                         [](const Facts::Sprocket &one, const Facts::Sprocket &other) {
                           return !one.idle && (other.idle || one.teeth < other.teeth);
                         });
-  const UsualLimits limits{facts.pitch / 0.0254,
-                           static_cast<double>(smaller.teeth),
-                           smaller.speed * 30. / PI,
-                           facts.effective_tension / 4.448,
-                           facts.chain == "41" || facts.chain == "085",
-                           facts.pitch < 10e-3};
+  const Ratings limits = ratings_of(
+      facts.chain, facts.pitch, smaller.teeth, smaller.speed * 30. / PI, facts.effective_tension);
   facts.rated_power = limits.power();
   facts.highest_speed =
       limits.speed() * PI / 30. * (static_cast<double>(smaller.teeth) / facts.driver().teeth);
