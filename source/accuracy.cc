@@ -69,7 +69,8 @@ std::string entries_text(const StudyResult &result)
 std::string cost_here(const StudyResult &result,
                       const CommandLine &command_line,
                       const double       before,
-                      const MPI_Comm     comm)
+                      const MPI_Comm     comm,
+                      std::ostream      &out)
 {
   std::vector<std::string> overrides = command_line.overrides;
   overrides.insert(overrides.end(), result.overrides.begin(), result.overrides.end());
@@ -78,7 +79,11 @@ std::string cost_here(const StudyResult &result,
       const parameters::Input input =
           model::read_parameters(command_line.parameter_file, overrides);
       const std::vector<std::string> folders = mesh_folders(command_line.parameter_file);
-      Simulation                     simulation(input.parameters, folders, comm);
+      out << "Timing " << result.variant << " of study " << result.study << " on this drive ..."
+          << std::endl;
+      Simulation simulation(input.parameters, folders, comm, [&out](const std::string &sentence) {
+        out << sentence << std::endl;
+      });
       return simulation.is_idle() ?
                  "" :
                  "it takes " + to_text(measure_cost(simulation, folders, before).total(), 3) +
@@ -226,7 +231,8 @@ void print_answers(std::ostream       &out,
   for (const std::string &text : command_line.accuracy)
     {
       const auto [output, wanted] = read_wanted(text, studies.results);
-      out << "Accuracy: " << output << " within " << to_text(100. * wanted) << " %: ";
+      std::ostringstream line;
+      line << "Accuracy: " << output << " within " << to_text(100. * wanted) << " %: ";
       std::vector<StudyResult> results;
       std::string              why;
       for (const StudyResult &result : studies.results)
@@ -237,19 +243,20 @@ void print_answers(std::ostream       &out,
           why = "study " + result.study + ": " + sentence;
       const auto [found, best] = answer(results, output, wanted);
       if (results.empty())
-        out << "no answer for this drive. The studies ran another one (" << why << ").\n";
+        line << "no answer for this drive. The studies ran another one (" << why << ").\n";
       else if (found.empty())
-        out << "no model; the best is " << in_words(*best) << "; " << entries_text(*best) << '\n';
+        line << "no model; the best is " << in_words(*best) << "; " << entries_text(*best) << '\n';
       for (std::size_t i = 0; i < found.size(); ++i)
         {
           const StudyResult &result = found[i];
-          const std::string  cost   = i == 0 ? cost_here(result, command_line, before, comm) : "";
-          out << (i == 0 ? "" : "  or ") << in_words(result) << "; "
-              << (cost.empty() ? to_text(100. * result.share(), 3) + " % of the CPU time of " +
-                                     result.reference :
-                                 cost)
-              << "; " << entries_text(result) << '\n';
+          const std::string cost = i == 0 ? cost_here(result, command_line, before, comm, out) : "";
+          line << (i == 0 ? "" : "  or ") << in_words(result) << "; "
+               << (cost.empty() ? to_text(100. * result.share(), 3) + " % of the CPU time of " +
+                                      result.reference :
+                                  cost)
+               << "; " << entries_text(result) << '\n';
         }
+      out << line.str();
     }
 }
 } // namespace chaindrive

@@ -55,6 +55,10 @@ constexpr CommandName commands[] = {
      "report",
      "DIR...",
      "write a report on the runs in the folders DIRECTORY..., report.html in the first"},
+    {Command::select,
+     "select",
+     nullptr,
+     "print which chains would do for a power, a speed, a ratio and a centre distance"},
     {Command::template_file, "template", nullptr, "print a commented parameter file to start from"},
     {Command::document, "document", nullptr, "print the reference of all entries (Markdown)"},
 };
@@ -94,7 +98,8 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   visible.add_options()(
       "output",
       options::value(&c.output_directory)->value_name("DIRECTORY"),
-      "run, plan, study, report: write the results there, or the report to this file");
+      "run, plan, study, report, select: write the results there, or the report, or the parameter "
+      "file of the best drive, to this file");
   visible.add_options()(
       "resume",
       options::value(&c.resume)->value_name("auto|CHECKPOINT"),
@@ -116,11 +121,36 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
                         "template: teeth of driver and driven sprocket");
   visible.add_options()("centre",
                         value_of(c.design.centre)->value_name("MM"),
-                        "template: centre distance, approximated with an even number of links");
+                        "template, select: centre distance, approximated with an even number of "
+                        "links");
   visible.add_options()(
-      "rpm", value_of(c.design.rpm)->value_name("RPM"), "template: speed of the driver");
+      "rpm", value_of(c.design.rpm)->value_name("RPM"), "template, select: speed of the driver");
   visible.add_options()(
-      "kW", value_of(c.design.kilowatt)->value_name("KW"), "template: power of the load");
+      "kW", value_of(c.design.kilowatt)->value_name("KW"), "template, select: power of the load");
+  visible.add_options()("Nm",
+                        value_of(c.design.torque)->value_name("NM"),
+                        "template, select: torque at the driver instead of the power");
+  visible.add_options()("fidelity",
+                        value_of(c.design.fidelity)->value_name("NAME"),
+                        "template: fidelity of the model, simple by default");
+  visible.add_options()("ratio",
+                        value_of(c.design.ratio)->value_name("RATIO"),
+                        "select: speed of the driver over that of the driven shaft");
+  visible.add_options()("hours",
+                        value_of(c.design.hours)->value_name("HOURS"),
+                        "select: how long the chain is to last, 15000 by default");
+  visible.add_options()("motor",
+                        value_of(c.design.motor)->value_name("NAME"),
+                        "select: electric (default), hydraulic or engine");
+  visible.add_options()("shock",
+                        value_of(c.design.shock)->value_name("NAME"),
+                        "select: of the load, smooth (default), moderate or heavy");
+  visible.add_options()("lubrication",
+                        value_of(c.design.lubrication)->value_name("NAME"),
+                        "select: none, manual, drip, bath or forced; by default as the speed asks");
+  visible.add_options()("strands",
+                        value_of(c.design.strands)->value_name("N"),
+                        "select: at most so many, 3 by default");
   visible.add_options()("plugin",
                         options::value(&c.plugins)->value_name("LIBRARY"),
                         "run, plan, parts, noise, study, template, document: load this shared "
@@ -300,9 +330,12 @@ void check_belonging(const CommandLine &c)
                        " belongs to studies: chaindrive study FILE.prm.");
   if (!c.accuracy.empty() && c.command != Command::plan && c.command != Command::help)
     throw InputError("The option --accuracy belongs to plans: chaindrive plan FILE.prm.");
-  if (c.design.is_given() && c.command != Command::template_file && c.command != Command::help)
-    throw InputError("The options --chain, --teeth, --centre, --rpm and --kW belong to templates: "
-                     "chaindrive template.");
+  if (c.design.is_given() && c.command != Command::template_file && c.command != Command::select &&
+      c.command != Command::help)
+    throw InputError("The options --chain, --teeth, --centre, --rpm, --kW and --Nm belong to "
+                     "templates and selections: chaindrive template, chaindrive select.");
+  if (c.design.kilowatt && c.design.torque)
+    throw InputError("The options --kW and --Nm say the same: take one.");
   if (c.strict && c.command != Command::run && c.command != Command::plan &&
       c.command != Command::help)
     throw InputError("The option --strict belongs to runs and plans.");

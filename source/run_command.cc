@@ -9,6 +9,7 @@
 #include <chaindrive/files/directory.h>
 #include <chaindrive/files/file.h>
 #include <chaindrive/mesh/import/import.h>
+#include <chaindrive/model/decide.h>
 #include <chaindrive/model/reading.h>
 #include <chaindrive/observe/checkpoints.h>
 #include <chaindrive/observe/field_output.h>
@@ -17,6 +18,8 @@
 #include <chaindrive/plugins.h>
 #include <chaindrive/scene/plan.h>
 #include <chaindrive/simulation.h>
+#include <chaindrive/statics/part_stiffness.h>
+#include <chaindrive/utilities/announce.h>
 #include <chaindrive/utilities/checksum.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/first_rank.h>
@@ -105,6 +108,36 @@ files::Json plugins_as_json()
   return all;
 }
 
+/// Prints the drive's block at once, before any part is solved; returns what it says. Nothing on
+/// other ranks than the first, and of a drive that cannot be: the simulation refuses it.
+std::optional<drive::Facts>
+print_first_facts(const Parameters &parameters, files::Log &log, const MPI_Comm comm)
+{
+  if (rank_in(comm) != 0)
+    return std::nullopt;
+  try
+    {
+      const model::Effects effects = model::decide_effects(parameters);
+      const auto           wanted  = model::part_stiffnesses(parameters, effects);
+      const drive::Drive   drive =
+          drive::make_drive(parameters, statics::quick_part_stiffness(wanted, parameters.material));
+      const drive::Facts facts = drive::make_facts(parameters, drive);
+      drive::print(log, facts);
+      log << std::flush;
+      return facts;
+    }
+  catch (const InputError &)
+    {
+      return std::nullopt;
+    }
+}
+
+/// Says on @p log what takes long.
+Announce announce_on(files::Log &log)
+{
+  return [&log](const std::string &sentence) { log << sentence << std::endl; };
+}
+
 /// A .prm file that can be run, and a log that says so.
 struct Prepared
 {
@@ -115,7 +148,8 @@ struct Prepared
             rank_in(comm) == 0 ? &err : nullptr)
       , input(model::read_parameters(command_line.parameter_file, command_line.overrides))
       , folders(mesh_folders(command_line.parameter_file))
-      , simulation(input.parameters, folders, comm)
+      , first_facts(print_first_facts(input.parameters, log, comm))
+      , simulation(input.parameters, folders, comm, announce_on(log))
       , fixed(fixed_text(input, simulation.drive, folders))
       , resume(command_line.resume.empty() ? input.parameters.output.resume : command_line.resume)
       , directory(output_directory(command_line, input.parameters))
@@ -127,6 +161,7 @@ struct Prepared
   files::Log                     log;
   const parameters::Input        input;
   const std::vector<std::string> folders;
+  std::optional<drive::Facts>    first_facts; ///< printed before anything elastic was solved
   Simulation                     simulation;
   const std::string              fixed;  ///< fixed_text()
   const std::string              resume; ///< from what the run is to go on, if from anything
@@ -187,7 +222,11 @@ void print_plan(Prepared &prepared)
   const unsigned long n_steps    = simulation.n_steps();
   if (parameters.acoustics.noise)
     check_noise(simulation.drive, simulation.facts, parameters);
-  drive::print(log, simulation.facts);
+  if (prepared.first_facts)
+    drive::print_changes(log, *prepared.first_facts, simulation.facts);
+  else
+    drive::print(log, simulation.facts);
+  drive::print(log, life_of(simulation));
   print_plugins(log);
   for (const std::string &note : prepared.input.notes)
     log << note << '\n';

@@ -56,6 +56,24 @@ void add_validity(files::Json &values)
                      [](const files::Json &event) { return event["in_window"].get<bool>(); });
 }
 
+/// Adds to `life` what the friction work of the joints in the window says of their wear.
+void add_simulated_wear(files::Json &values, const drive::DesignLife &life, const double mu)
+{
+  const std::string joint      = parameters::text_of(scene::Interface::bush_pin);
+  files::Json      &found      = values["life"];
+  found["simulated_wear_rate"] = found["simulated_wear_hours"] = nullptr; // without such joints
+  if (!(mu > 0.) || !values.contains("losses") || !values["losses"].contains(joint))
+    return;
+  const files::Json &work = values["losses"][joint]["friction"];
+  const double       time = values["window_energy"]["duration"];
+  if (!work.is_number() || !std::isfinite(work.get<double>()) || !(time > 0.))
+    return;
+  const double rate            = life.joints.rate_of_losses(work.get<double>() / time, mu);
+  found["simulated_wear_rate"] = rate;
+  if (rate > 0.)
+    found["simulated_wear_hours"] = life.elongation / rate / 3600.;
+}
+
 /// The shift of one joint that lets it carry the force that it is placed for: Newton's method with
 /// a slope from secants as long as forces change a lot.
 struct ShiftOfJoint
@@ -80,10 +98,11 @@ struct ShiftOfJoint
 };
 
 /// The bases of the parts of @p parameters, each found once. Collective over @p comm.
-scene::BasisOf part_bases(const Parameters &parameters, const MPI_Comm comm)
+scene::BasisOf
+part_bases(const Parameters &parameters, const MPI_Comm comm, const Announce &announce)
 {
   using Known = std::map<std::string, std::shared_ptr<const reduction::Basis>>;
-  return [&parameters, comm, known = std::make_shared<Known>()](const mesh::Part &part) {
+  return [&parameters, comm, announce, known = std::make_shared<Known>()](const mesh::Part &part) {
     auto &basis = (*known)[part.name];
     if (!basis)
       {
@@ -94,7 +113,8 @@ scene::BasisOf part_bases(const Parameters &parameters, const MPI_Comm comm)
                                   parameters.elements,
                                   reduction::options_of(parameters.reduction),
                                   cache,
-                                  comm));
+                                  comm,
+                                  announce));
       }
     return basis;
   };
@@ -105,11 +125,12 @@ scene::BasisOf part_bases(const Parameters &parameters, const MPI_Comm comm)
 std::pair<drive::Drive, model::Model> decide(const Parameters               &parameters,
                                              const std::vector<std::string> &folders,
                                              const scene::BasisOf           &basis_of,
-                                             const MPI_Comm                  comm)
+                                             const MPI_Comm                  comm,
+                                             const Announce                 &announce)
 {
   const model::Effects     effects   = model::decide_effects(parameters);
   const drive::StiffnessOf stiffness = statics::part_stiffness(
-      model::part_stiffnesses(parameters, effects), parameters.material, comm);
+      model::part_stiffnesses(parameters, effects), parameters.material, comm, announce);
   drive::Drive       drive = drive::make_drive(parameters, stiffness);
   const model::Model model = model::make_model(parameters, drive, effects);
   if (!parameters.model.capabilities().is_elastic || effects.is_on(model::Effect::start_up))
@@ -122,6 +143,9 @@ std::pair<drive::Drive, model::Model> decide(const Parameters               &par
       seats(n, ShiftOfJoint{seat_stiffness});
   for (unsigned int i = 0; i < 6; ++i)
     {
+      if (announce)
+        announce("Straining the elastic bodies for a settled start, round " +
+                 std::to_string(i + 1) + " of at most 6 ...");
       const scene::Scene scene  = scene::build_scene(model, drive, folders, basis_of);
       const auto         forces = dynamics::Relaxation(scene, comm).joint_forces();
       const double       much   = 0.2 * drive.layout.prestress;
@@ -175,18 +199,32 @@ std::unique_ptr<dynamics::System> make_system(const model::Model &model,
 }
 } // namespace
 
+drive::DesignLife life_of(const Simulation &simulation)
+{
+  return drive::design_life(simulation.facts,
+                            simulation.drive.chain,
+                            simulation.parameters.drive.layout.worn_chain ==
+                                parameters::WornChain::shafts_kept);
+}
+
 Simulation::Simulation(const Parameters               &parameters,
                        const std::vector<std::string> &folders,
-                       const MPI_Comm                  comm)
-    : Simulation(parameters, folders, part_bases(parameters, comm), comm)
+                       const MPI_Comm                  comm,
+                       const Announce                 &announce)
+    : Simulation(parameters, folders, part_bases(parameters, comm, announce), comm, announce)
 {
 }
 
 Simulation::Simulation(const Parameters               &parameters,
                        const std::vector<std::string> &folders,
                        const scene::BasisOf           &basis_of,
-                       const MPI_Comm                  comm)
-    : Simulation(parameters, folders, basis_of, decide(parameters, folders, basis_of, comm), comm)
+                       const MPI_Comm                  comm,
+                       const Announce                 &announce)
+    : Simulation(parameters,
+                 folders,
+                 basis_of,
+                 decide(parameters, folders, basis_of, comm, announce),
+                 comm)
 {
 }
 
@@ -239,6 +277,9 @@ observe::Summary Simulation::summary() const
   add_balances(values, *guard_);
   values["checks"]             = drive::to_json(drive::check_design(parameters, facts));
   values["drive"]              = drive::to_json(facts);
+  const drive::DesignLife life = life_of(*this);
+  values["life"]               = drive::to_json(life);
+  add_simulated_wear(values, life, model.contact.bush_pin_friction);
   values["critical_time_step"] = step.limit;
   values["time_step"]          = step.step;
   values["steps"]              = done_;

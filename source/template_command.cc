@@ -2,11 +2,15 @@
 #include <chaindrive/commands.h>
 #include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/drive.h>
+#include <chaindrive/drive/facts.h>
 #include <chaindrive/model/reading.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <ostream>
@@ -60,21 +64,29 @@ Parameters read(const Values &values)
 }
 } // namespace
 
-void template_command(const CommandLine::Design &design, std::ostream &out)
+void template_command(const CommandLine::Design &design,
+                      std::ostream              &out,
+                      const std::string         &remark)
 {
   if (!design.is_given())
     return parameters::write_template(out);
   if (!design.is_complete())
-    throw InputError("A template for a drive takes all of --chain, --teeth, --centre, --rpm and "
-                     "--kW, such as: chaindrive template --chain 10B --teeth 21/63 --centre 500 "
-                     "--rpm 1450 --kW 3.");
+    throw InputError(
+        "A template for a drive takes all of --chain, --teeth, --centre, --rpm and "
+        "--kW or --Nm, such as: chaindrive template --chain 10B --teeth 21/63 --centre 500 "
+        "--rpm 1450 --kW 3.");
   const std::string chain  = *design.chain;
-  const double      centre = *design.centre, rpm = *design.rpm, kilowatt = *design.kilowatt;
+  const double      centre = *design.centre, rpm = *design.rpm;
+  const double      kilowatt =
+      design.kilowatt.value_or(1e-3 * design.torque.value_or(0.) * rpm * dealii::numbers::PI / 30.);
+  const std::string fidelity = design.fidelity.value_or("simple");
   if (chain.empty())
     throw InputError("The option --chain needs the name of a chain after it, such as 10B; it is "
                      "empty.");
   refuse_out_of_range("--centre", centre, 1., 1e5);
   refuse_out_of_range("--rpm", rpm, 0.01, 9e5); // all times and speeds that entries take
+  if (design.torque)
+    refuse_out_of_range("--Nm", *design.torque, 1e-3, 1e6);
   refuse_out_of_range("--kW", kilowatt, 1e-3, 1e6);
   const auto [driver, driven] = read_teeth(*design.teeth);
   parameters::Drive drive;
@@ -87,7 +99,7 @@ void template_command(const CommandLine::Design &design, std::ostream &out)
   const std::string links    = std::to_string(drive::number_of_links(drive));
   const double      pitch_ms = 6e4 / (rpm * driver);
   const auto        pitches  = [pitch_ms](const double n) { return to_text(n * pitch_ms, 4); };
-  const Values      values   = {{"Drive/Number of links", links},
+  Values            values   = {{"Drive/Number of links", links},
                                 {"Drive/Driver teeth", std::to_string(driver)},
                                 {"Drive/Driven teeth", std::to_string(driven)},
                                 {"Drive/Chain/Designation", chain},
@@ -95,17 +107,25 @@ void template_command(const CommandLine::Design &design, std::ostream &out)
                                 {"Drive/Layout/Start", "settled"},
                                 {"Loads/Driver speed in rpm", to_text(rpm, 10)},
                                 {"Loads/Power in kW", to_text(kilowatt, 10)},
+                                {"Model/Fidelity", fidelity},
                                 {"Time/End time in ms", pitches(40.)},
                                 {"Output/Window start in ms", pitches(20.)}};
-  const double      found    = 1e3 * drive::make_drive(read(values)).layout.centre_distance();
+  // means are to hold three periods of the slowest resonance that everything takes part in
+  const Parameters   parameters = read(values);
+  const drive::Drive laid       = drive::make_drive(parameters);
+  const unsigned int window =
+      std::max(20U, 4U * drive::pitches_per_resonance(drive::make_facts(parameters, laid)));
+  values["Time/End time in ms"] = pitches(20. + window);
+  const double found            = 1e3 * laid.layout.centre_distance();
 
   const auto set = [&values](const std::string &path) {
     return "set " + path.substr(path.rfind('/') + 1) + " = " + values.at(path) + "\n";
   };
   out << "# SPDX-License-Identifier: LGPL-2.1-or-later\n#\n# A " << chain
       << " chain on sprockets of " << driver << " and " << driven << " teeth, " << to_text(kilowatt)
-      << " kW at " << to_text(rpm)
-      << " rpm.\n# Lines with CHECK are assumptions; chaindrive document lists all entries.\n\n"
+      << " kW at " << to_text(rpm) << " rpm.\n"
+      << (remark.empty() ? "" : "# " + remark + "\n")
+      << "# Lines with CHECK are assumptions; chaindrive document lists all entries.\n\n"
       << "subsection Drive\n"
       << "  # the even number for a centre distance of " << to_text(centre)
       << " mm: with the sag below it is " << to_text(found, 6) << " mm\n"
@@ -116,12 +136,13 @@ void template_command(const CommandLine::Design &design, std::ostream &out)
       << "    " << set("Drive/Layout/Start") << "  end\nend\n\n"
       << "subsection Model\n  # CHECK: layered adds the clearance of the joints, full elastic "
          "bodies\n"
-      << "  set Fidelity = simple\n"
+      << "  " << set("Model/Fidelity")
       << "  # CHECK: of all that turns with the driven sprocket; auto is the sprocket alone\n"
       << "  set Driven inertia in kg m2 = auto\nend\n\nsubsection Loads\n  "
       << set("Loads/Driver speed in rpm") << "  " << set("Loads/Power in kW")
-      << "end\n\nsubsection Time\n  # 40 pitches\n  " << set("Time/End time in ms")
-      << "end\n\nsubsection Output\n  # means over the last 20 pitches\n  "
+      << "end\n\nsubsection Time\n  # " << 20 + window << " pitches\n  "
+      << set("Time/End time in ms") << "end\n\nsubsection Output\n  # means over the last "
+      << window << " pitches, three periods of the driven inertia or more\n  "
       << set("Output/Window start in ms") << "end\n";
 }
 } // namespace chaindrive

@@ -17,6 +17,7 @@ enum class Command
   noise,         ///< compute the noise of a run that has ended
   study,         ///< run the variants of a study file and compare them
   report,        ///< write a page on runs
+  select,        ///< which chains would do
   template_file, ///< print a .prm file to begin with
   document,      ///< print doc/parameters.md
   version,
@@ -40,14 +41,20 @@ struct CommandLine
   bool                     quick   = false;  ///< study: with the changes of Study/Quick
   bool                     dry_run = false;  ///< study: say what would be run
   bool                     retry   = false;  ///< study: run those again that failed
-  /// template: the drive that it is for.
+  /// template: the drive that it is for; select: what is asked of it.
   struct Design
   {
     std::optional<std::string> chain, teeth;          ///< such as 10B and 21/63
     std::optional<double>      centre, rpm, kilowatt; ///< mm; of the driver; of the load
+    std::optional<double>      torque;                ///< at the driver, N m, instead of the power
+    std::optional<std::string> fidelity;              ///< of the model
 
-    bool is_given() const { return chain || teeth || centre || rpm || kilowatt; }
-    bool is_complete() const { return chain && teeth && centre && rpm && kilowatt; }
+    std::optional<double>       ratio, hours;
+    std::optional<unsigned int> strands; ///< at most
+    std::optional<std::string>  motor, shock, lubrication;
+
+    bool is_given() const { return chain || teeth || centre || rpm || kilowatt || torque; }
+    bool is_complete() const { return chain && teeth && centre && rpm && (kilowatt || torque); }
   };
   Design                   design;
   bool                     man    = false; ///< document: as the manual page

@@ -48,8 +48,17 @@ void check_noise(const drive::Drive &drive,
 
 /// Writes a .prm file to begin with to @p out: one that can be run for @p design, whose number of
 /// links is the even one that comes nearest to its centre distance; without a design every entry
-/// with its default. Throws InputError for a drive that cannot be.
-void template_command(const CommandLine::Design &design, std::ostream &out);
+/// with its default. @p remark is a comment in its head. Throws InputError for a drive that cannot
+/// be.
+void template_command(const CommandLine::Design &design,
+                      std::ostream              &out,
+                      const std::string         &remark = "");
+
+/// Prints a table of the drives that would do for what the command line asks of them
+/// (drive/selection.h), the best first, which is written as a .prm file where a name for it is
+/// given. Throws InputError for a demand that has no sense, or that no drive meets where a file was
+/// asked for.
+void select_command(const CommandLine &command_line, std::ostream &out);
 
 /// Expands the study file named on the command line, prepares the first run of every variant as
 /// plan_command() does, of the other start phases the drive and the scene, and throws InputError

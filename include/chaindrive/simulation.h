@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/drive/checks.h>
+#include <chaindrive/drive/design_life.h>
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/dynamics/guard.h>
@@ -11,6 +12,7 @@
 #include <chaindrive/observe/summary.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/build.h>
+#include <chaindrive/utilities/announce.h>
 
 #include <mpi.h>
 
@@ -21,6 +23,11 @@
 
 namespace chaindrive
 {
+class Simulation;
+
+/// How long its chain lasts, in closed form.
+drive::DesignLife life_of(const Simulation &simulation);
+
 /// One run of a drive from parameters to a summary, without files and console:
 ///
 ///     Simulation simulation(parameters, {"."}, MPI_COMM_WORLD);
@@ -34,8 +41,12 @@ public:
   /// Prepares a run: the drive, its scene, the state at the start and the step. Meshes are looked
   /// for in @p folders. Elastic bodies are distributed over the ranks of @p comm; lumped and rigid
   /// models are too small for that: the first rank computes them alone and the others are idle.
-  /// InputError for what cannot be run. Collective. @p parameters must outlive this.
-  Simulation(const Parameters &parameters, const std::vector<std::string> &folders, MPI_Comm comm);
+  /// InputError for what cannot be run. @p announce is told what takes long in it. Collective. @p
+  /// parameters must outlive this.
+  Simulation(const Parameters               &parameters,
+             const std::vector<std::string> &folders,
+             MPI_Comm                        comm,
+             const Announce                 &announce = {});
 
   /// Whether this rank has nothing to do. It then has nothing but drive and scene, and may not call
   /// what follows.
@@ -83,7 +94,8 @@ private:
   Simulation(const Parameters               &parameters,
              const std::vector<std::string> &folders,
              const scene::BasisOf           &basis_of,
-             MPI_Comm                        comm);
+             MPI_Comm                        comm,
+             const Announce                 &announce);
   Simulation(const Parameters                            &parameters,
              const std::vector<std::string>              &folders,
              const scene::BasisOf                        &basis_of,

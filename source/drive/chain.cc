@@ -26,6 +26,15 @@ const CatalogueChain &look_up(const std::string &designation)
 {
   if (const CatalogueChain *row = find_chain(designation))
     return *row;
+  // makers write the number of strands behind the size: 08B-2
+  const std::size_t dash = designation.rfind('-');
+  if (dash != std::string::npos && dash + 1 < designation.size() &&
+      designation.find_first_not_of("0123456789", dash + 1) == std::string::npos)
+    if (const std::string size = designation.substr(0, dash); find_chain(size) != nullptr)
+      throw InputError("Drive/Chain/Designation = " + designation +
+                       ": a chain has one strand here. Take " + size +
+                       " with the power of the strand that pulls most, which chaindrive select "
+                       "finds (doc/not-modelled.md).");
   const std::vector<std::string> known   = chain_designations();
   const std::string              nearest = nearest_name(designation, known);
   std::string                    list;

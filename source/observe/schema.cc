@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/design_life.h>
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/observe/old_names.h>
 #include <chaindrive/observe/quantity.h>
@@ -84,6 +85,7 @@ files::Json schema()
     }
   add(summary, members_of_every_run(), "");
   add(summary, drive::described_facts(), "");
+  add(summary, drive::described_life(), "");
   return {{"histories", histories}, {"old_names", old_names()}, {"summary", summary}};
 }
 } // namespace chaindrive::observe

@@ -138,7 +138,8 @@ Basis kept_basis(const mesh::Part           &part,
                  const parameters::Elements &elements,
                  const BasisOptions         &options,
                  statics::Cache             &cache,
-                 const MPI_Comm              comm)
+                 const MPI_Comm              comm,
+                 const Announce             &announce)
 {
   std::string kept;
   on_first_rank(comm, [&] {
@@ -155,6 +156,8 @@ Basis kept_basis(const mesh::Part           &part,
         kept = found->dump();
         return;
       }
+    if (announce)
+      announce("Finding the modes of the " + part.name + ", which are kept for later runs ...");
     Basis basis = make_basis(free, loads, options);
     for (const Load &load : contact_loads(part, nodes))
       basis.errors.push_back({load.name, static_error(free, basis, load.force)});

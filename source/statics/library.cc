@@ -107,8 +107,14 @@ Interface cylinders(const PatchGrid &grid, const double clearance)
 
 } // namespace
 
-Library::Library(const Material &material, const std::string &cache_folder, const MPI_Comm comm)
-    : material_(material), comm_(comm), cache_(rank_in(comm) == 0 ? cache_folder : "")
+Library::Library(const Material    &material,
+                 const std::string &cache_folder,
+                 const MPI_Comm     comm,
+                 const Announce    &announce)
+    : material_(material)
+    , comm_(comm)
+    , announce_(announce)
+    , cache_(rank_in(comm) == 0 ? cache_folder : "")
 {
 }
 
@@ -153,6 +159,8 @@ nlohmann::json Library::result_of(const std::string                     &name,
   const bool is_new = kept.empty();
   if (is_new)
     {
+      if (announce_)
+        announce_("Solving the " + name + ", whose solution is kept for later runs ...");
       const nlohmann::json json = compute();
       cache_.keep(key, json);
       kept = json.dump();

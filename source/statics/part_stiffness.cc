@@ -40,11 +40,12 @@ drive::PartStiffness compute(const model::PartStiffnesses &wanted,
                              const Material               &steel,
                              const drive::Drive           &drive,
                              const double                  load,
-                             const MPI_Comm                comm)
+                             const MPI_Comm                comm,
+                             const Announce               &announce)
 {
   drive::PartStiffness result = drive::estimated_stiffness(drive.chain, load, steel);
   result.notes.clear();
-  Library library(steel, Cache::usual_folder(), comm);
+  Library library(steel, Cache::usual_folder(), comm, announce);
   if (wanted.per_pitch)
     result.per_pitch = rounded(load / at_force(
                                           [&](const unsigned int n_angles) {
@@ -104,14 +105,15 @@ ContactSolution at_force(const std::function<ContactProblem(unsigned int)> &make
 
 drive::StiffnessOf part_stiffness(const std::optional<model::PartStiffnesses> &wanted,
                                   const Material                              &steel,
-                                  const MPI_Comm                               comm)
+                                  const MPI_Comm                               comm,
+                                  const Announce                              &announce)
 {
   if (!wanted)
     return {};
-  return [wanted = *wanted, steel, comm](const drive::Drive &drive, const double load) {
+  return [wanted = *wanted, steel, comm, announce](const drive::Drive &drive, const double load) {
     try
       {
-        return compute(wanted, steel, drive, load, comm);
+        return compute(wanted, steel, drive, load, comm, announce);
       }
     // on all ranks: dimensions that cannot be meshed, contact or solution not found
     catch (const InputError &)
@@ -127,6 +129,30 @@ drive::StiffnessOf part_stiffness(const std::optional<model::PartStiffnesses> &w
     estimate.notes = {"The parts could not be solved with these dimensions: stiffnesses that are "
                       "auto are estimates, see Model/Stiffness from."};
     return estimate;
+  };
+}
+
+drive::StiffnessOf quick_part_stiffness(const std::optional<model::PartStiffnesses> &wanted,
+                                        const Material                              &steel)
+{
+  struct NotKept // ends a solution before it begins
+  {
+  };
+  if (!wanted)
+    return {};
+  const drive::StiffnessOf kept =
+      part_stiffness(wanted, steel, MPI_COMM_SELF, [](const std::string &) { throw NotKept(); });
+  return [kept, steel](const drive::Drive &drive, const double load) {
+    try
+      {
+        return kept(drive, load);
+      }
+    catch (const NotKept &)
+      {
+        drive::PartStiffness estimate = drive::estimated_stiffness(drive.chain, load, steel);
+        estimate.notes = {"Stiffnesses are estimated from dimensions until the parts are solved."};
+        return estimate;
+      }
   };
 }
 } // namespace chaindrive::statics

@@ -107,6 +107,7 @@ int main()
   refuse("pin wall of a tenth of a nanometre",
          [](parameters::Chain &chain) { chain.pin_bore = 5.2399998e-3; });
   refuse("unknown chain", [](parameters::Chain &p) { p.designation = "08C"; });
+  refuse("two strands", [](parameters::Chain &p) { p.designation = "08B-2"; });
   refuse("negative clearance", [](parameters::Chain &p) {
     p.bush_diameter = 7.6e-3;
     p.roller_bore   = 7.52e-3;

@@ -282,4 +282,10 @@ int main()
       "window", [](Parameters &p, const double x) { p.model.driven_inertia = x; }, 0.1, 0.5);
   test_check(
       "start_up", [](Parameters &p, const double x) { p.loads.ramp_time = x; }, 6e-3, 7e-3);
+
+  std::cout << "changes of the block\n";
+  drive::Facts changed = facts_of(Parameters());
+  changed.driven_frequency *= 2.;
+  print_changes(std::cout, facts_of(Parameters()), changed);
+  print_changes(std::cout, changed, changed);
 }

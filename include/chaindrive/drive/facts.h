@@ -116,6 +116,10 @@ std::vector<files::Described> described_facts();
 /// The block at the top of plan and log.
 void print(std::ostream &out, const Facts &facts);
 
+/// The lines of that block in which @p facts differ from those @p before, under a heading of their
+/// own; nothing if none does.
+void print_changes(std::ostream &out, const Facts &before, const Facts &facts);
+
 /// First frequency [Hz] of a string of this @p length [m] and @p mass per metre [kg/m] that moves
 /// along itself at @p speed [m/s], under @p tension [N] with the centrifugal one.
 double string_frequency(double length, double mass, double tension, double speed);

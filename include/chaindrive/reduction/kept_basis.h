@@ -4,6 +4,7 @@
 #include <chaindrive/parameters/model.h>
 #include <chaindrive/reduction/basis.h>
 #include <chaindrive/statics/cache.h>
+#include <chaindrive/utilities/announce.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -14,11 +15,13 @@ BasisOptions options_of(const parameters::Reduction &reduction);
 
 /// The basis of @p part, with its errors in statics, from the @p cache if it is there: the same bit
 /// by bit on all ranks of @p comm, whose first one computes it and reads and writes the cache.
-/// Throws what free_modes() does, and InputError if a side that touches is no cylinder. Collective.
+/// Throws what free_modes() does, and InputError if a side that touches is no cylinder. @p announce
+/// is told on the first rank when it is computed. Collective.
 Basis kept_basis(const mesh::Part           &part,
                  const Material             &material,
                  const parameters::Elements &elements,
                  const BasisOptions         &options,
                  statics::Cache             &cache,
-                 MPI_Comm                    comm);
+                 MPI_Comm                    comm,
+                 const Announce             &announce = {});
 } // namespace chaindrive::reduction

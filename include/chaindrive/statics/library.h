@@ -5,6 +5,7 @@
 #include <chaindrive/statics/cache.h>
 #include <chaindrive/statics/flexibility.h>
 #include <chaindrive/statics/peak_stress.h>
+#include <chaindrive/utilities/announce.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -25,7 +26,11 @@ class Library
 {
 public:
   /// @p cache_folder: see Cache; the first rank of @p comm reads and writes it.
-  Library(const Material &material, const std::string &cache_folder, MPI_Comm comm);
+  /// @p announce is told of each part before it is solved, on all ranks.
+  Library(const Material    &material,
+          const std::string &cache_folder,
+          MPI_Comm           comm,
+          const Announce    &announce = {});
 
   /// Two links of a chain that are pulled, the pin of one in the bush of the other: one interface,
   /// whose approach is the extension per pitch.
@@ -75,6 +80,7 @@ private:
 
   const Material     material_;
   const MPI_Comm     comm_;
+  const Announce     announce_;
   Cache              cache_;
   std::vector<Entry> entries_;
 

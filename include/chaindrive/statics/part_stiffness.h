@@ -10,10 +10,17 @@
 namespace chaindrive::statics
 {
 /// How the parts of a drive of @p steel deflect at the reference load: what is @p wanted from
-/// elastic solutions, all else estimated; empty if nothing is. Collective over @p comm.
+/// elastic solutions, all else estimated; empty if nothing is. @p announce is told of each part
+/// before it is solved. Collective over @p comm.
 drive::StiffnessOf part_stiffness(const std::optional<model::PartStiffnesses> &wanted,
                                   const Material                              &steel,
-                                  MPI_Comm                                     comm);
+                                  MPI_Comm                                     comm,
+                                  const Announce                              &announce = {});
+
+/// The same at once: from the cache if all that is wanted is there, else estimated, which a note
+/// says. Not collective.
+drive::StiffnessOf quick_part_stiffness(const std::optional<model::PartStiffnesses> &wanted,
+                                        const Material                              &steel);
 
 /// The contact of @p make (number of patches about the line of pressure) under @p force [N]: with
 /// as many patches as it needs.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -105,6 +106,24 @@ def checks(subjects: Sequence[Subject]) -> str:
     return out
 
 
+def life_rows(life: dict[str, Any]) -> list[tuple[str, str]]:
+    """Rows on how long the chain lasts, of member `life` of the summary; none where an older version has written it."""
+    if not life:
+        return []
+
+    def hours(value: float | None) -> str:
+        return "endless" if value is None else f"{number(float(f'{value:.2g}'), 6)}\u00a0h"
+
+    simulated = life.get("simulated_wear_hours")
+    return [
+        (f"wear to {number(100 * life['elongation'], 3)}\u00a0%", f"{hours(life['wear_hours'])}, within a factor of 3"
+         + (f"; by the friction work of this run {hours(simulated)}" if simulated else "")
+         + f"; frame of ISO\u00a010823 {hours(life['frame_hours'])}; lubrication {escape(life['lubrication'])} or better"),
+        ("plates", f"dynamic strength {quantity(life['dynamic_strength'], 'N')}, safety {number(life['plate_safety'], 3)}, {hours(life['plate_hours'])}"),
+        ("rollers and bushes", f"{hours(life['roller_hours'])} of impacts"),
+    ]
+
+
 def drive_tables(run: Run) -> str:
     """The drive's block. RunError when the summary has none."""
     drive = run.drive
@@ -127,6 +146,7 @@ def drive_tables(run: Run) -> str:
         ("driven inertia", f"{q(drive['driven_inertia'], 'kg m2')}, on the tight span {q(drive['driven_frequency'], 'Hz')} (met by the teeth at "
          f"{q(drive['driven_resonance'], 'rad/s')})"),
         ("usual limits of this size", f"{q(drive['rated_power'], 'W', 3)} at this speed; driver up to {q(drive['highest_speed'], 'rad/s')}"),
+        *life_rows(run.summary.get("life", {})),
     ]
     sprockets = [("teeth", [str(s["teeth"]) for s in drive["sprockets"]])]
     for name, title, unit, digits in (("pitch_diameter", "pitch diameter", "m", 6), ("wrap", "wrap", "rad", 4), ("speed", "speed", "rad/s", 4),

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/drive/facts.h>
+#include <chaindrive/drive/life.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace chaindrive::drive
+{
+/// How long the chain of a drive lasts in steady running with the tensions of its Facts, in closed
+/// form (doc/theory.md, section 9): without impacts and shocks, with the lubrication that its speed
+/// asks for. Hours may be endless. SI units else.
+struct DesignLife
+{
+  Lubrication lubrication; ///< the least that the speed asks for
+  JointWear   joints;
+  double      elongation; ///< at which the chain is replaced
+  double      wear_rate;  ///< elongation per second
+  double      wear_hours; ///< until then; known within a factor of wear_scatter
+  double frame_hours; ///< the same in the frame of ISO 10823: 15,000 hours of 3 % at rated power
+
+  double dynamic_strength; ///< of ISO 606, or of its formula for the plates; N
+  bool   strength_listed;  ///< whether the standard lists it
+  double plate_safety;     ///< endurance over the force from zero that does the same; 0: no force
+  double plate_hours;      ///< until plates fail, in the mean
+  double roller_hours;     ///< until rollers or bushes fail under their impacts
+
+  PlateStress inner, outer; ///< under the tension of the tight span
+  PinStress   pin;          ///< under the same
+};
+
+/// @p kept: the shafts cannot be moved when the chain wears.
+DesignLife design_life(const Facts &facts, const ChainDimensions &chain, bool kept);
+
+/// Member `life` of summary.json, and what it has: doc/output.md. Endless hours are null.
+files::Json                   to_json(const DesignLife &life);
+std::vector<files::Described> described_life();
+
+/// The block of the plan.
+void print(std::ostream &out, const DesignLife &life);
+} // namespace chaindrive::drive

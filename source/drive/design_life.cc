@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/design_life.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+
+namespace chaindrive::drive
+{
+namespace
+{
+files::Json finite(const double value)
+{
+  return std::isfinite(value) ? files::Json(value) : files::Json();
+}
+
+std::string in_hours(const double hours)
+{
+  return !std::isfinite(hours) ? "endless" :
+         hours < 1000.         ? to_text(hours, 2) + " h" :
+         hours > 1e6           ? "more than 1000000 h" :
+                                 std::to_string(100 * std::lround(0.01 * hours)) + " h";
+}
+
+std::string in_mpa(const double stress) { return to_text(1e-6 * stress, 3); }
+} // namespace
+
+DesignLife design_life(const Facts &facts, const ChainDimensions &chain, const bool kept)
+{
+  const double      n_links = facts.links;
+  DesignLife        life{};
+  double            force_angle = 0., least = endless, most = 0.;
+  unsigned int      largest = 0, smallest = 0;
+  double            fastest = 0.; // of the loaded sprockets and the driver
+  const std::size_t n       = facts.sprockets.size();
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const Facts::Sprocket &sprocket = facts.sprockets[i];
+      const double           tension  = facts.spans[i].tension;
+      force_angle += 2. * dealii::numbers::PI / sprocket.teeth *
+                     (tension + facts.spans[(i + n - 1) % n].tension);
+      least   = std::min(least, tension);
+      most    = std::max(most, tension);
+      largest = std::max(largest, sprocket.teeth);
+      if (!sprocket.idle && (smallest == 0 || sprocket.teeth < smallest))
+        {
+          smallest = sprocket.teeth;
+          fastest  = sprocket.speed;
+        }
+    }
+  life.lubrication = least_lubrication(facts.pitch, facts.chain_speed);
+  life.joints      = {facts.loaded_pitch, chain.pin_diameter, facts.bearing_area, n_links};
+  life.elongation  = most_elongation(largest, kept);
+  life.wear_rate   = life.joints.rate(force_angle, facts.tooth_frequency);
+  const auto hours = [](const double seconds) { return seconds / 3600.; };
+  life.wear_hours  = life.wear_rate > 0. ? hours(life.elongation / life.wear_rate) : endless;
+  life.frame_hours = facts.power > 0. ? 15000. * facts.rated_power / facts.power *
+                                            (life.elongation / 0.03) * (n_links / 120.) :
+                                        endless;
+
+  const auto listed     = minimum_dynamic_strength(facts.chain);
+  life.strength_listed  = listed && !facts.own_dimensions;
+  life.dynamic_strength = life.strength_listed ?
+                              *listed :
+                              dynamic_strength_of_plates(facts.pitch,
+                                                         chain.inner_plate_height,
+                                                         chain.inner_plate_thickness,
+                                                         chain.roller_diameter,
+                                                         chain.pin_diameter);
+  const PlateFatigue plates{life.dynamic_strength, facts.tensile_strength};
+  const double       range = plates.from_zero(least, most);
+  life.plate_safety        = range > 0. ? plates.endurance() / range : 0.;
+  life.plate_hours         = facts.tooth_frequency > 0. ?
+                                 hours(plates.cycles(least, most) * n_links / facts.tooth_frequency) :
+                                 endless;
+  const Ratings ratings    = ratings_of(facts.chain,
+                                     facts.pitch,
+                                     smallest,
+                                     fastest * 30. / dealii::numbers::PI,
+                                     facts.effective_tension);
+  life.roller_hours =
+      facts.power > 0. ? hours_of_rollers(ratings.rollers(), facts.power, n_links) : endless;
+
+  const auto stress = [most](const double height, const double waist, const double hole, double t) {
+    return plate_stress(most, height, waist * height, hole, t);
+  };
+  life.inner = stress(chain.inner_plate_height,
+                      chain.waist_ratio,
+                      chain.bush_diameter,
+                      chain.inner_plate_thickness);
+  life.outer = stress(
+      chain.outer_plate_height, chain.waist_ratio, chain.pin_diameter, chain.outer_plate_thickness);
+  life.pin =
+      pin_stress(most, chain.pin_diameter, chain.pin_bore, chain.pin_length, chain.bush_length);
+  return life;
+}
+
+files::Json to_json(const DesignLife &life)
+{
+  files::Json json;
+  json["lubrication"]      = parameters::text_of(life.lubrication);
+  json["elongation"]       = life.elongation;
+  json["wear_rate"]        = life.wear_rate;
+  json["wear_hours"]       = finite(life.wear_hours);
+  json["frame_hours"]      = finite(life.frame_hours);
+  json["dynamic_strength"] = life.dynamic_strength;
+  json["plate_safety"]     = finite(life.plate_safety);
+  json["plate_hours"]      = finite(life.plate_hours);
+  json["roller_hours"]     = finite(life.roller_hours);
+  for (const auto &[name, stress] :
+       {std::make_pair("inner_plate", life.inner), std::make_pair("outer_plate", life.outer)})
+    json[name] = {{"waist", stress.waist}, {"net", stress.net}, {"hole", stress.hole}};
+  json["pin"] = {{"bending", life.pin.bending}, {"shear", life.pin.shear}};
+  return json;
+}
+
+std::vector<files::Described> described_life()
+{
+  std::vector<files::Described> all = {
+      {"life/lubrication", "", "least that the speed asks for"},
+      {"life/elongation", "1", "elongation at which the chain is replaced"},
+      {"life/wear_rate", "1/s", "elongation per second by wear, closed form"},
+      {"life/wear_hours", "h", "hours until that elongation, closed form"},
+      {"life/frame_hours", "h", "the same in the frame of ISO 10823"},
+      {"life/dynamic_strength", "N", "minimum dynamic strength of the chain"},
+      {"life/plate_safety", "1", "endurance of the plates over their load"},
+      {"life/plate_hours", "h", "mean hours until plates fail; null: endless"},
+      {"life/roller_hours", "h", "hours until rollers or bushes fail"},
+      {"life/pin/bending", "Pa", "largest bending stress of a pin"},
+      {"life/pin/shear", "Pa", "mean shear stress of a pin"},
+      {"life/simulated_wear_rate",
+       "1/s",
+       "elongation per second of the friction work in the window"},
+      {"life/simulated_wear_hours", "h", "hours until that elongation by this rate"}};
+  for (const std::string plate : {"life/inner_plate", "life/outer_plate"})
+    for (const auto &[name, meaning] : {std::make_pair("waist", "mean stress of the waist"),
+                                        std::make_pair("net", "mean stress beside the hole"),
+                                        std::make_pair("hole", "largest stress at its edge")})
+      all.push_back({plate + "/" + name, "Pa", meaning});
+  return all;
+}
+
+void print(std::ostream &out, const DesignLife &life)
+{
+  const auto line = [&out](const char *name, const std::string &text) {
+    out << "  " << std::left << std::setw(18) << name << std::right << text << '\n';
+  };
+  out << "Life without shocks, closed forms (doc/theory.md, section 9)\n";
+  line("wear",
+       to_text(100. * life.elongation, 3) + " % after " + in_hours(life.wear_hours) + " (" +
+           in_hours(life.wear_hours / wear_scatter) + " ... " +
+           in_hours(life.wear_hours * wear_scatter) + "); frame of ISO 10823 " +
+           in_hours(life.frame_hours) + "; lubrication " + parameters::text_of(life.lubrication) +
+           " or better, without oil 1/" +
+           to_text(wear_factor(Lubrication::none, life.lubrication, 0.), 2) + " of that");
+  line("plates",
+       "dynamic strength " + to_text(life.dynamic_strength, 4) + " N" +
+           (life.strength_listed ? "" : " (of the plates)") + ", safety " +
+           to_text(life.plate_safety, 3) + ", " + in_hours(life.plate_hours) +
+           "; at the hole inside " + in_mpa(life.inner.hole) + ", outside " +
+           in_mpa(life.outer.hole) + ", at the waist " + in_mpa(life.inner.waist) + " and " +
+           in_mpa(life.outer.waist) + " MPa");
+  line("rollers, bushes", in_hours(life.roller_hours) + " of impacts");
+  line("pins",
+       "bending " + in_mpa(life.pin.bending) + " MPa, shear " + in_mpa(life.pin.shear) + " MPa");
+}
+} // namespace chaindrive::drive

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/life.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace chaindrive::drive
+{
+namespace
+{
+constexpr double pi           = 3.14159265358979323846;
+constexpr double test_cycles  = 3e6; // of the dynamic strength
+constexpr double limit_cycles = 1e7; // below the force of which plates do not fail
+} // namespace
+
+double wear_factor(const Lubrication given, const Lubrication least, const double speed)
+{
+  if (given == Lubrication::none)
+    return 1. / 0.15;
+  return given >= least ? 1. : speed <= 4. ? 1. / 0.6 : 1. / 0.3;
+}
+
+double
+JointWear::rate(const double force_angle, const double pitches, const double coefficient) const
+{
+  const double path = coefficient * force_angle * 0.5 * pin_diameter / bearing_area; // of a turn
+  return path * pitches / links / pitch; // pins and bushes of two joints lengthen two pitches
+}
+
+double
+JointWear::rate_of_losses(const double power, const double mu, const double coefficient) const
+{
+  return coefficient * power / (mu * links * bearing_area) / pitch;
+}
+
+double most_elongation(const unsigned int largest_teeth, const bool kept)
+{
+  return std::min(kept ? 0.015 : 0.03, 2. / largest_teeth);
+}
+
+double PlateFatigue::from_zero(const double least, const double most) const
+{
+  const double part = tensile_strength > 0. ? std::max(least, 0.) / tensile_strength : 0.;
+  return part < 1. ? (most - least) / (1. - part) : endless;
+}
+
+double PlateFatigue::endurance() const
+{
+  return dynamic_strength * std::pow(test_cycles / limit_cycles, 1. / plate_exponent);
+}
+
+double PlateFatigue::cycles(const double least, const double most) const
+{
+  const double force = from_zero(least, most);
+  return force <= endurance() ? endless :
+                                test_cycles * std::pow(dynamic_strength / force, plate_exponent);
+}
+
+void add_turning_point(std::vector<double> &points, const double value)
+{
+  const std::size_t n = points.size();
+  if (n > 0 && value == points[n - 1])
+    return;
+  // what goes on in the same direction replaces the last value
+  if (n > 1 && (value > points[n - 1]) == (points[n - 1] > points[n - 2]))
+    points.back() = value;
+  else
+    points.push_back(value);
+}
+
+std::vector<Cycle> rainflow(const std::vector<double> &history)
+{
+  std::vector<double> points;
+  for (const double value : history)
+    add_turning_point(points, value);
+  std::vector<Cycle>  cycles;
+  std::vector<double> open; // turning points that belong to no cycle yet
+  const auto range = [&open](const std::size_t i) { return std::abs(open[i + 1] - open[i]); };
+  const auto count = [&](const std::size_t i, const double n) {
+    cycles.push_back({range(i), 0.5 * (open[i] + open[i + 1]), n});
+  };
+  for (const double point : points)
+    {
+      open.push_back(point);
+      while (open.size() > 2 && range(open.size() - 2) >= range(open.size() - 3))
+        if (const std::size_t n = open.size(); n == 3) // contains the start: half a cycle
+          {
+            count(0, 0.5);
+            open.erase(open.begin());
+          }
+        else
+          {
+            count(n - 3, 1.);
+            open.erase(open.end() - 3, open.end() - 1);
+          }
+    }
+  for (std::size_t i = 0; i + 1 < open.size(); ++i)
+    count(i, 0.5);
+  return cycles;
+}
+
+double turns_of(const PlateFatigue &plates, const std::vector<Cycle> &cycles)
+{
+  double damage = 0.;
+  for (const Cycle &cycle : cycles)
+    damage +=
+        cycle.count / plates.cycles(cycle.mean - 0.5 * cycle.range, cycle.mean + 0.5 * cycle.range);
+  return damage > 0. ? 1. / damage : endless;
+}
+
+PlateStress plate_stress(const double tension,
+                         const double height,
+                         const double waist_height,
+                         const double hole,
+                         const double thickness)
+{
+  const double force = 0.5 * tension, x = hole / height;
+  const double net    = force / ((height - hole) * thickness);
+  const double factor = 12.882 + x * (-52.714 + x * (89.762 - 51.667 * x)); // 0.15 <= x <= 0.75
+  return {force / (waist_height * thickness), net, factor * net};
+}
+
+PinStress pin_stress(const double tension,
+                     const double diameter,
+                     const double bore,
+                     const double length,
+                     const double bush_length)
+{
+  const double area    = 0.25 * pi * (diameter * diameter - bore * bore);
+  const double modulus = pi / 32. * (std::pow(diameter, 4) - std::pow(bore, 4)) / diameter;
+  const double moment  = 0.5 * tension * (0.5 * length - 0.25 * bush_length);
+  return {moment / modulus, 0.5 * tension / area};
+}
+} // namespace chaindrive::drive
