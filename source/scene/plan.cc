@@ -112,7 +112,7 @@ void print_plan(std::ostream &out, const Scene &scene)
 
   out << "Effects\n";
   for (const model::Decision &effect : scene.effects)
-    out << "  " << std::left << std::setw(22) << effect.name() << std::right
+    out << "  " << std::left << std::setw(24) << effect.name() << std::right
         << (effect.on ? "on   " : "off  ") << effect.reason << '\n';
 
   out << "Choices\n";
