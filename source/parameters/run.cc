@@ -165,7 +165,7 @@ void Output::declare(Declarations &declarations)
   declarations.add(
       "Until",
       "",
-      "names of means with a percentage above 0 and up to 100, such as driver_peak_mean=2, "
+      "names of means, each with its number of percent up to 100, such as driver_peak_mean=2, "
       "separated by commas, or nothing",
       "The run ends when these means of the window are known so well: when half of the 95 % "
       "confidence interval of each (doc/output.md) is at most so many percent of it, and the "

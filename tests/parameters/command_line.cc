@@ -13,8 +13,17 @@
 
 using namespace chaindrive;
 
-const char *const names[] = {
-    "run", "plan", "parts", "noise", "study", "report", "template", "document", "version", "help"};
+const char *const names[] = {"run",
+                             "plan",
+                             "parts",
+                             "noise",
+                             "study",
+                             "report",
+                             "select",
+                             "template",
+                             "document",
+                             "version",
+                             "help"};
 
 void parse(std::vector<const char *> arguments)
 {
