@@ -229,6 +229,7 @@ std::vector<Candidate> select_drives(const Demand &demand)
             }
       }
   std::vector<Candidate> all;
+  all.reserve(all.size() + best.size());
   for (const auto &entry : best)
     all.push_back(entry.second);
   std::stable_sort(all.begin(), all.end(), [](const Candidate &a, const Candidate &b) {
