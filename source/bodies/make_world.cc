@@ -173,7 +173,10 @@ void add_rigid_surface_nodes(const scene::Scene &scene, World &world)
 World make_world(const scene::Scene &scene, const MPI_Comm comm)
 {
   World world(scene, comm);
-  world.groups.add(std::make_unique<RigidBodies>());
+  if (scene.planar)
+    world.planar = &world.groups.add(std::make_unique<PlanarBodies>(scene, world));
+  else
+    world.groups.add(std::make_unique<RigidBodies>());
   world.groups.add(std::make_unique<Hubs>());
   const Partition partitioned = partition(scene, n_ranks_in(comm));
   add_elastic_bodies(scene, partitioned, world);

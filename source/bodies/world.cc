@@ -154,8 +154,11 @@ void World::clear_forces()
 
 void World::clear_resultants()
 {
-  force  = 0.;
-  moment = 0.;
+  // not by the vectors' own assignment, which starts a loop over threads
+  std::fill_n(force.begin(), force.locally_owned_size(), 0.);
+  std::fill_n(moment.begin(), moment.locally_owned_size(), 0.);
+  if (planar != nullptr)
+    planar->clear_forces();
   for (Rim &rim : rims)
     rim.momentum = dealii::Tensor<1, 3>();
   ledger.clear_stored();
@@ -164,6 +167,8 @@ void World::clear_resultants()
 
 void World::sum_over_ranks(const std::initializer_list<Summands> others)
 {
+  if (planar != nullptr)
+    planar->complete_forces(*this);
   if (n_ranks_ == 1 && !symmetry.is_active())
     return;
   std::vector<double> booked; // since clear_resultants()
@@ -217,6 +222,9 @@ void World::sum_over_ranks(const std::initializer_list<Summands> others)
       symmetry.cancel_across(force.begin() + 3 * body);
       symmetry.cancel_tilting(moment.begin() + 3 * body);
     }
+
+  if (planar != nullptr)
+    planar->take_forces(*this);
 
   for (unsigned int body = 0; body < n_bodies(); ++body)
     if (is_nodal(body))

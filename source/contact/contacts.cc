@@ -4,6 +4,7 @@
 #include <chaindrive/contact/node_bores.h>
 #include <chaindrive/contact/node_contact.h>
 #include <chaindrive/contact/node_faces.h>
+#include <chaindrive/contact/planar_contact.h>
 #include <chaindrive/contact/point_contact.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/errors.h>
@@ -30,6 +31,12 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
     copies.make_ghosts();
   world.node_exchange.connect(world.copies);
 
+  const auto add_planar = [&](auto family) {
+    const bool made = family != nullptr;
+    if (made)
+      families_.push_back(std::move(family));
+    return made;
+  };
   const auto add_family = [&](const scene::SurfaceFamily &family) {
     std::unique_ptr<SurfaceContact> made;
     if (family.elastic)
@@ -41,13 +48,17 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
     families_.push_back(std::move(made));
   };
   for (const scene::ToothFamily &teeth : scene.teeth)
-    add_family(on_flanks(teeth, world));
+    {
+      const scene::SurfaceFamily family = on_flanks(teeth, world);
+      if (world.planar == nullptr || !add_planar(PlanarFlanks::make(teeth, family, world)))
+        add_family(family);
+    }
   for (const scene::SurfaceFamily &family : scene.surfaces)
     add_family(family);
   for (const scene::BoreFamily &bores : scene.bores)
     if (bores.elastic)
       families_.push_back(std::make_unique<NodeBores>(bores, world, search_every_step));
-    else
+    else if (world.planar == nullptr || !add_planar(PlanarBores::make(bores, world)))
       families_.push_back(std::make_unique<PointContact>(bores));
   for (const scene::FaceFamily &faces : scene.faces)
     families_.push_back(std::make_unique<NodeFaces>(faces, world, search_every_step));
@@ -60,21 +71,32 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
         needs_search_ = true;
         reach_        = std::min(reach_, family->smallest_radius());
       }
+  reads_frames_ = std::any_of(families_.begin(), families_.end(), [](const Family *family) {
+    return family->reads_frames();
+  });
   lost_now_.resize(2 * families_.size());
   losses_.resize(families_.size());
 }
 
-bool Contacts::search_if_due(const World &world, const double dt)
+bool Contacts::search_if_due(World &world, const double dt)
 {
   double largest = 0.;
-  if (!every_step_)
+  if (!every_step_ && world.planar == nullptr)
     for (const Frame &frame : world.frames)
       largest = std::max(largest, frame.velocity.norm_square());
+  else if (!every_step_)
+    {
+      largest = world.planar->fastest_square();
+      for (const World::Hub &hub : world.hubs)
+        largest = std::max(largest, world.frames[hub.body].velocity.norm_square());
+    }
   const double approach = 2. * std::sqrt(largest) * dt;
 
   const bool due = every_step_ || cadence_.is_due(approach);
   if (due)
     {
+      if (world.planar != nullptr)
+        world.planar->publish(world);
       for (const auto &family : families_)
         family->search(world, reach_);
       cadence_.restart(reach_);

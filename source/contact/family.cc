@@ -7,8 +7,26 @@ namespace chaindrive::contact
 {
 unsigned int Family::n_touching() const
 {
+  records();
   return static_cast<unsigned int>(std::count_if(
       states_.begin(), states_.end(), [](const TouchState &s) { return s.normal > 0.; }));
+}
+
+void Family::add_joint_forces(std::vector<dealii::Tensor<1, 3>> &forces) const
+{
+  for (const Record &record : records())
+    forces[record.joint] += record.force;
+}
+
+double Family::add_normal_forces(std::vector<double> &forces) const
+{
+  double deepest = 0.;
+  for (const Record &record : records())
+    {
+      forces[record.joint] += record.force * record.normal;
+      deepest = std::max(deepest, -record.gap);
+    }
+  return deepest;
 }
 
 namespace
@@ -51,6 +69,7 @@ void Family::unpack_records(const unsigned int         rank,
 
 void Family::serialize(const Archive &archive, const unsigned int rank)
 {
+  records(); // as they are now
   archive.numbers("records", records_);
   if (!is_distributed())
     archive.numbers("states", states_);

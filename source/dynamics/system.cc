@@ -24,6 +24,8 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 
   for (Rim &rim : world.rims)
     rim.find_seam(world.copies[rim.group]);
+  publishes_ = world.planar != nullptr &&
+               (!forces.empty() || contacts.reads_frames() || bars.reads_frames(world));
   const bool strained = scene.at_speed && world.has_elastic_bodies();
   if (strained)
     Relaxation(scene, comm).strain(world);
@@ -104,6 +106,8 @@ void System::evaluate(const Step &step)
   else
     world.clear_resultants();
   forces_on_nodes_ = !step.moves;
+  if (publishes_)
+    world.planar->publish(world);
   if (world.is_first_rank())
     loads.add_forces(world, step.dt);
   if (world.is_first_rank() && (bars.size() > 0 || !forces.empty()))

@@ -13,8 +13,75 @@ Bars::Bars(const std::vector<scene::Bar> &bars)
     length_.push_back(bar.length);
 }
 
+bool Bars::reads_frames(const World &world) const
+{
+  return world.planar == nullptr ||
+         std::any_of(bars_.begin(), bars_.end(), [&world](const scene::Bar &bar) {
+           return world.planar->slot_of(bar.first) == PlanarBodies::none ||
+                  world.planar->slot_of(bar.second) == PlanarBodies::none;
+         });
+}
+
+void Bars::make_runs(const PlanarBodies &bodies)
+{
+  for (unsigned int i = 0; i < bars_.size(); ++i)
+    {
+      const unsigned int first  = bodies.slot_of(bars_[i].first),
+                         second = bodies.slot_of(bars_[i].second);
+      if (runs_.empty() || first != runs_.back().first + runs_.back().n ||
+          second != runs_.back().second + runs_.back().n)
+        runs_.push_back({first, second, i, 0, {}});
+      ++runs_.back().n;
+    }
+  for (Run &run : runs_)
+    {
+      const unsigned int n = n_computed_of(run.n);
+      run.numbers.resize(6 * n, 0.);
+      for (unsigned int i = 0; i < run.n; ++i)
+        {
+          const scene::Bar &bar  = bars_[run.begin + i];
+          run.numbers[i]         = bar.length;
+          run.numbers[n + i]     = bar.stiffness;
+          run.numbers[2 * n + i] = bar.damping;
+        }
+    }
+}
+
+void Bars::add_in_plane(World &world, const double dt)
+{
+  if (runs_.empty())
+    make_runs(*world.planar);
+  for (Run &run : runs_)
+    {
+      const unsigned int n       = n_computed_of(run.n);
+      double            *numbers = run.numbers.begin();
+      PlanarBars         bars{run.first,
+                      run.second,
+                      n,
+                      numbers,
+                      numbers + n,
+                      numbers + 2 * n,
+                      numbers + 3 * n,
+                      numbers + 4 * n,
+                      numbers + 5 * n,
+                      0.,
+                      0.};
+      std::copy_n(length_.begin() + run.begin, run.n, bars.length);
+      std::copy_n(viscous_.begin() + run.begin, run.n, bars.viscous);
+      world.planar->kernels().stretch(world.planar->slots(), bars);
+      std::copy_n(bars.tension, run.n, tension_.begin() + run.begin);
+      std::copy_n(bars.length, run.n, length_.begin() + run.begin);
+      std::copy_n(bars.viscous, run.n, viscous_.begin() + run.begin);
+      world.ledger.bar += bars.energy;
+      if (dt > 0.)
+        world.ledger.chain_damping += bars.loss;
+    }
+}
+
 void Bars::add_forces(World &world, const double dt)
 {
+  if (!runs_.empty() || !reads_frames(world))
+    return add_in_plane(world, dt);
   double  strain_energy = 0., loss = 0.;
   double *force = world.force.begin();
   for (unsigned int i = 0; i < bars_.size(); ++i)

@@ -15,7 +15,14 @@ Loads::Loads(const scene::Scene &scene)
 void Loads::add_forces(World &world, const double dt)
 {
   const double share = world.symmetry.share(1.); // sum_over_ranks() makes it whole
-  if (gravity_ != 0.)
+  if (world.planar != nullptr && (gravity_ != 0. || drag_ != 0.))
+    {
+      PlanarLoads loads{gravity_, drag_, 0., 0.};
+      world.planar->kernels().load(world.planar->slots(), loads);
+      world.ledger.potential += loads.potential;
+      world.ledger.drag += loads.power * dt;
+    }
+  else if (gravity_ != 0.)
     for (unsigned int b = 0; b < world.n_bodies(); ++b)
       if (world.inverse_mass[b] > 0.)
         {
@@ -33,7 +40,7 @@ void Loads::add_forces(World &world, const double dt)
           world.moment.local_element(3 * hub.body + 2) -= arm[0] * weight;
           world.ledger.potential += weight * (arm - hub.arm)[1];
         }
-  if (drag_ != 0.)
+  if (drag_ != 0. && world.planar == nullptr)
     for (unsigned int b = 0; b < world.n_bodies(); ++b)
       if (world.inverse_mass[b] > 0.)
         {

@@ -303,6 +303,10 @@ void check_model(const Parameters &p, Findings &findings)
 /// What is switched on or off in an elastic model must fit together.
 void check_elasticity(const Parameters &p, const Effects &effects, Findings &findings)
 {
+  if (const Decision &planar = effects.of(Effect::planar_motion); !planar.on)
+    findings.contradiction(p.effects.planar_motion == Switch::on,
+                           "Effects/Planar motion = on is not possible: " + planar.reason +
+                               "; choose auto or off.");
   const parameters::Effects &entries    = p.effects;
   const std::string          chosen     = chosen_fidelity(p);
   const bool                 elastic    = p.model.capabilities().is_elastic;

@@ -224,6 +224,28 @@ Decision symmetry_model(const Parameters &p,
           "the middle plane is a plane of symmetry, and nothing asked for needs both halves"};
 }
 
+/// Why bodies may leave the plane of the chain; empty if nothing can take them out of it.
+std::string what_leaves_plane(const Parameters &p)
+{
+  for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
+    if (!sprocket.mesh.empty())
+      return "an imported mesh may lack symmetry";
+  for (const std::string &path : p.sections.active("Additions"))
+    return path + " may push across the chain";
+  return "";
+}
+
+Decision planar_motion(const Parameters &p)
+{
+  constexpr Effect effect = Effect::planar_motion;
+  if (is_elastic(p))
+    return {effect, false, "elastic bodies move in space"};
+  if (p.effects.planar_motion == Switch::off)
+    return {effect, false, switched(Switch::off, "Effects")};
+  const std::string what = what_leaves_plane(p);
+  return {effect, what.empty(), what.empty() ? "nothing leaves the plane of the chain" : what};
+}
+
 Decision
 stress_recovery(const Parameters &p, const bool links, const bool rollers, const bool pictures)
 {
@@ -350,6 +372,7 @@ Effects decide_effects(const Parameters &p)
               selective_mass_scaling(p, rollers.on),
               faces,
               symmetry_model(p, links.on, rollers.on, faces.on, pictures.on),
+              planar_motion(p),
               pictures,
               stress_recovery(p, links.on, rollers.on, pictures.on),
               start_up(p)});

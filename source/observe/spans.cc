@@ -47,8 +47,7 @@ void Spans::joint_forces(const dynamics::System &system)
   for (dealii::Tensor<1, 3> &force : pin_force_)
     force = dealii::Tensor<1, 3>();
   for (const contact::Family *family : joints_)
-    for (const contact::Record &record : family->records())
-      pin_force_[record.joint] += record.force;
+    family->add_joint_forces(pin_force_);
 
   const unsigned int n = scene_.drive.n_joints;
   for (unsigned int k = 0; k < n; ++k)

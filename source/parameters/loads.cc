@@ -73,6 +73,12 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
       "surfaces of the plates, and with them the links, do not move across the chain; plates may "
       "still become thinner, so they stay in plane stress. In-plane bending is part of elastic "
       "links: without it only the deformation of a bar would be left, which is simple fidelity.");
+  effect("Planar motion",
+         planar_motion,
+         "Rigid links and rollers move in the plane of the chain, in three degrees of freedom; "
+         "simple and layered fidelity only. The results are the same to round-off, which impacts "
+         "amplify, and a run takes a fraction of the time. auto: on where nothing can leave the "
+         "plane. off: in space, in six.");
 }
 
 namespace

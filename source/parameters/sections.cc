@@ -60,6 +60,15 @@ void Sections::declare(Declarations &declarations)
     }
 }
 
+std::vector<std::string> Sections::active(const std::string &heading) const
+{
+  std::vector<std::string> paths;
+  for (const auto &[path, section] : sections_)
+    if (heading_of(path) == heading && section->is_active())
+      paths.push_back(path);
+  return paths;
+}
+
 std::vector<std::string> Sections::inactive() const
 {
   std::vector<std::string> paths;

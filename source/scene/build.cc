@@ -127,6 +127,7 @@ Scene build_scene(const model::Model             &model,
   scene.effects     = model.effects;
   scene.loads       = model.loads;
   scene.half        = model.effects.is_on(Effect::symmetry_model);
+  scene.planar      = model.effects.is_on(Effect::planar_motion);
   scene.plates_bend = model.effects.is_on(Effect::plate_bending);
   scene.at_speed    = !model.effects.is_on(Effect::start_up);
   scene.notes       = drive.notes;

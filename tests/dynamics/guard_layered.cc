@@ -65,13 +65,15 @@ int main()
   // not all contacts are closed: 1.3 times as much does not yet blow up within 100 steps
   sound().expect_stop("step 1.6 times the limit", {"nergy", "Where: "}, {}, {}, 1.6 / 0.08);
 
-  Drive broken                                           = sound();
-  broken.system.world.velocity.local_element(3 * 17 + 1) = std::numeric_limits<double>::quiet_NaN();
+  Drive broken = sound();
+  set_velocity(broken.system, 17, 1, std::numeric_limits<double>::quiet_NaN());
   broken.expect_stop(
       "a velocity is not a number", {"not a number", "Where: roller 17 (position)"}, {});
   Drive spins = sound();
   for (World::Rotation &rotation : spins.system.world.rotations)
     if (rotation.body == 17)
       rotation.momentum[2] = std::numeric_limits<double>::quiet_NaN();
+  if (const PlanarBodies *planar = spins.system.world.planar)
+    planar->slots().of(planar_spin)[planar->slot_of(17)] = std::numeric_limits<double>::quiet_NaN();
   spins.expect_stop("a spin is not a number", {"not a number", "Where: roller 17 (spin)"}, {});
 }

@@ -84,8 +84,8 @@ int main()
   Drive(smooth, 2000, 0.08)
       .expect_stop("step 1.3 times the limit", {"nergy", "roller"}, {}, {}, 1.3 / 0.08);
 
-  Drive broken                                       = sound();
-  broken.system.world.velocity.local_element(3 * 17) = std::numeric_limits<double>::quiet_NaN();
+  Drive broken = sound();
+  set_velocity(broken.system, 17, 0, std::numeric_limits<double>::quiet_NaN());
   broken.expect_stop(
       "a velocity is not a number", {"not a number", "Where: roller 17 (position)"}, {});
 }

@@ -169,6 +169,9 @@ def models():
         if name == "Tooth compliance":
             full["then"] = "for elastic rollers on a rigid sprocket"
         yield (none + ", or Model/Fidelity = full", {**SMALL, E + name: "on"}, [{E + name: "auto"}, {E + name: "off"}, full])
+    planar = "Planar motion = on is not possible: .*; choose auto or off"
+    for more in (FULL, REDUCED):
+        yield (planar, {**more, E + "Planar motion": "on"}, [{E + "Planar motion": "auto"}, {E + "Planar motion": "off"}])
     arriving = {**FULL, M + "Elastic links": "region of interest", END: 3, WINDOW: 1}
     for entry in (E + "Elastic driver", E + "Elastic driven", M + "Elastic sprockets"):
         yield ("in which all sprockets are rigid; choose auto or off, or Elastic links = all", {**arriving, entry: "on"},

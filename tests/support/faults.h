@@ -44,6 +44,15 @@ inline void push(System &system, const unsigned int body, const Vector3 &force)
     system.world.force.local_element(3 * body + d) += force[d];
 }
 
+/// Component @p d of the velocity of @p body, which moves freely, becomes @p v [m/s].
+inline void
+set_velocity(System &system, const unsigned int body, const unsigned int d, const double v)
+{
+  system.world.velocity.local_element(3 * body + d) = v;
+  if (PlanarBodies *planar = system.world.planar)
+    planar->slots().of(planar_velocity + d)[planar->slot_of(body)] = v;
+}
+
 /// Whether a message of the guard has the path of an entry in it.
 inline bool names_an_entry(const std::string &message)
 {
@@ -131,6 +140,8 @@ public:
     system.evaluate_and_move(h);
     if (on_bodies)
       on_bodies(system);
+    if (system.world.planar != nullptr)
+      system.world.planar->take_forces(system.world);
     dynamics::second_half(system.world, step);
     system.world.ledger.kinetic += system.world.kinetic_energy();
   }

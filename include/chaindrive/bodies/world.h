@@ -5,6 +5,7 @@
 #include <chaindrive/bodies/body_groups.h>
 #include <chaindrive/bodies/ledger.h>
 #include <chaindrive/bodies/node_exchange.h>
+#include <chaindrive/bodies/planar_bodies.h>
 #include <chaindrive/bodies/rim.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/archive.h>
@@ -210,6 +211,9 @@ public:
 
   /// How all of this moves: rigid bodies, hubs, then one group for each of the copies.
   BodyGroups groups;
+
+  /// That one of the groups which moves free bodies in the plane; null: they move in space.
+  PlanarBodies *planar = nullptr;
 
   double time = 0.; ///< s
   Ledger ledger;

@@ -65,6 +65,9 @@ public:
 
   const PointerList<Family> &families() const { return families_; }
 
+  /// Family::reads_frames() of any of them.
+  bool reads_frames() const { return reads_frames_; }
+
   /// The families of @p interface: one for rigid bodies, one for elastic ones, or none.
   std::vector<const Family *> find(const scene::InterfaceOf &interface) const;
 
@@ -76,11 +79,12 @@ public:
 
 private:
   /// Returns whether it was.
-  bool search_if_due(const World &world, double dt);
+  bool search_if_due(World &world, double dt);
 
   OwningList<Family>               families_;
   bool                             every_step_;
   bool                             needs_search_ = false;
+  bool                             reads_frames_;
   double                           reach_;   ///< m
   SearchCadence                    cadence_; ///< of approach, m
   NearFlanks                       near_flanks_;

@@ -86,8 +86,25 @@ public:
   const std::string         &name() const { return name_; } ///< in words
   const scene::InterfaceOf  &interface() const { return interface_; }
   const scene::ContactLaw   &law() const { return law_; }
-  const std::vector<Record> &records() const { return records_; }
-  unsigned int               n_touching() const;
+  const std::vector<Record> &records() const
+  {
+    if (stale_)
+      update_records();
+    stale_ = false;
+    return records_;
+  }
+
+  /// Adds to @p forces, by joint, the forces of the records on the slaves [N].
+  virtual void add_joint_forces(std::vector<dealii::Tensor<1, 3>> &forces) const;
+
+  /// Adds to @p forces, by joint, their parts along the normals [N]; returns the largest
+  /// penetration, or 0 where nothing touches [m].
+  virtual double add_normal_forces(std::vector<double> &forces) const;
+
+  /// Whether add_forces() looks at frames of free bodies: not where all of them are PlanarBodies.
+  virtual bool reads_frames() const { return true; }
+
+  unsigned int n_touching() const;
 
   std::size_t memory_consumption() const
   {
@@ -110,6 +127,12 @@ protected:
     records_.push_back(record);
   }
 
+  /// Completes records and states after records_are_stale().
+  virtual void update_records() const {}
+
+  /// Forces have been evaluated, and neither records nor states follow them until somebody asks.
+  void records_are_stale() { stale_ = true; }
+
   /// What pair @p i of a family that is distributed remembers.
   virtual void serialize_pair(const unsigned int i, const Archive &archive)
   {
@@ -126,15 +149,16 @@ protected:
       smallest_radius_ = std::min(smallest_radius_, radius);
   }
 
-  std::string               name_;
-  scene::InterfaceOf        interface_;
-  scene::ContactLaw         law_; ///< of one pair
-  std::vector<Record>       records_;
-  std::vector<TouchState>   states_;
-  std::vector<unsigned int> owner_; ///< rank that evaluates the pair; empty: the first one
-  unsigned long             n_missed_ = 0;
+  std::string                     name_;
+  scene::InterfaceOf              interface_;
+  scene::ContactLaw               law_; ///< of one pair
+  mutable std::vector<Record>     records_;
+  mutable std::vector<TouchState> states_;
+  std::vector<unsigned int>       owner_; ///< rank that evaluates the pair; empty: the first one
+  unsigned long                   n_missed_ = 0;
 
 private:
-  double smallest_radius_ = std::numeric_limits<double>::infinity(); ///< of the slaves, m
+  mutable bool stale_           = false;
+  double       smallest_radius_ = std::numeric_limits<double>::infinity(); ///< of the slaves, m
 };
 } // namespace chaindrive::contact

@@ -10,14 +10,14 @@
 
 namespace chaindrive::contact
 {
-/// What one slave point remembers from step to step.
-template <typename Number>
+/// What one slave point remembers from step to step. Of motion in the plane there is one tangent.
+template <typename Number, int n_tangents = 2>
 struct TouchStateOf
 {
-  Number penetration{};   ///< penetration of the last evaluation, m; 0 when apart
-  Number normal{};        ///< force along the master's normal, N, never negative
-  Number slip[2]{};       ///< elastic part of the slip in the master's tangents, m
-  Number tangential[2]{}; ///< force on the slave along the master's tangents, N
+  Number penetration{};            ///< penetration of the last evaluation, m; 0 when apart
+  Number normal{};                 ///< force along the master's normal, N, never negative
+  Number slip[n_tangents]{};       ///< elastic part of the slip in the master's tangents, m
+  Number tangential[n_tangents]{}; ///< force on the slave along the master's tangents, N
 };
 
 using TouchState = TouchStateOf<double>;
@@ -49,10 +49,11 @@ struct PointApproach
 
   /// The work of the normal force over the step, by the trapezoidal rule, is stored in the spring
   /// or lost in the dashpot.
-  CHAINDRIVE_ALWAYS_INLINE void book(const scene::ContactLawOf<Number> &law,
-                                     const TouchStateOf<Number>        &before,
-                                     const TouchStateOf<Number>        &now,
-                                     ContactEnergies<Number>           &energies) const
+  template <int n_tangents>
+  CHAINDRIVE_ALWAYS_INLINE void book(const scene::ContactLawOf<Number>      &law,
+                                     const TouchStateOf<Number, n_tangents> &before,
+                                     const TouchStateOf<Number, n_tangents> &now,
+                                     ContactEnergies<Number>                &energies) const
   {
     const Number half(0.5);
     const Number stored_before = half * law.stiffness * before.penetration * before.penetration;
@@ -79,10 +80,11 @@ struct NodeApproach
 
   /// What the normal force is more than that of the spring is the dashpot's, whose work over the
   /// step is lost.
-  CHAINDRIVE_ALWAYS_INLINE void book(const scene::ContactLawOf<Number> &law,
-                                     const TouchStateOf<Number>        &before,
-                                     const TouchStateOf<Number>        &now,
-                                     ContactEnergies<Number>           &energies) const
+  template <int n_tangents>
+  CHAINDRIVE_ALWAYS_INLINE void book(const scene::ContactLawOf<Number>      &law,
+                                     const TouchStateOf<Number, n_tangents> &before,
+                                     const TouchStateOf<Number, n_tangents> &now,
+                                     ContactEnergies<Number>                &energies) const
   {
     const Number half(0.5);
     const Number spring = law.stiffness * now.penetration;
@@ -97,6 +99,11 @@ template <typename Number>
 CHAINDRIVE_ALWAYS_INLINE Number length(const Number (&v)[2])
 {
   return square_root(v[0] * v[0] + v[1] * v[1]);
+}
+template <typename Number>
+CHAINDRIVE_ALWAYS_INLINE Number length(const Number (&v)[1])
+{
+  return greatest(v[0], Number(0.) - v[0]);
 }
 
 /// Penalty force with damping and Coulomb friction at one instant.
@@ -117,17 +124,17 @@ CHAINDRIVE_ALWAYS_INLINE Number length(const Number (&v)[2])
 /// @p approach tells penetration d [m] and gap rate g' [m/s]; @p slip_rate s' is the velocity of
 /// the slave's material relative to the master's along the two tangents [m/s]; @p dt the time since
 /// the last evaluation [s]. Without friction @p touch keeps what it has of slip.
-template <typename Number, typename Approach>
+template <typename Number, int n_tangents, typename Approach>
 CHAINDRIVE_ALWAYS_INLINE void update_touch(const scene::ContactLawOf<Number> &law,
                                            const Approach                    &approach,
-                                           const Number (&slip_rate)[2],
-                                           const Number             dt,
-                                           const bool               with_friction,
-                                           TouchStateOf<Number>    &touch,
-                                           ContactEnergies<Number> &energies)
+                                           const Number (&slip_rate)[n_tangents],
+                                           const Number                      dt,
+                                           const bool                        with_friction,
+                                           TouchStateOf<Number, n_tangents> &touch,
+                                           ContactEnergies<Number>          &energies)
 {
-  const Number               zero(0.), half(0.5);
-  const TouchStateOf<Number> before = touch;
+  const Number                           zero(0.), half(0.5);
+  const TouchStateOf<Number, n_tangents> before = touch;
 
   touch.penetration = approach.penetration();
   touch.normal =
@@ -143,14 +150,14 @@ CHAINDRIVE_ALWAYS_INLINE void update_touch(const scene::ContactLawOf<Number> &la
   const auto   within_limit = [&limit](const Number &size) {
     return if_less(limit, size, limit / size, Number(1.));
   };
-  Number increment[2], elastic[2];
-  for (int d = 0; d < 2; ++d)
+  Number increment[n_tangents], elastic[n_tangents];
+  for (int d = 0; d < n_tangents; ++d)
     {
       increment[d] = dt * slip_rate[d];
       elastic[d]   = before.slip[d] + increment[d];
     }
   const Number elastic_part = within_limit(law.tangential_stiffness * length(elastic));
-  for (int d = 0; d < 2; ++d)
+  for (int d = 0; d < n_tangents; ++d)
     {
       touch.slip[d] = elastic_part * elastic[d];
       touch.tangential[d] =
@@ -158,7 +165,7 @@ CHAINDRIVE_ALWAYS_INLINE void update_touch(const scene::ContactLawOf<Number> &la
     }
   const Number part = within_limit(length(touch.tangential));
   Number       work(0.), stored(0.), stored_before(0.);
-  for (int d = 0; d < 2; ++d)
+  for (int d = 0; d < n_tangents; ++d)
     {
       touch.tangential[d] = part * touch.tangential[d];
       work += (before.tangential[d] + touch.tangential[d]) * increment[d];

@@ -64,8 +64,9 @@ private:
   /// Books the kinetic energy of rigid and lumped bodies at full steps.
   void close_ledger();
 
-  std::vector<Step::Program> programs_;                ///< of each hub, of the last step made
-  bool                       started_         = false; ///< NodalGroup::start() has been called
+  std::vector<Step::Program> programs_;          ///< of each hub, of the last step made
+  bool                       publishes_ = false; ///< frames of PlanarBodies in each evaluation
+  bool                       started_   = false; ///< NodalGroup::start() has been called
   bool                       forces_on_nodes_ = false; ///< from evaluate_forces(), not used up yet
 
   PhaseTimer::Phase internal_force_ = PhaseTimer::rest, integration_ = PhaseTimer::rest,

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/bodies/planar_bodies.h>
 #include <chaindrive/forces/force_element.h>
 #include <chaindrive/scene/interface.h>
+
+#include <deal.II/base/aligned_vector.h>
 
 #include <vector>
 
@@ -22,6 +25,9 @@ public:
   /// Books in Ledger::bar and Ledger::chain_damping.
   void add_forces(World &world, double dt) override;
 
+  /// Whether add_forces() looks at frames: not where all bars are between PlanarBodies.
+  bool reads_frames(const World &world) const;
+
   /// The bars along their present axes.
   void add_springs(const World &world, std::vector<Spring> &springs) const override;
 
@@ -37,7 +43,19 @@ public:
   }
 
 private:
+  /// Bars of which both slots of PlanarBodies grow by one from each to the next.
+  struct Run
+  {
+    unsigned int                  first, second; ///< slots of the first one
+    unsigned int                  begin, n;      ///< bars
+    dealii::AlignedVector<double> numbers;       ///< [entry of PlanarBars][bar]
+  };
+
+  void add_in_plane(World &world, double dt);
+  void make_runs(const PlanarBodies &bodies);
+
   std::vector<scene::Bar> bars_;
+  std::vector<Run>        runs_;
   std::vector<double>     tension_;
   std::vector<double>     length_;  ///< at the last evaluation, m
   std::vector<double>     viscous_; ///< part of the tension, at the last evaluation, N

@@ -29,6 +29,7 @@ enum class Effect
   selective_mass_scaling,
   plate_faces,
   symmetry_model,
+  planar_motion,
   fields,
   stress_recovery,
   start_up
@@ -38,7 +39,7 @@ enum class Effect
 namespace chaindrive::parameters
 {
 template <>
-inline constexpr Texts<model::Effect, 20> texts_of<model::Effect>{
+inline constexpr Texts<model::Effect, 21> texts_of<model::Effect>{
     {{model::Effect::roller_bush_clearance, "roller-bush clearance"},
      {model::Effect::bush_pin_clearance, "bush-pin clearance"},
      {model::Effect::chain_bars, "chain bars"},
@@ -56,6 +57,7 @@ inline constexpr Texts<model::Effect, 20> texts_of<model::Effect>{
      {model::Effect::selective_mass_scaling, "selective mass scaling"},
      {model::Effect::plate_faces, "plate faces"},
      {model::Effect::symmetry_model, "symmetry model"},
+     {model::Effect::planar_motion, "planar motion"},
      {model::Effect::fields, "fields"},
      {model::Effect::stress_recovery, "stress recovery"},
      {model::Effect::start_up, "start-up"}}};

@@ -55,6 +55,7 @@ struct Effects
   Switch elastic_rollers  = Switch::automatic; ///< needs them, see model/needs.h
   Switch plate_bending    = Switch::automatic; ///< automatic: on in elastic links
   Switch tooth_compliance = Switch::automatic; ///< automatic: on under reduced rollers
+  Switch planar_motion    = Switch::automatic; ///< automatic: on where nothing leaves the plane
 
   /// Declares an entry for each member and for Sprocket::elastic of each of @p sprockets, which
   /// takes every value that is set. The objects must outlive @p declarations.

@@ -87,6 +87,9 @@ public:
     return dynamic_cast<Kind &>(*sections_.at(path));
   }
 
+  /// Paths of those below @p heading that are Section::is_active().
+  std::vector<std::string> active(const std::string &heading) const;
+
   /// Paths of those that are not Section::is_active().
   std::vector<std::string> inactive() const;
 

@@ -145,6 +145,7 @@ struct Scene
   double             start_time  = 0.;    ///< s
   double             prestress   = 0.;    ///< N, in the spans at the start
   bool               half        = false; ///< elastic bodies are halves, see mesh::Part::half
+  bool               planar      = false; ///< free bodies do not leave the plane z = const
   bool               plates_bend = true;  ///< of elastic links, out of their planes
   bool               at_speed    = false; ///< the drive starts at full speed
   std::map<PartOf, std::shared_ptr<const mesh::Part>>       parts;   ///< those that somebody needs

@@ -29,22 +29,26 @@ struct VectorOf;
 template <>
 struct VectorOf<double, 1>
 {
-  using type = double;
+  using type      = double;
+  using unaligned = double;
 };
 template <>
 struct VectorOf<double, 2>
 {
-  using type = double __attribute__((vector_size(16), may_alias));
+  using type      = double __attribute__((vector_size(16), may_alias));
+  using unaligned = double __attribute__((vector_size(16), may_alias, aligned(8)));
 };
 template <>
 struct VectorOf<double, 4>
 {
-  using type = double __attribute__((vector_size(32), may_alias));
+  using type      = double __attribute__((vector_size(32), may_alias));
+  using unaligned = double __attribute__((vector_size(32), may_alias, aligned(8)));
 };
 template <>
 struct VectorOf<double, 8>
 {
-  using type = double __attribute__((vector_size(64), may_alias));
+  using type      = double __attribute__((vector_size(64), may_alias));
+  using unaligned = double __attribute__((vector_size(64), may_alias, aligned(8)));
 };
 
 /// @p width numbers that take part in one operation together. A plain number takes part with the
@@ -67,6 +71,18 @@ struct Pack
     return r;
   }
   CHAINDRIVE_ALWAYS_INLINE void store(Number *p) const { *reinterpret_cast<Vector *>(p) = v; }
+
+  /// The same wherever @p p points to.
+  static CHAINDRIVE_ALWAYS_INLINE Pack load_unaligned(const Number *p)
+  {
+    Pack r;
+    r.v = *reinterpret_cast<const typename VectorOf<Number, width>::unaligned *>(p);
+    return r;
+  }
+  CHAINDRIVE_ALWAYS_INLINE void store_unaligned(Number *p) const
+  {
+    *reinterpret_cast<typename VectorOf<Number, width>::unaligned *>(p) = v;
+  }
 
   CHAINDRIVE_ALWAYS_INLINE Pack &operator+=(const Pack &b)
   {
@@ -106,6 +122,15 @@ struct Pack
       return v;
     else
       return v[i];
+  }
+
+  /// Puts @p x into place @p i of @p a.
+  friend CHAINDRIVE_ALWAYS_INLINE void set_lane(Pack &a, const int i, const Number x)
+  {
+    if constexpr (width == 1)
+      a.v = x;
+    else
+      a.v[i] = x;
   }
 
   /// In each place, @p a where @p x < @p y and @p b elsewhere.

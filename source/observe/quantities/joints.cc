@@ -75,11 +75,7 @@ public:
       {
         std::fill(kind.force.begin(), kind.force.end(), 0.);
         for (const contact::Family *family : kind.families)
-          for (const contact::Record &record : family->records())
-            {
-              kind.force[record.joint] += record.force * record.normal;
-              kind.penetration = std::max(kind.penetration, -record.gap);
-            }
+          kind.penetration = std::max(kind.penetration, family->add_normal_forces(kind.force));
         for (unsigned int k = 0; k < kind.force.size(); ++k)
           kind.peak[k] = std::max(kind.peak[k], kind.force[k]);
       }

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+// Bodies of the kernels of planar_kernels.h, for `width` bodies at a time.
+
+#include <chaindrive/bodies/planar_kernels.h>
+#include <chaindrive/utilities/pack.h>
+
+namespace chaindrive::packed
+{
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE double sum_of(const Pack<double, width> &p)
+{
+  double sum = 0.;
+  for (int i = 0; i < width; ++i)
+    sum += p[i];
+  return sum;
+}
+
+/// Cosine and sine of @p angle [rad]. The series are exact to round-off up to 0.05; beyond that the
+/// angle is halved six times and then doubled as often.
+template <typename P>
+CHAINDRIVE_ALWAYS_INLINE void cosine_and_sine(P angle, P &cosine, P &sine)
+{
+  const bool large = any_less(P(0.0025), angle * angle);
+  if (large)
+    angle = angle * P(1. / 64.);
+  const P square = angle * angle;
+  sine = angle * (P(1.) - square * (P(1. / 6.) - square * (P(1. / 120.) - square * P(1. / 5040.))));
+  // 1 - cos: what is small is not lost beside 1
+  P versed = square *
+             (P(0.5) - square * (P(1. / 24.) - square * (P(1. / 720.) - square * P(1. / 40320.))));
+  if (large)
+    for (int i = 0; i < 6; ++i)
+      {
+        const P doubled = P(2.) * sine * (P(1.) - versed);
+        versed          = P(2.) * sine * sine;
+        sine            = doubled;
+      }
+  cosine = P(1.) - versed;
+}
+
+template <int width>
+void kick_planar(PlanarSlots bodies, const double h)
+{
+  using P = Pack<double, width>;
+  for (unsigned int i = 0; i < bodies.n_slots; i += width)
+    {
+      const auto add =
+          [&](const unsigned int rate, const unsigned int inverse, const unsigned int f) {
+            double *at = bodies.of(rate) + i;
+            (P::load(at) + P(h) * P::load(bodies.of(inverse) + i) * P::load(bodies.of(f) + i))
+                .store(at);
+          };
+      add(planar_velocity, planar_inverse_mass, planar_force);
+      add(planar_velocity + 1, planar_inverse_mass, planar_force + 1);
+      add(planar_spin, planar_inverse_inertia, planar_moment);
+    }
+}
+
+template <int width>
+double drift_planar(PlanarSlots bodies, const double dt)
+{
+  using P = Pack<double, width>;
+  P fastest(0.);
+  for (unsigned int i = 0; i < bodies.n_slots; i += width)
+    {
+      P square(0.);
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          const P v = P::load(bodies.of(planar_velocity + d) + i);
+          const P u = P::load(bodies.of(planar_displacement + d) + i) + P(dt) * v;
+          u.store(bodies.of(planar_displacement + d) + i);
+          (P::load(bodies.of(planar_origin + d) + i) + u).store(bodies.of(planar_position + d) + i);
+          square += v * v;
+        }
+      fastest = greatest(fastest, square);
+
+      P turned[2];
+      cosine_and_sine(P(dt) * P::load(bodies.of(planar_follows_rotation) + i) *
+                          P::load(bodies.of(planar_spin) + i),
+                      turned[0],
+                      turned[1]);
+      const P before[2] = {P::load(bodies.of(planar_rotation) + i),
+                           P::load(bodies.of(planar_rotation + 1) + i)};
+      const P after[2]  = {before[0] * turned[0] - before[1] * turned[1],
+                           before[1] * turned[0] + before[0] * turned[1]};
+      // round-off lets the length drift: one step of Newton's method sets it back
+      const P length = P(1.5) - P(0.5) * (after[0] * after[0] + after[1] * after[1]);
+      for (unsigned int d = 0; d < 2; ++d)
+        (length * after[d]).store(bodies.of(planar_rotation + d) + i);
+    }
+  double most = 0.;
+  for (int i = 0; i < width; ++i)
+    most = most < fastest[i] ? fastest[i] : most;
+  return most;
+}
+
+template <int width>
+void load_planar(PlanarSlots bodies, PlanarLoads &loads)
+{
+  using P = Pack<double, width>;
+  P potential(0.), power(0.);
+  for (unsigned int i = 0; i < bodies.n_slots; i += width)
+    {
+      const P mass = P::load(bodies.of(planar_mass) + i), weight = P(loads.gravity) * mass,
+              drag = P(loads.drag) * mass;
+      potential += weight * P::load(bodies.of(planar_displacement + 1) + i);
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          const P v  = P::load(bodies.of(planar_velocity + d) + i);
+          double *at = bodies.of(planar_force + d) + i;
+          (P::load(at) - drag * v - (d == 1 ? weight : P(0.))).store(at);
+          power += drag * v * v;
+        }
+    }
+  loads.potential = sum_of(potential);
+  loads.power     = sum_of(power);
+}
+
+template <int width>
+double kinetic_energy_of_planar(PlanarSlots bodies)
+{
+  using P = Pack<double, width>;
+  P energy(0.);
+  for (unsigned int i = 0; i < bodies.n_slots; i += width)
+    {
+      const P x    = P::load(bodies.of(planar_velocity) + i),
+              y    = P::load(bodies.of(planar_velocity + 1) + i),
+              spin = P::load(bodies.of(planar_spin) + i);
+      energy += P::load(bodies.of(planar_mass) + i) * (x * x + y * y) +
+                P::load(bodies.of(planar_inertia) + i) * spin * spin;
+    }
+  return 0.5 * sum_of(energy);
+}
+
+template <int width>
+void stretch_planar(PlanarSlots bodies, PlanarBars &bars)
+{
+  using P = Pack<double, width>;
+  P energy(0.), loss(0.);
+  for (unsigned int i = 0; i < bars.n; i += width)
+    {
+      P between[2], rate(0.), square(0.);
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          const double *x = bodies.of(planar_position + d);
+          between[d] =
+              P::load_unaligned(x + bars.second + i) - P::load_unaligned(x + bars.first + i);
+          square += between[d] * between[d];
+        }
+      const P length = greatest(square_root(square), P(1e-300)), inverse = P(1.) / length;
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          const double *v = bodies.of(planar_velocity + d);
+          between[d]      = inverse * between[d];
+          rate += between[d] *
+                  (P::load_unaligned(v + bars.second + i) - P::load_unaligned(v + bars.first + i));
+        }
+      const P longer  = length - P::load(bars.unloaded + i);
+      const P elastic = P::load(bars.stiffness + i) * longer;
+      const P viscous = P::load(bars.damping + i) * rate;
+      const P tension = elastic + viscous;
+      tension.store(bars.tension + i);
+      energy += elastic * longer;
+      loss += (P::load(bars.viscous + i) + viscous) * (length - P::load(bars.length + i));
+      viscous.store(bars.viscous + i);
+      length.store(bars.length + i);
+      // one after the other: a body may be in both slots
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          const P pull = tension * between[d];
+          double *f    = bodies.of(planar_force + d);
+          (P::load_unaligned(f + bars.first + i) + pull).store_unaligned(f + bars.first + i);
+          (P::load_unaligned(f + bars.second + i) - pull).store_unaligned(f + bars.second + i);
+        }
+    }
+  bars.energy += 0.5 * sum_of(energy);
+  bars.loss += 0.5 * sum_of(loss);
+}
+
+template <int width>
+constexpr PlanarKernels make_planar_kernels()
+{
+  return {width,
+          &kick_planar<width>,
+          &drift_planar<width>,
+          &load_planar<width>,
+          &kinetic_energy_of_planar<width>,
+          &stretch_planar<width>};
+}
+} // namespace chaindrive::packed

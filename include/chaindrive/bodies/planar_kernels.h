@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+// Plain structures and plain pointers only: the kernels are compiled for several instruction sets
+// (see utilities/pack.h).
+
+namespace chaindrive
+{
+/// What is known of a body that stays in the plane, [PlanarEntry][slot].
+enum PlanarEntry : unsigned int
+{
+  planar_displacement     = 0,  ///< of the centre of mass since the start, x and y, m
+  planar_origin           = 2,  ///< where it was then, m
+  planar_position         = 4,  ///< the sum of both, m
+  planar_velocity         = 6,  ///< m/s
+  planar_rotation         = 8,  ///< cosine and sine of the body's angle
+  planar_spin             = 10, ///< angular velocity, rad/s
+  planar_force            = 11, ///< resultant, N
+  planar_moment           = 13, ///< about the centre of mass, N m
+  planar_inverse_mass     = 14, ///< 1/kg
+  planar_inverse_inertia  = 15, ///< 1/(kg m2); 0: does not turn
+  planar_mass             = 16, ///< kg
+  planar_inertia          = 17, ///< kg m2
+  planar_follows_rotation = 18, ///< 1: it has an angle; 0: a ring, which looks the same at any
+  n_planar_entries        = 19
+};
+
+/// Bodies in slots; their number is a multiple of n_lanes, and the array aligned to 64 bytes. Slots
+/// without a body are zero.
+struct PlanarSlots
+{
+  double      *state; ///< [PlanarEntry][slot]
+  unsigned int n_slots;
+
+  double       *of(const unsigned int entry) { return state + entry * n_slots; }
+  const double *of(const unsigned int entry) const { return state + entry * n_slots; }
+};
+
+/// Loads on all bodies, and what they come to.
+struct PlanarLoads
+{
+  double gravity;   ///< along -y, m/s2
+  double drag;      ///< 1/s
+  double potential; ///< is set: of gravity, J
+  double power;     ///< is set: that drag takes, W
+};
+
+/// A run of massless bars: bar i is between the bodies in the slots first + i and second + i.
+/// Arrays hold a multiple of n_lanes, of which those beyond the last bar have no stiffness and no
+/// damping.
+struct PlanarBars
+{
+  unsigned int  first, second, n;
+  const double *unloaded, *stiffness, *damping; ///< m, N/m, N s/m
+  double       *tension;                        ///< is set, N
+  double       *length, *viscous;               ///< at the last evaluation, and are set: m, N
+  double        energy, loss;                   ///< are added to, J
+};
+
+/// The kernels of one instruction set. Newmark's method as in RigidBodies.
+struct PlanarKernels
+{
+  int width; ///< numbers that the machine computes at a time
+  /// Adds @p h [s] times the accelerations to the velocities.
+  void (*kick)(PlanarSlots, double h);
+  /// Moves by a step @p dt [s]; returns the largest square of a speed, m2/s2.
+  double (*drift)(PlanarSlots, double dt);
+  void (*load)(PlanarSlots, PlanarLoads &);
+  double (*kinetic_energy)(PlanarSlots); ///< J
+  void (*stretch)(PlanarSlots, PlanarBars &);
+};
+
+/// Kernels of @p width 1, 2, 4 or 8 numbers; null where this machine has none, as with
+/// element::kernels().
+const PlanarKernels *planar_kernels(int width);
+} // namespace chaindrive

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+// Plain structures and plain pointers only: the kernels are compiled for several instruction sets
+// (see utilities/pack.h).
+
+#include <chaindrive/bodies/planar_kernels.h>
+#include <chaindrive/scene/contact_law.h>
+#include <chaindrive/utilities/pack.h>
+
+namespace chaindrive::contact
+{
+/// What is known of a contact in the plane, [PlanarTouchEntry][place]: TouchStateOf with one
+/// tangent and what Record has of its last evaluation.
+enum PlanarTouchEntry : unsigned int
+{
+  planar_touch_room = 0, ///< what its gap begins with: of a cylinder in a bore the clearance,
+                         ///< of a roller on teeth its radius, m; of a place without a pair
+                         ///< so that it never touches
+  planar_touch_penetration = 1, ///< m
+  planar_touch_normal      = 2, ///< force along the normal, N
+  planar_touch_slip        = 3, ///< m
+  planar_touch_tangential  = 4, ///< N
+  planar_touch_gap         = 5, ///< m
+  planar_touch_direction   = 6, ///< of the normal of the last touch, x and y, unit
+  planar_touch_approach    = 8, ///< along that normal, m/s
+  n_planar_touch_entries   = 9
+};
+
+/// Energies that an evaluation adds to, J.
+struct PlanarEnergies
+{
+  double stored, damping_loss, friction_loss;
+};
+
+/// What all contacts of a family have in common.
+struct PlanarContacts
+{
+  double           *touch; ///< [PlanarTouchEntry][place], aligned to 64 bytes
+  unsigned int      n_places;
+  scene::ContactLaw law;    ///< of all points of a pair together
+  double            radius; ///< of the slaves, m
+  double            dt;     ///< since the last evaluation, s
+};
+
+/// A run of cylinders in bores: the pair at place first_place + i is the bore of the body in slot
+/// master + i and the cylinder of that in slot slave + i.
+struct PlanarRun
+{
+  unsigned int first_place, master, slave;
+  unsigned int n;                             ///< a multiple of n_lanes
+  double       master_axis[2], slave_axis[2]; ///< in the bodies' frames, m
+};
+
+/// A piece of the profile of a sprocket: drive::Segment in numbers, with what is needed of its
+/// ends.
+struct PlanarSegment
+{
+  int    kind; ///< 0: straight, 1: convex, -1: concave arc
+  double begin[2], end[2], centre[2], radius, middle[2], half_cosine; ///< as drive::Segment
+  double end_normal[2][2]; ///< out of the metal at its begin and end
+  int    corner[2];        ///< at its begin and end; 0: none, 1: convex, -1: concave
+};
+
+/// Rollers near the teeth of a sprocket.
+struct PlanarTeeth
+{
+  const PlanarSegment *segments; ///< of half a gap with half a tooth, see drive::ToothForm
+  unsigned int         n_segments;
+  unsigned int         n_teeth;
+  const double        *turns; ///< cosine and sine of each gap's angle
+  unsigned int         n;     ///< places, a multiple of n_lanes
+  const unsigned int  *slot;  ///< of the roller at each place; without one, that of another
+  unsigned int        *gap;   ///< [place], the gap that the roller is in, kept fresh
+
+  double position[2], velocity[2], rotation[2], spin; ///< of the sprocket; rotation: cosine, sine
+  double force[2], moment;                            ///< on it, are set; N, N m
+};
+
+/// The kernels of one instruction set.
+struct PlanarContactKernels
+{
+  int width; ///< numbers that the machine computes at a time
+  void (*press_bores)(PlanarSlots, const PlanarContacts &, const PlanarRun &, PlanarEnergies &);
+  void (*press_teeth)(PlanarSlots, const PlanarContacts &, PlanarTeeth &, PlanarEnergies &);
+};
+
+/// Kernels of @p width 1, 2, 4 or 8 numbers; null where this machine has none, as with
+/// element::kernels().
+const PlanarContactKernels *planar_contact_kernels(int width);
+} // namespace chaindrive::contact

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/planar_bodies.h>
+#include <chaindrive/bodies/world.h>
+#include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/simd.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+namespace chaindrive
+{
+namespace
+{
+/// The order of slots: bodies of one kind by number, rollers in two rows where there are links.
+std::array<unsigned int, 3> place_in_order(const scene::Body &body, const bool two_rows)
+{
+  const bool         in_rows = two_rows && body.kind == scene::Kind::roller;
+  const unsigned int row     = in_rows ? body.number % 2 : 0;
+  return {{static_cast<unsigned int>(body.kind), row, body.number}};
+}
+
+bool stays_in_plane(const scene::Body &body)
+{
+  const Frame &frame = body.initial;
+  return frame.velocity[2] == 0. && frame.angular_velocity[0] == 0. &&
+         frame.angular_velocity[1] == 0. && frame.rotation[2][2] == 1.;
+}
+} // namespace
+
+PlanarBodies::PlanarBodies(const scene::Scene &scene, const World &world)
+    : kernels_(*planar_kernels(simd_width())), slot_of_(world.n_bodies(), none)
+{
+  const bool two_rows =
+      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const scene::Body &body) {
+        return body.kind == scene::Kind::inner_link;
+      });
+  for (unsigned int b = 0; b < world.n_bodies(); ++b)
+    if (world.inverse_mass[b] > 0.)
+      {
+        if (!stays_in_plane(scene.bodies[b]))
+          throw std::logic_error("PlanarBodies: a body leaves the plane");
+        bodies_.push_back(b);
+      }
+  std::stable_sort(bodies_.begin(), bodies_.end(), [&](const unsigned int a, const unsigned int b) {
+    return place_in_order(scene.bodies[a], two_rows) < place_in_order(scene.bodies[b], two_rows);
+  });
+  for (unsigned int i = 0; i < bodies_.size(); ++i)
+    slot_of_[bodies_[i]] = i;
+  // a run of pairs is read to a multiple of n_lanes, wherever it begins
+  n_slots_ = n_computed_of(bodies_.size()) + n_lanes;
+  state_.resize(n_planar_entries * n_slots_, 0.);
+
+  for (const unsigned int b : bodies_)
+    {
+      const unsigned int i     = slot_of_[b];
+      const Frame       &frame = world.frames[b];
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          of(planar_origin + d)[i]   = world.origin[b][d];
+          of(planar_position + d)[i] = world.origin[b][d];
+          of(planar_velocity + d)[i] = frame.velocity[d];
+          of(planar_rotation + d)[i] = frame.rotation[d][0];
+        }
+      of(planar_inverse_mass)[i] = world.inverse_mass[b];
+      of(planar_mass)[i]         = world.mass[b];
+    }
+  const auto turns = [this](const unsigned int body, const double inertia, const double spin) {
+    const unsigned int i          = slot_of_[body];
+    of(planar_inertia)[i]         = inertia;
+    of(planar_inverse_inertia)[i] = 1. / inertia;
+    of(planar_spin)[i]            = spin;
+  };
+  for (const World::Rotation &rotation : world.rotations)
+    {
+      turns(rotation.body, rotation.inertia[2], world.frames[rotation.body].angular_velocity[2]);
+      of(planar_follows_rotation)[slot_of_[rotation.body]] = 1.;
+    }
+  for (const World::Spin &spin : world.spins)
+    turns(spin.body, spin.inertia, spin.speed);
+}
+
+void PlanarBodies::kick(World & /*world*/, const double h) { kernels_.kick(slots(), h); }
+
+void PlanarBodies::drift(World & /*world*/, const Step &step)
+{
+  fastest_square_ = kernels_.drift(slots(), step.dt);
+}
+
+void PlanarBodies::finish(World &world, const Step & /*step*/)
+{
+  publish(world);
+  double *u = world.displacement.begin(), *v = world.velocity.begin();
+  for (unsigned int i = 0; i < bodies_.size(); ++i)
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        u[3 * bodies_[i] + d] = of(planar_displacement + d)[i];
+        v[3 * bodies_[i] + d] = of(planar_velocity + d)[i];
+      }
+  for (World::Rotation &rotation : world.rotations)
+    rotation.momentum[2] =
+        of(planar_inertia)[slot_of_[rotation.body]] * of(planar_spin)[slot_of_[rotation.body]];
+  for (World::Spin &spin : world.spins)
+    spin.speed = of(planar_spin)[slot_of_[spin.body]];
+}
+
+void PlanarBodies::publish(World &world) const
+{
+  for (unsigned int i = 0; i < bodies_.size(); ++i)
+    {
+      Frame &frame = world.frames[bodies_[i]];
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          frame.position[d] = of(planar_position + d)[i];
+          frame.velocity[d] = of(planar_velocity + d)[i];
+        }
+      const double cosine = of(planar_rotation)[i], sine = of(planar_rotation + 1)[i];
+      frame.rotation[0][0]      = cosine;
+      frame.rotation[0][1]      = -sine;
+      frame.rotation[1][0]      = sine;
+      frame.rotation[1][1]      = cosine;
+      frame.angular_velocity[2] = of(planar_spin)[i];
+    }
+}
+
+double PlanarBodies::kinetic_energy(const World & /*world*/) const
+{
+  return kernels_.kinetic_energy(slots());
+}
+
+void PlanarBodies::clear_forces() { std::fill_n(of(planar_force), 3 * n_slots_, 0.); }
+
+void PlanarBodies::complete_forces(World &world)
+{
+  double *force = world.force.begin(), *moment = world.moment.begin();
+  for (unsigned int i = 0; i < bodies_.size(); ++i)
+    {
+      const unsigned int b = bodies_[i];
+      for (unsigned int d = 0; d < 2; ++d)
+        force[3 * b + d] = of(planar_force + d)[i] += force[3 * b + d];
+      moment[3 * b + 2] = of(planar_moment)[i] += moment[3 * b + 2];
+    }
+}
+
+void PlanarBodies::take_forces(const World &world)
+{
+  const double *force = world.force.begin(), *moment = world.moment.begin();
+  for (unsigned int i = 0; i < bodies_.size(); ++i)
+    {
+      const unsigned int b = bodies_[i];
+      for (unsigned int d = 0; d < 2; ++d)
+        of(planar_force + d)[i] = force[3 * b + d];
+      of(planar_moment)[i] = moment[3 * b + 2];
+    }
+}
+
+void PlanarBodies::serialize(const Archive &archive, World & /*world*/)
+{
+  archive.numbers("planar", state_.begin(), state_.size());
+}
+
+std::size_t PlanarBodies::memory_consumption() const
+{
+  return state_.size() * sizeof(double) + (slot_of_.size() + bodies_.size()) * sizeof(unsigned int);
+}
+} // namespace chaindrive

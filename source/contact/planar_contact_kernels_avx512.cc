@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Compiled for this instruction set. No header of a library comes in here: an inline function of it
+// could be linked into the program in its widest form.
+#include <chaindrive/contact/packed_planar_contact.h>
+
+namespace chaindrive::contact
+{
+extern const PlanarContactKernels avx512_planar_contact_kernels;
+const PlanarContactKernels avx512_planar_contact_kernels = packed::make_planar_contact_kernels<8>();
+} // namespace chaindrive::contact
