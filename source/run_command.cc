@@ -8,7 +8,6 @@
 #include <chaindrive/files/console.h>
 #include <chaindrive/files/directory.h>
 #include <chaindrive/files/file.h>
-#include <chaindrive/mesh/import/import.h>
 #include <chaindrive/model/reading.h>
 #include <chaindrive/observe/checkpoints.h>
 #include <chaindrive/observe/field_output.h>
@@ -70,7 +69,7 @@ std::string far_away(const CommandLine &command_line, const std::string &output)
 }
 
 /// What a resumed run must find as it was: plug-ins, parameters::Input::fixed and the contents of
-/// meshes.
+/// meshes and tables.
 std::string fixed_text(const parameters::Input        &input,
                        const drive::Drive             &drive,
                        const std::vector<std::string> &folders)
@@ -79,7 +78,11 @@ std::string fixed_text(const parameters::Input        &input,
   for (const drive::Sprocket &sprocket : drive.sprockets)
     if (!sprocket.mesh.empty())
       text += "the checksum of the mesh '" + sprocket.mesh +
-              "' = " + checksum(files::read_text(mesh::find_file(sprocket.mesh, folders))) + "\n";
+              "' = " + checksum(files::read_text(files::find_file(sprocket.mesh, folders))) + "\n";
+  for (const drive::Sprocket &sprocket : drive.sprockets)
+    for (const std::string &file : sprocket.program.files)
+      text += "the checksum of a table of the " + sprocket.title + " = " +
+              checksum(files::read_text(file)) + "\n";
   return text;
 }
 

@@ -97,7 +97,7 @@ void add_other_form(Declarations      &declarations,
 }
 } // namespace
 
-void Loads::declare(Declarations &declarations)
+void Loads::declare(Declarations &declarations, Sprockets &sprockets)
 {
   const Subsection section(declarations, "Loads");
   add(declarations,
@@ -171,5 +171,12 @@ void Loads::declare(Declarations &declarations)
       between(0., 1e4),
       "Resisting force on every body of the chain over its mass and velocity; its inverse is the "
       "time in which a freely moving chain slows down to 37 percent. Default: none.");
+  for (Sprocket &sprocket : sprockets.list)
+    if (sprocket.role != Role::idler)
+      {
+        const Subsection own(declarations, sprocket.name);
+        (sprocket.role == Role::driver ? sprocket.speed_terms : sprocket.torque_terms)
+            .declare(declarations);
+      }
 }
 } // namespace chaindrive::parameters

@@ -49,6 +49,8 @@ public:
   {
     const std::string includes_it = std::exchange(file_, file);
     files_.push_back(file);
+    if (const std::string folder = folder_of(file); files_.size() == 1 && folder != ".")
+      input_.parameters.folders.insert(input_.parameters.folders.begin(), folder);
     if (files_.size() > most_files)
       throw InputError("'" + file + "': more than " + std::to_string(most_files) +
                        " files include each other; one may include itself.");

@@ -164,9 +164,6 @@ const std::vector<NotModelled> &not_modelled()
       {{"runout", "run-out", "eccentric", "pitch error", "wobble"},
        "sprockets rotate about their own axes and all teeth are identical; a sprocket of any shape "
        "can be imported, Drive/Sprockets/Driver mesh"},
-      {{"stop time", "stopping", "brake", "braking", "coast", "reverse", "reversal"},
-       "the driver runs up to its speed and keeps it; the load may change once, Loads/Torque step "
-       "time in ms"},
       {{"driver inertia", "motor", "engine", "driver torque"},
        "the driver follows its prescribed speed, whatever the load"},
       {{"shaft stiffness", "shaft damping", "bearing", "housing"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/stiffness.h>
+#include <chaindrive/files/file.h>
 #include <chaindrive/mesh/import/import.h>
 #include <chaindrive/mesh/sector.h>
 #include <chaindrive/mesh/surface/facet_surface.h>
@@ -33,7 +34,7 @@ std::shared_ptr<const mesh::Part> sprocket_part(const model::Model             &
   if (!file.empty())
     {
       auto part =
-          std::make_shared<const mesh::Part>(mesh::import_sprocket(mesh::find_file(file, folders),
+          std::make_shared<const mesh::Part>(mesh::import_sprocket(files::find_file(file, folders),
                                                                    sprocket.form,
                                                                    model.material.density,
                                                                    model.meshes.half && elastic));

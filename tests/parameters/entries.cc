@@ -76,6 +76,10 @@ void check_choices()
   std::string list = check_choice<QuantityGroup>("quantity group");
   list.replace(list.find(" or "), 4, ", ");
   choices.insert("on or off"); // two states without an enum
+  // those of terms that have no enum here
+  choices.insert("time in s, time in ms, angle in rad or angle in degrees");
+  choices.insert("time in s or time in ms");
+  choices.insert("rad/s or rpm");
   choices.insert("all, or some of these separated by commas: " + list);
 
   // entries that are no choice take a number, any text, true or false

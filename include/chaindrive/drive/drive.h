@@ -26,9 +26,11 @@ struct Sprocket
   double           bore;         ///< diameter
   double           hub_diameter; ///< of the rigid zone
   MassProperties   solid;
-  std::string      mesh;         ///< a Gmsh file that takes the place of the form; empty: none
-  ShaftProgram     program;      ///< of its shaft
-  double           inertia = 0.; ///< of all that turns with it, kg m2
+  std::string      mesh;    ///< a Gmsh file that takes the place of the form; empty: none
+  ShaftProgram     program; ///< of its shaft
+  double           inertia        = 0.; ///< of all that turns with it, kg m2
+  double           mean_torque    = 0.; ///< that resists it in operation, N m
+  double           largest_torque = 0.; ///< a bound of its magnitude, before it steps, N m
 
   double tooth_stiffness = 0.; ///< of tooth and rim under a roller, given or auto, N/m
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/parameters/choice.h>
+#include <chaindrive/parameters/sections.h>
 
 #include <array>
 #include <optional>
@@ -145,6 +146,13 @@ struct Sprocket
   int                   turn    = 1; ///< +1: the chain runs round it in the sense of the drive
   /// Of its axis, m; empty: of the first one the origin, of one other what the layout finds.
   std::optional<std::array<double, 2>> centre = {};
+
+  std::optional<double> resisting_torque = {}; ///< N m, of a driven one; empty: that of Loads
+  std::optional<double> inertia          = {}; ///< kg m2, of all that turns with it; empty: its own
+
+  /// What its shaft is given besides what section Loads says: its speed where it is a driver, and
+  /// the torque that resists it where it is driven. functions/terms.h knows what they are.
+  Sections speed_terms = Sections("speed"), torque_terms = Sections("torque");
 
   std::string in_words() const;   ///< what sentences call it
   std::string in_entries() const; ///< what names of entries begin with

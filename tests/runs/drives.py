@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""drives.py PROGRAM REPOSITORY FILE: a drive of prm/drives runs as it is, and is compared with what is prescribed and with closed forms:
+
+  power split       each load pulls with 2 pi T / (z p) more on the span behind it than on the one before
+  prescribed        speeds and torques are the functions of time, angle and speed that the file says
+"""
+import math
+import pathlib
+import sys
+
+import numpy as np
+
+import chaindrive
+import program
+
+PROGRAM, FOLDER, NAME = sys.argv[1], pathlib.Path(sys.argv[2]) / "prm/drives", sys.argv[3]
+
+
+class Drive:
+    """A run of the file, with histories in the window."""
+
+    def __init__(self):
+        self.said = program.run(FOLDER / f"{NAME}.prm", {"Output/History precision": "double"}, "--output", "results", program=PROGRAM)
+        self.run = chaindrive.open("results")
+        self.summary = program.summary("results")
+        self.time = np.asarray(self.run["time"])
+        window = self.summary["window"]
+        self.inside = (self.time >= window["start"]) & (self.time <= window["end"])
+        self.wheels = {wheel["name"]: wheel for wheel in self.summary["drive"]["sprockets"]}
+        program.check(window["valid"], f"not valid: {self.summary['events']}")
+
+    def of(self, history, inside=True):
+        values = np.asarray(self.run[history])
+        return values[self.inside] if inside else values
+
+    def tension(self, span):
+        return self.summary["spans"][span]["tension_mean"]
+
+    def pull(self, wheel):
+        """Of the mean torque on a wheel."""
+        return 2 * math.pi * self.of(f"hubs/{wheel}_torque").mean() / (self.wheels[wheel]["teeth"] * self.summary["drive"]["loaded_pitch"])
+
+
+def near(what, is_value, wanted, within):
+    print(f"{what}: {is_value:.6g}, wanted {wanted:.6g} +- {within:.2g}")
+    program.check(abs(is_value - wanted) <= within, f"{what}: {is_value} instead of {wanted}")
+
+
+def below(what, value, most):
+    print(f"{what}: {value:.3g}, at most {most:.3g}")
+    program.check(value <= most, f"{what}: {value}")
+
+
+def emergency_stop(drive):
+    begin, length, full = 40e-3, 60e-3, 105
+    s = np.clip((drive.time - begin) / length, 0, 1)
+    below("speed off half a cosine, rad/s", np.abs(drive.of("hubs/driver_speed", False) - full * 0.5 * (1 + np.cos(math.pi * s))).max(), 1e-9)
+    near("angle of the stop, rad", drive.of("hubs/driver_angle", False)[-1], full * (begin + length / 2), 1e-9)
+    stopping = (drive.time > begin) & (drive.time < begin + length)
+    slack, tight = (drive.of(f"spans/{name}_tension", False) for name in ("driver_to_driven", "driven_to_driver"))
+    # the mean of the deceleration asks for this
+    asked = (0.4 * full * 17 / 51 / length - 60) * 2 * math.pi / (51 * drive.summary["drive"]["loaded_pitch"])
+    below("mean pull that the stop asks for over that of the lower span, N", asked, (slack - tight)[stopping].mean() * 1.2)
+
+
+def camshaft(drive):
+    theta = drive.of("hubs/driver_angle", False)
+    speed = drive.of("hubs/driver_speed", False)
+    mean = 100 * math.pi
+    turned = mean * drive.time
+    waves = 0.02 * np.cos(2 * turned) + 0.005 * np.cos(4 * turned + math.radians(40))
+    below("speed off its waves, rad/s", np.abs(speed - mean * (1 + waves)).max(), 1e-9)
+    phase = math.radians(40)
+    angle = turned + 0.01 * np.sin(2 * turned) + 0.00125 * (np.sin(4 * turned + phase) - math.sin(phase))
+    below("angle off their integral, rad", np.abs(theta - angle).max(), 1e-9)
+    rows = [line.split(",") for line in (FOLDER / "cams.csv").read_text().splitlines() if line[0].isdigit()]
+    x, y = (np.array([float(row[i]) for row in rows]) for i in (0, 1))
+    cam = np.degrees(drive.of("hubs/driven_angle", False)) % 360
+    torque = drive.of("hubs/driven_torque", False) - 1.5
+    piece = np.searchsorted(x, cam, side="right") - 1
+    low, high = np.minimum(y[piece], y[piece + 1]), np.maximum(y[piece], y[piece + 1])
+    below("torque beyond the points beside it, N m", np.maximum(low - torque, torque - high).max(), 1e-9)
+    linear = np.interp(cam, x, y)
+    below("torque off the chords of the table, N m", np.abs(torque - linear).max(), 1.6)
+    program.check(np.abs(torque - linear).max() > 0.1, "a cubic is not a polygon")
+    tight, slack = drive.tension("driven_to_driver"), drive.tension("driver_to_driven")
+    near("tension that the camshaft takes, N", tight - slack, drive.pull("driven"), 0.1 * drive.of("spans/driven_to_driver_tension").max())
+
+
+drive = Drive()
+{"emergency-stop": emergency_stop, "camshaft": camshaft}[NAME](drive)
