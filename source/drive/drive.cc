@@ -78,16 +78,19 @@ void refuse_soft(const std::string &entry,
 /// tenths of the root diameter: a plain disc on a stout shaft.
 Sprocket make_sprocket(const unsigned int           number,
                        const parameters::Sprockets &sprockets,
-                       const ChainDimensions       &chain)
+                       const ChainDimensions       &chain,
+                       const std::optional<double> &driven_inertia)
 {
   const parameters::Sprocket &given = sprockets.list[number];
   Sprocket                    sprocket;
-  sprocket.name         = given.name;
-  sprocket.title        = given.in_words();
-  sprocket.in_entries   = given.in_entries();
-  sprocket.role         = given.role;
-  sprocket.form         = make_tooth_form(given.teeth, chain, sprockets, number);
-  sprocket.mesh         = given.mesh;
+  sprocket.name       = given.name;
+  sprocket.title      = given.in_words();
+  sprocket.in_entries = given.in_entries();
+  sprocket.role       = given.role;
+  sprocket.form       = make_tooth_form(given.teeth, chain, sprockets, number);
+  sprocket.mesh       = given.mesh;
+  sprocket.given_inertia =
+      given.name == sprockets.driven().name && driven_inertia ? driven_inertia : given.inertia;
   const double root     = sprocket.form.root_diameter;
   sprocket.bore         = given.bore.value_or(root / 3.);
   sprocket.hub_diameter = given.hub_diameter.value_or(std::max(sprocket.bore, 0.6 * root));
@@ -357,7 +360,7 @@ Drive make_drive(const Parameters  &parameters,
   d.chain = make_chain(parameters.drive.chain, parameters.effects);
   for (unsigned int i = 0; i < sprockets.list.size(); ++i)
     {
-      d.sprockets.push_back(make_sprocket(i, sprockets, d.chain));
+      d.sprockets.push_back(make_sprocket(i, sprockets, d.chain, parameters.model.driven_inertia));
       d.sprockets[i].program =
           make_program(sprockets.list[i],
                        parameters.loads,
@@ -387,9 +390,7 @@ Drive make_drive(const Parameters  &parameters,
     {
       sprocket.solid =
           sprocket_solid(sprocket.form, sprocket.bore, d.sprocket_width, steel.density);
-      sprocket.inertia = sprocket.role == Role::driven && parameters.model.driven_inertia ?
-                             *parameters.model.driven_inertia :
-                             sprocket.solid.inertia[2][2];
+      sprocket.inertia = sprocket.given_inertia.value_or(sprocket.solid.inertia[2][2]);
     }
   refuse_brake(d);
   d.mass_per_pitch =

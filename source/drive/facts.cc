@@ -541,8 +541,14 @@ void print(std::ostream &out, const Facts &facts)
   const auto rpm  = [](const double speed) { return to_text(speed * 30. / PI, 5) + " rpm"; };
   const auto mm   = [](const double length) { return to_text(length * 1e3, 6) + " mm"; };
   const auto line = [&out](const std::string &name, const std::string &text) {
-    out << "  " << std::left << std::setw(18) << name << std::right << text << '\n';
+    out << "  " << std::left << std::setw(18) << name + (name.size() < 18 ? "" : " ") << std::right
+        << text << '\n';
   };
+  std::string on_shafts;
+  for (const Facts::Sprocket &s : facts.sprockets)
+    on_shafts += (on_shafts.empty() ? ", on shafts " : ", ") + to_text(s.load, 4);
+  if (facts.sprockets.size() == 2)
+    on_shafts = ", on each shaft " + to_text(facts.shaft_load, 4);
   out << "Drive\n";
   line("chain",
        facts.chain + ", " + std::to_string(facts.links) + " links of " + mm(facts.pitch) +
@@ -579,8 +585,7 @@ void print(std::ostream &out, const Facts &facts)
                 "") +
            (facts.safety > 0. ? "; safety against breaking " + to_text(facts.safety, 3) : ""));
   line("loads",
-       "joint pressure " + to_text(facts.joint_pressure * 1e-6, 3) + " MPa, on each shaft " +
-           to_text(facts.shaft_load, 4) + " N");
+       "joint pressure " + to_text(facts.joint_pressure * 1e-6, 3) + " MPa" + on_shafts + " N");
   line("driven inertia",
        to_text(facts.driven_inertia, 4) + " kg m2, on the tight span " +
            to_text(facts.driven_frequency, 4) + " Hz (tooth frequency at " +

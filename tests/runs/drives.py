@@ -2,6 +2,7 @@
 """drives.py PROGRAM REPOSITORY FILE: a drive of prm/drives runs as it is, and is compared with what is prescribed and with closed forms:
 
   power split       each load pulls with 2 pi T / (z p) more on the span behind it than on the one before
+  an idler          takes no tension and turns by its teeth
   prescribed        speeds and torques are the functions of time, angle and speed that the file says
 """
 import math
@@ -51,6 +52,27 @@ def below(what, value, most):
     program.check(value <= most, f"{what}: {value}")
 
 
+def two_loads(drive):
+    theta, speed = drive.of("hubs/compressor_angle", False), drive.of("hubs/driven_speed", False)
+    stroke = 18 + 12 * np.cos(2 * theta + math.pi / 2)
+    below("torque of the compressor off its waves, N m", np.abs(drive.of("hubs/compressor_torque", False) - stroke).max(), 1e-9)
+    fan = drive.of("hubs/driven_torque", False)
+    below("torque of the fan off the square of its speed, N m", np.abs(fan / (0.00052 * speed**2) - 1).max(), 0.01)
+    spans = [drive.tension(name) for name in ("driver_to_driven", "driven_to_compressor", "compressor_to_driver")]
+    for i, wheel in enumerate(("driven", "compressor")):
+        near(f"tension that the {wheel} takes, N", spans[i + 1] - spans[i], drive.pull(wheel), 0.04 * (spans[2] - spans[0]))
+    power = sum(np.mean(drive.of(f"hubs/{wheel}_torque") * drive.of(f"hubs/{wheel}_speed")) for wheel in ("driven", "compressor"))
+    given = np.mean(drive.of("hubs/driver_torque") * drive.of("hubs/driver_speed"))
+    near("power of the driver over that of the loads", given / power, 1.02, 0.03)
+
+
+def idler(drive):
+    near("speed of the idler over that of the driver", drive.of("hubs/idler_speed").mean() / drive.of("hubs/driver_speed").mean(), 17 / 13, 0.005)
+    tight = drive.tension("driven_to_driver")
+    near("tension that the idler takes, N", drive.tension("idler_to_driven") - drive.tension("driver_to_idler"), 0, 0.03 * tight)
+    near("tension that the load takes, N", tight - drive.tension("idler_to_driven"), drive.pull("driven"), 0.03 * tight)
+
+
 def emergency_stop(drive):
     begin, length, full = 40e-3, 60e-3, 105
     s = np.clip((drive.time - begin) / length, 0, 1)
@@ -87,5 +109,14 @@ def camshaft(drive):
     near("tension that the camshaft takes, N", tight - slack, drive.pull("driven"), 0.1 * drive.of("spans/driven_to_driver_tension").max())
 
 
+def conveyor(drive):
+    tight = drive.tension("driven_to_driver")
+    for before, span in (("driver_to_lower_right", "lower_right_to_upper_right"), ("lower_right_to_upper_right", "upper_right_to_driven")):
+        near(f"tension of {span} over {before}, N", drive.tension(span) - drive.tension(before), 0, 0.05 * tight)
+    near("tension that the load takes, N", tight - drive.tension("upper_right_to_driven"), drive.pull("driven"), 0.05 * tight)
+    for wheel in ("lower_right", "upper_right", "driven"):
+        near(f"speed of {wheel}, rad/s", drive.of(f"hubs/{wheel}_speed").mean(), 12, 0.12)
+
+
 drive = Drive()
-{"emergency-stop": emergency_stop, "camshaft": camshaft}[NAME](drive)
+{"two-loads": two_loads, "idler": idler, "emergency-stop": emergency_stop, "camshaft": camshaft, "conveyor": conveyor}[NAME](drive)
