@@ -4,6 +4,7 @@
 #include <chaindrive/cost.h>
 #include <chaindrive/drive/checks.h>
 #include <chaindrive/drive/facts.h>
+#include <chaindrive/drive/picture.h>
 #include <chaindrive/element/part_report.h>
 #include <chaindrive/files/console.h>
 #include <chaindrive/files/directory.h>
@@ -339,6 +340,13 @@ bool plan_command(const CommandLine &command_line, const MPI_Comm comm)
         measure_cost(simulation, prepared.folders, before),
         n_ranks_in(simulation.communicator()));
   print_answers(prepared.log, command_line, simulation.facts, before, comm);
+  if (!command_line.picture.empty())
+    {
+      std::ostringstream picture;
+      drive::draw(picture, simulation.drive, simulation.facts);
+      files::write_text(command_line.picture, picture.str());
+      prepared.log << "Picture: " << command_line.picture << '\n';
+    }
   print_meshes(prepared);
   return true;
 }

@@ -4,10 +4,14 @@
   power split       each load pulls with 2 pi T / (z p) more on the span behind it than on the one before
   an idler          takes no tension and turns by its teeth
   prescribed        speeds and torques are the functions of time, angle and speed that the file says
+
+and `plan --picture` draws it: every wheel with its name, every roller.
 """
 import math
 import pathlib
+import re
 import sys
+import xml.etree.ElementTree as tree
 
 import numpy as np
 
@@ -118,5 +122,24 @@ def conveyor(drive):
         near(f"speed of {wheel}, rad/s", drive.of(f"hubs/{wheel}_speed").mean(), 12, 0.12)
 
 
+def picture(drive):
+    """Every wheel with its name, every roller within the frame."""
+    said = program.run(f"{FOLDER / NAME}.prm", {}, "--plan", "--picture", "drive.svg", program=PROGRAM)
+    program.check("drive.svg" in said, said)
+    root = tree.parse("drive.svg").getroot()
+    space = "{http://www.w3.org/2000/svg}"
+    left, top, width, height = map(float, root.get("viewBox").split())
+    names = {text.text for text in root.iter(space + "text")}
+    program.check(set(drive.wheels) <= names, f"names: {names}")
+    rollers = [circle for circle in root.iter(space + "circle") if circle.get("class") == "chain"]
+    program.check(len(rollers) == drive.summary["drive"]["links"], f"{len(rollers)} rollers")
+    for circle in rollers:
+        x, y = float(circle.get("cx")), float(circle.get("cy"))
+        program.check(left < x < left + width and top < y < top + height, f"a roller outside of the frame: {x} {y}")
+    at = re.findall(r"-?[\d.]+", next(root.iter(space + "path")).get("d"))
+    program.check(len(at) > 100, "a wheel without teeth")
+
+
 drive = Drive()
 {"two-loads": two_loads, "idler": idler, "emergency-stop": emergency_stop, "camshaft": camshaft, "conveyor": conveyor}[NAME](drive)
+picture(drive)
