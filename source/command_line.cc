@@ -104,6 +104,9 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
       "resume",
       options::value(&c.resume)->value_name("auto|CHECKPOINT"),
       "run, plan: resume from the newest checkpoint in the directory, or from this one");
+  visible.add_options()("picture",
+                        options::value(&c.picture)->value_name("FILE"),
+                        "plan: draw wheels, chain and shaft loads into this SVG file");
   visible.add_options()("accuracy",
                         options::value(&c.accuracy)->value_name("\"OUTPUT=PERCENT\""),
                         "plan: print which models reach this accuracy, from the studies");
@@ -193,6 +196,8 @@ void check_values(const options::variables_map &values, const CommandLine &c)
     check("output", c.output_directory, "a directory");
   if (values.count("resume") > 0)
     check("resume", c.resume, "auto or a checkpoint");
+  if (values.count("picture") > 0)
+    check("picture", c.picture, "a file");
   for (const std::string &text : c.overrides)
     check("set", text, "Section/Entry=value");
   for (const std::string &file : c.plugins)
@@ -330,6 +335,8 @@ void check_belonging(const CommandLine &c)
                        " belongs to studies: chaindrive study FILE.prm.");
   if (!c.accuracy.empty() && c.command != Command::plan && c.command != Command::help)
     throw InputError("The option --accuracy belongs to plans: chaindrive plan FILE.prm.");
+  if (!c.picture.empty() && c.command != Command::plan && c.command != Command::help)
+    throw InputError("The option --picture belongs to plans: chaindrive plan FILE.prm.");
   if (c.design.is_given() && c.command != Command::template_file && c.command != Command::select &&
       c.command != Command::help)
     throw InputError("The options --chain, --teeth, --centre, --rpm, --kW and --Nm belong to "

@@ -4,11 +4,11 @@
 #include <chaindrive/cost.h>
 #include <chaindrive/drive/checks.h>
 #include <chaindrive/drive/facts.h>
+#include <chaindrive/drive/picture.h>
 #include <chaindrive/element/part_report.h>
 #include <chaindrive/files/console.h>
 #include <chaindrive/files/directory.h>
 #include <chaindrive/files/file.h>
-#include <chaindrive/mesh/import/import.h>
 #include <chaindrive/model/decide.h>
 #include <chaindrive/model/reading.h>
 #include <chaindrive/observe/checkpoints.h>
@@ -74,7 +74,7 @@ std::string far_away(const CommandLine &command_line, const std::string &output)
 }
 
 /// What a resumed run must find as it was: plug-ins, parameters::Input::fixed and the contents of
-/// meshes.
+/// meshes and tables.
 std::string fixed_text(const parameters::Input        &input,
                        const drive::Drive             &drive,
                        const std::vector<std::string> &folders)
@@ -83,7 +83,11 @@ std::string fixed_text(const parameters::Input        &input,
   for (const drive::Sprocket &sprocket : drive.sprockets)
     if (!sprocket.mesh.empty())
       text += "the checksum of the mesh '" + sprocket.mesh +
-              "' = " + checksum(files::read_text(mesh::find_file(sprocket.mesh, folders))) + "\n";
+              "' = " + checksum(files::read_text(files::find_file(sprocket.mesh, folders))) + "\n";
+  for (const drive::Sprocket &sprocket : drive.sprockets)
+    for (const std::string &file : sprocket.program.files)
+      text += "the checksum of a table of the " + sprocket.title + " = " +
+              checksum(files::read_text(file)) + "\n";
   return text;
 }
 
@@ -381,6 +385,13 @@ bool plan_command(const CommandLine &command_line, const MPI_Comm comm)
         measure_cost(simulation, prepared.folders, before),
         n_ranks_in(simulation.communicator()));
   print_answers(prepared.log, command_line, simulation.facts, before, comm);
+  if (!command_line.picture.empty())
+    {
+      std::ostringstream picture;
+      drive::draw(picture, simulation.drive, simulation.facts);
+      files::write_text(command_line.picture, picture.str());
+      prepared.log << "Picture: " << command_line.picture << '\n';
+    }
   print_meshes(prepared);
   return true;
 }

@@ -7,7 +7,6 @@
 #include <chaindrive/files/json.h>
 #include <chaindrive/files/log.h>
 #include <chaindrive/files/temporary_directory.h>
-#include <chaindrive/mesh/import/import.h>
 #include <chaindrive/model/decide.h>
 #include <chaindrive/model/reading.h>
 #include <chaindrive/observe/progress.h>
@@ -117,18 +116,27 @@ std::vector<Run> make_runs(const parameters::Variant &variant, const unsigned in
   return runs;
 }
 
-/// Names meshes by their whole paths in @p run, and says their checksums in the returned comment: a
-/// mesh that changes is another run.
-std::string settle_meshes(Run &run, const std::vector<std::string> &folders)
+/// Whether the entry @p path names a file that a run reads: a mesh or a table.
+bool names_a_file(const std::string &path)
+{
+  const auto between = [&path](const std::string &begin, const std::string &end) {
+    return path.size() > begin.size() + end.size() && path.compare(0, begin.size(), begin) == 0 &&
+           path.compare(path.size() - end.size(), end.size(), end) == 0;
+  };
+  return between("Drive/Sprockets/", " mesh") || between("Loads/", "/Table/File");
+}
+
+/// Names files that are read by their whole paths in @p run, and says their checksums in the
+/// returned comment: a mesh that changes is another run.
+std::string settle_files(Run &run, const std::vector<std::string> &folders)
 {
   std::string comment;
-  for (const char *entry : {"Drive/Sprockets/Driver mesh", "Drive/Sprockets/Driven mesh"})
-    if (const auto mesh = run.values.find(entry); mesh != run.values.end() && !mesh->second.empty())
+  for (auto &[path, value] : run.values)
+    if (names_a_file(path) && !value.empty())
       {
-        const std::string file = mesh::find_file(mesh->second, folders);
-        mesh->second           = fs::absolute(file).lexically_normal().string();
-        comment +=
-            "# " + std::string(entry) + ": checksum " + checksum(files::read_text(file)) + "\n";
+        const std::string file = files::find_file(value, folders);
+        value                  = fs::absolute(file).lexically_normal().string();
+        comment += "# " + path + ": checksum " + checksum(files::read_text(file)) + "\n";
       }
   return comment;
 }
@@ -193,7 +201,7 @@ std::string check(Model                        &model,
   for (Run &run : model.runs)
     try
       {
-        const std::string meshes = settle_meshes(run, input.folders);
+        const std::string meshes = settle_files(run, input.folders);
         run.text                 = text_of(run, *model.variant, input.study, meshes);
         const bool first         = &run == &model.runs.front();
         const bool unknown       = !is_known(run, directory);

@@ -36,6 +36,7 @@ struct CommandLine
   bool                     quiet  = false;   ///< warnings and errors only
   bool                     strict = false;   ///< run, plan: no drive that a check finds fault with
   bool                     report = false;   ///< run: a page on it at its end
+  std::string              picture;          ///< plan: SVG file of the layout; empty: none
   std::vector<std::string> accuracy;         ///< plan: "OUTPUT=PERCENT"
   unsigned int             cores   = 0;      ///< study: runs at a time; 0: as many as there are
   bool                     quick   = false;  ///< study: with the changes of Study/Quick

@@ -38,7 +38,138 @@ Target wanted(const parameters::Layout &layout)
     return {Target::Kind::sag, layout.sag};
   return {Target::Kind::slack, 0.}; // pre-tension: the link lengths hold the stretch
 }
+/// How often a chain turns counter-clockwise on its way round @p wheels, with wraps of less than a
+/// turn; NaN where two wheels have no common tangent.
+double turns_of(const std::vector<path::Wheel> &wheels)
+{
+  const std::size_t n     = wheels.size();
+  double            turns = 0.;
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const double in     = path::tangent_angle(wheels[(i + n - 1) % n], wheels[i]);
+      const double out    = path::tangent_angle(wheels[i], wheels[(i + 1) % n]);
+      const double turned = wheels[i].turn * (out - in) / (2. * PI);
+      turns += wheels[i].turn * (turned - std::floor(turned));
+    }
+  return turns;
+}
+
+/// Whether the wheels may be where they are with the one that moves at the distance @p c: apart
+/// from each other, in a loop.
+bool may_be(const Fitter &fitter, const double c)
+{
+  const std::vector<path::Wheel> wheels = fitter.wheels(c);
+  for (std::size_t i = 0; i < wheels.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (wheels[i].centre.distance(wheels[j].centre) <=
+          wheels[i].roller_radius + wheels[j].roller_radius)
+        return false;
+  return std::abs(turns_of(wheels) - 1.) < 1e-6;
+}
+
+/// The layouts near the given centre distance that meet @p target, for more than two wheels: the
+/// range of distances in which those are whose excess has either sign grows from there, as far as
+/// wheels may be. Beyond, the slack is another one, since the chain would go another way.
+Proposal propose_near(const Fitter      &fitter,
+                      const Target      &target,
+                      const double       given,
+                      const std::string &entry,
+                      const bool         even)
+{
+  const std::string begin = "Drive/Layout/Centre distance in mm = " + to_text(given * 1e3, 7) +
+                            ", with which the search ";
+  if (!may_be(fitter, given))
+    throw InputError(begin +
+                     "begins: wheels overlap there, or the chain would cross itself; choose "
+                     "another one.");
+  const auto excess = [&](const double c) {
+    const auto best = fitter.fits(c, target.kind == Target::Kind::slack, 1);
+    return best.empty() ? std::nan("") : Fitter::excess(best.front(), target);
+  };
+  double       near = given, far = given, step = 0.1 * fitter.chain.seats.mean();
+  const double first = excess(given);
+  const int    much  = first > 0. ? 1 : -1; // slack
+  const int    way   = fitter.rises ? -much : much;
+  for (double now = first; much * now > 0. && std::isfinite(first); step *= 1.3)
+    {
+      near = far;
+      far += way * step;
+      now = far > 0. && may_be(fitter, far) ? excess(far) : std::nan("");
+      if (!std::isfinite(now))
+        {
+          const auto   best    = fitter.fits(near, true, 1);
+          const double missing = best.empty() ? 0. :
+                                 target.kind == Target::Kind::slack ?
+                                                target.value - best.front().laid.slack.slack :
+                                                -best.front().laid.slack.slack;
+          throw InputError(begin + "for " + entry + " begins: a chain of " +
+                           std::to_string(fitter.chain.n_links) + " links is too " +
+                           (much > 0 ? "long" : "short") + " as far as to " + at_least(near) +
+                           ", where wheels meet; it would have " +
+                           advised_links(fitter, missing, even) +
+                           " links there. Choose other "
+                           "links, or places of wheels.");
+        }
+    }
+  return {target,
+          fitter.fits(fitter.solve(target, std::min(near, far), std::max(near, far)), false)};
+}
 } // namespace
+
+void check_wheels(const parameters::Sprockets  &sprockets,
+                  const parameters::Layout     &layout,
+                  const std::vector<ToothForm> &forms,
+                  const Fitter                 &fitter)
+{
+  const auto  &wheels = fitter.sprockets;
+  std::string  found; // wheels that are
+  unsigned int n_found = 0;
+  for (std::size_t i = 0; i < wheels.size(); ++i)
+    if (wheels[i].moves)
+      {
+        found += (found.empty() ? "" : " and ") + sprockets.list[i].name;
+        ++n_found;
+      }
+  if (n_found > 1)
+    throw InputError("Drive/Wheels: one centre is found from " +
+                     text_of(layout.centre_distance_from) + ", but those of " + found +
+                     " are auto; give all but one.");
+  if (n_found == 0 && layout.centre_distance_from != parameters::CentreDistanceFrom::given)
+    throw InputError("Drive/Layout/Centre distance from = " + text_of(layout.centre_distance_from) +
+                     " finds the centre of one wheel, but all of Drive/Wheels have one; choose "
+                     "given, or Centre in mm = auto for one of them.");
+  for (std::size_t i = 0; i < wheels.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (!wheels[i].moves && !wheels[j].moves)
+        {
+          const double least = 0.5 * (forms[i].outside_diameter + forms[j].outside_diameter);
+          const double away  = wheels[i].centre.distance(wheels[j].centre);
+          if (away <= least)
+            throw InputError("Drive/Wheels: " + sprockets.list[j].name + " and " +
+                             sprockets.list[i].name + " overlap: their centres are " +
+                             in_mm(away, 5) + " apart and must be more than " + at_least(least) +
+                             ".");
+        }
+}
+
+bool slack_rises(const Fitter &fitter, const double at)
+{
+  if (fitter.sprockets.size() == 2 || !fitter.moves())
+    return false;
+  const double h      = 0.02 * fitter.chain.seats.mean();
+  const auto   before = fitter.fits(at - h, true, 1), after = fitter.fits(at + h, true, 1);
+  return !before.empty() && !after.empty() &&
+         after.front().laid.slack.slack > before.front().laid.slack.slack;
+}
+
+void check_loop(const std::vector<path::Wheel> &wheels)
+{
+  if (const double turns = turns_of(wheels); std::isfinite(turns) && std::abs(turns - 1.) > 1e-6)
+    throw InputError(
+        "Drive/Wheels/Order of travel: round these wheels the chain would cross itself; give them "
+        "in the order of a counter-clockwise loop (that of Drive/Layout/Tight span = upper), those "
+        "that the chain has on its right-hand side as Side = outside.");
+}
 
 unsigned int number_of_links(const parameters::Drive &drive)
 {
@@ -50,8 +181,9 @@ unsigned int number_of_links(const parameters::Drive &drive)
   fitter.sprockets                      = wheels_of(drive.sprockets);
   fitter.chain.seats                    = {pitch, pitch};
   const std::vector<path::Wheel> wheels = fitter.wheels(c);
-  const std::size_t              n      = wheels.size();
-  double                         links  = 0.;
+  check_loop(wheels);
+  const std::size_t n     = wheels.size();
+  double            links = 0.;
   for (std::size_t i = 0; i < n; ++i)
     {
       const path::Wheel &before = wheels[(i + n - 1) % n], &wheel = wheels[i],
@@ -93,6 +225,24 @@ Proposal propose(const Fitter             &fitter,
   if (is_given && given <= least_distance)
     throw InputError("Drive/Layout/Centre distance in mm = " + to_text(given * 1e3, 7) +
                      ": the sprockets overlap; it must exceed " + at_least(least_distance) + ".");
+
+  if (fitter.sprockets.size() > 2 && fitter.moves() && !is_given)
+    return propose_near(fitter,
+                        wanted(layout),
+                        given,
+                        "Drive/Layout/Centre distance from = " +
+                            text_of(layout.centre_distance_from),
+                        even);
+  if (!fitter.moves() || fitter.sprockets.size() > 2)
+    {
+      const auto   taut    = fitter.fits(given, true, 1);
+      const double missing = taut.empty() ? 0. : -taut.front().laid.slack.slack;
+      if (missing > 1e-12)
+        throw InputError(the_chain + " is " + in_mm(missing) +
+                         " too short for the wheels where they are; it takes at least " +
+                         advised_links(fitter, missing, even) + " links.");
+      return {{}, fitter.fits(given, false)};
+    }
 
   const auto   closest = fitter.fits(least_distance, true, 1);
   const double most_slack =

@@ -36,15 +36,18 @@ struct Pull
 /// What pulls hardest: the load, before or after its step, or the pre-tension.
 Pull hardest_pull(const Parameters &parameters, const Drive &drive)
 {
-  double per_torque = 0.; // tension, 1/m
+  double per_torque = 0., largest = 0.; // tension of each N m that all have, 1/m; tension, N
   for (const Sprocket &sprocket : drive.sprockets)
     if (sprocket.role == Role::driven)
-      per_torque += 1. / (0.5 * sprocket.form.pitch_diameter);
+      {
+        per_torque += 1. / (0.5 * sprocket.form.pitch_diameter);
+        largest += sprocket.largest_torque / (0.5 * sprocket.form.pitch_diameter);
+      }
   const double              pitch_radius = 1. / per_torque;
   const parameters::Loads  &loads        = parameters.loads;
   const parameters::Layout &layout       = parameters.drive.layout;
-  Pull pull{loads.resisting_torque / pitch_radius, "of the load", "Loads/Resisting torque in N m"};
-  const double after = std::abs(loads.torque_after_step) / pitch_radius;
+  Pull                      pull{largest, "of the load", "Loads/Resisting torque in N m"};
+  const double              after = std::abs(loads.torque_after_step) / pitch_radius;
   if (loads.torque_step_time && after > pull.tension)
     pull = {after, "of the load after its step", "Loads/Torque after step in N m"};
   if (layout.centre_distance_from == CentreDistanceFrom::pretension &&
@@ -75,16 +78,19 @@ void refuse_soft(const std::string &entry,
 /// tenths of the root diameter: a plain disc on a stout shaft.
 Sprocket make_sprocket(const unsigned int           number,
                        const parameters::Sprockets &sprockets,
-                       const ChainDimensions       &chain)
+                       const ChainDimensions       &chain,
+                       const std::optional<double> &driven_inertia)
 {
   const parameters::Sprocket &given = sprockets.list[number];
   Sprocket                    sprocket;
-  sprocket.name         = given.name;
-  sprocket.title        = given.in_words();
-  sprocket.in_entries   = given.in_entries();
-  sprocket.role         = given.role;
-  sprocket.form         = make_tooth_form(given.teeth, chain, sprockets, number);
-  sprocket.mesh         = given.mesh;
+  sprocket.name       = given.name;
+  sprocket.title      = given.in_words();
+  sprocket.in_entries = given.in_entries();
+  sprocket.role       = given.role;
+  sprocket.form       = make_tooth_form(given.teeth, chain, sprockets, number);
+  sprocket.mesh       = given.mesh;
+  sprocket.given_inertia =
+      given.name == sprockets.driven().name && driven_inertia ? driven_inertia : given.inertia;
   const double root     = sprocket.form.root_diameter;
   sprocket.bore         = given.bore.value_or(root / 3.);
   sprocket.hub_diameter = given.hub_diameter.value_or(std::max(sprocket.bore, 0.6 * root));
@@ -178,6 +184,56 @@ void note_mass(Drive &d, const Parameters &parameters)
                       " takes.");
 }
 
+/// The torques of loads that @p d, which has its sprockets, meets in operation.
+void set_torques(const Parameters &p, Drive &d)
+{
+  for (Sprocket &sprocket : d.sprockets)
+    {
+      const double speed      = p.loads.driver_speed * d.driver().form.teeth / sprocket.form.teeth;
+      sprocket.mean_torque    = sprocket.program.mean_torque(p.time.start, p.time.end, speed);
+      sprocket.largest_torque = sprocket.program.largest_torque(p.time.start, p.time.end, speed);
+    }
+}
+
+/// Refuses a load that grows so much with the speed that it would stop its inertia within some time
+/// steps.
+void refuse_brake(const Drive &d)
+{
+  constexpr double fastest = 5e3; // 1/s
+  const double     speed   = d.driver().program.speed ?
+                                 d.driver().program.speed->largest(-1e9, 1e9) * d.driver().form.teeth :
+                                 0.;
+  for (const Sprocket &sprocket : d.sprockets)
+    {
+      double steepest = 0.; // N m s
+      for (const functions::Term &term : sprocket.program.terms)
+        if (term.variable == functions::Variable::speed)
+          steepest += term.function->steepest(0., speed / sprocket.form.teeth);
+      if (steepest > fastest * sprocket.inertia)
+        throw InputError("Loads/" + sprocket.name + "/Of speed: a torque that grows by " +
+                         to_text(steepest, 4) + " N m s stops the inertia of the " +
+                         sprocket.title + ", " + to_text(sprocket.inertia, 4) +
+                         " kg m2, faster than a time step resolves; choose smaller values, or an "
+                         "inertia of at least " +
+                         to_text_at_least(steepest / fastest, 4) + " kg m2.");
+    }
+}
+
+/// The speed of the driver from which a settled start goes, rad/s.
+double speed_at_start(const Parameters &p, const ShaftProgram &driver)
+{
+  if (p.drive.layout.start != parameters::Start::settled)
+    return p.loads.driver_speed;
+  const double speed = driver.speed->value(p.time.start);
+  if (speed < 0.)
+    throw InputError("Drive/Layout/Start = settled begins at the speed that Loads/driver gives at "
+                     "the start, " +
+                     to_text(speed) +
+                     " rad/s: it must not be below zero; choose another one, or "
+                     "taut.");
+  return speed;
+}
+
 /// What may keep a drive from being settled, in a sentence after the refusal; else nothing.
 std::string reason_to_fail(const parameters::Chain &chain, const Layout &layout)
 {
@@ -263,18 +319,21 @@ void append(std::vector<std::string> &notes, const std::vector<std::string> &mor
   notes.insert(notes.end(), more.begin(), more.end());
 }
 
-/// The driver is held, and the load @p torque [N m], counter-clockwise in a drive that turns so,
-/// acts on each sprocket that has one.
-std::vector<RestingWheel>
-resting_wheels(const std::vector<Sprocket> &sprockets, const Layout &layout, const double torque)
+/// The driver is held, and on each sprocket that has a load the torque [N m] acts that @p
+/// torque_of it tells, counter-clockwise in a drive that turns so.
+template <typename TorqueOf>
+std::vector<RestingWheel> resting_wheels(const std::vector<Sprocket> &sprockets,
+                                         const Layout                &layout,
+                                         const TorqueOf              &torque_of)
 {
   std::vector<RestingWheel> wheels;
   wheels.reserve(sprockets.size());
   for (std::size_t i = 0; i < sprockets.size(); ++i)
-    wheels.push_back(resting_sprocket(
-        sprockets[i].form,
-        sprockets[i].role == Role::driver,
-        sprockets[i].role == Role::driven ? layout.sprockets[i].turn * torque : 0.));
+    wheels.push_back(resting_sprocket(sprockets[i].form,
+                                      sprockets[i].role == Role::driver,
+                                      sprockets[i].role == Role::driven ?
+                                          layout.sprockets[i].turn * torque_of(sprockets[i]) :
+                                          0.));
   return wheels;
 }
 } // namespace
@@ -301,13 +360,15 @@ Drive make_drive(const Parameters  &parameters,
   d.chain = make_chain(parameters.drive.chain, parameters.effects);
   for (unsigned int i = 0; i < sprockets.list.size(); ++i)
     {
-      d.sprockets.push_back(make_sprocket(i, sprockets, d.chain));
+      d.sprockets.push_back(make_sprocket(i, sprockets, d.chain, parameters.model.driven_inertia));
       d.sprockets[i].program =
-          make_program(d.sprockets[i].role,
+          make_program(sprockets.list[i],
                        parameters.loads,
                        parameters.time.start,
-                       parameters.drive.layout.start == parameters::Start::settled);
+                       parameters.drive.layout.start == parameters::Start::settled,
+                       parameters.folders);
     }
+  set_torques(parameters, d);
   append(d.notes, d.chain.derived);
   for (const Sprocket &sprocket : d.sprockets)
     append(d.notes, sprocket.form.derived);
@@ -329,10 +390,9 @@ Drive make_drive(const Parameters  &parameters,
     {
       sprocket.solid =
           sprocket_solid(sprocket.form, sprocket.bore, d.sprocket_width, steel.density);
-      sprocket.inertia = sprocket.role == Role::driven && parameters.model.driven_inertia ?
-                             *parameters.model.driven_inertia :
-                             sprocket.solid.inertia[2][2];
+      sprocket.inertia = sprocket.given_inertia.value_or(sprocket.solid.inertia[2][2]);
     }
+  refuse_brake(d);
   d.mass_per_pitch =
       d.roller_solid.mass + 0.5 * (d.inner_link_solid.mass + d.outer_link_solid.mass);
   note_mass(d, parameters);
@@ -340,7 +400,7 @@ Drive make_drive(const Parameters  &parameters,
   d.nominal_tension = 0.;
   for (const Sprocket &sprocket : d.sprockets)
     if (sprocket.role == Role::driven)
-      d.nominal_tension += parameters.loads.resisting_torque / (0.5 * sprocket.form.pitch_diameter);
+      d.nominal_tension += sprocket.mean_torque / (0.5 * sprocket.form.pitch_diameter);
   // contact stiffness depends on the load: without one, a load that strains steel visibly
   d.reference_load                   = d.nominal_tension > 0. ?
                                            d.nominal_tension :
@@ -390,13 +450,14 @@ Drive make_drive(const Parameters  &parameters,
     forms.push_back(sprocket.form);
   const double mass  = given.mass_per_pitch.value_or(d.mass_per_pitch) / d.chain.loaded_pitch();
   const double speed = parameters.loads.driver_speed * 0.5 * forms[0].pitch_diameter;
-  const auto   lay   = [&](const parameters::Drive &entries, const ChainDimensions &chain) {
+  const double start_speed = speed_at_start(parameters, d.driver().program);
+  const auto   lay         = [&](const parameters::Drive &entries, const ChainDimensions &chain) {
     return make_layout(entries,
                        chain,
                        forms,
                        model.has_clearances,
                        d.stiffness_per_pitch,
-                       parameters.loads.driver_speed,
+                       start_speed,
                        d.nominal_tension,
                        gravity(parameters) == 0.,
                        mass * gravity(parameters),
@@ -412,7 +473,7 @@ Drive make_drive(const Parameters  &parameters,
   if (stretched && layout.pretension > 0.)
     bring_to_rest(d.layout,
                   resting_chain(parameters, d),
-                  resting_wheels(d.sprockets, d.layout, 0.),
+                  resting_wheels(d.sprockets, d.layout, [](const Sprocket &) { return 0.; }),
                   layout.pretension);
   if (settled)
     {
@@ -424,9 +485,16 @@ Drive make_drive(const Parameters  &parameters,
           {
             settle(start,
                    chain,
-                   resting_wheels(
-                       d.sprockets, start, -start.sense * parameters.loads.resisting_torque),
-                   {std::abs(parameters.loads.driver_speed),
+                   resting_wheels(d.sprockets,
+                                  start,
+                                  [&](const Sprocket &sprocket) {
+                                    return -start.sense *
+                                           sprocket.program.lasting_torque(
+                                               0.,
+                                               parameters.time.start,
+                                               start_speed * forms[0].teeth / sprocket.form.teeth);
+                                  }),
+                   {std::abs(start_speed),
                     given.mass_per_pitch.value_or(d.mass_per_pitch),
                     facts.tooth_frequency < facts.driven_frequency});
           }

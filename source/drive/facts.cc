@@ -95,7 +95,7 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
   facts.spans.front().label = Facts::Label::slack;
   facts.spans.back().label  = Facts::Label::tight;
 
-  const double speed = std::abs(p.loads.driver_speed), torque = p.loads.resisting_torque;
+  const double speed = std::abs(p.loads.driver_speed);
   double       pulls = 0.; // of all loads, torque over number of teeth
   for (std::size_t i = 0; i < n; ++i)
     {
@@ -105,7 +105,8 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
       const double    out  = path::tangent_angle(wheels[i], wheels[(i + 1) % n]);
       double          wrap = wheels[i].turn * (out - in);
       wrap -= 2. * PI * std::floor(wrap / (2. * PI));
-      const bool loaded = sprocket.role == Role::driven;
+      const bool   loaded = sprocket.role == Role::driven;
+      const double torque = sprocket.mean_torque;
       pulls += loaded ? torque / z : 0.;
       facts.sprockets.push_back({sprocket.name,
                                  sprocket.title,
@@ -182,7 +183,7 @@ double kept_tension(const Facts               &facts,
 double start_tension(const Facts &facts, const Parameters &p, const Drive &d)
 {
   const double steepest =
-      d.sprockets.front().program.speed->steepest(p.time.start, p.time.end); // rad/s2
+      d.sprockets.front().program.run_up->steepest(p.time.start, p.time.end); // rad/s2
   if (steepest == 0.)
     return 0.;
   const double of_chain = facts.chain_speed / p.loads.driver_speed * steepest; // m/s2
@@ -349,7 +350,7 @@ Facts make_facts(const Parameters &p, const Drive &d)
   facts.driven_inertia = facts.loaded().inertia;
   facts.start_tension  = start_tension(facts, p, d);
   facts.full_speed_from =
-      functions::last_breakpoint(*d.sprockets.front().program.speed, p.time.start);
+      functions::last_breakpoint(*d.sprockets.front().program.run_up, p.time.start);
   facts.driven_frequency = driven_frequency(facts, p, d);
   facts.driven_resonance = 2. * PI * facts.driven_frequency / z1;
   set_limits(facts);

@@ -169,6 +169,11 @@ Lines lines_of(const Facts &facts)
   const auto line = [&lines](const std::string &name, const std::string &text) {
     lines.emplace_back(name, text);
   };
+  std::string on_shafts;
+  for (const Facts::Sprocket &s : facts.sprockets)
+    on_shafts += (on_shafts.empty() ? ", on shafts " : ", ") + to_text(s.load, 4);
+  if (facts.sprockets.size() == 2)
+    on_shafts = ", on each shaft " + to_text(facts.shaft_load, 4);
   line("chain",
        facts.chain + ", " + std::to_string(facts.links) + " links of " + mm(facts.pitch) +
            " pitch (" + mm(facts.loaded_pitch) + " under load), " +
@@ -204,8 +209,7 @@ Lines lines_of(const Facts &facts)
                 "") +
            (facts.safety > 0. ? "; safety against breaking " + to_text(facts.safety, 3) : ""));
   line("loads",
-       "joint pressure " + to_text(facts.joint_pressure * 1e-6, 3) + " MPa, on each shaft " +
-           to_text(facts.shaft_load, 4) + " N");
+       "joint pressure " + to_text(facts.joint_pressure * 1e-6, 3) + " MPa" + on_shafts + " N");
   line("driven inertia",
        to_text(facts.driven_inertia, 4) + " kg m2, on the tight span " +
            to_text(facts.driven_frequency, 4) + " Hz (tooth frequency at " +
@@ -218,7 +222,8 @@ Lines lines_of(const Facts &facts)
 
 void print_line(std::ostream &out, const std::pair<std::string, std::string> &line)
 {
-  out << "  " << std::left << std::setw(18) << line.first << std::right << line.second << '\n';
+  out << "  " << std::left << std::setw(18) << line.first + (line.first.size() < 18 ? "" : " ")
+      << std::right << line.second << '\n';
 }
 } // namespace
 

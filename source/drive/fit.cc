@@ -33,10 +33,17 @@ std::vector<path::Wheel> Fitter::wheels(const double centre_distance) const
     {
       Point<2> centre = wheel.centre;
       if (wheel.moves)
-        centre = Point<2>(sprockets[0].centre[0] + centre_distance, sprockets[0].centre[1]);
+        centre = Point<2>(sprockets[0].centre[0] + centre_distance * std::cos(wheel.direction),
+                          sprockets[0].centre[1] + centre_distance * std::sin(wheel.direction));
       at.emplace_back(wheel.teeth, centre, chain.seats, wheel.turn);
     }
   return at;
+}
+
+bool Fitter::moves() const
+{
+  return std::any_of(
+      sprockets.begin(), sprockets.end(), [](const Wheel &wheel) { return wheel.moves; });
 }
 
 std::vector<Fitter::Wheel> wheels_of(const parameters::Sprockets &sprockets)
@@ -48,6 +55,7 @@ std::vector<Fitter::Wheel> wheels_of(const parameters::Sprockets &sprockets)
       wheels.push_back({sprocket.teeth, sprocket.turn, !sprocket.centre && !at_origin});
       if (sprocket.centre)
         wheels.back().centre = Point<2>((*sprocket.centre)[0], (*sprocket.centre)[1]);
+      wheels.back().direction = sprocket.direction;
     }
   return wheels;
 }
@@ -94,7 +102,7 @@ double Fitter::solve(const Target &target, const double low, const double high) 
 {
   return bisect(low, high, 1e-7, [&](const double c) {
     const auto best = fits(c, target.kind == Target::Kind::slack, 1);
-    return best.empty() ? 1. : excess(best.front(), target);
+    return best.empty() ? 1. : (rises ? -1. : 1.) * excess(best.front(), target);
   });
 }
 
@@ -104,7 +112,7 @@ Fitter::solve(const Target &target, const path::Route &route, const double guess
   const double reach = 0.3 * chain.seats.mean();
   const auto   at    = [&](const double c) {
     const auto f = fit(c, route);
-    return f ? excess(*f, target) : std::nan("");
+    return f ? (rises ? -1. : 1.) * excess(*f, target) : std::nan("");
   };
   if (!(at(guess - reach) > 0. && at(guess + reach) <= 0.))
     return {};

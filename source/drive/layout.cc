@@ -191,8 +191,10 @@ void check_slack(const Fit &fit, const Fitter &fitter, const double height, cons
       {
         const double       length = span.from.distance(span.to);
         const Tensor<1, 2> along = (span.to - span.from) / length, arm = p - span.from;
-        if (arm * along > 0. && arm * along < length &&
-            along[0] * arm[1] - along[1] * arm[0] < height)
+        const double       beside = along[0] * arm[1] - along[1] * arm[0];
+        // of two sprockets the tight span has all of the loop on one side
+        const bool meets = fit.wheels.size() == 2 ? beside < height : std::abs(beside) < height;
+        if (arm * along > 0. && arm * along < length && meets)
           throw InputError("Drive/Layout: with " + in_mm(slack.slack) +
                            " of slack the slack span would hang down onto another one; use fewer "
                            "links, a greater centre distance, or Tight span = upper.");
@@ -357,8 +359,10 @@ Layout make_layout(const parameters::Drive      &drive,
     return make_fitter(
         drive, chain, clearances, stiffness_per_pitch, tight_tension, weightless, in_both);
   };
-  Fitter       fitter = fitter_with(0.);
-  unsigned int moved  = 1;
+  Fitter fitter = fitter_with(0.);
+  check_wheels(drive.sprockets, drive.layout, forms, fitter);
+  fitter.rises       = slack_rises(fitter, drive.layout.centre_distance);
+  unsigned int moved = 1;
   for (unsigned int i = 1; i < fitter.sprockets.size(); ++i)
     if (fitter.sprockets[i].moves)
       moved = i;
@@ -369,8 +373,9 @@ Layout make_layout(const parameters::Drive      &drive,
       // the span is longer by the stretch, which changes its tension by as small a part
       const path::SlackSpan &slack = proposal.fits.front().laid.slack;
       const HangingSpan      hung{slack.from.distance(slack.to), weight, 0.};
-      fitter   = fitter_with(hung.tension_of_sag(drive.layout.sag * hung.length) + centrifugal);
-      proposal = propose(fitter, drive.layout, least, clearances);
+      fitter       = fitter_with(hung.tension_of_sag(drive.layout.sag * hung.length) + centrifugal);
+      fitter.rises = slack_rises(fitter, drive.layout.centre_distance);
+      proposal     = propose(fitter, drive.layout, least, clearances);
     }
 
   // The best route may leave a roller just short of its seat, touching a flank: then it belongs on
@@ -384,6 +389,7 @@ Layout make_layout(const parameters::Drive      &drive,
       if (!found || found->laid.slack.links < 1)
         continue;
       const Fit &fit = *found;
+      check_loop(fit.wheels);
       check_slack(
           fit, fitter, std::max(chain.inner_plate_height, chain.outer_plate_height), clearances);
       Layout layout = to_layout(fit.wheels, fitter.chain, fit.laid);

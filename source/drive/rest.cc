@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <vector>
 
 namespace chaindrive::drive
@@ -71,14 +70,29 @@ public:
       at_.push_back(joint.bush);
   }
 
-  /// Moves the shaft of wheel 1 along x, and the chain with it, as if all of it were stretched
-  /// alike.
+  /// Moves the shaft that the layout found away from that of wheel 0, and the chain with it, as if
+  /// what leads to it were stretched alike.
   void move_shaft(const double by)
   {
-    double &shaft = layout_.sprockets[layout_.moved].centre[0];
-    for (Point<2> &p : at_)
-      p[0] += std::clamp(p[0] / shaft, 0., 1.) * by;
-    shaft += by;
+    Point<2>    &shaft = layout_.sprockets[layout_.moved].centre;
+    const Vector arm = shaft - layout_.sprockets[0].centre, way = by / arm.norm() * arm;
+    if (wheels_.size() == 2 && arm[1] == 0.)
+      for (Point<2> &p : at_)
+        p[0] += std::clamp(p[0] / shaft[0], 0., 1.) * by;
+    else
+      {
+        const auto share = [this](const unsigned int k) {
+          return layout_.joints[k].sprocket == static_cast<int>(layout_.moved) ? 1. : 0.;
+        };
+        for (unsigned int k = 0; k < n_; ++k)
+          at_[k] += share(k) * way;
+        for (const Layout::Span &span : layout_.spans)
+          for (unsigned int k = 1; k < span.links; ++k)
+            at_[(span.first + k) % n_] +=
+                ((span.links - k) * share(span.first) + k * share((span.first + span.links) % n_)) /
+                span.links * way;
+      }
+    shaft += way;
   }
 
   /// Finds the equilibrium to @p tolerance [N]; false if there seems to be none. Stiff seats are
@@ -484,33 +498,7 @@ void set_speed(Layout &layout, const unsigned int i, const double speed)
       joint.velocity *= factor;
   wheel.speed = speed;
 }
-
-/// A sprocket as an obstacle.
-class Teeth : public path::Obstacle
-{
-public:
-  explicit Teeth(const ToothForm &form) : form_(form) {}
-
-  double        reach() const override { return 0.5 * form_.outside_diameter; }
-  path::Nearest nearest(const Point<2> &p) const override
-  {
-    const Projection nearest = form_.closest_point(p);
-    return {nearest.distance, nearest.normal};
-  }
-
-private:
-  const ToothForm &form_;
-};
 } // namespace
-
-RestingWheel resting_sprocket(const ToothForm &form, const bool held, const double torque)
-{
-  return {std::make_shared<Teeth>(form),
-          0.5 * form.pitch_diameter,
-          static_cast<double>(form.teeth),
-          held,
-          torque};
-}
 
 void bring_to_rest(Layout                          &layout,
                    const RestingChain              &chain,

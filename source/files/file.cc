@@ -214,6 +214,25 @@ void write_text(const std::string &path, const std::string &text)
   write_file(path, [&text](std::ostream &out) { out << text; });
 }
 
+std::string find_file(const std::string &name, const std::vector<std::string> &folders)
+{
+  namespace fs = std::filesystem;
+  std::vector<std::string> looked;
+  for (const std::string &folder : folders) // an absolute name takes the folder's place
+    {
+      std::string path = (fs::path(folder) / name).lexically_normal().string();
+      if (fs::is_regular_file(path))
+        return path;
+      if (std::find(looked.begin(), looked.end(), path) == looked.end())
+        looked.push_back(path);
+    }
+  std::string places;
+  for (const std::string &path : looked)
+    places += (places.empty() ? "; looked for " : " and ") + path;
+  throw InputError("There is no file '" + name + "'" +
+                   (looked == std::vector<std::string>{name} ? "" : places) + ".");
+}
+
 std::string read_text(const std::string &path)
 {
   std::ifstream     in(path, std::ios::binary);

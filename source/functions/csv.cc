@@ -5,7 +5,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,7 @@ namespace chaindrive::functions
 namespace
 {
 constexpr std::size_t most_points = 1000000;
+constexpr std::size_t most_bytes  = 64000000;
 
 bool is_separator(const char c) { return c == ' ' || c == '\t' || c == ',' || c == ';'; }
 
@@ -39,8 +42,15 @@ std::optional<std::vector<double>> numbers(const char *at, const char *end)
 }
 } // namespace
 
-Pointer read_csv(const std::string &path, const double x_unit, const double y_unit)
+std::shared_ptr<const Table>
+read_csv(const std::string &path, const double x_unit, const double y_unit, const double x_zero)
 {
+  std::error_code error;
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+    throw InputError("'" + path + "' is no table: it is a directory or a device.");
+  if (const auto size = std::filesystem::file_size(path, error); !error && size > most_bytes)
+    throw InputError("'" + path + "' is larger than 64 MB; a table has at most " +
+                     std::to_string(most_points) + " points.");
   const std::string text = files::read_text(path);
   const auto        fail = [&path](const std::size_t line, const std::string &why) {
     throw InputError("'" + path + "', line " + std::to_string(line) + ": " + why + ".");
@@ -65,17 +75,18 @@ Pointer read_csv(const std::string &path, const double x_unit, const double y_un
         continue;
       if (!found || found->size() != 2)
         fail(line, "two finite numbers are expected, the variable and the value");
-      if (!x.empty() && !(x_unit * (*found)[0] > x.back()))
+      const double at = x_unit * (*found)[0] + x_zero;
+      if (!x.empty() && !(at > x.back()))
         fail(line, "the variable must exceed that of the line before");
       if (x.size() == most_points)
         fail(line, "a table has at most " + std::to_string(most_points) + " points");
-      x.push_back(x_unit * (*found)[0]);
+      x.push_back(at);
       y.push_back(y_unit * (*found)[1]);
     }
   if (x.empty())
     throw InputError("'" + path +
                      "' has no points: on each line two numbers are expected, the "
                      "variable and the value.");
-  return std::make_shared<Table>(std::move(x), std::move(y));
+  return std::make_shared<const Table>(std::move(x), std::move(y));
 }
 } // namespace chaindrive::functions

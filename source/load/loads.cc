@@ -100,11 +100,12 @@ void Loads::add_work(World &world)
     for (State &shaft : shafts_)
       if (shaft.given.body == hub.body)
         {
-          const double sense = shaft.given.sense;
-          const double torque =
-              hub.prescribed ? -world.moment_about(hub) : // supplied against the contacts
-                  -sense * shaft.given.program.resisting_torque(sense * hub.angle, world.time);
-          const double work = 0.5 * (shaft.torque + torque) * (hub.angle - shaft.angle);
+          const double sense  = shaft.given.sense;
+          const double torque = hub.prescribed ?
+                                    -world.moment_about(hub) : // supplied against the contacts
+                                    -sense * shaft.given.program.resisting_torque(
+                                                 sense * hub.angle, world.time, sense * hub.speed);
+          const double work   = 0.5 * (shaft.torque + torque) * (hub.angle - shaft.angle);
           if (booked_ && hub.prescribed)
             world.ledger.drive_work += work;
           else if (booked_)

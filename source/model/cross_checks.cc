@@ -300,6 +300,17 @@ void check_model(const Parameters &p, Findings &findings)
       "Loads/Torque after step in N m has no effect, since Torque step time in ms is auto.");
 }
 
+/// What is asked of an idler.
+void check_wheels(const Parameters &p, Findings &findings)
+{
+  for (const Sprocket &sprocket : p.drive.sprockets.list)
+    findings.contradiction(
+        sprocket.role == parameters::Role::idler &&
+            (sprocket.resisting_torque || sprocket.torque_terms.any_active()),
+        "Loads/" + sprocket.name + " has a torque, but Drive/Wheels/" + sprocket.name +
+            "/Role = idler turns freely; choose driven, or leave the torque out.");
+}
+
 /// What is switched on or off in an elastic model must fit together.
 void check_elasticity(const Parameters &p, const Effects &effects, Findings &findings)
 {
@@ -487,6 +498,7 @@ std::vector<std::string> cross_check(const Parameters &parameters, const Effects
   check_times(parameters, effects, findings);
   check_chain(parameters, effects, findings);
   check_model(parameters, findings);
+  check_wheels(parameters, findings);
   check_effects(parameters, effects, findings);
   check_elasticity(parameters, effects, findings);
   check_quantities(parameters, effects, findings);

@@ -106,7 +106,6 @@ Model make_model(const Parameters &p, const drive::Drive &drive, const Effects &
   model.others_reduced = p.model.other_links == parameters::OtherLinks::reduced;
   model.elastic_joints = elastic_joints(p, drive, effects, model.notes);
   model.mass_per_pitch = value_of(p.model.mass_per_pitch, drive.mass_per_pitch);
-  model.driven_inertia = p.model.driven_inertia;
   model.sections       = p.sections;
   model.material       = p.material;
   model.elements       = p.elements;

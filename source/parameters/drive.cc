@@ -224,7 +224,9 @@ void Layout::declare(Declarations &declarations)
       unit::milli,
       between(1e-3, 100000.),
       "Distance of the shafts. A chain too short to be laid round them is refused with the "
-      "numbers. Default: the drive in prm/paper with 0.5 mm of slack.");
+      "numbers. Of more than two wheels it is that of the one which is found from the driver, and "
+      "the search for others begins with it. Default: the drive in prm/paper with 0.5 mm of "
+      "slack.");
   add(declarations,
       "Slack in mm",
       slack,
@@ -306,6 +308,7 @@ void Drive::declare(Declarations &declarations)
       9,
       500,
       "Teeth of the sprocket that carries the load torque. Default: the drive in prm/paper.");
+  sprockets.declare_wheels(declarations);
   chain.declare(declarations);
   sprockets.declare(declarations);
   layout.declare(declarations);

@@ -216,6 +216,37 @@ Entry &add(Declarations      &declarations,
       });
 }
 
+Entry &add(Declarations        &declarations,
+           const std::string   &name,
+           std::vector<double> &member,
+           const int            exponent,
+           const Range         &range,
+           const std::string   &meaning)
+{
+  std::string default_value;
+  for (const double value : member)
+    default_value += (default_value.empty() ? "" : ", ") + to_entry_text(value, exponent);
+  return declarations.add(
+      name,
+      default_value,
+      "nothing, or one of these or several separated by commas: " + range.text(),
+      meaning,
+      [range](const std::string &text) {
+        const std::vector<std::string> words = split_at_commas(text);
+        return text.empty() ||
+               (!words.empty() &&
+                std::all_of(words.begin(), words.end(), [&range](const std::string &word) {
+                  return is_in(word, range);
+                }));
+      },
+      [&member, exponent](const std::string &text) {
+        member.clear();
+        if (!text.empty())
+          for (const std::string &word : split_at_commas(text))
+            member.push_back(from_entry_text(word, exponent).value_or(0.));
+      });
+}
+
 Entry &add_choice(Declarations                                   &declarations,
                   const std::string                              &name,
                   const std::string                              &default_value,

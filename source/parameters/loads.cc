@@ -103,7 +103,7 @@ void add_other_form(Declarations      &declarations,
 }
 } // namespace
 
-void Loads::declare(Declarations &declarations)
+void Loads::declare(Declarations &declarations, Sprockets &sprockets)
 {
   const Subsection section(declarations, "Loads");
   add(declarations,
@@ -177,5 +177,19 @@ void Loads::declare(Declarations &declarations)
       between(0., 1e4),
       "Resisting force on every body of the chain over its mass and velocity; its inverse is the "
       "time in which a freely moving chain slows down to 37 percent. Default: none.");
+  for (Sprocket &sprocket : sprockets.list)
+    {
+      const Subsection own(declarations, sprocket.name);
+      if (sprocket.name != "driver" && sprocket.name != "driven")
+        add(declarations,
+            "Resisting torque in N m",
+            sprocket.resisting_torque,
+            unit::si,
+            between(0., 1e7),
+            "Load torque, which resists the rotation of this wheel; it must be driven. auto: none "
+            "where it is an idler, else as Loads/Resisting torque in N m, which steps.");
+      (sprocket.role == Role::driver ? sprocket.speed_terms : sprocket.torque_terms)
+          .declare(declarations);
+    }
 }
 } // namespace chaindrive::parameters

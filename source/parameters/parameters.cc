@@ -13,7 +13,7 @@ void Parameters::declare(parameters::Declarations &declarations)
   reduction.declare(declarations);
   contact.declare(declarations);
   effects.declare(declarations, drive.sprockets);
-  loads.declare(declarations);
+  loads.declare(declarations, drive.sprockets);
   time.declare(declarations);
   output.declare(declarations);
   acoustics.declare(declarations);

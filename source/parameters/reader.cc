@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -38,17 +39,18 @@ class Reader
 {
 public:
   /// A study file has a section more, loops over values, and may include other files.
-  explicit Reader(Input &input, Study *study = nullptr) : input_(input), is_study_(study != nullptr)
+  explicit Reader(Input &input, Study *study = nullptr)
+      : input_(input), study_(study), is_study_(study != nullptr)
   {
-    input.parameters.declare(declarations_);
-    if (study != nullptr)
-      study->declare(declarations_);
+    declare();
   }
 
   void read_file(const std::string &file)
   {
     const std::string includes_it = std::exchange(file_, file);
     files_.push_back(file);
+    if (const std::string folder = folder_of(file); files_.size() == 1 && folder != ".")
+      input_.parameters.folders.insert(input_.parameters.folders.begin(), folder);
     if (files_.size() > most_files)
       throw InputError("'" + file + "': more than " + std::to_string(most_files) +
                        " files include each other; one may include itself.");
@@ -74,7 +76,8 @@ public:
     file_ = includes_it;
   }
 
-  /// Takes the value of an entry that exists.
+  /// Takes the value of an entry that exists; the one that says which wheels there are before those
+  /// of wheels.
   void read_entry(const std::string &path, const std::string &value)
   {
     if (const Entry *entry = find(path, ""))
@@ -96,7 +99,7 @@ public:
   std::vector<Loop> loops() const
   {
     std::vector<Loop> loops;
-    for (const Entry &entry : declarations_.entries())
+    for (const Entry &entry : declarations_->entries())
       if (const auto given = values_.find(entry.path());
           given != values_.end() && is_loop(given->second) && may_be_loop(entry))
         loops.push_back({entry.path(), given->second});
@@ -129,7 +132,7 @@ public:
         return;
       }
     errors_.push_back(where + "there is no entry '" + path + "'." +
-                      advice_on_path(declarations_, path, trim(text.substr(equals + 1))));
+                      advice_on_path(*declarations_, path, trim(text.substr(equals + 1))));
   }
 
   /// Throws the mistakes found so far.
@@ -146,7 +149,7 @@ public:
   std::string resolved() const
   {
     std::ostringstream out;
-    write_prm(out, declarations_, values_, false);
+    write_prm(out, *declarations_, values_, false);
     return out.str();
   }
 
@@ -154,7 +157,7 @@ public:
   std::vector<std::string> changed() const
   {
     std::vector<std::string> paths;
-    for (const Entry &entry : declarations_.entries())
+    for (const Entry &entry : declarations_->entries())
       {
         const auto given = values_.find(entry.path());
         if (given == values_.end() || given->second == entry.default_value)
@@ -195,7 +198,7 @@ public:
     if (!n_links)
       throw InputError("Drive/Number of links = auto cannot be found here; give a number.");
     const std::string links = std::to_string(n_links(drive));
-    set_value(*declarations_.find("Drive", "Number of links"), links, "");
+    set_value(*declarations_->find("Drive", "Number of links"), links, "");
     input_.notes.push_back("Drive/Number of links = auto: " + links + " for a centre distance of " +
                            to_entry_text(drive.layout.centre_distance, unit::milli) + " mm.");
   }
@@ -205,7 +208,7 @@ public:
   {
     const Parameters &p = input_.parameters;
     if (interval && !p.output.field_interval)
-      set_value(*declarations_.find("Output", "Field interval in ms"),
+      set_value(*declarations_->find("Output", "Field interval in ms"),
                 to_entry_text(interval(p), unit::milli),
                 "");
   }
@@ -215,7 +218,7 @@ public:
     const bool has_region =
         input_.parameters.model.elastic_links == ElasticLinks::region_of_interest;
     std::string text;
-    for (const Entry &entry : declarations_.entries())
+    for (const Entry &entry : declarations_->entries())
       {
         if (entry.on_resume == OnResume::may_change ||
             (entry.on_resume == OnResume::must_stay_with_region_of_interest && !has_region))
@@ -228,6 +231,33 @@ public:
   }
 
 private:
+  /// Declares all entries of the wheels that there are.
+  void declare()
+  {
+    declarations_ = std::make_unique<Declarations>();
+    input_.parameters.declare(*declarations_);
+    if (study_ != nullptr)
+      study_->declare(*declarations_);
+  }
+
+  /// The same for other wheels: what has been read so far is set again.
+  void declare_wheels(const std::string &order)
+  {
+    Parameters anew;
+    anew.drive.sprockets.set_order(dealii::Utilities::split_string_list(order, ','));
+    anew.folders      = input_.parameters.folders;
+    input_.parameters = anew;
+    if (study_ != nullptr)
+      *study_ = Study();
+    declare();
+    for (const auto &[path, value] : values_)
+      if (const Entry *entry = find(path, ""); entry == nullptr)
+        errors_.push_back(path + " = " + value + " is of a wheel that " + order_entry + " = " +
+                          order + " does not name.");
+      else if (!(is_study_ && is_loop(value) && may_be_loop(*entry)))
+        declarations_->set(*entry, value, "");
+  }
+
   void read_statement(const Line &line, const std::string &where)
   {
     const std::size_t blank   = line.text.find(' ');
@@ -270,8 +300,8 @@ private:
     const std::string outer = open_.empty() ? "" : open_.back().first;
     const std::string path  = outer.empty() ? name : outer + "/" + name;
     // what stands in an unknown section is passed over: one sentence for it is enough
-    if (declarations_.has_section(outer) && !declarations_.has_section(path))
-      errors_.push_back(where + unknown_section(declarations_, name, outer));
+    if (declarations_->has_section(outer) && !declarations_->has_section(path))
+      errors_.push_back(where + unknown_section(*declarations_, name, outer));
     open_.emplace_back(path, line);
   }
 
@@ -290,7 +320,7 @@ private:
   const Entry *find(const std::string &path, const std::string &where)
   {
     const std::string present = current_path(path);
-    for (const Entry &entry : declarations_.entries())
+    for (const Entry &entry : declarations_->entries())
       if (entry.path() == path || entry.path() == present)
         {
           if (entry.path() != path)
@@ -316,7 +346,7 @@ private:
         errors_.push_back(where + "an entry is written 'set Name = value'; the '=' is missing.");
         return;
       }
-    if (!declarations_.has_section(section))
+    if (!declarations_->has_section(section))
       return;
     const std::string name = trim(rest.substr(0, equals));
     const std::string path = section.empty() ? name : section + "/" + name;
@@ -336,14 +366,15 @@ private:
         set_value(*entry, trim(rest.substr(equals + 1)), where);
       }
     else
-      errors_.push_back(where +
-                        unknown_entry(declarations_, section, name, trim(rest.substr(equals + 1))));
+      errors_.push_back(
+          where + unknown_entry(*declarations_, section, name, trim(rest.substr(equals + 1))));
   }
 
-  /// What the section Study says is of the whole study, but for the ranks.
+  /// What the section Study says is of the whole study, but for the ranks; and there are sections
+  /// for one order of wheels.
   static bool may_be_loop(const Entry &entry)
   {
-    return entry.section != "Study" || entry.name == "Ranks";
+    return (entry.section != "Study" || entry.name == "Ranks") && entry.path() != order_entry;
   }
 
   /// A value that a .prm file cannot hold would be another one when parameters.prm or a study's
@@ -379,8 +410,11 @@ private:
     try
       {
         refuse_unwritable(entry, value, where);
-        declarations_.set(entry, value, where);
-        values_[entry.path()] = value;
+        const std::string path = entry.path();
+        declarations_->set(entry, value, where);
+        values_[path] = value;
+        if (path == order_entry)
+          declare_wheels(value); // after which there are other entries
       }
     catch (const InputError &error)
       {
@@ -406,7 +440,7 @@ private:
       }
     const double value = converted(*from_entry_text(given->second, unit::si));
     values_.erase(given);
-    set_value(*declarations_.find("Loads", entry), to_entry_text(value, unit::si), "");
+    set_value(*declarations_->find("Loads", entry), to_entry_text(value, unit::si), "");
   }
 
   static constexpr std::size_t most_files = 20;
@@ -419,8 +453,9 @@ private:
   };
 
   Input                                            &input_;
+  Study *const                                      study_; ///< null: none
   const bool                                        is_study_;
-  Declarations                                      declarations_;
+  std::unique_ptr<Declarations>                     declarations_;
   std::string                                       file_;     ///< that is read
   std::vector<std::string>                          files_;    ///< read so far
   std::vector<std::pair<std::string, unsigned int>> open_;     ///< path, line of each open section
@@ -476,8 +511,11 @@ Input read_entries(const std::map<std::string, std::string> &values, const Compl
 {
   Input  input;
   Reader reader(input);
+  if (const auto order = values.find(order_entry); order != values.end())
+    reader.read_entry(order->first, order->second);
   for (const auto &[path, value] : values)
-    reader.read_entry(path, value);
+    if (path != order_entry)
+      reader.read_entry(path, value);
   finish(input, reader, completion);
   return input;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/parameters/sections.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace chaindrive::parameters
@@ -16,6 +17,12 @@ Makers &makers_of_sections()
   return makers;
 }
 
+std::map<std::string, Makers> &makers_of_sets()
+{
+  static std::map<std::string, Makers> sets;
+  return sets;
+}
+
 std::string heading_of(const std::string &path) { return path.substr(0, path.find('/')); }
 } // namespace
 
@@ -23,6 +30,19 @@ void register_section(const std::string                               &path,
                       const std::function<std::unique_ptr<Section>()> &make)
 {
   makers_of_sections()[path] = make;
+}
+
+void register_section_of_set(const std::string                               &set,
+                             const std::string                               &name,
+                             const std::function<std::unique_ptr<Section>()> &make)
+{
+  makers_of_sets()[set][name] = make;
+}
+
+Sections::Sections(const std::string &set)
+{
+  for (const auto &[name, make] : makers_of_sets()[set])
+    sections_[name] = make();
 }
 
 Sections::Sections()
@@ -49,6 +69,12 @@ void Sections::declare(Declarations &declarations)
   std::string               open;
   for (const auto &[path, section] : sections_)
     {
+      if (path.find('/') == std::string::npos)
+        {
+          const Subsection own(declarations, path);
+          section->declare(declarations);
+          continue;
+        }
       if (const std::string next = heading_of(path); next != open)
         {
           heading.reset();
@@ -58,6 +84,13 @@ void Sections::declare(Declarations &declarations)
       const Subsection own(declarations, path.substr(open.size() + 1));
       section->declare(declarations);
     }
+}
+
+bool Sections::any_active() const
+{
+  return std::any_of(sections_.begin(), sections_.end(), [](const auto &section) {
+    return section.second->is_active();
+  });
 }
 
 std::vector<std::string> Sections::active(const std::string &heading) const

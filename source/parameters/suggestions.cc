@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/drive.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/old_names.h>
 #include <chaindrive/parameters/sections.h>
@@ -164,14 +165,12 @@ const std::vector<NotModelled> &not_modelled()
       {{"runout", "run-out", "eccentric", "pitch error", "wobble"},
        "sprockets rotate about their own axes and all teeth are identical; a sprocket of any shape "
        "can be imported, Drive/Sprockets/Driver mesh"},
-      {{"stop time", "stopping", "brake", "braking", "coast", "reverse", "reversal"},
-       "the driver runs up to its speed and keeps it; the load may change once, Loads/Torque step "
-       "time in ms"},
       {{"driver inertia", "motor", "engine", "driver torque"},
        "the driver follows its prescribed speed, whatever the load"},
       {{"shaft stiffness", "shaft damping", "bearing", "housing"},
        "the shafts and bearings of both sprockets are rigid"},
-      {{"tensioner", "idler", "guide", "snubber"}, "the chain runs over two sprockets only"},
+      {{"tensioner", "guide", "snubber"},
+       "a wheel of Drive/Wheels stays where it is, and nothing else touches the chain"},
       {{"lubric", "oil", "grease", "viscos"},
        "friction follows Coulomb's law; set Contact/Friction coefficient for the lubrication"},
       {{"temperature", "thermal", "heat"}, "temperatures are constant"},
@@ -271,6 +270,8 @@ unknown_section(const Declarations &declarations, const std::string &name, const
     return begin + " It belongs to a study, which is run by: chaindrive study FILE.prm.";
   if (is_heading_of_plugins(outer.empty() ? name : outer))
     return begin + plugin_advice();
+  if (outer == "Drive/Wheels")
+    return begin + " Wheels are listed by " + order_entry + ", before their sections.";
   for (const std::string &path : declarations.sections())
     if (last_part(path) == name)
       return begin + (enclosing(path).empty() ?

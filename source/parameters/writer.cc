@@ -121,10 +121,14 @@ void write_template(std::ostream &out)
 
 std::string parameter_documentation()
 {
-  Parameters   defaults;
+  Parameters   defaults, with_wheel;
   Study        study;
-  Declarations declarations;
-  defaults.declare(declarations);
+  Declarations usual, declarations;
+  defaults.declare(usual);
+  study.declare(usual);
+  // sections that each further wheel has, under a name that stands for any
+  with_wheel.drive.sprockets.list.push_back({"name", Role::idler, 17});
+  with_wheel.declare(declarations);
   study.declare(declarations);
   std::ostringstream out;
   out << "# Parameters\n\nEvery entry of a `.prm` file, written by `chaindrive document`. Sections "
@@ -133,10 +137,16 @@ std::string parameter_documentation()
          "comment. The unit is part of the entry's name. Entries that\nare left out keep their "
          "defaults; with `auto` the program finds the value and states it in the\nlog. On the "
          "command line, `--set \"Section/Entry=value\"` overrides the file. Section `Study` is\n"
-         "for study files only, see [prm/studies](../prm/studies/README.md).\n";
+         "for study files only, see [prm/studies](../prm/studies/README.md). Sections called "
+         "`name` "
+         "are\nthose of each further wheel of `Drive/Wheels/Order of travel`.\n";
   std::string section;
-  for (const Entry &entry : declarations.entries())
+  for (const Entry &with : declarations.entries())
     {
+      const Entry *const as_usual = usual.find(with.section, with.name);
+      if (as_usual == nullptr && with.section.find("/name") == std::string::npos)
+        continue;
+      const Entry &entry = as_usual == nullptr ? with : *as_usual;
       if (entry.section != section)
         out << "\n## " << entry.section
             << "\n\n| Entry | Default | Allowed | Meaning |\n|---|---|---|---|\n";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/stiffness.h>
+#include <chaindrive/files/file.h>
 #include <chaindrive/mesh/import/import.h>
 #include <chaindrive/mesh/sector.h>
 #include <chaindrive/mesh/surface/facet_surface.h>
@@ -33,7 +34,7 @@ std::shared_ptr<const mesh::Part> sprocket_part(const model::Model             &
   if (!file.empty())
     {
       auto part =
-          std::make_shared<const mesh::Part>(mesh::import_sprocket(mesh::find_file(file, folders),
+          std::make_shared<const mesh::Part>(mesh::import_sprocket(files::find_file(file, folders),
                                                                    sprocket.form,
                                                                    model.material.density,
                                                                    model.meshes.half && elastic));
@@ -69,12 +70,11 @@ Body sprocket_body(const model::Model &model,
   body.mass   = solid.mass;
   for (unsigned int d = 0; d < 3; ++d)
     body.inertia[d] = solid.inertia[d][d];
-  if (sprocket.role == Role::driven)
-    {
-      body.inertia[2] = model.driven_inertia.value_or(solid.inertia[2][2]);
-      scene.notes.push_back("Driven inertia " + to_text(body.inertia[2], 4) + " kg m2 (" +
-                            (model.driven_inertia ? "given" : "auto: the sprocket alone") + ")");
-    }
+  body.inertia[2] = sprocket.given_inertia.value_or(solid.inertia[2][2]);
+  if (sprocket.role != Role::driver)
+    scene.notes.push_back(sprocket.in_entries + " inertia " + to_text(body.inertia[2], 4) +
+                          " kg m2 (" +
+                          (sprocket.given_inertia ? "given" : "auto: the sprocket alone") + ")");
   body.initial = placed(start.centre, start.angle, dealii::Tensor<1, 2>(), start.speed);
   return body;
 }

@@ -76,16 +76,17 @@ int main()
   verdict("to and fro: angle to 1e-12 rad", worst_swing < 1e-12);
 
   // Load torque growing linearly over the angle is a torsion spring until 0.03 rad.
-  scene::Scene      scene = empty_scene();
-  parameters::Loads loads;
+  scene::Scene               scene = empty_scene();
+  parameters::Loads          loads;
+  const parameters::Sprocket driven{"driven", parameters::Role::driven, 42};
   loads.driver_speed      = 0.;
   loads.resisting_torque  = 150.;
   loads.torque_ramp_angle = 0.03;
-  scene.shafts          = {{0, 1, drive::make_program(parameters::Role::driven, loads, 0., false)}};
-  scene.bodies          = {ground()};
-  scene.bodies[0].mount = scene::Mount::revolute();
-  scene.bodies[0].inertia                     = vector(1., 1., 9.88e-3);
-  const double w                              = std::sqrt(150. / 0.03 / 9.88e-3);
+  scene.shafts            = {{0, 1, drive::make_program(driven, loads, 0., false)}};
+  scene.bodies            = {ground()};
+  scene.bodies[0].mount   = scene::Mount::revolute();
+  scene.bodies[0].inertia = vector(1., 1., 9.88e-3);
+  const double w          = std::sqrt(150. / 0.03 / 9.88e-3);
   scene.bodies[0].initial.angular_velocity[2] = 0.02 * w; // swings to 0.02 rad
   dynamics::System system(scene, false);
   const double     quarter = 0.5 * dealii::numbers::PI / w;
@@ -98,7 +99,7 @@ int main()
   double worst = 0.;
   for (double angle = -0.01; angle < 0.1; angle += 1e-4)
     worst = std::max(worst,
-                     std::abs(scene.shafts[0].program.resisting_torque(angle, 0.) -
+                     std::abs(scene.shafts[0].program.resisting_torque(angle, 0., 0.) -
                               150. * std::min(std::max(angle / 0.03, 0.), 1.)));
   verdict("curve as prescribed to 1e-9", worst < 1e-9 * 150.);
 
@@ -106,7 +107,7 @@ int main()
   loads.torque_ramp_angle = 0.;
   loads.torque_step_time  = 1e-3;
   loads.torque_after_step = -300.;
-  scene.shafts = {{0, 1, drive::make_program(parameters::Role::driven, loads, 0., false)}};
+  scene.shafts            = {{0, 1, drive::make_program(driven, loads, 0., false)}};
   scene.bodies[0].initial.angular_velocity[2] = 20.;
   const double     inertia                    = scene.bodies[0].inertia[2];
   dynamics::System reversed(scene, false);

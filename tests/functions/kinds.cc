@@ -178,7 +178,25 @@ int main()
   examine("product", Product(table, waves), false);
   examine("product with a constant", Product(make<Constant>(-2.), cosine), true);
 
+  const Pointer hill =
+      make<Table>(std::vector<double>{-1., 0., 0.5}, std::vector<double>{1., 3., 1.});
+  examine("resistance", Resistance(0.5, 0.25), true);
+  examine("periodic", Periodic(hill, -1., 0.5), true);
+  examine("fluctuating", Fluctuating(ramp, waves, 0.4), false);
+
   // closed forms
+  verdict("a period is like the first",
+          std::abs(Periodic(hill, -1., 0.5).value(4.5) - 3.) < 1e-14 &&
+              std::abs(Periodic(hill, -1., 0.5).integral(-1., 5.) - 4. * hill->integral(-1., 0.5)) <
+                  1e-13);
+  verdict("what repeats itself has no last breakpoint",
+          last_breakpoint(Periodic(hill, -1., 0.5), 7.) == 7.);
+  verdict("a fluctuating speed has turned by the integral of its waves",
+          std::abs(Fluctuating(make<Constant>(50.),
+                               make<Harmonics>(std::vector<Harmonic>{{2., 0.1, 0.3}}),
+                               0.2)
+                       .integral(0.2, 0.9) -
+                   50. * 0.7 - 0.05 * (std::sin(2. * 35. + 0.3) - std::sin(0.3))) < 1e-12);
   verdict("a ramp has covered half of what its level would have",
           std::abs(ramp->integral(0.4, 1.9) - 0.5 * 2.5 * 1.5) < 1e-15 &&
               std::abs(cosine->integral(0.2, 2.2) + 0.5 * 1.5 * 2.) < 1e-15);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What a user is told about a mesh file that cannot be used.
 
+#include <chaindrive/files/file.h>
 #include <chaindrive/mesh/import/import.h>
 #include <chaindrive/mesh/sector.h>
 #include <chaindrive/utilities/errors.h>
@@ -73,8 +74,8 @@ int main()
   };
 
   reject("good file", good);
-  expect_error("missing", [] { mesh::find_file("none.msh", {"here", "there"}); });
-  expect_error("missing, absolute", [] { mesh::find_file("/nowhere/none.msh", {"here"}); });
+  expect_error("missing", [] { files::find_file("none.msh", {"here", "there"}); });
+  expect_error("missing, absolute", [] { files::find_file("/nowhere/none.msh", {"here"}); });
   expect_error("not there", [&] { mesh::import_sprocket("none.msh", form, 7600.); });
   reject("empty", "");
   reject("no mesh", "solid sprocket\n");

@@ -155,6 +155,7 @@ int main()
   Parameters loaded;
   loaded.drive.n_links = 116;
   loaded.drive.sprockets.list.push_back(third("pump", Role::driven, 25, 1, 0.3, 0.16));
-  loaded.drive.layout.tight_span = parameters::TightSide::lower;
+  loaded.drive.sprockets.list.back().inertia = 9.88e-3;
+  loaded.drive.layout.tight_span             = parameters::TightSide::lower;
   run("a second load on the tight side, the whole drive mirrored", loaded);
 }

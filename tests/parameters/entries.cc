@@ -71,11 +71,22 @@ void check_choices()
                                    check_choice<ElementType>("element type"),
                                    check_choice<Search>("search"),
                                    check_choice<SpeedRamp>("speed ramp"),
+                                   check_choice<Side>("side"),
                                    check_choice<Precision>("history precision")};
 
   std::string list = check_choice<QuantityGroup>("quantity group");
   list.replace(list.find(" or "), 4, ", ");
   choices.insert("on or off"); // two states without an enum
+  // those of terms and lists that have no enum here
+  choices.insert("time in s, time in ms, angle in rad or angle in degrees");
+  choices.insert("time in s or time in ms");
+  choices.insert("rad/s or rpm");
+  {
+    chaindrive::Parameters defaults;
+    Declarations           all;
+    defaults.declare(all);
+    choices.insert(all.find("Drive/Wheels", "Order of travel")->allowed);
+  }
   choices.insert("all, or some of these separated by commas: " + list);
 
   // entries that are no choice take a number, any text, true or false

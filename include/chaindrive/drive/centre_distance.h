@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/drive/fit.h>
+#include <chaindrive/drive/tooth_form.h>
 #include <chaindrive/parameters/drive.h>
 
 #include <optional>
@@ -23,6 +24,21 @@ struct Proposal
 /// @throws InputError when the chain does not reach or the sprockets overlap.
 Proposal
 propose(const Fitter &fitter, const parameters::Layout &layout, double least_distance, bool even);
+
+/// Refuses (InputError) wheels of which more than one is to be found, that overlap, whatever the
+/// distance of the one that is found, or round which the chain would cross itself.
+void check_wheels(const parameters::Sprockets  &sprockets,
+                  const parameters::Layout     &layout,
+                  const std::vector<ToothForm> &forms,
+                  const Fitter                 &fitter);
+
+/// Whether the slack of @p fitter, of more than two wheels, grows with the distance of the one that
+/// is found, about the distance @p at [m].
+bool slack_rises(const Fitter &fitter, double at);
+
+/// Refuses (InputError) wheels round which a chain does not run as it should: with wraps that are
+/// less than a turn the directions of its spans must turn once, counter-clockwise.
+void check_loop(const std::vector<path::Wheel> &wheels);
 
 /// The number of links, even, for Drive/Layout/Centre distance: the length of the chain in pitches
 /// p is, for pitch circles of the radii r1 and r2 at the distance C and a = asin((r2 - r1) / C),

@@ -24,9 +24,10 @@ struct Fitter
   struct Wheel
   {
     unsigned int     teeth;
-    int              turn   = 1;     ///< see path::Wheel
-    bool             moves  = false; ///< it is at the centre distance from wheel 0 along x
-    dealii::Point<2> centre = {};    ///< of one that does not move
+    int              turn      = 1;     ///< see path::Wheel
+    bool             moves     = false; ///< it is at the centre distance from wheel 0
+    dealii::Point<2> centre    = {};    ///< of one that does not move
+    double           direction = 0.;    ///< from wheel 0 to one that moves, from x, rad
   };
   std::vector<Wheel> sprockets; ///< in the order in which the chain runs over them
   path::Chain        chain{};   ///< its bulge follows from the wheels, see bulge()
@@ -34,6 +35,10 @@ struct Fitter
   /// Which way along y gravity pulls while the chain is laid, counter-clockwise: -1, +1 in a drive
   /// that is mirrored afterwards, 0 without gravity.
   int gravity = -1;
+
+  /// Whether slack grows with the centre distance, as where a wheel outside of the loop goes away,
+  /// and does not fall.
+  bool rises = false;
 
   /// What a centre distance is solved for: the part of the slack span that is excess, as a length
   /// or through its sag.
@@ -51,6 +56,9 @@ struct Fitter
   /// The wheels, those that move at this distance from wheel 0.
   std::vector<path::Wheel> wheels(double centre_distance) const;
 
+  /// Whether there is one that moves.
+  bool moves() const;
+
   /// Which way the slack span bulges between these wheels (path::slack_span()): along gravity,
   /// outwards where there is none.
   int bulge(const std::vector<path::Wheel> &at) const;
@@ -63,7 +71,7 @@ struct Fitter
   /// The chain on that route; nothing if it cannot be.
   std::optional<Fit> fit(double centre_distance, const path::Route &route) const;
 
-  /// Excess over the target; falls as the centre distance grows.
+  /// Excess over the target; falls as the centre distance grows unless it #rises.
   static double excess(const Fit &fit, const Target &target);
 
   /// Centre distance in [low, high] that meets the target on the best route, to 0.1 um.

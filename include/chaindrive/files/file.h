@@ -5,6 +5,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace chaindrive::files
 {
@@ -56,6 +57,10 @@ void sync_file(const std::string &path);
 
 /// The same for a text at hand.
 void write_text(const std::string &path, const std::string &text);
+
+/// The file called @p name: as it is if the path is absolute, else in the first of @p folders that
+/// has it. Throws InputError, with the places looked at, if none has.
+std::string find_file(const std::string &name, const std::vector<std::string> &folders);
 
 /// The whole content of a file; InputError when it cannot be read.
 std::string read_text(const std::string &path);

@@ -131,6 +131,9 @@ public:
   double              steepest(double from, double to) const override;
   bool                is_constant() const override { return x_.size() == 1; }
 
+  const std::vector<double> &x() const { return x_; }
+  const std::vector<double> &y() const { return y_; }
+
 private:
   /// The piece that holds a place between the first and the last point, and where: 0 to 1.
   struct Place
@@ -170,6 +173,77 @@ public:
 
 private:
   std::vector<Harmonic> terms_;
+};
+
+/// What resists a motion: linear x + quadratic x |x|, of the sign of x.
+class Resistance : public Function
+{
+public:
+  Resistance(const double linear, const double quadratic) : linear_(linear), quadratic_(quadratic)
+  {
+  }
+
+  double              value(double x) const override;
+  double              derivative(double x) const override;
+  double              integral(double from, double to) const override;
+  std::vector<double> breakpoints(double from, double to) const override;
+  double              largest(double from, double to) const override;
+  double              steepest(double from, double to) const override;
+
+private:
+  double linear_, quadratic_;
+};
+
+/// One period of another function, from @p begin to @p end, over and over.
+class Periodic : public Function
+{
+public:
+  /// std::invalid_argument unless @p end is greater than @p begin.
+  Periodic(Pointer function, double begin, double end);
+
+  double value(double x) const override { return function_->value(within(x)); }
+  double derivative(double x) const override { return function_->derivative(within(x)); }
+  double integral(double from, double to) const override;
+
+  /// Between finite places; of all there is no last one.
+  std::vector<double> breakpoints(double from, double to) const override;
+  double              largest(double, double) const override;
+  double              steepest(double, double) const override;
+
+private:
+  /// The place in the first period that is like @p x.
+  double within(double x) const;
+
+  /// Its integral from the beginning of the first period.
+  double primitive(double x) const;
+
+  Pointer function_;
+  double  begin_, length_, whole_; ///< whole_: its integral over a period
+};
+
+/// A speed that fluctuates with the angle that it has turned without that:
+///
+///   w(t) = w0(t) (1 + g(phi(t))),   phi(t) = integral of w0 from a start to t,
+///
+/// so that its integral is that of w0 and of g over the angle.
+class Fluctuating : public Function
+{
+public:
+  /// @p speed: w0 over time; @p of_angle: g over the angle; @p start: where phi = 0.
+  Fluctuating(Pointer speed, Pointer of_angle, double start);
+
+  double              value(double x) const override;
+  double              derivative(double x) const override;
+  double              integral(double from, double to) const override;
+  std::vector<double> breakpoints(double from, double to) const override;
+  double              largest(double from, double to) const override;
+  double              steepest(double from, double to) const override;
+
+private:
+  double angle(const double x) const { return speed_->integral(start_, x); }
+
+  Pointer speed_, of_angle_;
+  double  start_;
 };
 
 /// The sum of several.

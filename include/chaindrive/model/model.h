@@ -60,12 +60,11 @@ struct Model
   std::vector<char>
       elastic_joints; ///< per joint, whether its roller and bush arrive where elastic
                       ///< bodies must be; all, unless Elastic links = region of interest
-  Value                 mass_per_pitch; ///< of the whole chain, kg
-  std::optional<double> driven_inertia; ///< given for all that turns with the driven hub, kg m2
-  Material              material;
-  parameters::Elements  elements;
-  Meshes                meshes;
-  unsigned int          tooth_facets = 0; ///< chords of a rigid tooth; 0: smooth
+  Value                mass_per_pitch; ///< of the whole chain, kg
+  Material             material;
+  parameters::Elements elements;
+  Meshes               meshes;
+  unsigned int         tooth_facets = 0; ///< chords of a rigid tooth; 0: smooth
 
   // what acts between them
   Contact            contact;

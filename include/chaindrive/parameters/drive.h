@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/parameters/choice.h>
+#include <chaindrive/parameters/sections.h>
 
 #include <array>
 #include <optional>
@@ -130,6 +131,21 @@ enum class Role
   idler   ///< turns as the chain pulls it, without a load
 };
 
+template <>
+inline constexpr Texts<Role, 3> texts_of<Role>{
+    {{Role::driver, "driver"}, {Role::driven, "driven"}, {Role::idler, "idler"}}};
+
+/// On which side of the chain's loop a wheel is.
+enum class Side
+{
+  inside,
+  outside
+};
+
+template <>
+inline constexpr Texts<Side, 2> texts_of<Side>{
+    {{Side::inside, "inside"}, {Side::outside, "outside"}}};
+
 /// What the user says of one sprocket.
 struct Sprocket
 {
@@ -144,7 +160,15 @@ struct Sprocket
   Switch                elastic = Switch::automatic; ///< its rim; automatic: where it is needed
   int                   turn    = 1; ///< +1: the chain runs round it in the sense of the drive
   /// Of its axis, m; empty: of the first one the origin, of one other what the layout finds.
-  std::optional<std::array<double, 2>> centre = {};
+  std::optional<std::array<double, 2>> centre    = {};
+  double                               direction = 0.; ///< from the first one to what is found, rad
+
+  std::optional<double> resisting_torque = {}; ///< N m, of a driven one; empty: that of Loads
+  std::optional<double> inertia          = {}; ///< kg m2, of all that turns with it; empty: its own
+
+  /// What its shaft is given besides what section Loads says: its speed where it is a driver, and
+  /// the torque that resists it where it is driven. functions/terms.h knows what they are.
+  Sections speed_terms = Sections("speed"), torque_terms = Sections("torque");
 
   std::string in_words() const;   ///< what sentences call it
   std::string in_entries() const; ///< what names of entries begin with
@@ -161,6 +185,11 @@ struct Sprockets
   /// slack span leads to the second one.
   std::vector<Sprocket> list{{"driver", Role::driver, 15}, {"driven", Role::driven, 42}};
 
+  /// Makes the list that of wheels of these @p names, all but driver and driven sprocket idlers
+  /// that entries are yet to describe. InputError unless the first one is the driver, the driven
+  /// one is among them, and names are different words.
+  void set_order(const std::vector<std::string> &names);
+
   Sprocket       &driver() { return list.front(); }
   const Sprocket &driver() const { return list.front(); }
   Sprocket       &driven(); ///< the first one with a load
@@ -169,7 +198,13 @@ struct Sprockets
   /// Declares an entry for each member but the numbers of teeth and what is elastic, which takes
   /// every value that is set. The object, and its list, must outlive @p declarations.
   void declare(Declarations &declarations);
+
+  /// The same for section `Drive/Wheels`: which wheels there are, and where.
+  void declare_wheels(Declarations &declarations);
 };
+
+/// The entry that says which wheels there are, with each of which come entries of its own.
+inline const std::string order_entry = "Drive/Wheels/Order of travel";
 
 /// Section `Drive/Layout`.
 struct Layout

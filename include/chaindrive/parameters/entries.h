@@ -113,6 +113,14 @@ add(Declarations &declarations, const std::string &name, Enum &member, const std
       });
 }
 
+/// Numbers in the unit 10^@p exponent, separated by commas; or nothing, which is none.
+Entry &add(Declarations        &declarations,
+           const std::string   &name,
+           std::vector<double> &member,
+           int                  exponent,
+           const Range         &range,
+           const std::string   &meaning);
+
 /// `all` or some of @p texts, separated by commas, which @p store puts into its member: none for
 /// `all`.
 Entry &add_choices(Declarations                                                &declarations,

@@ -34,9 +34,9 @@ struct Loads
   double                gravity           = 9.81; ///< m/s2, along -y
   double                drag = 0.; ///< 1/s, force = - drag * mass * velocity on chain bodies
 
-  /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p declarations.
-  void declare(Declarations &declarations);
+  /// Declares an entry for each member, and those of the terms of speed and torque of each of @p
+  /// sprockets, which takes every value that is set. The objects must outlive @p declarations.
+  void declare(Declarations &declarations, Sprockets &sprockets);
 };
 
 /// Section `Effects`: a switch for each piece of physics that a scene may do without. Whether

@@ -32,6 +32,9 @@ struct Parameters
   parameters::Acoustics acoustics;
   parameters::Sections  sections; ///< of what registers itself
 
+  /// Where files that entries name are looked for, one after the other.
+  std::vector<std::string> folders = {"."};
+
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.
   void declare(parameters::Declarations &declarations);

@@ -62,11 +62,21 @@ void register_section(const std::string &path)
   register_section(path, [] { return std::make_unique<Kind>(); });
 }
 
+/// Registers the section @p name of the @p set: of what several things have, each with values of
+/// its own, such as the terms of a shaft's torque.
+void register_section_of_set(const std::string                               &set,
+                             const std::string                               &name,
+                             const std::function<std::unique_ptr<Section>()> &make);
+
 /// All sections that were registered when it was made, with their values; copies have their own.
 class Sections
 {
 public:
   Sections();
+
+  /// Those of a set, which have their names for paths and stand in the section that is open.
+  explicit Sections(const std::string &set);
+
   ~Sections() = default;
   Sections(const Sections &other);
   Sections &operator=(const Sections &other);
@@ -86,6 +96,9 @@ public:
   {
     return dynamic_cast<Kind &>(*sections_.at(path));
   }
+
+  /// Whether some of them are Section::is_active().
+  bool any_active() const;
 
   /// Paths of those below @p heading that are Section::is_active().
   std::vector<std::string> active(const std::string &heading) const;

@@ -12,9 +12,7 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <set>
 
@@ -219,25 +217,6 @@ std::unique_ptr<dealii::Triangulation<3>> upper_half(const std::string          
   return half;
 }
 } // namespace
-
-std::string find_file(const std::string &name, const std::vector<std::string> &folders)
-{
-  namespace fs = std::filesystem;
-  std::vector<std::string> looked;
-  for (const std::string &folder : folders) // an absolute name takes the folder's place
-    {
-      std::string path = (fs::path(folder) / name).lexically_normal().string();
-      if (fs::is_regular_file(path))
-        return path;
-      if (std::find(looked.begin(), looked.end(), path) == looked.end())
-        looked.push_back(path);
-    }
-  std::string places;
-  for (const std::string &path : looked)
-    places += (places.empty() ? "; looked for " : " and ") + path;
-  throw InputError("There is no file '" + name + "'" +
-                   (looked == std::vector<std::string>{name} ? "" : places) + ".");
-}
 
 Part import_sprocket(const std::string      &file,
                      const drive::ToothForm &form,

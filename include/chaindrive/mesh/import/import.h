@@ -8,10 +8,6 @@
 
 namespace chaindrive::mesh
 {
-/// The file called @p name: as it is if the path is absolute, else in the first of @p folders that
-/// has it. Throws InputError, with the places looked at, if none has.
-std::string find_file(const std::string &name, const std::vector<std::string> &folders);
-
 /// A sprocket from the Gmsh file @p file (format 2.2 or 4.1, ASCII or binary, lengths in mm).
 ///
 /// The file holds hexahedra and a physical surface `tooth flanks`, the whole profile with its tips,

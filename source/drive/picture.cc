@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/picture.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+
+namespace chaindrive::drive
+{
+namespace
+{
+using dealii::Point;
+using dealii::Tensor;
+using dealii::numbers::PI;
+
+/// A length as SVG has it, mm.
+std::string mm(const double length) { return to_text(std::round(length * 1e6) * 1e-3, 8); }
+
+/// A point, whose y axis is downwards there.
+std::string at(const Point<2> &p) { return mm(p[0]) + " " + mm(0. - p[1]); }
+
+Point<2> turned(const Point<2> &p, const double angle, const Point<2> &centre)
+{
+  const double c = std::cos(angle), s = std::sin(angle);
+  return Point<2>(centre[0] + c * p[0] - s * p[1], centre[1] + s * p[0] + c * p[1]);
+}
+
+std::string text(const Point<2> &p, const double size, const std::string &words)
+{
+  return "  <text x=\"" + mm(p[0]) + "\" y=\"" + mm(0. - p[1]) + "\" font-size=\"" + mm(size) +
+         "\" text-anchor=\"middle\">" + words + "</text>\n";
+}
+
+/// An arrow along @p by, whose head is at @p tip.
+std::string arrow(const Point<2> &tip, const Tensor<1, 2> &by, const double head, const char *what)
+{
+  const Tensor<1, 2> along = by / by.norm();
+  Tensor<1, 2>       across;
+  across[0]             = -along[1];
+  across[1]             = along[0];
+  const Point<2> behind = tip - head * along;
+  return std::string("  <path class=\"") + what + "\" d=\"M" + at(tip - by) + "L" + at(tip) + "M" +
+         at(behind + 0.4 * head * across) + "L" + at(tip) + "L" + at(behind - 0.4 * head * across) +
+         "\"/>\n";
+}
+
+/// An arc below the centre of @p wheel with an arrow that says how it turns.
+std::string sense_of(const Facts::Sprocket &wheel, const double letter)
+{
+  const double radius = 0.33 * wheel.pitch_diameter, half = PI / 4.;
+  const auto   on = [&](const double angle) {
+    return Point<2>(wheel.centre[0] + radius * std::cos(angle),
+                    wheel.centre[1] + radius * std::sin(angle));
+  };
+  const Point<2> from = on(-0.5 * PI - wheel.sense * half), to = on(-0.5 * PI + wheel.sense * half);
+  Tensor<1, 2>   by; // along the arc at its end
+  by[0] = wheel.sense * std::cos(half);
+  by[1] = std::sin(half);
+  return "  <path class=\"sense\" d=\"M" + at(from) + "A" + mm(radius) + " " + mm(radius) +
+         " 0 0 " + (wheel.sense > 0 ? "0 " : "1 ") + at(to) + "\"/>\n" +
+         arrow(to, 0.1 * letter * by, 0.8 * letter, "sense");
+}
+
+/// The resultant of the spans at its two ends on the shaft of wheel @p i, N.
+Tensor<1, 2> load_on(const Facts &facts, const std::size_t i)
+{
+  const std::size_t  n  = facts.spans.size();
+  const Facts::Span &in = facts.spans[(i + n - 1) % n], &out = facts.spans[i];
+  const auto         pull = [](const Facts::Span &span) {
+    const Tensor<1, 2> along = span.end - span.begin;
+    return span.tension / along.norm() * along;
+  };
+  return pull(out) - pull(in);
+}
+} // namespace
+
+void draw(std::ostream &out, const Drive &drive, const Facts &facts)
+{
+  const Layout &layout = drive.layout;
+  double        left = 1e9, right = -1e9, low = 1e9, high = -1e9, most_load = 0.;
+  const auto    see = [&](const Point<2> &p, const double around) {
+    left  = std::min(left, p[0] - around);
+    right = std::max(right, p[0] + around);
+    low   = std::min(low, p[1] - around);
+    high  = std::max(high, p[1] + around);
+  };
+  for (std::size_t i = 0; i < drive.sprockets.size(); ++i)
+    {
+      see(layout.sprockets[i].centre, 0.5 * drive.sprockets[i].form.outside_diameter);
+      most_load = std::max(most_load, load_on(facts, i).norm());
+    }
+  for (const Layout::Joint &joint : layout.joints)
+    see(joint.roller, drive.chain.roller_diameter);
+  const double size = std::max(right - left, high - low), letter = 0.022 * size;
+  const double margin = 4. * letter;
+
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"" << mm(left - margin) << ' '
+      << mm(0. - high - margin) << ' ' << mm(right - left + 2. * margin) << ' '
+      << mm(high - low + 2. * margin) << "\" font-family=\"sans-serif\">\n"
+      << "  <title>" << facts.chain << ", " << facts.links << " links</title>\n"
+      << "  <style>path, circle { fill: none; stroke: #333; stroke-width: " << mm(0.002 * size)
+      << " } .wheel { fill: #e8ecef } .chain { stroke: #1c6aa8 } .load { stroke: #b3261e; "
+      << "stroke-width: " << mm(0.004 * size) << " } .sense { stroke: #2d7d46 }</style>\n";
+
+  for (std::size_t i = 0; i < drive.sprockets.size(); ++i)
+    {
+      const Layout::Sprocket &wheel    = layout.sprockets[i];
+      const Sprocket         &sprocket = drive.sprockets[i];
+      out << "  <path class=\"wheel\" d=\"M";
+      const char *between = "";
+      for (const Point<2> &p : sprocket.form.polyline(4))
+        {
+          out << between << at(turned(p, wheel.angle, wheel.centre));
+          between = "L";
+        }
+      out << "Z\"/>\n  <circle cx=\"" << mm(wheel.centre[0]) << "\" cy=\""
+          << mm(0. - wheel.centre[1]) << "\" r=\"" << mm(0.5 * sprocket.bore) << "\"/>\n";
+    }
+
+  out << "  <path class=\"chain\" d=\"";
+  for (std::size_t k = 0; k < layout.joints.size(); ++k)
+    out << (k == 0 ? "M" : "L") << at(layout.joints[k].bush);
+  out << "Z\"/>\n";
+  for (const Layout::Joint &joint : layout.joints)
+    out << "  <circle class=\"chain\" cx=\"" << mm(joint.roller[0]) << "\" cy=\""
+        << mm(0. - joint.roller[1]) << "\" r=\"" << mm(0.5 * drive.chain.roller_diameter)
+        << "\"/>\n";
+
+  for (std::size_t i = 0; i < facts.spans.size(); ++i)
+    {
+      const Facts::Span &span   = facts.spans[i];
+      const Point<2>     middle = 0.5 * (span.begin + span.end);
+      out << text(middle + 1.2 * letter * layout.spans[i].normal,
+                  0.8 * letter,
+                  to_text(span.tension, 4) + " N");
+    }
+  for (std::size_t i = 0; i < facts.sprockets.size(); ++i)
+    {
+      const Facts::Sprocket &wheel = facts.sprockets[i];
+      const Tensor<1, 2>     load  = load_on(facts, i);
+      if (load.norm() > 1e-3 * most_load && most_load > 0.)
+        out << arrow(wheel.centre + 6. * letter / most_load * load,
+                     6. * letter / most_load * load,
+                     letter,
+                     "load");
+      out << sense_of(wheel, letter)
+          << text(Point<2>(wheel.centre[0], wheel.centre[1] - 1.2 * letter), letter, wheel.name);
+    }
+  out << "</svg>\n";
+}
+} // namespace chaindrive::drive

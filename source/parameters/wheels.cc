@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/drive.h>
+#include <chaindrive/parameters/entries.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+
+namespace chaindrive::parameters
+{
+namespace
+{
+constexpr std::size_t most_wheels = 50, longest_name = 30;
+
+bool is_letter(const char c) { return c >= 'a' && c <= 'z'; }
+
+bool is_name(const std::string &name)
+{
+  return !name.empty() && name.size() <= longest_name && is_letter(name[0]) &&
+         std::all_of(name.begin(), name.end(), [](const char c) {
+           return is_letter(c) || c == '_' || (c >= '0' && c <= '9');
+         });
+}
+
+std::vector<std::string> names_in(const std::string &text)
+{
+  return dealii::Utilities::split_string_list(text, ',');
+}
+
+/// What is wrong with @p names, in a sentence; empty if nothing is.
+std::string wrong_with(const std::vector<std::string> &names)
+{
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!is_name(names[i]))
+      return "'" + names[i] + "' is no name of a wheel: small letters, digits and _, " +
+             std::to_string(longest_name) + " at most, the first one a letter";
+    else if (std::find(names.begin(), names.begin() + i, names[i]) != names.begin() + i)
+      return "'" + names[i] + "' is there twice";
+  if (names.size() > most_wheels)
+    return "there are at most " + std::to_string(most_wheels) + " wheels";
+  if (names.empty() || names[0] != "driver")
+    return "the first one must be the driver";
+  if (std::find(names.begin(), names.end(), "driven") == names.end())
+    return "the driven sprocket is missing";
+  return "";
+}
+
+/// Two numbers in mm for a point in m, or auto.
+void add_centre(Declarations &declarations, Sprocket &sprocket, const std::string &meaning)
+{
+  const Range range   = between(-1e5, 1e5);
+  const auto  numbers = [range](const std::string &text) {
+    std::vector<double> found;
+    for (const std::string &word : names_in(text))
+      if (const auto value = from_entry_text(word, unit::si); value && range.contains(*value))
+        found.push_back(*from_entry_text(word, unit::milli));
+      else
+        return std::vector<double>();
+    return found.size() == 2 ? found : std::vector<double>();
+  };
+  declarations.add(
+      "Centre in mm",
+      sprocket.centre ? to_entry_text((*sprocket.centre)[0], unit::milli) + ", " +
+                            to_entry_text((*sprocket.centre)[1], unit::milli) :
+                        "auto",
+      "auto, or x and y separated by a comma, each " + range.text(),
+      meaning,
+      [numbers](const std::string &text) { return text == "auto" || !numbers(text).empty(); },
+      [numbers, &sprocket](const std::string &text) {
+        const std::vector<double> at = numbers(text);
+        sprocket.centre.reset();
+        if (!at.empty())
+          sprocket.centre = std::array<double, 2>{{at[0], at[1]}};
+      });
+}
+
+/// The entries of @p sprocket in Drive/Wheels; @p is_first, @p is_own: the driver, and one that
+/// other sections do not describe.
+void declare_wheel(Declarations &declarations,
+                   Sprocket     &sprocket,
+                   const bool    is_first,
+                   const bool    is_own)
+{
+  const Subsection section(declarations, sprocket.name);
+  if (is_own)
+    {
+      add_choice(declarations,
+                 "Role",
+                 text_of(sprocket.role),
+                 {text_of(Role::driven), text_of(Role::idler)},
+                 "driven: it turns as the chain pulls it against its torque in section Loads, and "
+                 "power is split between all that are driven. idler: it turns freely.",
+                 [&sprocket](const std::string &text) { sprocket.role = *value_of<Role>(text); });
+      add(declarations, "Teeth", sprocket.teeth, 9, 500, "Number of its teeth.");
+      add(declarations,
+          "Inertia in kg m2",
+          sprocket.inertia,
+          unit::si,
+          above(0., 1e6),
+          "Of all that turns with it. auto: the sprocket alone.");
+    }
+  if (!is_first)
+    add_choice(declarations,
+               "Side",
+               sprocket.turn == 1 ? "inside" : "outside",
+               {text_of(Side::inside), text_of(Side::outside)},
+               "Whether it is inside of the chain's loop, or outside, where it turns against the "
+               "others.",
+               [&sprocket](const std::string &text) {
+                 sprocket.turn = value_of<Side>(text) == Side::inside ? 1 : -1;
+               });
+  add_centre(declarations,
+             sprocket,
+             std::string("Of its axis, x and y, in a drive that turns counter-clockwise: with "
+                         "Layout/Tight span = lower it is mirrored, y becomes -y. auto: ") +
+                 (is_first ? "the origin." :
+                             "as far from the driver as Layout/Centre distance from says, in the "
+                             "direction below; at most one wheel is found so."));
+  if (!is_first)
+    {
+      constexpr double degree = dealii::numbers::PI / 180.;
+      declarations.add(
+          "Direction in degrees",
+          to_entry_text(sprocket.direction / degree, unit::si),
+          between(-180., 180.).text(),
+          "Where Centre in mm is auto: of the line from the driver to it, counter-clockwise from "
+          "x.",
+          [](const std::string &text) {
+            const auto value = from_entry_text(text, unit::si);
+            return value && between(-180., 180.).contains(*value);
+          },
+          [&sprocket](const std::string &text) {
+            sprocket.direction = from_entry_text(text, unit::si).value_or(0.) * degree;
+          });
+    }
+}
+} // namespace
+
+void Sprockets::set_order(const std::vector<std::string> &names)
+{
+  if (const std::string wrong = wrong_with(names); !wrong.empty())
+    throw InputError(order_entry + " = " + join(names) + " is not allowed: " + wrong + ".");
+  const Sprockets       defaults;
+  std::vector<Sprocket> wheels;
+  for (const std::string &name : names)
+    {
+      const auto known =
+          std::find_if(defaults.list.begin(),
+                       defaults.list.end(),
+                       [&name](const Sprocket &sprocket) { return sprocket.name == name; });
+      wheels.push_back(known != defaults.list.end() ? *known : Sprocket{name, Role::idler, 17});
+    }
+  list = std::move(wheels);
+}
+
+void Sprockets::declare_wheels(Declarations &declarations)
+{
+  const Subsection section(declarations, "Wheels");
+  std::string      names;
+  for (const Sprocket &sprocket : list)
+    names += (names.empty() ? "" : ", ") + sprocket.name;
+  declarations.add(
+      "Order of travel",
+      names,
+      "names of wheels separated by commas, each once, of small letters, digits and _ and with a "
+      "letter in front; the first one driver, driven among them",
+      "Over which wheels the chain runs, in the order in which it meets them; the slack span leads "
+      "from the driver to the second one. Each has a section here and in Loads, those besides "
+      "driver "
+      "and driven sprocket with all that is to be said of them, which this entry comes before.",
+      [](const std::string &text) { return wrong_with(names_in(text)).empty(); },
+      [](const std::string &) {});
+  for (Sprocket &sprocket : list)
+    declare_wheel(declarations,
+                  sprocket,
+                  &sprocket == &list.front(),
+                  sprocket.name != "driver" && sprocket.name != "driven");
+}
+} // namespace chaindrive::parameters

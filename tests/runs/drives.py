@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""drives.py PROGRAM REPOSITORY FILE: a drive of prm/drives runs as it is, and is compared with what is prescribed and with closed forms:
+
+  power split       each load pulls with 2 pi T / (z p) more on the span behind it than on the one before
+  an idler          takes no tension and turns by its teeth
+  prescribed        speeds and torques are the functions of time, angle and speed that the file says
+
+and `plan --picture` draws it: every wheel with its name, every roller.
+"""
+import math
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree as tree
+
+import numpy as np
+
+import chaindrive
+import program
+
+PROGRAM, FOLDER, NAME = sys.argv[1], pathlib.Path(sys.argv[2]) / "prm/drives", sys.argv[3]
+
+
+class Drive:
+    """A run of the file, with histories in the window."""
+
+    def __init__(self):
+        self.said = program.run(FOLDER / f"{NAME}.prm", {"Output/History precision": "double"}, "--output", "results", program=PROGRAM)
+        self.run = chaindrive.open("results")
+        self.summary = program.summary("results")
+        self.time = np.asarray(self.run["time"])
+        window = self.summary["window"]
+        self.inside = (self.time >= window["start"]) & (self.time <= window["end"])
+        self.wheels = {wheel["name"]: wheel for wheel in self.summary["drive"]["sprockets"]}
+        program.check(window["valid"], f"not valid: {self.summary['events']}")
+
+    def of(self, history, inside=True):
+        values = np.asarray(self.run[history])
+        return values[self.inside] if inside else values
+
+    def tension(self, span):
+        return self.summary["spans"][span]["tension_mean"]
+
+    def pull(self, wheel):
+        """Of the mean torque on a wheel."""
+        return 2 * math.pi * self.of(f"hubs/{wheel}_torque").mean() / (self.wheels[wheel]["teeth"] * self.summary["drive"]["loaded_pitch"])
+
+
+def near(what, is_value, wanted, within):
+    print(f"{what}: {is_value:.6g}, wanted {wanted:.6g} +- {within:.2g}")
+    program.check(abs(is_value - wanted) <= within, f"{what}: {is_value} instead of {wanted}")
+
+
+def below(what, value, most):
+    print(f"{what}: {value:.3g}, at most {most:.3g}")
+    program.check(value <= most, f"{what}: {value}")
+
+
+def two_loads(drive):
+    theta, speed = drive.of("hubs/compressor_angle", False), drive.of("hubs/driven_speed", False)
+    stroke = 18 + 12 * np.cos(2 * theta + math.pi / 2)
+    below("torque of the compressor off its waves, N m", np.abs(drive.of("hubs/compressor_torque", False) - stroke).max(), 1e-9)
+    fan = drive.of("hubs/driven_torque", False)
+    below("torque of the fan off the square of its speed, N m", np.abs(fan / (0.00052 * speed**2) - 1).max(), 0.01)
+    spans = [drive.tension(name) for name in ("driver_to_driven", "driven_to_compressor", "compressor_to_driver")]
+    for i, wheel in enumerate(("driven", "compressor")):
+        near(f"tension that the {wheel} takes, N", spans[i + 1] - spans[i], drive.pull(wheel), 0.04 * (spans[2] - spans[0]))
+    power = sum(np.mean(drive.of(f"hubs/{wheel}_torque") * drive.of(f"hubs/{wheel}_speed")) for wheel in ("driven", "compressor"))
+    given = np.mean(drive.of("hubs/driver_torque") * drive.of("hubs/driver_speed"))
+    near("power of the driver over that of the loads", given / power, 1.02, 0.03)
+
+
+def idler(drive):
+    near("speed of the idler over that of the driver", drive.of("hubs/idler_speed").mean() / drive.of("hubs/driver_speed").mean(), 17 / 13, 0.005)
+    tight = drive.tension("driven_to_driver")
+    near("tension that the idler takes, N", drive.tension("idler_to_driven") - drive.tension("driver_to_idler"), 0, 0.03 * tight)
+    near("tension that the load takes, N", tight - drive.tension("idler_to_driven"), drive.pull("driven"), 0.03 * tight)
+
+
+def emergency_stop(drive):
+    begin, length, full = 40e-3, 60e-3, 105
+    s = np.clip((drive.time - begin) / length, 0, 1)
+    below("speed off half a cosine, rad/s", np.abs(drive.of("hubs/driver_speed", False) - full * 0.5 * (1 + np.cos(math.pi * s))).max(), 1e-9)
+    near("angle of the stop, rad", drive.of("hubs/driver_angle", False)[-1], full * (begin + length / 2), 1e-9)
+    stopping = (drive.time > begin) & (drive.time < begin + length)
+    slack, tight = (drive.of(f"spans/{name}_tension", False) for name in ("driver_to_driven", "driven_to_driver"))
+    # the mean of the deceleration asks for this
+    asked = (0.4 * full * 17 / 51 / length - 60) * 2 * math.pi / (51 * drive.summary["drive"]["loaded_pitch"])
+    below("mean pull that the stop asks for over that of the lower span, N", asked, (slack - tight)[stopping].mean() * 1.2)
+
+
+def camshaft(drive):
+    theta = drive.of("hubs/driver_angle", False)
+    speed = drive.of("hubs/driver_speed", False)
+    mean = 100 * math.pi
+    turned = mean * drive.time
+    waves = 0.02 * np.cos(2 * turned) + 0.005 * np.cos(4 * turned + math.radians(40))
+    below("speed off its waves, rad/s", np.abs(speed - mean * (1 + waves)).max(), 1e-9)
+    phase = math.radians(40)
+    angle = turned + 0.01 * np.sin(2 * turned) + 0.00125 * (np.sin(4 * turned + phase) - math.sin(phase))
+    below("angle off their integral, rad", np.abs(theta - angle).max(), 1e-9)
+    rows = [line.split(",") for line in (FOLDER / "cams.csv").read_text().splitlines() if line[0].isdigit()]
+    x, y = (np.array([float(row[i]) for row in rows]) for i in (0, 1))
+    cam = np.degrees(drive.of("hubs/driven_angle", False)) % 360
+    torque = drive.of("hubs/driven_torque", False) - 1.5
+    piece = np.searchsorted(x, cam, side="right") - 1
+    low, high = np.minimum(y[piece], y[piece + 1]), np.maximum(y[piece], y[piece + 1])
+    below("torque beyond the points beside it, N m", np.maximum(low - torque, torque - high).max(), 1e-9)
+    linear = np.interp(cam, x, y)
+    below("torque off the chords of the table, N m", np.abs(torque - linear).max(), 1.6)
+    program.check(np.abs(torque - linear).max() > 0.1, "a cubic is not a polygon")
+    tight, slack = drive.tension("driven_to_driver"), drive.tension("driver_to_driven")
+    near("tension that the camshaft takes, N", tight - slack, drive.pull("driven"), 0.1 * drive.of("spans/driven_to_driver_tension").max())
+
+
+def conveyor(drive):
+    tight = drive.tension("driven_to_driver")
+    for before, span in (("driver_to_lower_right", "lower_right_to_upper_right"), ("lower_right_to_upper_right", "upper_right_to_driven")):
+        near(f"tension of {span} over {before}, N", drive.tension(span) - drive.tension(before), 0, 0.05 * tight)
+    near("tension that the load takes, N", tight - drive.tension("upper_right_to_driven"), drive.pull("driven"), 0.05 * tight)
+    for wheel in ("lower_right", "upper_right", "driven"):
+        near(f"speed of {wheel}, rad/s", drive.of(f"hubs/{wheel}_speed").mean(), 12, 0.12)
+
+
+def picture(drive):
+    """Every wheel with its name, every roller within the frame."""
+    said = program.run(f"{FOLDER / NAME}.prm", {}, "--plan", "--picture", "drive.svg", program=PROGRAM)
+    program.check("drive.svg" in said, said)
+    root = tree.parse("drive.svg").getroot()
+    space = "{http://www.w3.org/2000/svg}"
+    left, top, width, height = map(float, root.get("viewBox").split())
+    names = {text.text for text in root.iter(space + "text")}
+    program.check(set(drive.wheels) <= names, f"names: {names}")
+    rollers = [circle for circle in root.iter(space + "circle") if circle.get("class") == "chain"]
+    program.check(len(rollers) == drive.summary["drive"]["links"], f"{len(rollers)} rollers")
+    for circle in rollers:
+        x, y = float(circle.get("cx")), float(circle.get("cy"))
+        program.check(left < x < left + width and top < y < top + height, f"a roller outside of the frame: {x} {y}")
+    at = re.findall(r"-?[\d.]+", next(root.iter(space + "path")).get("d"))
+    program.check(len(at) > 100, "a wheel without teeth")
+
+
+drive = Drive()
+{"two-loads": two_loads, "idler": idler, "emergency-stop": emergency_stop, "camshaft": camshaft, "conveyor": conveyor}[NAME](drive)
+picture(drive)
