@@ -7,6 +7,7 @@
 
 #include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 
 #include <boost/program_options.hpp>
 
@@ -373,6 +374,11 @@ void check_belonging(const CommandLine &c)
         "The option --resume belongs to runs: a study resumes when it is started again.");
 }
 } // namespace
+
+double CommandLine::Design::power() const
+{
+  return kilowatt ? *kilowatt : 1e-3 * torque.value() * rpm.value() * dealii::numbers::PI / 30.;
+}
 
 CommandLine parse_command_line(const int argc, const char *const *const argv)
 {

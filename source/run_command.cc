@@ -230,7 +230,7 @@ void print_plan(Prepared &prepared)
     drive::print_changes(log, *prepared.first_facts, simulation.facts);
   else
     drive::print(log, simulation.facts);
-  drive::print(log, life_of(simulation));
+  drive::print(log, simulation.life());
   print_plugins(log);
   for (const std::string &note : prepared.input.notes)
     log << note << '\n';

@@ -11,6 +11,7 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 // Which chain: what a designer asks before there is a parameter file.
 
@@ -26,11 +27,11 @@ std::optional<Enum> choice(const char *option, const std::optional<std::string> 
     return {};
   if (const std::optional<Enum> value = parameters::value_of<Enum>(*text))
     return value;
-  std::string all;
+  std::vector<std::string> all;
   for (const auto &entry : parameters::texts_of<Enum>)
-    all += (all.empty() ? "" : ", ") + std::string(entry.text);
-  throw InputError(std::string("The option ") + option + " = " + *text + " must be one of: " + all +
-                   ".");
+    all.emplace_back(entry.text);
+  throw InputError(std::string("The option ") + option + " = " + *text +
+                   " must be one of: " + join(all) + ".");
 }
 
 drive::Demand demand_of(const CommandLine::Design &design)
@@ -41,7 +42,7 @@ drive::Demand demand_of(const CommandLine::Design &design)
         "chaindrive select --kW 5 --rpm 1400 --ratio 3 --centre 500 --shock moderate.");
   drive::Demand demand;
   demand.speed           = *design.rpm * dealii::numbers::PI / 30.;
-  demand.power           = design.kilowatt ? 1e3 * *design.kilowatt : *design.torque * demand.speed;
+  demand.power           = 1e3 * design.power();
   demand.ratio           = *design.ratio;
   demand.centre_distance = 1e-3 * *design.centre;
   demand.hours           = design.hours.value_or(demand.hours);

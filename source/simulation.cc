@@ -59,19 +59,17 @@ void add_validity(files::Json &values)
 /// Adds to `life` what the friction work of the joints in the window says of their wear.
 void add_simulated_wear(files::Json &values, const drive::DesignLife &life, const double mu)
 {
-  const std::string joint      = parameters::text_of(scene::Interface::bush_pin);
-  files::Json      &found      = values["life"];
-  found["simulated_wear_rate"] = found["simulated_wear_hours"] = nullptr; // without such joints
+  const std::string joint = parameters::text_of(scene::Interface::bush_pin);
   if (!(mu > 0.) || !values.contains("losses") || !values["losses"].contains(joint))
     return;
   const files::Json &work = values["losses"][joint]["friction"];
   const double       time = values["window_energy"]["duration"];
   if (!work.is_number() || !std::isfinite(work.get<double>()) || !(time > 0.))
     return;
-  const double rate            = life.joints.rate_of_losses(work.get<double>() / time, mu);
-  found["simulated_wear_rate"] = rate;
+  const double rate                     = life.joints.rate_of_losses(work.get<double>() / time, mu);
+  values["life"]["simulated_wear_rate"] = rate;
   if (rate > 0.)
-    found["simulated_wear_hours"] = life.elongation / rate / 3600.;
+    values["life"]["simulated_wear_hours"] = life.elongation / rate / 3600.;
 }
 
 /// The shift of one joint that lets it carry the force that it is placed for: Newton's method with
@@ -199,14 +197,6 @@ std::unique_ptr<dynamics::System> make_system(const model::Model &model,
 }
 } // namespace
 
-drive::DesignLife life_of(const Simulation &simulation)
-{
-  return drive::design_life(simulation.facts,
-                            simulation.drive.chain,
-                            simulation.parameters.drive.layout.worn_chain ==
-                                parameters::WornChain::shafts_kept);
-}
-
 Simulation::Simulation(const Parameters               &parameters,
                        const std::vector<std::string> &folders,
                        const MPI_Comm                  comm,
@@ -268,6 +258,12 @@ unsigned long Simulation::run(const std::vector<dynamics::Observer *> &others,
   return done_;
 }
 
+drive::DesignLife Simulation::life() const
+{
+  return drive::design_life(
+      facts, drive.chain, parameters.drive.layout.worn_chain == parameters::WornChain::shafts_kept);
+}
+
 observe::Summary Simulation::summary() const
 {
   observe::Summary summary;
@@ -277,7 +273,7 @@ observe::Summary Simulation::summary() const
   add_balances(values, *guard_);
   values["checks"]             = drive::to_json(drive::check_design(parameters, facts));
   values["drive"]              = drive::to_json(facts);
-  const drive::DesignLife life = life_of(*this);
+  const drive::DesignLife life = this->life();
   values["life"]               = drive::to_json(life);
   add_simulated_wear(values, life, model.contact.bush_pin_friction);
   values["critical_time_step"] = step.limit;

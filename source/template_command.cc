@@ -6,9 +6,8 @@
 #include <chaindrive/model/reading.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/option_range.h>
 #include <chaindrive/utilities/text.h>
-
-#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <charconv>
@@ -39,16 +38,6 @@ std::pair<unsigned int, unsigned int> read_teeth(const std::string &text)
                    "21/63.");
 }
 
-void refuse_out_of_range(const char  *option,
-                         const double value,
-                         const double least,
-                         const double most)
-{
-  if (!(value >= least && value <= most))
-    throw InputError(std::string("The option ") + option + " = " + to_text(value) +
-                     " must be a number from " + to_text(least) + " to " + to_text(most) + ".");
-}
-
 /// The entries of the drive, which must be one that runs.
 Parameters read(const Values &values)
 {
@@ -77,17 +66,16 @@ void template_command(const CommandLine::Design &design,
         "--rpm 1450 --kW 3.");
   const std::string chain  = *design.chain;
   const double      centre = *design.centre, rpm = *design.rpm;
-  const double      kilowatt =
-      design.kilowatt.value_or(1e-3 * design.torque.value_or(0.) * rpm * dealii::numbers::PI / 30.);
+  const double      kilowatt = design.power();
   const std::string fidelity = design.fidelity.value_or("simple");
   if (chain.empty())
     throw InputError("The option --chain needs the name of a chain after it, such as 10B; it is "
                      "empty.");
-  refuse_out_of_range("--centre", centre, 1., 1e5);
-  refuse_out_of_range("--rpm", rpm, 0.01, 9e5); // all times and speeds that entries take
+  check_option("--centre", centre, 1., 1e5);
+  check_option("--rpm", rpm, 0.01, 9e5); // all times and speeds that entries take
   if (design.torque)
-    refuse_out_of_range("--Nm", *design.torque, 1e-3, 1e6);
-  refuse_out_of_range("--kW", kilowatt, 1e-3, 1e6);
+    check_option("--Nm", *design.torque, 1e-3, 1e6);
+  check_option("--kW", kilowatt, 1e-3, 1e6);
   const auto [driver, driven] = read_teeth(*design.teeth);
   parameters::Drive drive;
   drive.chain.designation           = chain;

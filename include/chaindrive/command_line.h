@@ -55,6 +55,9 @@ struct CommandLine
     std::optional<std::string>  motor, shock, lubrication;
 
     bool is_given() const { return chain || teeth || centre || rpm || kilowatt || torque; }
+    /// kW of the load, given or by the torque; complete designs and demands have one.
+    double power() const;
+
     bool is_complete() const { return chain && teeth && centre && rpm && (kilowatt || torque); }
   };
   Design                   design;

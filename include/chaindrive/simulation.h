@@ -23,11 +23,6 @@
 
 namespace chaindrive
 {
-class Simulation;
-
-/// How long its chain lasts, in closed form.
-drive::DesignLife life_of(const Simulation &simulation);
-
 /// One run of a drive from parameters to a summary, without files and console:
 ///
 ///     Simulation simulation(parameters, {"."}, MPI_COMM_WORLD);
@@ -68,6 +63,9 @@ public:
   {
     return done_ == n_steps() || recorder_->knows_enough() || window().is_full(system_->world.time);
   }
+
+  /// How long the chain lasts, in closed form.
+  drive::DesignLife life() const;
 
   /// The window of the averages.
   const observe::Window &window() const { return recorder_->window(); }

@@ -14,8 +14,8 @@ from chaindrive.run import Run
 
 #: Members of the summary that a comparison shows.
 KEY_FIGURES = ("tight_tension_mean", "slack_tension_mean", "tight_tension_max_start", "driver_torque_mean", "driven_speed_mean",
-           "span_speed_mean", "pitch_time_mean", "efficiency", "driven_angle_end", "drive_work", "resisting_work",
-           "energy_imbalance_max", "steps", "wall_seconds")
+               "span_speed_mean", "pitch_time_mean", "efficiency", "driven_angle_end", "drive_work", "resisting_work",
+               "energy_imbalance_max", "steps", "wall_seconds")
 #: Those that are not found in the window of the means.
 WHOLE_RUN = {"tight_tension_max_start", "driven_angle_end", "drive_work", "resisting_work", "energy_imbalance_max", "steps", "wall_seconds",
              "cpu_seconds"}

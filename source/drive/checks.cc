@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/checks.h>
+#include <chaindrive/drive/life.h>
+#include <chaindrive/drive/rules_of_thumb.h>
 #include <chaindrive/utilities/text.h>
 
 #include <deal.II/base/numbers.h>
@@ -14,19 +16,14 @@ using dealii::numbers::PI;
 
 namespace
 {
-// Rules of thumb of makers' catalogues and textbooks on machine elements.
-constexpr double       least_safety         = 7.;           // static, against breaking
-constexpr double       usual_pressure       = 35e6;         // Pa, of a lubricated joint
-constexpr double       least_wrap           = 2. * PI / 3.; // 120 degrees
-constexpr unsigned int least_teeth          = 13;           // above the speed of the next line
-constexpr double       slow                 = 1.;           // m/s
-constexpr double       resonance_margin     = 0.1;          // of the frequency
-constexpr double       most_start_tension   = 3.;           // of the tight span's tension
+// Rules of thumb, as those of rules_of_thumb.h.
+constexpr unsigned int least_teeth          = 13;  // above the speed of the next line
+constexpr double       slow                 = 1.;  // m/s
+constexpr double       resonance_margin     = 0.1; // of the frequency
+constexpr double       most_start_tension   = 3.;  // of the tight span's tension
 constexpr double       least_window_pitches = 10.;
-constexpr double       most_wear            = 0.03;  // elongation; of large sprockets 2 / z
-constexpr double       most_wear_kept       = 0.015; // where shafts cannot be moved
-constexpr double       most_sag             = 0.1;   // of the slack span's length
-constexpr double       least_window_swings  = 3.;    // periods of the driven inertia's resonance
+constexpr double       most_sag             = 0.1; // of the slack span's length
+constexpr double       least_window_swings  = 3.;  // periods of the driven inertia's resonance
 
 std::string newton(const double force)
 {
@@ -149,7 +146,7 @@ struct Checks
     unsigned int teeth = 0;
     for (const Facts::Sprocket &sprocket : facts.sprockets)
       teeth = std::max(teeth, sprocket.teeth);
-    const double most = std::min({most_wear, 2. / teeth, kept ? most_wear_kept : most_wear});
+    const double most = most_elongation(teeth, kept);
     add(worn > most,
         "wear",
         "The chain is worn by Drive/Chain/Elongation in percent = " + to_text(100. * worn, 3) +

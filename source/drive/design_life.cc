@@ -13,11 +13,6 @@ namespace chaindrive::drive
 {
 namespace
 {
-files::Json finite(const double value)
-{
-  return std::isfinite(value) ? files::Json(value) : files::Json();
-}
-
 std::string in_hours(const double hours)
 {
   return !std::isfinite(hours) ? "endless" :
@@ -58,9 +53,9 @@ DesignLife design_life(const Facts &facts, const ChainDimensions &chain, const b
   life.wear_rate   = life.joints.rate(force_angle, facts.tooth_frequency);
   const auto hours = [](const double seconds) { return seconds / 3600.; };
   life.wear_hours  = life.wear_rate > 0. ? hours(life.elongation / life.wear_rate) : endless;
-  life.frame_hours = facts.power > 0. ? 15000. * facts.rated_power / facts.power *
-                                            (life.elongation / 0.03) * (n_links / 120.) :
-                                        endless;
+  life.frame_hours = facts.power > 0. ?
+                         frame_hours(facts.rated_power / facts.power, life.elongation, n_links) :
+                         endless;
 
   const auto listed     = minimum_dynamic_strength(facts.chain);
   life.strength_listed  = listed && !facts.own_dimensions;
@@ -73,7 +68,7 @@ DesignLife design_life(const Facts &facts, const ChainDimensions &chain, const b
                                                          chain.pin_diameter);
   const PlateFatigue plates{life.dynamic_strength, facts.tensile_strength};
   const double       range = plates.from_zero(least, most);
-  life.plate_safety        = range > 0. ? plates.endurance() / range : 0.;
+  life.plate_safety        = range > 0. ? plates.endurance() / range : endless;
   life.plate_hours         = facts.tooth_frequency > 0. ?
                                  hours(plates.cycles(least, most) * n_links / facts.tooth_frequency) :
                                  endless;
@@ -105,12 +100,14 @@ files::Json to_json(const DesignLife &life)
   json["lubrication"]      = parameters::text_of(life.lubrication);
   json["elongation"]       = life.elongation;
   json["wear_rate"]        = life.wear_rate;
-  json["wear_hours"]       = finite(life.wear_hours);
-  json["frame_hours"]      = finite(life.frame_hours);
   json["dynamic_strength"] = life.dynamic_strength;
-  json["plate_safety"]     = finite(life.plate_safety);
-  json["plate_hours"]      = finite(life.plate_hours);
-  json["roller_hours"]     = finite(life.roller_hours);
+  for (const auto &[name, value] : {std::make_pair("wear_hours", life.wear_hours),
+                                    std::make_pair("frame_hours", life.frame_hours),
+                                    std::make_pair("plate_safety", life.plate_safety),
+                                    std::make_pair("plate_hours", life.plate_hours),
+                                    std::make_pair("roller_hours", life.roller_hours)})
+    if (std::isfinite(value)) // what is endless is left out
+      json[name] = value;
   for (const auto &[name, stress] :
        {std::make_pair("inner_plate", life.inner), std::make_pair("outer_plate", life.outer)})
     json[name] = {{"waist", stress.waist}, {"net", stress.net}, {"hole", stress.hole}};
@@ -128,7 +125,7 @@ std::vector<files::Described> described_life()
       {"life/frame_hours", "h", "the same in the frame of ISO 10823"},
       {"life/dynamic_strength", "N", "minimum dynamic strength of the chain"},
       {"life/plate_safety", "1", "endurance of the plates over their load"},
-      {"life/plate_hours", "h", "mean hours until plates fail; null: endless"},
+      {"life/plate_hours", "h", "mean hours until plates fail"},
       {"life/roller_hours", "h", "hours until rollers or bushes fail"},
       {"life/pin/bending", "Pa", "largest bending stress of a pin"},
       {"life/pin/shear", "Pa", "mean shear stress of a pin"},
@@ -159,11 +156,11 @@ void print(std::ostream &out, const DesignLife &life)
            to_text(wear_factor(Lubrication::none, life.lubrication, 0.), 2) + " of that");
   line("plates",
        "dynamic strength " + to_text(life.dynamic_strength, 4) + " N" +
-           (life.strength_listed ? "" : " (of the plates)") + ", safety " +
-           to_text(life.plate_safety, 3) + ", " + in_hours(life.plate_hours) +
-           "; at the hole inside " + in_mpa(life.inner.hole) + ", outside " +
-           in_mpa(life.outer.hole) + ", at the waist " + in_mpa(life.inner.waist) + " and " +
-           in_mpa(life.outer.waist) + " MPa");
+           (life.strength_listed ? "" : " (of the plates)") +
+           (std::isfinite(life.plate_safety) ? ", safety " + to_text(life.plate_safety, 3) : "") +
+           ", " + in_hours(life.plate_hours) + "; at the hole inside " + in_mpa(life.inner.hole) +
+           ", outside " + in_mpa(life.outer.hole) + ", at the waist " + in_mpa(life.inner.waist) +
+           " and " + in_mpa(life.outer.waist) + " MPa");
   line("rollers, bushes", in_hours(life.roller_hours) + " of impacts");
   line("pins",
        "bending " + in_mpa(life.pin.bending) + " MPa, shear " + in_mpa(life.pin.shear) + " MPa");

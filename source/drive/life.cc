@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/life.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace chaindrive::drive
 {
+using dealii::numbers::PI;
+
 namespace
 {
-constexpr double pi           = 3.14159265358979323846;
 constexpr double test_cycles  = 3e6; // of the dynamic strength
 constexpr double limit_cycles = 1e7; // below the force of which plates do not fail
 } // namespace
@@ -37,6 +40,11 @@ JointWear::rate_of_losses(const double power, const double mu, const double coef
 double most_elongation(const unsigned int largest_teeth, const bool kept)
 {
   return std::min(kept ? 0.015 : 0.03, 2. / largest_teeth);
+}
+
+double frame_hours(const double capacity, const double elongation, const double links)
+{
+  return 15000. * capacity * elongation / 0.03 * (links / 120.);
 }
 
 double PlateFatigue::from_zero(const double least, const double most) const
@@ -127,8 +135,8 @@ PinStress pin_stress(const double tension,
                      const double length,
                      const double bush_length)
 {
-  const double area    = 0.25 * pi * (diameter * diameter - bore * bore);
-  const double modulus = pi / 32. * (std::pow(diameter, 4) - std::pow(bore, 4)) / diameter;
+  const double area    = 0.25 * PI * (diameter * diameter - bore * bore);
+  const double modulus = PI / 32. * (std::pow(diameter, 4) - std::pow(bore, 4)) / diameter;
   const double moment  = 0.5 * tension * (0.5 * length - 0.25 * bush_length);
   return {moment / modulus, 0.5 * tension / area};
 }

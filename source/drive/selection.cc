@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/catalogue.h>
 #include <chaindrive/drive/chain.h>
+#include <chaindrive/drive/rules_of_thumb.h>
 #include <chaindrive/drive/selection.h>
-#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/option_range.h>
 #include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +18,11 @@
 
 namespace chaindrive::drive
 {
+using dealii::numbers::PI;
+
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
-
-// Rules of thumb of makers, as those of checks.cc.
-constexpr double       least_breaking   = 7.;
-constexpr double       most_pressure    = 35e6; // Pa
-constexpr double       least_wrap       = 2. * pi / 3.;
+// Rules of thumb, as those of rules_of_thumb.h.
 constexpr double       most_pitches     = 80.; // of the centre distance
 constexpr double       most_ratio_error = 0.03;
 constexpr unsigned int largest_sprocket = 120;
@@ -32,7 +32,7 @@ constexpr unsigned int largest_sprocket = 120;
 std::pair<unsigned int, double>
 links_and_centre(const double z1, const double z2, const double wanted)
 {
-  const double step  = std::pow((z2 - z1) / (2. * pi), 2);
+  const double step  = std::pow((z2 - z1) / (2. * PI), 2);
   const double exact = 2. * wanted + 0.5 * (z1 + z2) + step / wanted;
   const auto   links = 2 * static_cast<unsigned int>(std::lround(0.5 * exact));
   const double a     = 0.5 * (z1 + z2) - links;
@@ -74,12 +74,12 @@ public:
     c.driven_teeth              = z2;
     c.links                     = links;
     c.centre_distance           = pitches * p;
-    const double r1 = 0.5 * p / std::sin(pi / z1), r2 = 0.5 * p / std::sin(pi / z2);
+    const double r1 = 0.5 * p / std::sin(PI / z1), r2 = 0.5 * p / std::sin(PI / z2);
     // overlap, or what is asked for is too near for the formula
     if (!(c.centre_distance > r1 + r2 + 2. * p) ||
         std::abs(c.centre_distance - demand_.centre_distance) > 1.5 * p)
       return {};
-    const double frequency = z1 * demand_.speed / (2. * pi); // pitches in a second
+    const double frequency = z1 * demand_.speed / (2. * PI); // pitches in a second
     const double speed     = p * frequency;
     c.chain_speed          = speed;
     c.lubrication          = least_lubrication(p, speed);
@@ -88,7 +88,7 @@ public:
     const double  force   = demand_.power / speed / share; // of the strand that pulls most
     const double  flung   = mass_per_metre_ * speed * speed;
     const double  small   = std::min(z1, z2);
-    const double  rpm     = demand_.speed * 30. / pi * z1 / small;
+    const double  rpm     = demand_.speed * 30. / PI * z1 / small;
     const Ratings ratings = ratings_of(c.chain, p, small, rpm, force * factor);
     const double  strand  = demand_.power * factor / share; // W
     c.capacity            = ratings.power() / strand;
@@ -110,13 +110,13 @@ public:
     c.roller_hours           = hours_of_rollers(ratings.rollers(), strand, links);
 
     // pulled at one side of each sprocket, flung at both
-    const double    angle = 2. * pi / z1 + 2. * pi / z2;
+    const double    angle = 2. * PI / z1 + 2. * PI / z2;
     const JointWear wear{p, chain_.pin_diameter, area, static_cast<double>(links)};
     const double    most = most_elongation(std::max(z1, z2));
     const double    faster =
         wear_factor(demand_.lubrication.value_or(c.lubrication), c.lubrication, speed);
     c.wear_hours  = most / (faster * wear.rate((force + 2. * flung) * angle, frequency)) / 3600.;
-    c.frame_hours = 15000. * c.capacity * most / 0.03 * (links / 120.) / faster;
+    c.frame_hours = frame_hours(c.capacity, most, links) / faster;
 
     const double              w2      = demand_.speed * z1 / z2;
     const std::vector<double> impacts = {impact_speed(p, z1, demand_.speed),
@@ -124,7 +124,7 @@ public:
     c.impact                          = std::max(impacts[0], impacts[1]);
     c.sound = sound_estimate(mass_per_metre_ * p * strands, impacts, frequency);
     c.mass  = strands * (mass_per_metre_ * p * links +
-                        7850. * 0.95 * row_.inner_width * pi * (r1 * r1 + r2 * r2));
+                        7850. * 0.95 * row_.inner_width * PI * (r1 * r1 + r2 * r2));
     find_faults(c, ratings, r1, r2);
     return c;
   }
@@ -137,16 +137,19 @@ private:
         c.faults.push_back(sentence);
     };
     const auto   text = [](const double x) { return to_text(x, 3); };
-    const double wrap = pi - 2. * std::asin(std::abs(r2 - r1) / c.centre_distance);
+    const double wrap = PI - 2. * std::asin(std::abs(r2 - r1) / c.centre_distance);
     add(c.capacity < 1., "carries only " + text(100. * c.capacity) + " % of the power");
-    add(c.breaking < least_breaking, "breaking safety " + text(c.breaking) + ", below 7");
+    add(c.breaking < least_safety,
+        "breaking safety " + text(c.breaking) + ", below " + text(least_safety));
     add(c.dynamic < 1. && c.plate_hours < demand_.hours,
         "plates last " + text(c.plate_hours) + " h");
     add(c.roller_hours < demand_.hours, "rollers last " + text(c.roller_hours) + " h");
     add(c.wear_hours < demand_.hours, "joints last " + text(c.wear_hours) + " h");
-    add(c.pressure > most_pressure, "joint pressure " + text(1e-6 * c.pressure) + " MPa, above 35");
+    add(c.pressure > usual_pressure,
+        "joint pressure " + text(1e-6 * c.pressure) + " MPa, above " + text(1e-6 * usual_pressure));
     add(ratings.rpm > ratings.speed(), "joints gall above " + text(ratings.speed()) + " rpm");
-    add(wrap < least_wrap, "wrap " + text(wrap * 180. / pi) + " degrees, below 120");
+    add(wrap < least_wrap,
+        "wrap " + text(wrap * 180. / PI) + " degrees, below " + text(least_wrap * 180. / PI));
     add(c.centre_distance > most_pitches * row_.pitch, "centre distance above 80 pitches");
     add(demand_.lubrication && *demand_.lubrication < c.lubrication,
         "needs lubrication " + parameters::text_of(c.lubrication));
@@ -157,13 +160,6 @@ private:
   const double          mass_per_metre_;
   ChainDimensions       chain_;
 };
-
-void refuse(const char *option, const double value, const double least, const double most)
-{
-  if (!(value >= least && value <= most))
-    throw InputError(std::string("The option ") + option + " = " + to_text(value) +
-                     " must be a number from " + to_text(least) + " to " + to_text(most) + ".");
-}
 
 auto rank_of(const Candidate &c)
 {
@@ -177,7 +173,7 @@ double Candidate::hours() const { return std::min({wear_hours, roller_hours, pla
 double impact_speed(const double pitch, const double teeth, const double speed)
 {
   const double degrees = 35. - 120. / teeth + 360. / teeth;
-  return pitch * speed * std::sin(degrees * pi / 180.);
+  return pitch * speed * std::sin(degrees * PI / 180.);
 }
 
 double
@@ -190,20 +186,20 @@ sound_estimate(const double mass, const std::vector<double> &impacts, const doub
     return sum;
   };
   constexpr double pitch = 25.4e-3, teeth = 16., level = 57.; // RS80 has 2.515 kg/m
-  const double     speed = 123. * pi / 30., impact = impact_speed(pitch, teeth, speed);
+  const double     speed = 123. * PI / 30., impact = impact_speed(pitch, teeth, speed);
   return level +
          10. * std::log10(power(mass, impacts, per_second) /
-                          power(2.515 * pitch, {impact, impact}, teeth * speed / (2. * pi)));
+                          power(2.515 * pitch, {impact, impact}, teeth * speed / (2. * PI)));
 }
 
 std::vector<Candidate> select_drives(const Demand &demand)
 {
-  refuse("--kW", 1e-3 * demand.power, 1e-3, 1e6);
-  refuse("--rpm", demand.speed * 30. / pi, 0.01, 9e5);
-  refuse("--ratio", demand.ratio, 0.1, 10.);
-  refuse("--centre", 1e3 * demand.centre_distance, 1., 1e5);
-  refuse("--hours", demand.hours, 1., 1e6);
-  refuse("--strands", demand.strands, 1, most_strands);
+  check_option("--kW", 1e-3 * demand.power, 1e-3, 1e6);
+  check_option("--rpm", demand.speed * 30. / PI, 0.01, 9e5);
+  check_option("--ratio", demand.ratio, 0.1, 10.);
+  check_option("--centre", 1e3 * demand.centre_distance, 1., 1e5);
+  check_option("--hours", demand.hours, 1., 1e6);
+  check_option("--strands", demand.strands, 1, most_strands);
   std::map<std::pair<std::string, unsigned int>, Candidate> best; // by chain and strands
   for (const auto *table : {&iso_b_chains(), &iso_a_chains()})
     for (const CatalogueChain &row : *table)
@@ -216,7 +212,7 @@ std::vector<Candidate> select_drives(const Demand &demand)
               const auto         large = static_cast<unsigned int>(std::lround(small * step));
               const unsigned int z1    = demand.ratio >= 1. ? small : large,
                                  z2    = demand.ratio >= 1. ? large : small;
-              const double speed       = row.pitch * z1 * demand.speed / (2. * pi);
+              const double speed       = row.pitch * z1 * demand.speed / (2. * PI);
               if (large > largest_sprocket || (small < 17 && speed > 1.) ||
                   std::abs(large / (small * step) - 1.) > most_ratio_error)
                 continue;
@@ -229,7 +225,7 @@ std::vector<Candidate> select_drives(const Demand &demand)
             }
       }
   std::vector<Candidate> all;
-  all.reserve(all.size() + best.size());
+  all.reserve(best.size());
   for (const auto &entry : best)
     all.push_back(entry.second);
   std::stable_sort(all.begin(), all.end(), [](const Candidate &a, const Candidate &b) {
@@ -244,7 +240,7 @@ void print(std::ostream                 &out,
            const unsigned int            rows)
 {
   const double factor = service_factor(demand.motor, demand.shock);
-  out << to_text(1e-3 * demand.power) << " kW at " << to_text(demand.speed * 30. / pi)
+  out << to_text(1e-3 * demand.power) << " kW at " << to_text(demand.speed * 30. / PI)
       << " rpm, ratio " << to_text(demand.ratio) << ", centre distance about "
       << to_text(1e3 * demand.centre_distance) << " mm, " << to_text(demand.hours)
       << " h; service factor " << to_text(factor) << " (motor " << parameters::text_of(demand.motor)

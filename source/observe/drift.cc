@@ -2,8 +2,6 @@
 #include <chaindrive/observe/drift.h>
 #include <chaindrive/observe/observation.h>
 
-#include <deal.II/base/numbers.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +24,7 @@ Drift::Drift(const scene::Scene &scene, const unsigned int pitches_per_period)
   for (const scene::Sprocket &sprocket : scene.drive.sprockets)
     if (sprocket.role == parameters::Role::driven)
       ++n_loads_;
-  pitch_time_ = 2. * dealii::numbers::PI / (scene.drive.driver().teeth * scene.loads.driver_speed);
+  pitch_time_ = scene.pitch_time();
   period_     = pitches_per_period * pitch_time_;
   begin(0.);
 }

@@ -6,7 +6,6 @@
 #include <chaindrive/version.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <utility>
@@ -33,12 +32,6 @@ files::Json means_at_start(const std::vector<NamedQuantity> &quantities)
   return summary;
 }
 
-/// Of the driver, s.
-double pitch_time(const scene::Scene &scene)
-{
-  return 2. * dealii::numbers::PI / (scene.drive.driver().teeth * scene.loads.driver_speed);
-}
-
 /// The components of a unit vector as text, so that they read back exactly.
 std::string axis_text(const dealii::Tensor<1, 3> &axis)
 {
@@ -58,7 +51,7 @@ Recorder::Recorder(const scene::Scene     &scene,
     , until_(model.output.until,
              model.output.until.empty() ? files::Json() : means_at_start(quantities_),
              pitches_per_period)
-    , questions_(model.time.start, until_.is_asked() ? pitch_time(scene) : 0.)
+    , questions_(model.time.start, until_.is_asked() ? scene.pitch_time() : 0.)
     , reads_contacts_(
           now_.window().waits() ||
           std::any_of(quantities_.begin(), quantities_.end(), [](const NamedQuantity &item) {

@@ -103,27 +103,26 @@ std::string until_sentence(const files::Json &summary, const double time)
 {
   if (!summary.contains("until"))
     return "";
-  std::string known, unknown;
-  double      longest = 0.; // windows like this one that it takes
+  std::vector<std::string> known, unknown;
+  double                   longest = 0.; // windows like this one that it takes
   for (const auto &[name, one] : summary["until"].items())
     {
       const double      wanted = one["wanted"].get<double>(), found = number_in(one["uncertainty"]);
       const std::string text =
           name + " to " + (std::isfinite(found) ? to_text(100. * found, 2) + " %" : "nothing") +
           " (" + to_text(100. * wanted, 2) + " %)";
-      std::string &list = one["reached"].get<bool>() ? known : unknown;
-      list += (list.empty() ? "" : ", ") + text;
+      (one["reached"].get<bool>() ? known : unknown).push_back(text);
       if (std::isfinite(found))
         longest = std::max(longest, (found / wanted) * (found / wanted));
     }
   if (unknown.empty())
     return "After " + to_text(1e3 * time, 5) +
-           " ms the run knows what Output/Until asks for: " + known + ".";
+           " ms the run knows what Output/Until asks for: " + join(known) + ".";
   const double from = number_in(summary["window"]["start"]),
                to   = number_in(summary["window"]["end"]);
   return "At its end, after " + to_text(1e3 * time, 5) +
-         " ms, the run does not know what Output/Until asks for: " + unknown +
-         (known.empty() ? "" : "; but " + known) + "." +
+         " ms, the run does not know what Output/Until asks for: " + join(unknown) +
+         (known.empty() ? "" : "; but " + join(known)) + "." +
          (longest > 1. && std::isfinite(to - from) ?
               " The uncertainty falls with the root of the time: Time/End time in ms = " +
                   to_text(1e3 * (from + longest * (to - from)), 2) + " may be enough." :

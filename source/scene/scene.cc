@@ -16,6 +16,11 @@ dealii::Tensor<1, 3> Mount::along_z()
   return z;
 }
 
+double Scene::pitch_time() const
+{
+  return 2. * dealii::numbers::PI / (drive.driver().teeth * loads.driver_speed);
+}
+
 bool Scene::has_elastic_bodies() const
 {
   return std::any_of(

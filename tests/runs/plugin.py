@@ -261,8 +261,7 @@ def refuse():
     # what the environment names is not looked at, and a file cannot ask for a library
     said = start([str(program), "plan", "example/example.prm", "--plugin", "example.so"], {"LD_LIBRARY_PATH": str(plugin.parent.resolve())})
     check(said.returncode == 2 and "There is no plug-in 'example.so'" in said.stderr, f"{said}")
-    for words, sentence in ((["study", "example/example.prm"], "has no use for it"), (["report", "."], "has no use for it")):
-        check(sentence in say(program, *words, "--plugin", plugin, status=2), f"{words}")
+    check("has no use for it" in say(program, "report", ".", "--plugin", plugin, status=2), "report")
 
 
 def library():

@@ -34,9 +34,8 @@ struct Ratings
 Ratings
 ratings_of(const std::string &designation, double pitch, double teeth, double rpm, double tension);
 
-/// Hours that rollers and bushes endure the power [W] whose rating for 15,000 hours and 100 links
-/// is
-/// @p rating: H is as (links / 100)^0.4 (15000 / hours)^0.4 (Shigley, chapter 17).
+/// Hours that rollers and bushes endure the @p power [W] that is @p rating for 15,000 hours and 100
+/// links: H is as (links / 100)^0.4 (15000 / hours)^0.4 (Shigley, chapter 17).
 double hours_of_rollers(double rating, double power, double links);
 
 /// How many times as much as one several strands carry, 1 to 6: Table 4.1 of Tsubaki's Complete

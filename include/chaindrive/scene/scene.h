@@ -160,6 +160,9 @@ struct Scene
 
   bool has_elastic_bodies() const;
 
+  /// From one of the driver's teeth to the next at its full speed, s; infinite where it stands.
+  double pitch_time() const;
+
   MirrorSymmetry symmetry() const { return MirrorSymmetry(half); }
 
   /// What sentences call body @p b, such as "roller 5".

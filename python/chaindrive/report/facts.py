@@ -115,12 +115,13 @@ def life_rows(life: dict[str, Any]) -> list[tuple[str, str]]:
         return "endless" if value is None else f"{number(float(f'{value:.2g}'), 6)}\u00a0h"
 
     simulated = life.get("simulated_wear_hours")
+    safety = f"safety {number(life['plate_safety'], 3)}, " if "plate_safety" in life else ""
     return [
-        (f"wear to {number(100 * life['elongation'], 3)}\u00a0%", f"{hours(life['wear_hours'])}, within a factor of 3"
+        (f"wear to {number(100 * life['elongation'], 3)}\u00a0%", f"{hours(life.get('wear_hours'))}, within a factor of 3"
          + (f"; by the friction work of this run {hours(simulated)}" if simulated else "")
-         + f"; frame of ISO\u00a010823 {hours(life['frame_hours'])}; lubrication {escape(life['lubrication'])} or better"),
-        ("plates", f"dynamic strength {quantity(life['dynamic_strength'], 'N')}, safety {number(life['plate_safety'], 3)}, {hours(life['plate_hours'])}"),
-        ("rollers and bushes", f"{hours(life['roller_hours'])} of impacts"),
+         + f"; frame of ISO\u00a010823 {hours(life.get('frame_hours'))}; lubrication {escape(life['lubrication'])} or better"),
+        ("plates", f"dynamic strength {quantity(life['dynamic_strength'], 'N')}, {safety}{hours(life.get('plate_hours'))}"),
+        ("rollers and bushes", f"{hours(life.get('roller_hours'))} of impacts"),
     ]
 
 

@@ -4,8 +4,6 @@
 #include <chaindrive/observe/wrap.h>
 #include <chaindrive/utilities/text.h>
 
-#include <deal.II/base/numbers.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -77,9 +75,7 @@ class Events : public Quantity
 public:
   explicit Events(const Observation &now)
       : Quantity(now)
-      , pitch_time_(std::min(2. * dealii::numbers::PI /
-                                 (now.scene.drive.driver().teeth * now.scene.loads.driver_speed),
-                             longest_pitch))
+      , pitch_time_(std::min(now.scene.pitch_time(), longest_pitch))
       , started_(last_change_of_speeds(now) + pitch_time_)
       , looks_(now.scene.start_time, std::min(look_interval, pitch_time_ / looks_a_pitch))
       , knows_tensions_(now.model.output.asks_for(parameters::QuantityGroup::tensions))
