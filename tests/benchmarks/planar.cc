@@ -273,7 +273,7 @@ private:
       press_teeth(i, search, dt);
     for (std::size_t i = 0; i < teeth_.size(); ++i)
       if (!scene_.shafts[i].program.speed)
-        torque_ = scene_.shafts[i].program.resisting_torque(angle_[i], time);
+        torque_ = scene_.shafts[i].program.resisting_torque(angle_[i], time, speed_[i]);
   }
 
   void press_teeth(const std::size_t i, const bool search, const double dt)
