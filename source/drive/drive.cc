@@ -336,28 +336,34 @@ std::vector<RestingWheel> resting_wheels(const std::vector<Sprocket> &sprockets,
                                           0.));
   return wheels;
 }
-} // namespace
 
-void refuse_soft_teeth(const Parameters &parameters, const Drive &drive)
+/// Refuses stiffnesses of rollers, pins and bushes that the load would push through one another.
+void refuse_soft_chain(const Parameters &parameters, const Drive &d)
 {
-  if (parameters.contact.tooth_stiffness)
-    refuse_soft("Contact/Tooth stiffness in N/m",
-                *parameters.contact.tooth_stiffness,
-                hardest_pull(parameters, drive),
-                0.5 * drive.chain.roller_diameter,
-                "rollers");
+  const Pull load = hardest_pull(parameters, d);
+  refuse_soft("Contact/Roller-tooth stiffness in N/m",
+              d.roller_tooth_stiffness,
+              load,
+              0.5 * d.chain.roller_diameter,
+              "rollers");
+  refuse_soft("Model/Stiffness per pitch in N/m",
+              d.stiffness_per_pitch,
+              load,
+              0.5 * d.chain.pin_diameter,
+              "pins");
+  if (parameters.model.capabilities().has_clearances)
+    refuse_soft("Contact/Roller-bush stiffness in N/m",
+                d.roller_bush_stiffness,
+                load,
+                0.5 * d.chain.bush_diameter,
+                "bushes");
 }
 
-Drive make_drive(const Parameters  &parameters,
-                 const StiffnessOf &stiffness_of,
-                 const JointShifts &shifts)
+/// Chain and sprockets, with what their shafts are given.
+void set_chain_and_sprockets(const Parameters &parameters, Drive &d)
 {
-  const parameters::Sprockets   &sprockets = parameters.drive.sprockets;
-  const Material                &steel     = parameters.material;
-  const parameters::Capabilities model     = parameters.model.capabilities();
-
-  Drive d;
-  d.chain = make_chain(parameters.drive.chain, parameters.effects);
+  const parameters::Sprockets &sprockets = parameters.drive.sprockets;
+  d.chain                                = make_chain(parameters.drive.chain, parameters.effects);
   for (unsigned int i = 0; i < sprockets.list.size(); ++i)
     {
       d.sprockets.push_back(make_sprocket(i, sprockets, d.chain, parameters.model.driven_inertia));
@@ -382,33 +388,44 @@ Drive make_drive(const Parameters  &parameters,
                      " between the inner plates.");
   for (unsigned int i = 0; i < d.sprockets.size(); ++i)
     check_hub(d.sprockets[i], sprockets.list[i], d.notes);
+}
 
-  d.roller_solid     = roller_solid(d.chain, steel.density);
-  d.inner_link_solid = inner_link_solid(d.chain, steel.density);
-  d.outer_link_solid = outer_link_solid(d.chain, steel.density);
+/// Solids, masses and inertias.
+void set_solids(const Parameters &parameters, Drive &d)
+{
+  const double density = parameters.material.density;
+  d.roller_solid       = roller_solid(d.chain, density);
+  d.inner_link_solid   = inner_link_solid(d.chain, density);
+  d.outer_link_solid   = outer_link_solid(d.chain, density);
   for (Sprocket &sprocket : d.sprockets)
     {
-      sprocket.solid =
-          sprocket_solid(sprocket.form, sprocket.bore, d.sprocket_width, steel.density);
+      sprocket.solid   = sprocket_solid(sprocket.form, sprocket.bore, d.sprocket_width, density);
       sprocket.inertia = sprocket.given_inertia.value_or(sprocket.solid.inertia[2][2]);
     }
   refuse_brake(d);
   d.mass_per_pitch =
       d.roller_solid.mass + 0.5 * (d.inner_link_solid.mass + d.outer_link_solid.mass);
   note_mass(d, parameters);
+}
+
+/// Stiffnesses of pitch, rollers and teeth under the mean tension of the loads.
+void set_stiffnesses(const Parameters &parameters, const StiffnessOf &stiffness_of, Drive &d)
+{
+  const Material                &steel   = parameters.material;
+  const parameters::Model       &given   = parameters.model;
+  const parameters::Contact     &contact = parameters.contact;
+  const parameters::Capabilities model   = given.capabilities();
 
   d.nominal_tension = 0.;
   for (const Sprocket &sprocket : d.sprockets)
     if (sprocket.role == Role::driven)
       d.nominal_tension += sprocket.mean_torque / (0.5 * sprocket.form.pitch_diameter);
   // contact stiffness depends on the load: without one, a load that strains steel visibly
-  d.reference_load                   = d.nominal_tension > 0. ?
-                                           d.nominal_tension :
-                                           1e-5 * steel.youngs_modulus * d.chain.pitch * d.chain.pitch;
-  const PartStiffness        parts   = stiffness_of ? stiffness_of(d, d.reference_load) :
-                                                      estimated_stiffness(d.chain, d.reference_load, steel);
-  const parameters::Model   &given   = parameters.model;
-  const parameters::Contact &contact = parameters.contact;
+  d.reference_load          = d.nominal_tension > 0. ?
+                                  d.nominal_tension :
+                                  1e-5 * steel.youngs_modulus * d.chain.pitch * d.chain.pitch;
+  const PartStiffness parts = stiffness_of ? stiffness_of(d, d.reference_load) :
+                                             estimated_stiffness(d.chain, d.reference_load, steel);
   append(d.notes, parts.notes);
   d.stiffness_per_pitch    = given.stiffness_per_pitch.value_or(parts.per_pitch);
   d.roller_bush_stiffness  = contact.roller_bush_stiffness.value_or(parts.roller_bush);
@@ -420,32 +437,19 @@ Drive make_drive(const Parameters  &parameters,
             tooth_stiffness(std::min(d.chain.roller_length, d.sprocket_width), steel) :
             parts.teeth[i]);
   if (!model.is_elastic) // there the elastic bodies deflect
-    {
-      const Pull load = hardest_pull(parameters, d);
-      refuse_soft("Contact/Roller-tooth stiffness in N/m",
-                  d.roller_tooth_stiffness,
-                  load,
-                  0.5 * d.chain.roller_diameter,
-                  "rollers");
-      refuse_soft("Model/Stiffness per pitch in N/m",
-                  d.stiffness_per_pitch,
-                  load,
-                  0.5 * d.chain.pin_diameter,
-                  "pins");
-      if (model.has_clearances)
-        refuse_soft("Contact/Roller-bush stiffness in N/m",
-                    d.roller_bush_stiffness,
-                    load,
-                    0.5 * d.chain.bush_diameter,
-                    "bushes");
-    }
+    refuse_soft_chain(parameters, d);
   d.notes.push_back("Stiffness per pitch " + to_text(d.stiffness_per_pitch, 4) + " N/m (" +
                     (given.stiffness_per_pitch ?
                          "given" :
                          "auto: two links pulled with " + to_text(d.reference_load, 4) + " N") +
                     ")");
+}
 
-  std::vector<ToothForm> forms;
+/// Lays the chain: without load, at rest with its pre-tension, or as it runs.
+void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d)
+{
+  const parameters::Model &given = parameters.model;
+  std::vector<ToothForm>   forms;
   for (const Sprocket &sprocket : d.sprockets)
     forms.push_back(sprocket.form);
   const double mass  = given.mass_per_pitch.value_or(d.mass_per_pitch) / d.chain.loaded_pitch();
@@ -455,7 +459,7 @@ Drive make_drive(const Parameters  &parameters,
     return make_layout(entries,
                        chain,
                        forms,
-                       model.has_clearances,
+                       given.capabilities().has_clearances,
                        d.stiffness_per_pitch,
                        start_speed,
                        d.nominal_tension,
@@ -515,6 +519,28 @@ Drive make_drive(const Parameters  &parameters,
   if (layout.centre_distance_from != CentreDistanceFrom::given)
     d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance() * 1e3, 7) +
                       " mm, from " + text_of(layout.centre_distance_from) + ".");
+}
+} // namespace
+
+void refuse_soft_teeth(const Parameters &parameters, const Drive &drive)
+{
+  if (parameters.contact.tooth_stiffness)
+    refuse_soft("Contact/Tooth stiffness in N/m",
+                *parameters.contact.tooth_stiffness,
+                hardest_pull(parameters, drive),
+                0.5 * drive.chain.roller_diameter,
+                "rollers");
+}
+
+Drive make_drive(const Parameters  &parameters,
+                 const StiffnessOf &stiffness_of,
+                 const JointShifts &shifts)
+{
+  Drive d;
+  set_chain_and_sprockets(parameters, d);
+  set_solids(parameters, d);
+  set_stiffnesses(parameters, stiffness_of, d);
+  lay_chain(parameters, shifts, d);
   return d;
 }
 } // namespace chaindrive::drive
