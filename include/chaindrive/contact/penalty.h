@@ -48,7 +48,7 @@ struct PointApproach
   }
 
   /// The work of the normal force over the step, by the trapezoidal rule, is stored in the spring
-  /// or lost in the dashpot.
+  /// or lost in the dashpot: of (N0 + N) (d - d0) / 2 the spring takes k (d^2 - d0^2) / 2.
   template <int n_tangents>
   CHAINDRIVE_ALWAYS_INLINE void book(const scene::ContactLawOf<Number>      &law,
                                      const TouchStateOf<Number, n_tangents> &before,
@@ -56,12 +56,10 @@ struct PointApproach
                                      ContactEnergies<Number>                &energies) const
   {
     const Number half(0.5);
-    const Number stored_before = half * law.stiffness * before.penetration * before.penetration;
-    const Number stored        = half * law.stiffness * now.penetration * now.penetration;
-    energies.stored += stored;
+    const Number springs = law.stiffness * (before.penetration + now.penetration);
+    energies.stored += half * law.stiffness * now.penetration * now.penetration;
     energies.damping_loss +=
-        half * (before.normal + now.normal) * (now.penetration - before.penetration) -
-        (stored - stored_before);
+        half * (before.normal + now.normal - springs) * (now.penetration - before.penetration);
   }
 };
 
@@ -164,17 +162,15 @@ CHAINDRIVE_ALWAYS_INLINE void update_touch(const scene::ContactLawOf<Number> &la
           zero - law.tangential_stiffness * touch.slip[d] - law.tangential_damping * slip_rate[d];
     }
   const Number part = within_limit(length(touch.tangential));
-  Number       work(0.), stored(0.), stored_before(0.);
+  Number       work(0.), square(0.), growth(0.);
   for (int d = 0; d < n_tangents; ++d)
     {
       touch.tangential[d] = part * touch.tangential[d];
       work += (before.tangential[d] + touch.tangential[d]) * increment[d];
-      stored_before += before.slip[d] * before.slip[d];
-      stored += touch.slip[d] * touch.slip[d];
+      square += touch.slip[d] * touch.slip[d];
+      growth += (touch.slip[d] + before.slip[d]) * (touch.slip[d] - before.slip[d]);
     }
-  stored_before = half * law.tangential_stiffness * stored_before;
-  stored        = half * law.tangential_stiffness * stored;
-  energies.stored += stored;
-  energies.friction_loss -= half * work + (stored - stored_before);
+  energies.stored += half * law.tangential_stiffness * square;
+  energies.friction_loss -= half * (work + law.tangential_stiffness * growth);
 }
 } // namespace chaindrive::contact
