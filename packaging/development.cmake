@@ -6,7 +6,7 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/chaindrive)
 # The objects of all rooms once more, in one archive, as Debian strips its own.
 get_property(objects GLOBAL PROPERTY CHAINDRIVE_ROOM_OBJECTS)
 add_library(chaindrive_library STATIC EXCLUDE_FROM_ALL
-  $<TARGET_OBJECTS:chaindrive_quantities> ${objects})
+  $<TARGET_OBJECTS:chaindrive_terms> $<TARGET_OBJECTS:chaindrive_quantities> ${objects})
 set_target_properties(chaindrive_library PROPERTIES OUTPUT_NAME chaindrive LINKER_LANGUAGE CXX)
 if(CMAKE_STRIP)
   add_custom_command(TARGET chaindrive_library POST_BUILD

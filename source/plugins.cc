@@ -144,8 +144,7 @@ void load_plugin(const std::string &path)
                      AnyRegistry::problems().front());
   if (registered_by(plugin.name).empty())
     throw InputError("The plug-in '" + path +
-                     "' adds nothing: it registers neither a quantity nor an "
-                     "addition.");
+                     "' adds nothing: it registers no quantity, addition, term or fidelity.");
 }
 
 /// What goes wrong on this rank; empty: nothing.

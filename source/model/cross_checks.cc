@@ -48,10 +48,7 @@ struct Findings
 std::string ms(const double value) { return to_entry_text(value, unit::milli) + " ms"; }
 std::string us(const double value) { return to_entry_text(value, unit::micro) + " us"; }
 
-std::string chosen_fidelity(const Parameters &p)
-{
-  return "Model/Fidelity = " + text_of(p.model.fidelity);
-}
+std::string chosen_fidelity(const Parameters &p) { return "Model/Fidelity = " + p.model.fidelity; }
 
 void check_settled_window(const Parameters &p, Findings &findings)
 {

@@ -164,7 +164,7 @@ Decision reduced_bodies(const Parameters &p, const bool links, const bool roller
   if (!links && !rollers)
     return {effect, false, "neither links nor rollers are elastic"};
   if (p.model.capabilities().is_reduced)
-    return {effect, true, "fidelity " + text_of(p.model.fidelity)};
+    return {effect, true, "fidelity " + p.model.fidelity};
   if (!has_region_of_interest(p))
     return {effect, false, "elastic bodies move by their nodes"};
   const bool others = p.model.other_links == parameters::OtherLinks::reduced;
@@ -266,7 +266,7 @@ stress_recovery(const Parameters &p, const bool links, const bool rollers, const
 /// Whether the cylinders of a joint have clearance.
 Decision clearance(const Effect effect, const Parameters &p, const Switch choice)
 {
-  const std::string fidelity = "fidelity " + text_of(p.model.fidelity);
+  const std::string fidelity = "fidelity " + p.model.fidelity;
   if (!p.model.capabilities().has_clearances)
     return {effect, false, fidelity + ": roller, bush and pin are one lump"};
   if (choice == Switch::off)
@@ -279,7 +279,7 @@ Decision chain_bars(const Parameters &p)
   const auto [has_clearances, elastic, reduced] = p.model.capabilities();
   return {Effect::chain_bars,
           !has_clearances,
-          "fidelity " + text_of(p.model.fidelity) + ": " +
+          "fidelity " + p.model.fidelity + ": " +
               (reduced        ? "links deform by modes" :
                elastic        ? "links are made of finite elements" :
                has_clearances ? "links are rigid, their compliance sits in the joints" :

@@ -19,12 +19,12 @@ struct Rule
 std::vector<Rule> rules(const Parameters &p, const Effects &effects)
 {
   const auto [has_clearances, is_elastic, is_reduced] = p.model.capabilities();
-  const std::string        chosen  = "Model/Fidelity = " + text_of(p.model.fidelity);
-  const CentreDistanceFrom from    = p.drive.layout.centre_distance_from;
-  const std::string        layout  = "Drive/Layout/";
-  const Decision          &reduced = effects.of(Effect::reduced_bodies),
-                 &teeth            = effects.of(Effect::tooth_compliance),
-                 &pictures         = effects.of(Effect::fields);
+  const std::string        chosen                     = "Model/Fidelity = " + p.model.fidelity;
+  const CentreDistanceFrom from                       = p.drive.layout.centre_distance_from;
+  const std::string        layout                     = "Drive/Layout/";
+  const Decision          &reduced                    = effects.of(Effect::reduced_bodies),
+                 &teeth                               = effects.of(Effect::tooth_compliance),
+                 &pictures                            = effects.of(Effect::fields);
 
   std::vector<Rule> rules = {
       {p.drive.chain.elongation == 0.,

@@ -7,16 +7,12 @@ namespace chaindrive::parameters
 void Model::declare(Declarations &declarations)
 {
   const Subsection section(declarations, "Model");
-  add(declarations,
-      "Fidelity",
-      fidelity,
-      "Which bodies the chain is made of. simple: lumped rollers joined by elastic bars, for "
-      "tensions, speeds and a first look. layered: rollers, inner and outer links as rigid bodies "
-      "with their clearances, for contact forces and the motion of single rollers; costs about "
-      "four times as much. full: the same bodies made of elastic finite elements, for the effects "
-      "of their deformation; costs hundreds of times as much. reduced: bodies whose deformation is "
-      "described by a few dozen modes each, computed from their finite elements; contact is that "
-      "of full, the cost a tenth.");
+  add_choice(declarations,
+             "Fidelity",
+             fidelity,
+             fidelities(),
+             "Which bodies the chain is made of." + fidelities_in_words(),
+             [this](const std::string &name) { fidelity = name; });
   add(declarations,
       "Symmetry model",
       half,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/scene/addition.h>
 #include <chaindrive/scene/build.h>
+#include <chaindrive/scene/fidelity.h>
 #include <chaindrive/scene/placement.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace chaindrive::scene
 {
@@ -14,23 +14,6 @@ using model::Effect;
 
 namespace
 {
-/// The only place that asks which fidelity it is; what others ask of it is in
-/// parameters::Capabilities.
-auto builder_of(const parameters::Fidelity fidelity)
-{
-  switch (fidelity)
-    {
-    case parameters::Fidelity::simple:
-      return &add_simple_chain;
-    case parameters::Fidelity::layered:
-      return &add_layered_chain;
-    case parameters::Fidelity::reduced:
-    case parameters::Fidelity::full:
-      return &add_full_chain;
-    }
-  throw std::logic_error("a fidelity has no builder");
-}
-
 Tensor3 embed(const dealii::Tensor<1, 2> &v)
 {
   Tensor3 result;
@@ -135,7 +118,7 @@ Scene build_scene(const model::Model             &model,
   scene.prestress = drive.layout.prestress;
   describe(drive, scene.drive);
 
-  builder_of(model.fidelity)(model, drive, scene);
+  Fidelity::builder_of(model.fidelity)(model, drive, scene);
   add_sprockets(model, drive, folders, scene);
   add_additions(model.sections, scene);
   if (model.effects.is_on(Effect::reduced_bodies) && basis_of)

@@ -76,7 +76,7 @@ int main(int argc, char **argv)
   for (const bool half : {true, false})
     {
       Parameters p;
-      p.model.fidelity  = parameters::Fidelity::full;
+      p.model.fidelity  = "full";
       p.model.half      = half ? parameters::SymmetryModel::yes : parameters::SymmetryModel::no;
       p.mesh.refinement = 1;
       const drive::Drive drive = drive::make_drive(p);

@@ -68,9 +68,8 @@ Parameters random_drive(std::mt19937 &random)
   p.drive.sprockets.set_order(names);
   p.drive.sprockets.tooth_form = parameters::StandardForm::iso_max;
   p.drive.chain.designation    = "08B";
-  p.model.fidelity =
-      random() % 2 == 0 ? parameters::Fidelity::simple : parameters::Fidelity::layered;
-  p.drive.layout.start_phase = uniform(0., 1.);
+  p.model.fidelity             = random() % 2 == 0 ? "simple" : "layered";
+  p.drive.layout.start_phase   = uniform(0., 1.);
   p.drive.layout.tight_span =
       random() % 2 == 0 ? parameters::TightSide::upper : parameters::TightSide::lower;
   p.drive.layout.slack     = uniform(1e-3, 8e-3);

@@ -19,7 +19,7 @@ constexpr double phases[] = {0., 0.3, 0.8};
 Parameters at(const double phase, const double inertia, const parameters::TightSide side)
 {
   Parameters p;
-  p.model.fidelity           = parameters::Fidelity::simple;
+  p.model.fidelity           = "simple";
   p.model.driven_inertia     = inertia;
   p.drive.layout.start       = parameters::Start::settled;
   p.drive.layout.start_phase = phase;

@@ -53,7 +53,7 @@ int main()
         {"525", 14, 41, 108},
         {"25", 9, 30, 90},
         {"48B", 13, 13, 50}})
-    for (const auto fidelity : {parameters::Fidelity::simple, parameters::Fidelity::layered})
+    for (const auto fidelity : {"simple", "layered"})
       {
         Parameters p;
         p.drive.chain.designation        = name;
@@ -64,7 +64,7 @@ int main()
         if (n == 90) // the default load would press its rollers through the teeth
           p.loads.resisting_torque = 5.;
         const drive::Drive other = drive::make_drive(p);
-        std::cout << name << ' ' << z1 << '/' << z2 << ' ' << text_of(fidelity) << ' '
+        std::cout << name << ' ' << z1 << '/' << z2 << ' ' << fidelity << ' '
                   << std::setprecision(4) << other.layout.centre_distance() * 1e3 << ' '
                   << std::setprecision(3) << other.stiffness_per_pitch * 1e-6 << '\n';
       }

@@ -89,13 +89,13 @@ int main()
   const auto build              = [&] { return scene_of(parameters); };
   parameters.drive.layout.start = parameters::Start::settled;
   compare("simple", build(), 0.25);
-  parameters.model.fidelity = parameters::Fidelity::layered;
+  parameters.model.fidelity = "layered";
   compare("layered", build(), 0.25);
 
   // from rest to full speed within some steps
   parameters.drive.layout.start = parameters::Start::taut;
   parameters.loads.ramp_time    = 1e-6;
-  parameters.model.fidelity     = parameters::Fidelity::full;
+  parameters.model.fidelity     = "full";
   compare("full", build(), 0.9);
   parameters.model.half = parameters::SymmetryModel::yes;
   compare("half", build(), 0.9);

@@ -147,9 +147,9 @@ int main()
   parameters.loads.ramp_time                                                            = 1e-6;
   const auto build = [&] { return scene_of(parameters); };
   check("simple", build(), 0.25);
-  parameters.model.fidelity = parameters::Fidelity::layered;
+  parameters.model.fidelity = "layered";
   check("layered", build(), 0.25);
-  parameters.model.fidelity = parameters::Fidelity::full;
+  parameters.model.fidelity = "full";
   check("full", build(), 0.9);
   parameters.model.half = parameters::SymmetryModel::yes;
   check("half", build(), 0.9);

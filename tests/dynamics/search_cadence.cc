@@ -9,7 +9,7 @@ using namespace test;
 int main()
 {
   Parameters parameters;
-  parameters.model.fidelity        = parameters::Fidelity::layered;
+  parameters.model.fidelity        = "layered";
   parameters.output.field_interval = 0.;
   parameters.drive.layout.start =
       parameters::Start::settled; // at speed: rollers arrive from the first moment on

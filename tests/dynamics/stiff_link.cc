@@ -21,8 +21,7 @@ unsigned int stiff(const unsigned int n_joints) { return n_joints - 1; }
 scene::Scene make_scene(const bool layered, const bool stiff_link)
 {
   Parameters parameters;
-  parameters.model.fidelity =
-      layered ? parameters::Fidelity::layered : parameters::Fidelity::simple;
+  parameters.model.fidelity                 = layered ? "layered" : "simple";
   parameters.output.field_interval          = 0.;
   parameters.contact.roller_tooth_stiffness = 2e7; // the bar is much stiffer
   parameters.loads.ramp_time                = 0.2e-3;

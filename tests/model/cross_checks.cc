@@ -47,7 +47,7 @@ int main()
 
   std::cout << "chain and sprockets" << std::endl;
   check([](Parameters &p) {
-    p.model.fidelity = Fidelity::layered;
+    p.model.fidelity = "layered";
     p.drive.n_links  = 111;
   });
   check([](Parameters &p) { p.drive.n_links = 111; });
@@ -66,7 +66,7 @@ int main()
   check([](Parameters &p) { p.drive.chain.pitch_set = PitchSet::nominal; });
   check([](Parameters &p) {
     p.drive.chain.pitch_set      = PitchSet::nominal;
-    p.model.fidelity             = Fidelity::layered;
+    p.model.fidelity             = "layered";
     p.effects.bush_pin_clearance = Switch::off;
   });
   check([](Parameters &p) { p.drive.sprockets.driver().mesh = "driver.msh"; });
@@ -76,7 +76,7 @@ int main()
   check([](Parameters &p) {
     p.drive.sprockets.facets           = 25;
     p.drive.sprockets.driven().mesh    = "driven.msh";
-    p.model.fidelity                   = Fidelity::full;
+    p.model.fidelity                   = "full";
     p.drive.sprockets.driven().elastic = Switch::off;
   });
 
@@ -84,12 +84,12 @@ int main()
   check([](Parameters &p) { p.drive.layout.start = Start::concentric; });
   check([](Parameters &p) {
     p.drive.layout.start = Start::concentric;
-    p.model.fidelity     = Fidelity::layered;
+    p.model.fidelity     = "layered";
   });
   check([](Parameters &p) { p.drive.layout.start = Start::settled; });
   check([](Parameters &p) {
     p.drive.layout.start    = Start::settled;
-    p.model.fidelity        = Fidelity::full;
+    p.model.fidelity        = "full";
     p.mesh.inner_link.along = 2;
     p.mesh.roller_along     = 5;
     p.mesh.roller_around    = 30;
@@ -97,7 +97,7 @@ int main()
   });
   check([](Parameters &p) {
     p.drive.layout.centre_distance_from = CentreDistanceFrom::pretension;
-    p.model.fidelity                    = Fidelity::full;
+    p.model.fidelity                    = "full";
     p.contact.roller_tooth_stiffness    = 2e8;
     p.model.stiffness_per_pitch         = 8e7;
   });
@@ -108,7 +108,7 @@ int main()
     p.model.half          = SymmetryModel::yes;
   });
   check([](Parameters &p) {
-    p.model.fidelity          = Fidelity::full;
+    p.model.fidelity          = "full";
     p.model.elastic_links     = ElasticLinks::region_of_interest;
     p.model.elastic_sprockets = Switch::on;
   });
@@ -124,7 +124,7 @@ int main()
     p.effects.friction             = Switch::on;
     p.contact.friction_coefficient = 0.;
     p.contact.bush_pin_friction    = 0.1;
-    p.model.fidelity               = Fidelity::layered;
+    p.model.fidelity               = "layered";
   });
   check([](Parameters &p) { // which the simple model does not have
     p.effects.friction             = Switch::on;
@@ -138,7 +138,7 @@ int main()
   });
   check([](Parameters &p) {
     p.effects.chain_damping = Switch::on;
-    p.model.fidelity        = Fidelity::layered;
+    p.model.fidelity        = "layered";
   });
   check([](Parameters &p) { p.effects.drag = Switch::off; });
   check([](Parameters &p) {
@@ -149,7 +149,7 @@ int main()
   std::cout << "elasticity" << std::endl;
   const auto full = [](const std::function<void(Parameters &)> &change) {
     check([&change](Parameters &p) {
-      p.model.fidelity = Fidelity::full;
+      p.model.fidelity = "full";
       change(p);
     });
   };
@@ -186,7 +186,7 @@ int main()
 
   std::cout << "reduction" << std::endl;
   check([](Parameters &p) {
-    p.model.fidelity          = Fidelity::reduced;
+    p.model.fidelity          = "reduced";
     p.model.elastic_sprockets = Switch::on;
     p.contact.plate_faces     = Switch::on;
     p.effects.plate_bending   = Switch::off;
@@ -199,7 +199,7 @@ int main()
   });
 
   check([](Parameters &p) { // no link is left that is not reduced
-    p.model.fidelity      = Fidelity::reduced;
+    p.model.fidelity      = "reduced";
     p.model.elastic_links = ElasticLinks::region_of_interest;
     p.model.other_links   = OtherLinks::reduced;
   });

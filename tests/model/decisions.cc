@@ -18,7 +18,6 @@
 using namespace chaindrive;
 using model::Effect;
 using model::Effects;
-using parameters::Fidelity;
 using parameters::QuantityGroup;
 using parameters::Switch;
 
@@ -29,7 +28,7 @@ void verdict(const std::string &what, const bool holds)
   std::cout << what << ": " << (holds ? "yes" : "NO") << '\n';
 }
 
-Parameters of(const Fidelity fidelity)
+Parameters of(const std::string &fidelity)
 {
   Parameters p;
   p.model.fidelity = fidelity;
@@ -64,7 +63,7 @@ void check_needs()
   unsigned int right = 0;
   for (const auto &[group, name] : parameters::texts_of<QuantityGroup>)
     {
-      Parameters p              = of(Fidelity::full);
+      Parameters p              = of("full");
       p.output.quantities       = {group};
       const Effects     effects = model::decide_effects(p);
       const auto       &row     = rows.at(name);
@@ -90,8 +89,7 @@ void check_needs()
 void check_that_all_are_decided_once()
 {
   bool once = true;
-  for (const Fidelity fidelity :
-       {Fidelity::simple, Fidelity::layered, Fidelity::reduced, Fidelity::full})
+  for (const std::string fidelity : {"simple", "layered", "reduced", "full"})
     {
       std::map<Effect, unsigned int> times;
       for (const model::Decision &decision : model::decide_effects(of(fidelity)))
@@ -132,17 +130,17 @@ void show_reasons()
                                     Effect::tooth_compliance,
                                     Effect::reduced_bodies,
                                     Effect::symmetry_model};
-  show("simple", of(Fidelity::simple), {Effect::elastic_links, Effect::chain_bars});
-  show("reduced", of(Fidelity::reduced), elastic);
-  show("full", of(Fidelity::full), elastic);
-  Parameters p              = of(Fidelity::full);
+  show("simple", of("simple"), {Effect::elastic_links, Effect::chain_bars});
+  show("reduced", of("reduced"), elastic);
+  show("full", of("full"), elastic);
+  Parameters p              = of("full");
   p.effects.elastic_rollers = Switch::off;
   show("full, rollers off", p, elastic);
-  p                     = of(Fidelity::full);
+  p                     = of("full");
   p.model.elastic_links = parameters::ElasticLinks::region_of_interest;
   p.model.other_links   = parameters::OtherLinks::reduced;
   show("full, arriving", p, elastic);
-  p                                  = of(Fidelity::full);
+  p                                  = of("full");
   p.output.quantities                = {QuantityGroup::tensions};
   p.model.elastic_sprockets          = Switch::off;
   p.drive.sprockets.driven().elastic = Switch::on;
@@ -153,7 +151,7 @@ void show_reasons()
 void check_values()
 {
   constexpr double PI             = dealii::numbers::PI;
-  Parameters       p              = of(Fidelity::layered);
+  Parameters       p              = of("layered");
   p.model.stiffness_from          = parameters::StiffnessFrom::dimensions;
   p.contact.friction_coefficient  = 0.1;
   p.contact.bush_pin_friction     = 0.2;
@@ -190,7 +188,7 @@ void check_values()
 
 void check_arriving()
 {
-  Parameters p             = of(Fidelity::full);
+  Parameters p             = of("full");
   p.model.stiffness_from   = parameters::StiffnessFrom::dimensions;
   p.model.elastic_links    = parameters::ElasticLinks::region_of_interest;
   p.output.window_start    = 10e-3;
@@ -233,21 +231,21 @@ void check_stiffnesses()
     std::cout << '\n';
   };
   std::cout << "stiffnesses from parts\n";
-  show("simple", of(Fidelity::simple));
-  show("full", of(Fidelity::full));
-  show("reduced", of(Fidelity::reduced));
-  Parameters p                     = of(Fidelity::layered);
+  show("simple", of("simple"));
+  show("full", of("full"));
+  show("reduced", of("reduced"));
+  Parameters p                     = of("layered");
   p.contact.roller_tooth_stiffness = 1e8;
   show("layered, roller-tooth given", p);
-  p.model.fidelity = Fidelity::simple;
+  p.model.fidelity = "simple";
   show("simple, roller-tooth given", p);
   p.model.stiffness_from = parameters::StiffnessFrom::dimensions;
   show("from dimensions", p);
-  p                    = of(Fidelity::full);
+  p                    = of("full");
   p.drive.layout.start = parameters::Start::settled;
   show("full, settled", p);
 
-  p                         = of(Fidelity::reduced);
+  p                         = of("reduced");
   p.model.stiffness_from    = parameters::StiffnessFrom::dimensions;
   p.contact.tooth_stiffness = 1e5;
   const drive::Drive drive  = drive::make_drive(p);

@@ -97,7 +97,7 @@ int main(int argc, char **argv)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   Parameters                                     p;
-  p.model.fidelity          = parameters::Fidelity::simple;
+  p.model.fidelity          = "simple";
   p.drive.layout.start      = parameters::Start::settled;
   p.loads.driver_speed      = 100.;
   p.loads.resisting_torque  = 20.;

@@ -31,7 +31,7 @@ struct Motion
 Parameters parameters_of(const parameters::TightSide side)
 {
   Parameters p;
-  p.model.fidelity          = parameters::Fidelity::simple;
+  p.model.fidelity          = "simple";
   p.drive.layout.start      = parameters::Start::settled;
   p.drive.layout.tight_span = side;
   p.loads.driver_speed      = 100.;

@@ -64,13 +64,13 @@ int main()
   p.model.driven_inertia              = 9.88e-3;
   p.model.stiffness_per_pitch         = 3e8;
   p.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::pretension;
-  for (const auto fidelity : {parameters::Fidelity::simple, parameters::Fidelity::layered})
+  for (const auto fidelity : {"simple", "layered"})
     {
       p.model.fidelity = fidelity;
       for (const double tension : {30., 300., 730., 2000.})
         {
           p.drive.layout.pretension = tension;
-          report(text_of(fidelity) + ", " + std::to_string(int(tension)) + " N", {p});
+          report(fidelity + ", " + std::to_string(int(tension)) + " N", {p});
         }
       p.drive.layout.pretension = 730.;
       for (const auto &[form, name] : parameters::texts_of<parameters::StandardForm>)
@@ -84,17 +84,17 @@ int main()
                   phase < 0.5 ? parameters::TightSide::upper : parameters::TightSide::lower;
               phases.push_back(p);
             }
-          report(text_of(fidelity) + ", " + name, phases);
+          report(fidelity + ", " + name, phases);
         }
       Parameters small                     = p;
       small.drive.sprockets.driver().teeth = 19;
       small.drive.sprockets.driven().teeth = 11;
       small.drive.n_links                  = 60;
       small.drive.layout.tight_span        = parameters::TightSide::upper;
-      report(text_of(fidelity) + ", 19/11", {small});
+      report(fidelity + ", 19/11", {small});
       Parameters settled             = p;
       settled.drive.layout.start     = parameters::Start::settled;
       settled.loads.resisting_torque = 0.;
-      report(text_of(fidelity) + ", settled", {settled});
+      report(fidelity + ", settled", {settled});
     }
 }

@@ -14,7 +14,7 @@ using parameters::QuantityGroup;
 
 namespace
 {
-Parameters small_drive(const parameters::Fidelity fidelity)
+Parameters small_drive(const std::string &fidelity)
 {
   Parameters parameters;
   parameters.drive.n_links                  = 22;
@@ -58,18 +58,17 @@ Sizes show(const std::string &what, const Parameters &parameters)
 
 int main()
 {
-  for (const parameters::Fidelity fidelity :
-       {parameters::Fidelity::layered, parameters::Fidelity::full})
+  for (const std::string fidelity : {"layered", "full"})
     {
       Parameters                     p   = small_drive(fidelity);
-      const Sizes                    all = show(text_of(fidelity) + ", all", p);
+      const Sizes                    all = show(fidelity + ", all", p);
       std::map<QuantityGroup, Sizes> sizes;
       for (const auto &[group, name] : parameters::texts_of<QuantityGroup>)
         {
           p.output.quantities = {group};
-          sizes[group]        = show(text_of(fidelity) + ", " + name, p);
+          sizes[group]        = show(fidelity + ", " + name, p);
         }
-      if (fidelity == parameters::Fidelity::layered)
+      if (fidelity == "layered")
         continue;
       p.output.quantities = {QuantityGroup::tensions, QuantityGroup::plate_stress};
       show("full, tensions and plate stress", p);

@@ -22,7 +22,7 @@ namespace
 {
 void run(const std::string &what, Parameters p)
 {
-  p.model.fidelity               = parameters::Fidelity::simple;
+  p.model.fidelity               = "simple";
   p.drive.layout.slack           = 3e-3;
   p.drive.layout.start           = parameters::Start::settled;
   p.drive.sprockets.tooth_form   = parameters::StandardForm::iso_mid;

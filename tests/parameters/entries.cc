@@ -61,7 +61,6 @@ void check_choices()
                                    check_choice<WornChain>("worn chain"),
                                    check_choice<TightSide>("tight side"),
                                    check_choice<Start>("start"),
-                                   check_choice<Fidelity>("fidelity"),
                                    check_choice<ElasticLinks>("elastic links"),
                                    check_choice<StiffnessFrom>("stiffness from"),
                                    check_choice<Switch>("switch"),
@@ -77,7 +76,8 @@ void check_choices()
   std::string list = check_choice<QuantityGroup>("quantity group");
   list.replace(list.find(" or "), 4, ", ");
   choices.insert("on or off"); // two states without an enum
-  // those of terms and lists that have no enum here
+  // those of registrations, terms and lists that have no enum here
+  choices.insert("simple, layered, reduced or full");
   choices.insert("time in s, time in ms, angle in rad or angle in degrees");
   choices.insert("time in s or time in ms");
   choices.insert("rad/s or rpm");

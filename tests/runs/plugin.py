@@ -193,6 +193,64 @@ end
     check(all(file.stat().st_mtime > time for file, time in zip(results, times)), "the runs are those of another library")
 
 
+OTHERS = r"""#include <chaindrive/plugin.h>
+#include <chaindrive/functions/terms.h>
+#include <chaindrive/scene/fidelity.h>
+CHAINDRIVE_PLUGIN("others", "1.0")
+using namespace chaindrive;
+namespace
+{
+void build_stiff(const model::Model &model, const drive::Drive &drive, scene::Scene &scene)
+{
+  scene::Fidelity::builder_of("simple")(model, drive, scene);
+  for (scene::Bar &bar : scene.bars)
+    bar.stiffness *= 4.;
+}
+const scene::Fidelity stiff({"stiff", "lumped rollers on stiff bars."}, {false, false, false}, &build_stiff);
+
+struct Constant
+{
+  struct Parameters
+  {
+    double torque = 0.; ///< N m
+    bool   is_active() const { return torque != 0.; }
+    void   declare(parameters::Declarations &declarations)
+    {
+      using namespace parameters;
+      add(declarations, "Torque in N m", torque, unit::si, at_least(0.), "Always.");
+    }
+  };
+  static functions::Term make(const Parameters &parameters, const functions::Shaft &)
+  {
+    return {functions::Variable::angle, std::make_shared<functions::Constant>(parameters.torque)};
+  }
+};
+const functions::TermOf<Constant> constant(functions::Of::torque, {"Constant", "A torque."});
+} // namespace
+"""
+
+
+def others(program, root):
+    """A fidelity and a term of a plug-in do what the same asked of the program's own entries does."""
+    folder = pathlib.Path("other")
+    folder.mkdir()
+    (folder / "others.cc").write_text(OTHERS)
+    (folder / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.18)\nproject(other LANGUAGES CXX)\nfind_package(chaindrive REQUIRED)\n"
+        "chaindrive_plugin(others others.cc)\n")
+    build(folder, root)
+    few = [*FEW, "--set", "Output/History precision=double", "--plugin", folder / "build/others.so"]
+    said = say(program, "plain.prm", *few, "--set", "Model/Fidelity=stiff", "--output", "stiff")
+    check("adds fidelity 'stiff', term of a torque 'Constant'" in said, said)
+    say(program, "plain.prm", *few, "--set", "Loads/driven/Constant/Torque in N m=5", "--output", "term")
+    say(program, "plain.prm", *few, "--set", f"Loads/Resisting torque in N m={TORQUE + 5}", "--output", "torque")
+    term, torque = (json.loads(pathlib.Path(f"{name}/summary.json").read_text()) for name in ("term", "torque"))
+    near("tension with the torque of a term", term["tight_tension_mean"], torque["tight_tension_mean"], 0.1)
+    plain, found = histories("plain"), histories("stiff")
+    check(set(found) == set(plain), f"{set(found) ^ set(plain)}")
+    check(np.ptp(found["hubs/driven_speed"]) != np.ptp(plain["hubs/driven_speed"]), "the stiff bars change nothing")
+
+
 def run():
     root = installed()
     program, plugin = root / "bin/chaindrive", example(root)
@@ -200,6 +258,7 @@ def run():
     record(program, plugin, output, summary)
     documents(program, plugin)
     without(program, plugin)
+    others(program, root)
     resume(program, plugin)
     study(program, plugin)
     two = ["mpirun", "-n", "2", program, "example/example.prm", *FEW, "--output", "two"]

@@ -46,17 +46,17 @@ int main()
       parameters.effects.chain_damping = parameters.effects.gravity = parameters::Switch::off;
   parameters.output.field_interval                                  = 0.;
   show("simple, all off", parameters);
-  parameters.model.fidelity = parameters::Fidelity::layered;
+  parameters.model.fidelity = "layered";
   parameters.loads.drag     = 10.;
   show("layered, drag only", parameters);
 
   // coefficients of interfaces that are not there, or that others overrule, switch nothing on
-  parameters.model.fidelity                = parameters::Fidelity::simple;
+  parameters.model.fidelity                = "simple";
   parameters.effects.friction              = parameters::Switch::automatic;
   parameters.loads.drag                    = 0.;
   parameters.contact.roller_tooth_friction = 0.;
   show("simple, teeth without friction", parameters);
-  parameters.model.fidelity               = parameters::Fidelity::layered;
+  parameters.model.fidelity               = "layered";
   parameters.contact.roller_bush_friction = parameters.contact.bush_pin_friction = 0.;
   show("layered, no interface with friction", parameters);
 }

@@ -44,7 +44,7 @@ double pulled(const scene::Scene &drive, const unsigned int first, const double 
 int main()
 {
   Parameters parameters;
-  parameters.model.fidelity               = parameters::Fidelity::layered;
+  parameters.model.fidelity               = "layered";
   parameters.output.field_interval        = 0.;
   parameters.model.stiffness_per_pitch    = 3e8;
   parameters.contact.friction_coefficient = 0.;

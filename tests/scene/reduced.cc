@@ -12,12 +12,11 @@
 #include <numeric>
 
 using namespace test;
-using parameters::Fidelity;
 using scene::Motion;
 
 namespace
 {
-Parameters drive_of(const Fidelity fidelity)
+Parameters drive_of(const std::string &fidelity)
 {
   Parameters p;
   p.model.fidelity        = fidelity;
@@ -94,7 +93,7 @@ void show_teeth(const std::string &what, const Parameters &p)
 void check_teeth()
 {
   using parameters::Switch;
-  Parameters p              = drive_of(Fidelity::reduced);
+  Parameters p              = drive_of("reduced");
   p.contact.tooth_stiffness = 3e8;
   p.model.half              = parameters::SymmetryModel::no;
   show_teeth("reduced", p);
@@ -108,7 +107,7 @@ void check_teeth()
   p.output.window_start      = 28e-3;
   show_teeth("reduced rollers, then rigid ones", p);
   p.model.elastic_links              = parameters::ElasticLinks::all;
-  p.model.fidelity                   = Fidelity::full;
+  p.model.fidelity                   = "full";
   p.drive.sprockets.driven().elastic = Switch::off;
   p.model.half                       = parameters::SymmetryModel::no;
   show_teeth("full, rigid driven sprocket", p);
@@ -133,8 +132,8 @@ void check_teeth()
 
 int main()
 {
-  Parameters         p       = drive_of(Fidelity::reduced);
-  const scene::Scene reduced = build(p), full = build(drive_of(Fidelity::full));
+  Parameters         p       = drive_of("reduced");
+  const scene::Scene reduced = build(p), full = build(drive_of("full"));
   show("reduced, all outputs", reduced);
   std::cout << "error of masses below 1e-12: " << (error_of_masses(reduced) < 1e-12) << '\n';
   ratio("stiffness of contact in joints over that of full",
@@ -151,7 +150,7 @@ int main()
   p.output.window_start = 28e-3;
   show("reduced among rigid ones", build(p));
 
-  p.model.fidelity    = Fidelity::full;
+  p.model.fidelity    = "full";
   p.model.other_links = parameters::OtherLinks::reduced;
   show("elastic among reduced ones", build(p));
   check_teeth();

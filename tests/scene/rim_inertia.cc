@@ -42,7 +42,7 @@ void look(const std::string &what, const Parameters &p)
 int main()
 {
   Parameters p;
-  p.model.fidelity        = parameters::Fidelity::full;
+  p.model.fidelity        = "full";
   p.model.stiffness_from  = parameters::StiffnessFrom::dimensions;
   p.mesh.refinement       = 1;
   p.output.field_interval = 0.;

@@ -51,8 +51,8 @@ struct Meshes
 /// after it (scene, observers) gets this or a member of it. Nothing in it is `auto`.
 struct Model
 {
-  Effects              effects;
-  parameters::Fidelity fidelity = parameters::Fidelity::simple; ///< the builder of the scene
+  Effects     effects;
+  std::string fidelity = "simple"; ///< name of the builder of the scene
 
   // bodies
   bool reduced        = false; ///< elastic bodies move by modes, else by their nodes

@@ -3,52 +3,15 @@
 
 #include <chaindrive/material/material.h>
 #include <chaindrive/parameters/choice.h>
+#include <chaindrive/parameters/fidelity.h>
 #include <chaindrive/parameters/formulation.h>
 
 #include <optional>
+#include <string>
 
 namespace chaindrive::parameters
 {
 class Declarations;
-
-/// Which model of the chain: a builder of the scene. What others may ask of it is in Capabilities.
-enum class Fidelity
-{
-  simple,
-  layered,
-  reduced,
-  full
-};
-
-template <>
-inline constexpr Texts<Fidelity, 4> texts_of<Fidelity>{{{Fidelity::simple, "simple"},
-                                                        {Fidelity::layered, "layered"},
-                                                        {Fidelity::reduced, "reduced"},
-                                                        {Fidelity::full, "full"}}};
-
-/// What parameters, drive and effects ask of a fidelity: never its name.
-struct Capabilities
-{
-  bool has_clearances; ///< rollers, inner and outer links are bodies; else lumps joined by bars
-  bool is_elastic;     ///< bodies deform; else their compliance sits in bars and contacts
-  bool is_reduced;     ///< they do so by few modes
-};
-
-constexpr Capabilities capabilities_of(const Fidelity fidelity)
-{
-  switch (fidelity)
-    {
-    case Fidelity::simple:
-      return {false, false, false};
-    case Fidelity::layered:
-      return {true, false, false};
-    case Fidelity::reduced:
-      return {true, true, true};
-    case Fidelity::full:
-      return {true, true, false};
-    }
-  return {};
-}
 
 /// Which rollers and links of an elastic fidelity are elastic.
 enum class ElasticLinks
@@ -119,8 +82,8 @@ inline constexpr Texts<StiffnessFrom, 2> texts_of<StiffnessFrom>{
 /// Section `Model`: which bodies there are, how they move, what they weigh and how stiff they are.
 struct Model
 {
-  Fidelity     fidelity = Fidelity::simple;
-  Capabilities capabilities() const { return capabilities_of(fidelity); }
+  std::string         fidelity = "simple"; ///< the name of a builder of the scene
+  const Capabilities &capabilities() const { return capabilities_of(fidelity); }
 
   SymmetryModel         half = SymmetryModel::automatic; ///< see model/decide.h
   std::optional<double> mass_per_pitch;                  ///< kg, of the whole chain per pitch
