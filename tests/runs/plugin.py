@@ -33,7 +33,7 @@ def say(*words, status=0):
 
 def installed():
     """The folder of a copy that is installed and then moved."""
-    for folder in ("first", "moved", "example", "other"):
+    for folder in ("first", "moved", "example", "other", "brakes"):
         shutil.rmtree(folder, ignore_errors=True)
     say("cmake", "--install", BUILD, "--prefix", pathlib.Path("first").resolve())
     return pathlib.Path("first").rename("moved").resolve()

@@ -47,7 +47,7 @@ subsection Time
   set End time in ms = 40
 end
 subsection Output
-  set Window start in ms = 20
+  set Window start in ms = 8
   set Field interval in ms = 0
 end
 subsection Study
