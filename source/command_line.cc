@@ -338,6 +338,11 @@ void check_belonging(const CommandLine &c)
     throw InputError("The option --accuracy belongs to plans: chaindrive plan FILE.prm.");
   if (!c.picture.empty() && c.command != Command::plan && c.command != Command::help)
     throw InputError("The option --picture belongs to plans: chaindrive plan FILE.prm.");
+  // a picture replaces the file of its name, which might be that of the parameters
+  if (!c.picture.empty() && c.command == Command::plan &&
+      (c.picture.size() < 4 || c.picture.compare(c.picture.size() - 4, 4, ".svg") != 0))
+    throw InputError("The option --picture writes an SVG file, but '" + c.picture +
+                     "' is not called so; choose a name that ends in .svg.");
   if (c.design.is_given() && c.command != Command::template_file && c.command != Command::select &&
       c.command != Command::help)
     throw InputError("The options --chain, --teeth, --centre, --rpm, --kW and --Nm belong to "

@@ -116,25 +116,44 @@ Proposal propose_near(const Fitter      &fitter,
 }
 } // namespace
 
+namespace
+{
+/// Refuses more than one wheel whose centre is to be found; whether there is one.
+bool finds_one(const parameters::Sprockets &sprockets,
+               const parameters::Layout    &layout,
+               const Fitter                &fitter)
+{
+  std::vector<std::string> found;
+  for (std::size_t i = 0; i < fitter.sprockets.size(); ++i)
+    if (fitter.sprockets[i].moves)
+      found.push_back(sprockets.list[i].name);
+  if (found.size() > 1)
+    throw InputError("Drive/Wheels: one centre is found from " +
+                     text_of(layout.centre_distance_from) + ", but those of " +
+                     join(found, " and ") + " are auto; give all but one.");
+  return !found.empty();
+}
+
+std::string overlap_of(const parameters::Sprockets &sprockets,
+                       const std::size_t            i,
+                       const std::size_t            j,
+                       const double                 away,
+                       const double                 least)
+{
+  return "Drive/Wheels: " + sprockets.list[j].name + " and " + sprockets.list[i].name +
+         " overlap: their centres are " + in_mm(away, 5) + " apart and must be more than " +
+         at_least(least) + ".";
+}
+} // namespace
+
 void check_wheels(const parameters::Sprockets  &sprockets,
                   const parameters::Layout     &layout,
                   const std::vector<ToothForm> &forms,
                   const Fitter                 &fitter)
 {
-  const auto  &wheels = fitter.sprockets;
-  std::string  found; // wheels that are
-  unsigned int n_found = 0;
-  for (std::size_t i = 0; i < wheels.size(); ++i)
-    if (wheels[i].moves)
-      {
-        found += (found.empty() ? "" : " and ") + sprockets.list[i].name;
-        ++n_found;
-      }
-  if (n_found > 1)
-    throw InputError("Drive/Wheels: one centre is found from " +
-                     text_of(layout.centre_distance_from) + ", but those of " + found +
-                     " are auto; give all but one.");
-  if (n_found == 0 && layout.centre_distance_from != parameters::CentreDistanceFrom::given)
+  const auto &wheels = fitter.sprockets;
+  if (!finds_one(sprockets, layout, fitter) &&
+      layout.centre_distance_from != parameters::CentreDistanceFrom::given)
     throw InputError("Drive/Layout/Centre distance from = " + text_of(layout.centre_distance_from) +
                      " finds the centre of one wheel, but all of Drive/Wheels have one; choose "
                      "given, or Centre in mm = auto for one of them.");
@@ -145,10 +164,7 @@ void check_wheels(const parameters::Sprockets  &sprockets,
           const double least = 0.5 * (forms[i].outside_diameter + forms[j].outside_diameter);
           const double away  = wheels[i].centre.distance(wheels[j].centre);
           if (away <= least)
-            throw InputError("Drive/Wheels: " + sprockets.list[j].name + " and " +
-                             sprockets.list[i].name + " overlap: their centres are " +
-                             in_mm(away, 5) + " apart and must be more than " + at_least(least) +
-                             ".");
+            throw InputError(overlap_of(sprockets, i, j, away, least));
         }
 }
 
@@ -181,6 +197,7 @@ unsigned int number_of_links(const parameters::Drive &drive)
   fitter.sprockets                      = wheels_of(drive.sprockets);
   fitter.chain.seats                    = {pitch, pitch};
   const std::vector<path::Wheel> wheels = fitter.wheels(c);
+  finds_one(drive.sprockets, drive.layout, fitter);
   check_loop(wheels);
   const std::size_t n     = wheels.size();
   double            links = 0.;
@@ -190,6 +207,8 @@ unsigned int number_of_links(const parameters::Drive &drive)
                         &after = wheels[(i + 1) % n];
       const double far         = wheel.centre.distance(after.centre);
       const double least       = wheel.roller_radius + after.roller_radius;
+      if (far <= least && n > 2)
+        throw InputError(overlap_of(drive.sprockets, (i + 1) % n, i, far, least));
       if (far <= least)
         throw InputError(
             "Drive/Layout/Centre distance in mm = " + to_text(c * 1e3, 7) +

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace chaindrive::drive
 {
@@ -172,8 +174,85 @@ std::string find_overlap(const Layout                 &layout,
   return "";
 }
 
+/// Where a chain with these joints comes closer to itself than @p height: a joint and the first one
+/// of a link that is some links away.
+std::optional<std::pair<std::size_t, std::size_t>> meeting(const std::vector<Point<2>> &joints,
+                                                           const double                 height)
+{
+  const std::size_t n = joints.size(), some = 4;
+  double            longest = 0.;
+  for (std::size_t k = 0; k < n; ++k)
+    longest = std::max(longest, joints[k].distance(joints[(k + 1) % n]));
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t away = some; away + some < n;)
+      {
+        const std::size_t  first    = (k + away) % n;
+        const Tensor<1, 2> along    = joints[(first + 1) % n] - joints[first];
+        const Tensor<1, 2> arm      = joints[k] - joints[first];
+        const double       part     = std::clamp(arm * along / along.norm_square(), 0., 1.);
+        const double       distance = (arm - part * along).norm();
+        if (distance < height)
+          return std::make_pair(k, first);
+        // those are farther that the chain cannot bring nearer by its length
+        away += 1 + static_cast<std::size_t>((distance - height) / longest);
+      }
+  return {};
+}
+
+/// More than two wheels may stand so that the chain would lie on itself, if its slack span were
+/// straight or only as it hangs, or run into a wheel on its way to others.
+void check_apart(const Fit                    &fit,
+                 const Fitter                 &fitter,
+                 const parameters::Sprockets  &sprockets,
+                 const std::vector<ToothForm> &forms,
+                 const double                  height)
+{
+  const std::size_t              n     = fit.wheels.size();
+  const path::SlackSpan         &slack = fit.laid.slack;
+  const std::vector<path::Joint> all   = path::joints(fit.wheels, fitter.chain, fit.laid);
+  std::vector<Point<2>>          hanging, straight;
+  std::vector<std::size_t>       behind; // the wheel on which a joint is, or from which it comes
+  const std::size_t              first = fit.laid.route.wraps[0]; // of the slack span
+  for (const path::Joint &joint : all)
+    {
+      const std::size_t k = hanging.size();
+      hanging.push_back(joint.bush);
+      straight.push_back(joint.bush);
+      if (k > first && k < first + slack.links)
+        straight.back() =
+            slack.from + static_cast<double>(k - first) / slack.links * (slack.to - slack.from);
+      behind.push_back(joint.wheel >= 0 ? joint.wheel : behind.back());
+    }
+  const auto name  = [&](const std::size_t wheel) { return sprockets.list[wheel % n].name; };
+  const auto place = [&](const std::size_t k) {
+    return all[k].wheel >= 0 ? "on " + name(behind[k]) :
+                               "between " + name(behind[k]) + " and " + name(behind[k] + 1);
+  };
+  if (const auto met = meeting(straight, height))
+    throw InputError("Drive/Wheels: the chain " + place(met->first) + " would lie on the chain " +
+                     place(met->second) + ": they must be " + in_mm(height, 4) +
+                     " apart, the height of a plate; choose other places, or another order or "
+                     "side, of wheels.");
+  if (const auto met = meeting(hanging, height))
+    throw InputError("Drive/Layout: with " + in_mm(slack.slack) + " of slack the chain " +
+                     place(met->first) + " would hang down onto the chain " + place(met->second) +
+                     "; choose less slack or fewer links, or other places of wheels.");
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < all.size(); ++k)
+      {
+        const bool is_beside = behind[k] == i || (behind[k] + 1) % n == i ||
+                               (all[k].wheel >= 0 && behind[k] == (i + 1) % n);
+        const double least = 0.5 * (forms[i].outside_diameter + height);
+        if (!is_beside && straight[k].distance(fit.wheels[i].centre) < least)
+          throw InputError("Drive/Wheels: the chain " + place(k) + " would run into " + name(i) +
+                           ": it must pass at least " + in_mm(least, 4) +
+                           " from its centre; choose another place, or another order or side, of "
+                           "a wheel.");
+      }
+}
+
 /// The slack span is an arc of equal angles between its links. It must neither turn back, which
-/// takes half a turn, nor, where it hangs inwards, lie on the tight one.
+/// takes half a turn, nor, where it hangs inwards, lie on the tight one of two sprockets.
 void check_slack(const Fit &fit, const Fitter &fitter, const double height, const bool even)
 {
   const path::SlackSpan &slack = fit.laid.slack;
@@ -186,15 +265,16 @@ void check_slack(const Fit &fit, const Fitter &fitter, const double height, cons
           in_mm(fit.centre_distance) + ", so that the slack span would turn back; at most " +
           advised_links(fitter, (0.5 * PI - 1.) * chord - taut.slack, even) + " links fit.");
     }
+  if (fit.wheels.size() > 2)
+    return; // check_apart()
   for (const path::TautSpan &span : fit.laid.taut)
     for (const Point<2> &p : path::slack_joints(slack, fitter.chain.slack))
       {
         const double       length = span.from.distance(span.to);
         const Tensor<1, 2> along = (span.to - span.from) / length, arm = p - span.from;
         const double       beside = along[0] * arm[1] - along[1] * arm[0];
-        // of two sprockets the tight span has all of the loop on one side
-        const bool meets = fit.wheels.size() == 2 ? beside < height : std::abs(beside) < height;
-        if (arm * along > 0. && arm * along < length && meets)
+        // the tight span has all of the loop on one side
+        if (arm * along > 0. && arm * along < length && beside < height)
           throw InputError("Drive/Layout: with " + in_mm(slack.slack) +
                            " of slack the slack span would hang down onto another one; use fewer "
                            "links, a greater centre distance, or Tight span = upper.");
@@ -390,8 +470,10 @@ Layout make_layout(const parameters::Drive      &drive,
         continue;
       const Fit &fit = *found;
       check_loop(fit.wheels);
-      check_slack(
-          fit, fitter, std::max(chain.inner_plate_height, chain.outer_plate_height), clearances);
+      const double height = std::max(chain.inner_plate_height, chain.outer_plate_height);
+      check_slack(fit, fitter, height, clearances);
+      if (fit.wheels.size() > 2)
+        check_apart(fit, fitter, drive.sprockets, forms, height);
       Layout layout = to_layout(fit.wheels, fitter.chain, fit.laid);
       layout.moved  = moved;
       if (drive.layout.start == parameters::Start::settled)

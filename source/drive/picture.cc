@@ -35,6 +35,18 @@ std::string text(const Point<2> &p, const double size, const std::string &words)
          "\" text-anchor=\"middle\">" + words + "</text>\n";
 }
 
+/// Words in the direction @p away of @p p, which they keep clear of by @p gap.
+std::string text_beside(const Point<2>     &p,
+                        const Tensor<1, 2> &away,
+                        const double        gap,
+                        const double        size,
+                        const std::string  &words)
+{
+  const double   wide = 0.28 * size * words.size(), high = 0.36 * size; // half of each, about
+  const Point<2> middle = p + (gap + wide * std::abs(away[0]) + high * std::abs(away[1])) * away;
+  return text(Point<2>(middle[0], middle[1] - high), size, words);
+}
+
 /// An arrow along @p by, whose head is at @p tip.
 std::string arrow(const Point<2> &tip, const Tensor<1, 2> &by, const double head, const char *what)
 {
@@ -104,7 +116,10 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
       << "  <title>" << facts.chain << ", " << facts.links << " links</title>\n"
       << "  <style>path, circle { fill: none; stroke: #333; stroke-width: " << mm(0.002 * size)
       << " } .wheel { fill: #e8ecef } .chain { stroke: #1c6aa8 } .load { stroke: #b3261e; "
-      << "stroke-width: " << mm(0.004 * size) << " } .sense { stroke: #2d7d46 }</style>\n";
+      << "stroke-width: " << mm(0.004 * size)
+      << " } .sense { stroke: #2d7d46 } text { paint-order: stroke; "
+      << "stroke: #fff; stroke-linejoin: round; stroke-width: " << mm(0.2 * letter)
+      << " }</style>\n";
 
   for (std::size_t i = 0; i < drive.sprockets.size(); ++i)
     {
@@ -132,23 +147,30 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
 
   for (std::size_t i = 0; i < facts.spans.size(); ++i)
     {
-      const Facts::Span &span   = facts.spans[i];
-      const Point<2>     middle = 0.5 * (span.begin + span.end);
-      out << text(middle + 1.2 * letter * layout.spans[i].normal,
-                  0.8 * letter,
-                  to_text(span.tension, 4) + " N");
+      const Layout::Span &span = layout.spans[i];
+      out << text_beside(layout.joints[(span.first + span.links / 2) % layout.joints.size()].bush,
+                         span.normal,
+                         0.5 * drive.chain.roller_diameter + 0.4 * letter,
+                         0.8 * letter,
+                         to_text(facts.spans[i].tension, 4) + " N");
     }
   for (std::size_t i = 0; i < facts.sprockets.size(); ++i)
     {
       const Facts::Sprocket &wheel = facts.sprockets[i];
       const Tensor<1, 2>     load  = load_on(facts, i);
+      out << sense_of(wheel, letter);
       if (load.norm() > 1e-3 * most_load && most_load > 0.)
-        out << arrow(wheel.centre + 6. * letter / most_load * load,
-                     6. * letter / most_load * load,
-                     letter,
-                     "load");
-      out << sense_of(wheel, letter)
-          << text(Point<2>(wheel.centre[0], wheel.centre[1] - 1.2 * letter), letter, wheel.name);
+        {
+          const Tensor<1, 2> by   = 6. * letter / most_load * load;
+          const double       head = std::min(letter, 0.5 * by.norm());
+          out << arrow(wheel.centre + by, by, head, "load")
+              << text_beside(wheel.centre + by,
+                             load / load.norm(),
+                             0.3 * letter,
+                             0.8 * letter,
+                             to_text(load.norm(), 4) + " N");
+        }
+      out << text(Point<2>(wheel.centre[0], wheel.centre[1] - 1.2 * letter), letter, wheel.name);
     }
   out << "</svg>\n";
 }

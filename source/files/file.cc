@@ -178,10 +178,36 @@ void File::close()
     throw RunError(write_failure(name_, buffer_->error()));
 }
 
+namespace
+{
+/// Whether a device or a pipe is called so, of which a file must not take the place.
+bool is_special(const std::string &path)
+{
+  struct ::stat there = {};
+  return ::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode);
+}
+
+/// Whether @p path is a symbolic link.
+bool is_link(const std::string &path)
+{
+  struct ::stat there = {};
+  return ::lstat(path.c_str(), &there) == 0 && S_ISLNK(there.st_mode);
+}
+} // namespace
+
 void write_file(const std::string                         &path,
                 const std::function<void(std::ostream &)> &write,
                 const bool                                 durable)
 {
+  if (is_special(path))
+    {
+      if (is_link(path))
+        throw RunError(write_failure(path, ELOOP));
+      File file(path);
+      write(file);
+      file.close();
+      return;
+    }
   const std::string part = path + ".part";
   try
     {

@@ -40,6 +40,19 @@ std::optional<std::vector<double>> numbers(const char *at, const char *end)
       at = stop;
     }
 }
+
+/// Whether a line begins with a number, as titles do not; with one that is too large or nan as
+/// well.
+bool begins_with_number(const char *at, const char *end)
+{
+  while (at != end && is_separator(*at))
+    ++at;
+  if (at != end && *at == '+')
+    ++at;
+  double     value = 0.;
+  const auto stop  = std::from_chars(at, end, value).ptr;
+  return stop != at && (stop == end || is_separator(*stop));
+}
 } // namespace
 
 std::shared_ptr<const Table>
@@ -66,10 +79,11 @@ read_csv(const std::string &path, const double x_unit, const double y_unit, cons
       ++line;
       const auto found = numbers(text.data() + begin, text.data() + end);
       const bool note  = text[begin] == '#';
+      const bool words = !begins_with_number(text.data() + begin, text.data() + end);
       begin            = end + (text.compare(end, 2, "\r\n") == 0 ? 2 : 1);
       if (note || (found && found->empty()))
         continue;
-      const bool of_titles = !found && titles;
+      const bool of_titles = !found && titles && words;
       titles               = false;
       if (of_titles)
         continue;

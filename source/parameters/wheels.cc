@@ -17,9 +17,18 @@ constexpr std::size_t most_wheels = 50, longest_name = 30;
 
 bool is_letter(const char c) { return c >= 'a' && c <= 'z'; }
 
+/// What entries and results are called that have the names of wheels beside them: effects Elastic
+/// links and Elastic rollers, history hubs/load_torque, statistics span_speed. Between two names
+/// there is _to_ in that of a span.
+bool is_taken(const std::string &name)
+{
+  return name == "links" || name == "rollers" || name == "load" || name == "span" ||
+         name.find("_to_") != std::string::npos;
+}
+
 bool is_name(const std::string &name)
 {
-  return !name.empty() && name.size() <= longest_name && is_letter(name[0]) &&
+  return !name.empty() && name.size() <= longest_name && is_letter(name[0]) && !is_taken(name) &&
          std::all_of(name.begin(), name.end(), [](const char c) {
            return is_letter(c) || c == '_' || (c >= '0' && c <= '9');
          });
@@ -36,7 +45,8 @@ std::string wrong_with(const std::vector<std::string> &names)
   for (std::size_t i = 0; i < names.size(); ++i)
     if (!is_name(names[i]))
       return "'" + names[i] + "' is no name of a wheel: small letters, digits and _, " +
-             std::to_string(longest_name) + " at most, the first one a letter";
+             std::to_string(longest_name) +
+             " at most, the first one a letter, but not links, rollers, load, span, nor _to_ in it";
     else if (std::find(names.begin(), names.begin() + i, names[i]) != names.begin() + i)
       return "'" + names[i] + "' is there twice";
   if (names.size() > most_wheels)
@@ -166,7 +176,8 @@ void Sprockets::declare_wheels(Declarations &declarations)
       "Order of travel",
       names,
       "names of wheels separated by commas, each once, of small letters, digits and _ and with a "
-      "letter in front; the first one driver, driven among them",
+      "letter in front, but not links, rollers, load, span, nor with _to_ in it; the first one "
+      "driver, driven among them",
       "Over which wheels the chain runs, in the order in which it meets them; the slack span leads "
       "from the driver to the second one. Each has a section here and in Loads, those besides "
       "driver "

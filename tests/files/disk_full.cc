@@ -11,16 +11,20 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
 #include <sstream>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace chaindrive;
+namespace fs = std::filesystem;
 
 void limit_file_size(const rlim_t bytes)
 {
@@ -147,6 +151,28 @@ int main()
   log << "  second line" << std::endl;
   with_limit(13, [&] { log.close(); });
   std::cout << console.str() << "  in the file:" << std::endl << files::read_text("log.txt");
+
+  std::cout << "A pipe is written into, not replaced" << std::endl;
+  fs::remove("pipe");
+  fs::remove("link");
+  ::mkfifo("pipe", 0600);
+  const int reader = ::open("pipe", O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  files::write_text("pipe", "text");
+  std::array<char, 8> text;
+  const ssize_t       read = ::read(reader, text.data(), text.size());
+  std::cout << "  read: " << std::string(text.data(), std::max<ssize_t>(0, read))
+            << ", still a pipe: " << (fs::is_fifo("pipe") ? "yes" : "NO") << std::endl;
+  ::close(reader);
+  fs::create_symlink("pipe", "link");
+  try
+    {
+      files::write_text("link", "text");
+    }
+  catch (const RunError &error)
+    {
+      std::cout << "  " << error.what()
+                << " Still there: " << (fs::is_symlink("link") ? "yes" : "NO") << std::endl;
+    }
 
   std::cout << "A device without space" << std::endl;
   try

@@ -43,6 +43,9 @@ int main()
   read("empty", "");
   read("titles only", "a,b\n");
   read("titles twice", "a,b\nc,d\n0,10\n");
+  read("a first point that is no number", "0,nan\n1,20\n");
+  read("a first point with a letter", "0,1O\n1,20\n");
+  read("titles with numbers", "speed 1,speed 2\n0,10\n");
   read("one number", "0,10\n1\n");
   read("three numbers", "0,10\n1,2,3\n");
   read("words", "0,10\n1,many\n");

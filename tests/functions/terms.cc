@@ -148,6 +148,12 @@ int main()
        {"nowhere.csv", "one.csv", "falls.csv", "words.csv", "folder.csv", "huge.csv"})
     refuse(Of::torque, {{"Table/File", file}});
   refuse(Of::torque, {{"Table/File", "/dev/zero"}});
+  std::ofstream("large.csv") << "0,10\n1,2e7\n";
+  std::ofstream("close.csv") << "0,10\n1,20\n1.0000001,10\n";
+  std::ofstream("far.csv") << "-1e305,10\n1,20\n";
+  for (const char *file : {"large.csv", "close.csv", "far.csv"})
+    refuse(Of::torque, {{"Table/File", file}});
+  refuse(Of::speed, {{"Table/File", "large.csv"}});
   refuse(Of::speed, {{"Table/File", "speed.csv"}, {"Table/Repeats", "true"}});
   refuse(Of::speed, {{"Table/File", "speed.csv"}, {"Table/Variable", "angle in rad"}});
 }

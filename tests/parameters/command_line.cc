@@ -116,6 +116,8 @@ int main()
   parse({"document", "--completion", "zsh"});
   parse({"document", "--completion", "bash", "--man"});
   parse({"plan", "a.prm", "--schema"});
+  parse({"plan", "a.prm", "--picture", "a.prm"});
+  parse({"plan", "a.prm", "--picture", "a.svg"});
   parse({"document", "--schema", "--man"});
 
   std::cout << help_text();

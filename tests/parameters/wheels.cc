@@ -118,6 +118,8 @@ int main()
                             "",
                             "driver, idler",
                             "driver, driven, driven",
+                            "driver, driven, links",
+                            "driver, a_to_b, driven",
                             "driver, driven, Idler",
                             "driver, driven, 2nd",
                             "driver, driven, a b",

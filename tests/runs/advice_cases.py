@@ -51,6 +51,16 @@ def layout():
     lower = {D + "Driver teeth": 9, D + "Driven teeth": 9, L + "Tight span": "lower", FROM: "sag", L + "Sag in percent": 10}
     yield ("hang down onto another one; use fewer links, a greater centre distance, or Tight span = upper",
            {**lower}, [{LINKS: 40}, {L + "Tight span": "upper"}])
+    wheels, low, top = D + "Wheels/", D + "Wheels/low/", D + "Wheels/top/"
+    pushed = {LINKS: "auto", FROM: "slack", wheels + "Order of travel": "driver, low, driven, top", low + "Side": "outside",
+              top + "Side": "outside", low + "Teeth": 13, top + "Teeth": 13}
+    centre = "Centre in mm"
+    yield ("the chain .* would lie on the chain .*; choose other places",
+           {**pushed, low + centre: "300, -40", top + centre: "300, 40"}, [{low + centre: "300, -60"}])
+    yield ("but those of low and driven are auto; give all but one", {**pushed, top + centre: "300, 60"},
+           [{low + centre: "300, -60"}])
+    yield ("driver and low overlap: their centres are", {**pushed, low + centre: "30, 0", top + centre: "300, 60"},
+           [{low + centre: "300, -60"}])
     odd = {**LAYERED, LINKS: 31}
     yield ("use one link more or less, auto, or for a chain with an offset link Model/Fidelity = simple", odd,
            [{LINKS: 30}, {LINKS: 32}, {LINKS: "auto"}, {FIDELITY: "simple"}])

@@ -10,9 +10,9 @@ namespace chaindrive::functions
 {
 /// A Table through the points of a text file: on each line two numbers, the variable and the value,
 /// apart by a comma, a semicolon or blanks. Empty lines and those that begin with # are left out,
-/// and so is a first line of words, the titles of the columns. Values of the variable are
-/// multiplied by @p x_unit, then @p x_zero is added; the others are multiplied by @p y_unit. Lines
-/// may end as those of any system do.
+/// and so is a first line that begins with a word, the titles of the columns. Values of the
+/// variable are multiplied by @p x_unit, then @p x_zero is added; the others are multiplied by @p
+/// y_unit. Lines may end as those of any system do.
 ///
 /// InputError that names the file, the line and what is allowed: when it is no regular file, cannot
 /// be read, is larger than 64 MB, has no points or more than a million, or a line has other than

@@ -3,9 +3,11 @@
 #include <chaindrive/functions/csv.h>
 #include <chaindrive/functions/terms.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace chaindrive::functions
@@ -58,20 +60,45 @@ const char *const lines =
     "after the last one constant. It is looked for in the parameter file's directory, then in the "
     "one the program is started in. Empty: none.";
 
-/// The file @p name of @p shaft as a table that is more than one point.
+/// Of the points of a table in s or rad: beyond, and closer together, sums over them lose their
+/// digits.
+constexpr double farthest = 1e9, closest = 1e-9;
+
+/// What is wrong with @p table, whose values are up to @p most @p unit; empty if nothing is.
+std::string wrong_in(const Table &table, const double most, const std::string &unit)
+{
+  const std::vector<double> &x = table.x();
+  if (x.size() < 2)
+    return "has one point only; a table has at least two";
+  if (std::max(-x.front(), x.back()) > farthest)
+    return "goes beyond " + to_text(farthest) + " s or rad; leave out what is farther";
+  for (std::size_t i = 1; i < x.size(); ++i)
+    if (x[i] - x[i - 1] < closest)
+      return "has points " + std::to_string(i) + " and " + std::to_string(i + 1) + " less than " +
+             to_text(closest) + " s or rad apart; leave one of them out";
+  for (const double value : table.y())
+    if (std::abs(value) > most)
+      return "has the value " + to_text(value) + ' ' + unit + "; numbers from " + to_text(-most) +
+             " to " + to_text(most) + " are allowed";
+  return "";
+}
+
+/// The file @p name of @p shaft as a table with values up to @p most @p unit.
 std::shared_ptr<const Table> read_table(const std::string &name,
                                         const Shaft       &shaft,
                                         const double       x_unit,
                                         const double       y_unit,
                                         const double       x_zero,
+                                        const double       most,
+                                        const std::string &unit,
                                         std::string       &path)
 {
   try
     {
       path       = files::find_file(name, shaft.folders);
       auto table = read_csv(path, x_unit, y_unit, x_zero);
-      if (table->x().size() < 2)
-        throw InputError("'" + path + "' has one point only; a table has at least two.");
+      if (const std::string wrong = wrong_in(*table, most, unit); !wrong.empty())
+        throw InputError("'" + path + "' " + wrong + ".");
       return table;
     }
   catch (const InputError &error)
@@ -132,7 +159,7 @@ struct TorqueTable
                                                                   1.;
     Term         term{of_time ? Variable::time : Variable::angle, nullptr};
     const auto   table =
-        read_table(given.file, shaft, unit, 1., of_time ? shaft.start : 0., term.file);
+        read_table(given.file, shaft, unit, 1., of_time ? shaft.start : 0., 1e7, "N m", term.file);
     term.function = given.repeats ? repeated(table, shaft) : table;
     return term;
   }
@@ -183,6 +210,8 @@ struct SpeedTable
                                   given.column == Column::milliseconds ? 1e-3 : 1.,
                                   given.unit == SpeedUnit::rpm ? PI / 30. : 1.,
                                   shaft.start,
+                                  1e5,
+                                  "rad/s",
                                   term.file);
     term.function    = given.repeats ? repeated(table, shaft) : table;
     return term;
