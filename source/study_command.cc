@@ -134,8 +134,16 @@ std::string settle_files(Run &run, const std::vector<std::string> &folders)
   for (auto &[path, value] : run.values)
     if (names_a_file(path) && !value.empty())
       {
-        const std::string file = files::find_file(value, folders);
-        value                  = fs::absolute(file).lexically_normal().string();
+        std::string file;
+        try
+          {
+            file = files::find_file(value, folders);
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(path + " = " + value + ": " + error.what());
+          }
+        value = fs::absolute(file).lexically_normal().string();
         comment += "# " + path + ": checksum " + checksum(files::read_text(file)) + "\n";
       }
   return comment;

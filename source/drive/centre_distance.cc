@@ -102,13 +102,14 @@ Proposal propose_near(const Fitter      &fitter,
                                  target.kind == Target::Kind::slack ?
                                                 target.value - best.front().laid.slack.slack :
                                                 -best.front().laid.slack.slack;
-          throw InputError(begin + "for " + entry + " begins: a chain of " +
-                           std::to_string(fitter.chain.n_links) + " links is too " +
-                           (much > 0 ? "long" : "short") + " as far as to " + at_least(near) +
-                           ", where wheels meet; it would have " +
-                           advised_links(fitter, missing, even) +
-                           " links there. Choose other "
-                           "links, or places of wheels.");
+          throw InputError(
+              begin + "for " + entry + " begins: a chain of " +
+              std::to_string(fitter.chain.n_links) + " links is too " +
+              (much > 0 ? "long" : "short") + " as far as to " + at_least(near) +
+              ", beyond which wheels meet or the chain crosses itself; it would have " +
+              advised_links(fitter, missing, even) +
+              " links there. Choose other "
+              "links, or places of wheels.");
         }
     }
   return {target,

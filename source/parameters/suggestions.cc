@@ -309,6 +309,9 @@ advice_on_path(const Declarations &declarations, const std::string &path, const 
   const bool        bare    = slash == std::string::npos;
   const std::string section = bare ? "" : path.substr(0, slash),
                     name    = path.substr(bare ? 0 : slash + 1);
+  if (section.compare(0, 13, "Drive/Wheels/") == 0 && !declarations.has_section(section))
+    return " There is no section '" + section + "'; wheels are listed by " + order_entry +
+           ", which comes before their entries.";
   for (const Entry &entry : declarations.entries())
     if (entry.name == name)
       return " Did you mean '" + entry.path() + "'?";

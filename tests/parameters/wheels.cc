@@ -141,5 +141,5 @@ int main()
                             "Inertia in kg m2=0",
                             "Direction in degrees=200"})
     refuse(wheels, {std::string("Drive/Wheels/idler/") + entry});
-  refuse(wheels, {"Drive/Wheels/driver/Side=outside"});
+  refuse(wheels, {"Drive/Wheels/driver/Side=outside", "Drive/Wheels/other/Teeth=9"});
 }
