@@ -161,14 +161,19 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
       out << sense_of(wheel, letter);
       if (load.norm() > 1e-3 * most_load && most_load > 0.)
         {
-          const Tensor<1, 2> by   = 6. * letter / most_load * load;
-          const double       head = std::min(letter, 0.5 * by.norm());
+          const Tensor<1, 2> by    = 6. * letter / most_load * load;
+          const double       head  = std::min(letter, 0.5 * by.norm());
+          const std::string  words = to_text(load.norm(), 4) + " N";
           out << arrow(wheel.centre + by, by, head, "load")
-              << text_beside(wheel.centre + by,
-                             load / load.norm(),
-                             0.3 * letter,
-                             0.8 * letter,
-                             to_text(load.norm(), 4) + " N");
+              << (by.norm() < 2.5 * letter ? // else it would lie on the name below
+                      text(Point<2>(wheel.centre[0], wheel.centre[1] + 0.8 * letter),
+                           0.8 * letter,
+                           words) :
+                      text_beside(wheel.centre + by,
+                                  load / load.norm(),
+                                  0.3 * letter,
+                                  0.8 * letter,
+                                  words));
         }
       out << text(Point<2>(wheel.centre[0], wheel.centre[1] - 1.2 * letter), letter, wheel.name);
     }
