@@ -53,7 +53,7 @@ int main()
         {"525", 14, 41, 108},
         {"25", 9, 30, 90},
         {"48B", 13, 13, 50}})
-    for (const auto fidelity : {"simple", "layered"})
+    for (const std::string fidelity : {"simple", "layered"})
       {
         Parameters p;
         p.drive.chain.designation        = name;

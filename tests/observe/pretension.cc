@@ -64,7 +64,7 @@ int main()
   p.model.driven_inertia              = 9.88e-3;
   p.model.stiffness_per_pitch         = 3e8;
   p.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::pretension;
-  for (const auto fidelity : {"simple", "layered"})
+  for (const std::string fidelity : {"simple", "layered"})
     {
       p.model.fidelity = fidelity;
       for (const double tension : {30., 300., 730., 2000.})

@@ -23,7 +23,7 @@ int main()
                                               {15, 42, 110},
                                               {9, 9, 16}}) // spans of three or four links
     for (const auto side : {parameters::TightSide::upper, parameters::TightSide::lower})
-      for (const auto fidelity : {"simple", "layered"})
+      for (const std::string fidelity : {"simple", "layered"})
         {
           if (fidelity == "layered" && links != 100)
             continue;
