@@ -36,6 +36,9 @@ Registry<Capabilities> &all_fidelities()
   static Known all;
   return all;
 }
+
+/// What is registered later belongs to plug-ins.
+[[maybe_unused]] const Registry<Capabilities> &registered_before_main = all_fidelities();
 } // namespace
 
 void register_fidelity(const About &about, const Capabilities &capabilities)
