@@ -86,8 +86,8 @@ std::string fixed_text(const parameters::Input        &input,
               "' = " + checksum(files::read_text(files::find_file(sprocket.mesh, folders))) + "\n";
   for (const drive::Sprocket &sprocket : drive.sprockets)
     for (const std::string &file : sprocket.program.files)
-      text += "the checksum of a table of the " + sprocket.title + " = " +
-              checksum(files::read_text(file)) + "\n";
+      text += "the checksum of the table '" + std::filesystem::path(file).filename().string() +
+              "' of the " + sprocket.title + " = " + checksum(files::read_text(file)) + "\n";
   return text;
 }
 

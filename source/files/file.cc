@@ -252,6 +252,9 @@ std::string find_file(const std::string &name, const std::vector<std::string> &f
       if (std::find(looked.begin(), looked.end(), path) == looked.end())
         looked.push_back(path);
     }
+  for (const std::string &path : looked)
+    if (fs::is_directory(path))
+      throw InputError("'" + path + "' is a folder; a file is needed.");
   std::string places;
   for (const std::string &path : looked)
     places += (places.empty() ? "; looked for " : " and ") + path;

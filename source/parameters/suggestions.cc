@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <optional>
 
 namespace chaindrive::parameters
@@ -284,6 +285,21 @@ unknown_section(const Declarations &declarations, const std::string &name, const
                                      " There are: " + join(names) + ".");
 }
 
+namespace
+{
+/// What is said of driver and driven sprocket where it has always been, and not with the wheels.
+std::string elsewhere(const std::string &path)
+{
+  static const std::map<std::string, std::string> places = {
+      {"Drive/Wheels/driver/Teeth", "Drive/Driver teeth"},
+      {"Drive/Wheels/driven/Teeth", "Drive/Driven teeth"},
+      {"Drive/Wheels/driven/Inertia in kg m2", "Model/Driven inertia in kg m2"},
+      {"Loads/driven/Resisting torque in N m", "Loads/Resisting torque in N m"}};
+  const auto found = places.find(path);
+  return found == places.end() ? "" : found->second;
+}
+} // namespace
+
 std::string unknown_entry(const Declarations &declarations,
                           const std::string  &section,
                           const std::string  &name,
@@ -292,6 +308,8 @@ std::string unknown_entry(const Declarations &declarations,
   const std::string begin = section.empty() ?
                                 "the entry '" + name + "' stands outside all sections." :
                                 "section " + section + " has no entry '" + name + "'.";
+  if (const std::string place = elsewhere(section + "/" + name); !place.empty())
+    return begin + " It is " + place + ".";
   for (const Entry &entry : declarations.entries())
     if (entry.name == name)
       return begin + " It belongs in section " + entry.section + ".";
@@ -312,6 +330,8 @@ advice_on_path(const Declarations &declarations, const std::string &path, const 
   if (section.compare(0, 13, "Drive/Wheels/") == 0 && !declarations.has_section(section))
     return " There is no section '" + section + "'; wheels are listed by " + order_entry +
            ", which comes before their entries.";
+  if (const std::string place = elsewhere(path); !place.empty())
+    return " Did you mean '" + place + "'?";
   for (const Entry &entry : declarations.entries())
     if (entry.name == name)
       return " Did you mean '" + entry.path() + "'?";

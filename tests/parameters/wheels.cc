@@ -142,4 +142,5 @@ int main()
                             "Direction in degrees=200"})
     refuse(wheels, {std::string("Drive/Wheels/idler/") + entry});
   refuse(wheels, {"Drive/Wheels/driver/Side=outside", "Drive/Wheels/other/Teeth=9"});
+  refuse(wheels, {"Drive/Wheels/driven/Teeth=30", "Drive/Wheels/driven/Inertia in kg m2=1"});
 }

@@ -59,7 +59,7 @@ void sync_file(const std::string &path);
 void write_text(const std::string &path, const std::string &text);
 
 /// The file called @p name: as it is if the path is absolute, else in the first of @p folders that
-/// has it. Throws InputError, with the places looked at, if none has.
+/// has it. Throws InputError, with the places looked at, if none has; and for a folder.
 std::string find_file(const std::string &name, const std::vector<std::string> &folders);
 
 /// The whole content of a file; InputError when it cannot be read.
