@@ -56,6 +56,13 @@ SEAMS = {
         [calls("build_scene()", "source/scene/build.cc", "add_additions")],
         [Code("Addition&lt;T&gt;", "include/chaindrive/scene/addition.h", ("add_to", "AdditionRegistration", "AdditionSection"))],
         [Code("entries", "include/chaindrive/parameters/sections.h", ("Section", "SectionOf", "Sections"))]]),
+    "term of a speed or torque": Seam("functions", "A shaft's program adds the terms that its sections ask for; each registers itself, for speeds or for torques.", [
+        [calls("make_program()", "source/drive/programs.cc", "make_terms", "lasting_torque")],
+        [Code("TermOf&lt;T&gt;", "include/chaindrive/functions/terms.h", ("make", "TermRegistration", "TermSection", "Term", "Variable"))],
+        [Code("tables", "source/functions/terms/table.cc", ("TermOf",)),
+         Code("harmonics", "source/functions/terms/harmonics.cc", ("TermOf",)),
+         Code("changes of speed", "source/functions/terms/changes.cc", ("TermOf",)),
+         Code("torque of speed", "source/functions/terms/resistance.cc", ("TermOf",))]]),
     "element block": Seam("element", "A part is a list of blocks. Bodies ask for the forces of a batch, statics and reduction for stiffness, results for stresses.", [
         [calls("ElasticPart", "source/element/elastic_part.cc", "add_forces"),
          calls("assemble()", "source/element/element_block.cc", "unknowns_per_node", "nodes_of", "element_stiffness"),
