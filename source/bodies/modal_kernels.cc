@@ -5,27 +5,18 @@
 namespace chaindrive
 {
 // Each is made in a file of its own, see there.
-extern const ModalKernels scalar_modal_kernels, baseline_modal_kernels;
-#ifdef __x86_64__
-extern const ModalKernels avx2_modal_kernels, avx512_modal_kernels;
-#endif
+extern const ModalKernels scalar_modal_kernels, baseline_modal_kernels, avx2_modal_kernels,
+    avx512_modal_kernels;
 
 const ModalKernels *modal_kernels(const int width)
 {
-  if (!has_simd_width(width))
-    return nullptr;
-  switch (width)
-    {
-    case 1:
-      return &scalar_modal_kernels;
+  return of_width<ModalKernels>(width,
+                                {&scalar_modal_kernels,
+                                 &baseline_modal_kernels,
 #ifdef __x86_64__
-    case 4:
-      return &avx2_modal_kernels;
-    case 8:
-      return &avx512_modal_kernels;
+                                 &avx2_modal_kernels,
+                                 &avx512_modal_kernels
 #endif
-    default:
-      return &baseline_modal_kernels;
-    }
+                                });
 }
 } // namespace chaindrive

@@ -5,27 +5,18 @@
 namespace chaindrive::contact
 {
 // Each is made in a file of its own, see there.
-extern const PlanarContactKernels scalar_planar_contact_kernels, baseline_planar_contact_kernels;
-#ifdef __x86_64__
-extern const PlanarContactKernels avx2_planar_contact_kernels, avx512_planar_contact_kernels;
-#endif
+extern const PlanarContactKernels scalar_planar_contact_kernels, baseline_planar_contact_kernels,
+    avx2_planar_contact_kernels, avx512_planar_contact_kernels;
 
 const PlanarContactKernels *planar_contact_kernels(const int width)
 {
-  if (!has_simd_width(width))
-    return nullptr;
-  switch (width)
-    {
-    case 1:
-      return &scalar_planar_contact_kernels;
+  return of_width<PlanarContactKernels>(width,
+                                        {&scalar_planar_contact_kernels,
+                                         &baseline_planar_contact_kernels,
 #ifdef __x86_64__
-    case 4:
-      return &avx2_planar_contact_kernels;
-    case 8:
-      return &avx512_planar_contact_kernels;
+                                         &avx2_planar_contact_kernels,
+                                         &avx512_planar_contact_kernels
 #endif
-    default:
-      return &baseline_planar_contact_kernels;
-    }
+                                        });
 }
 } // namespace chaindrive::contact

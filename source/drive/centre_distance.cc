@@ -115,10 +115,6 @@ Proposal propose_near(const Fitter      &fitter,
   return {target,
           fitter.fits(fitter.solve(target, std::min(near, far), std::max(near, far)), false)};
 }
-} // namespace
-
-namespace
-{
 /// Refuses more than one wheel whose centre is to be found; whether there is one.
 bool finds_one(const parameters::Sprockets &sprockets,
                const parameters::Layout    &layout,

@@ -6,28 +6,18 @@
 namespace chaindrive::element
 {
 // Each is made in a file of its own, see there.
-extern const Kernels scalar_kernels, baseline_kernels;
-#ifdef __x86_64__
-extern const Kernels avx2_kernels, avx512_kernels;
-#endif
+extern const Kernels scalar_kernels, baseline_kernels, avx2_kernels, avx512_kernels;
 
 const Kernels *kernels(const int width)
 {
-  if (!has_simd_width(width))
-    return nullptr;
-  switch (width)
-    {
-    case 1:
-      return &scalar_kernels;
+  return of_width<Kernels>(width,
+                           {&scalar_kernels,
+                            &baseline_kernels,
 #ifdef __x86_64__
-    case 4:
-      return &avx2_kernels;
-    case 8:
-      return &avx512_kernels;
+                            &avx2_kernels,
+                            &avx512_kernels
 #endif
-    default:
-      return &baseline_kernels;
-    }
+                           });
 }
 
 const Kernels &best_kernels() { return *kernels(simd_width()); }

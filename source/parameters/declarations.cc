@@ -39,7 +39,7 @@ Entry &Declarations::add(const std::string                              &name,
 {
   prm_.declare_entry(name, default_value, Pattern(allowed, accepts), meaning);
   prm_.add_action(name, store); // stores the default, too: from text and back it is unchanged
-  entries_.push_back({open_, name, default_value, allowed, meaning, on_resume_});
+  entries_.push_back({open_, name, default_value, allowed, meaning, on_resume_, {}});
   return entries_.back();
 }
 

@@ -301,13 +301,15 @@ void Drive::declare(Declarations &declarations)
       9,
       500,
       "Teeth of the sprocket whose speed is prescribed. Below 17 the polygon effect grows quickly; "
-      "the standard tooth forms end at 9. Default: the drive in prm/paper.");
+      "the standard tooth forms end at 9. Default: the drive in prm/paper.")
+      .sought = {"Drive/Wheels/driver/Teeth"};
   add(declarations,
       "Driven teeth",
       sprockets.driven().teeth,
       9,
       500,
-      "Teeth of the sprocket that carries the load torque. Default: the drive in prm/paper.");
+      "Teeth of the sprocket that carries the load torque. Default: the drive in prm/paper.")
+      .sought = {"Drive/Wheels/driven/Teeth"};
   sprockets.declare_wheels(declarations);
   chain.declare(declarations);
   sprockets.declare(declarations);

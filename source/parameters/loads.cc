@@ -136,7 +136,8 @@ void Loads::declare(Declarations &declarations, Sprockets &sprockets)
       resisting_torque,
       unit::si,
       between(0., 1e7),
-      "Load torque, which resists the rotation of the driven sprocket. Default: as in prm/paper.");
+      "Load torque, which resists the rotation of the driven sprocket. Default: as in prm/paper.")
+      .sought = {"Loads/driven/Resisting torque in N m"};
   add_other_form(
       declarations,
       "Power in kW",

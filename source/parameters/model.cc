@@ -51,7 +51,8 @@ void Model::declare(Declarations &declarations)
       unit::si,
       above(0., 1e9),
       "Moment of inertia of everything that rotates with the driven sprocket. Give it whenever a "
-      "machine is coupled to it. auto: the sprocket alone.");
+      "machine is coupled to it. auto: the sprocket alone.")
+      .sought = {"Drive/Wheels/driven/Inertia in kg m2"};
   add(declarations,
       "Chain damping ratio",
       chain_damping_ratio,

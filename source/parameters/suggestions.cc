@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 #include <optional>
 
 namespace chaindrive::parameters
@@ -287,16 +286,13 @@ unknown_section(const Declarations &declarations, const std::string &name, const
 
 namespace
 {
-/// What is said of driver and driven sprocket where it has always been, and not with the wheels.
-std::string elsewhere(const std::string &path)
+/// The path of the entry that may be looked for at @p path; empty if none is.
+std::string sought_at(const Declarations &declarations, const std::string &path)
 {
-  static const std::map<std::string, std::string> places = {
-      {"Drive/Wheels/driver/Teeth", "Drive/Driver teeth"},
-      {"Drive/Wheels/driven/Teeth", "Drive/Driven teeth"},
-      {"Drive/Wheels/driven/Inertia in kg m2", "Model/Driven inertia in kg m2"},
-      {"Loads/driven/Resisting torque in N m", "Loads/Resisting torque in N m"}};
-  const auto found = places.find(path);
-  return found == places.end() ? "" : found->second;
+  for (const Entry &entry : declarations.entries())
+    if (std::find(entry.sought.begin(), entry.sought.end(), path) != entry.sought.end())
+      return entry.path();
+  return "";
 }
 } // namespace
 
@@ -308,7 +304,7 @@ std::string unknown_entry(const Declarations &declarations,
   const std::string begin = section.empty() ?
                                 "the entry '" + name + "' stands outside all sections." :
                                 "section " + section + " has no entry '" + name + "'.";
-  if (const std::string place = elsewhere(section + "/" + name); !place.empty())
+  if (const std::string place = sought_at(declarations, section + "/" + name); !place.empty())
     return begin + " It is " + place + ".";
   for (const Entry &entry : declarations.entries())
     if (entry.name == name)
@@ -330,7 +326,7 @@ advice_on_path(const Declarations &declarations, const std::string &path, const 
   if (section.compare(0, 13, "Drive/Wheels/") == 0 && !declarations.has_section(section))
     return " There is no section '" + section + "'; wheels are listed by " + order_entry +
            ", which comes before their entries.";
-  if (const std::string place = elsewhere(path); !place.empty())
+  if (const std::string place = sought_at(declarations, path); !place.empty())
     return " Did you mean '" + place + "'?";
   for (const Entry &entry : declarations.entries())
     if (entry.name == name)

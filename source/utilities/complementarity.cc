@@ -11,28 +11,18 @@ namespace chaindrive
 {
 // Each is made in a file of its own, see there.
 extern const ComplementarityKernels scalar_complementarity_kernels,
-    baseline_complementarity_kernels;
-#ifdef __x86_64__
-extern const ComplementarityKernels avx2_complementarity_kernels, avx512_complementarity_kernels;
-#endif
+    baseline_complementarity_kernels, avx2_complementarity_kernels, avx512_complementarity_kernels;
 
 const ComplementarityKernels *complementarity_kernels(const int width)
 {
-  if (!has_simd_width(width))
-    return nullptr;
-  switch (width)
-    {
-    case 1:
-      return &scalar_complementarity_kernels;
+  return of_width<ComplementarityKernels>(width,
+                                          {&scalar_complementarity_kernels,
+                                           &baseline_complementarity_kernels,
 #ifdef __x86_64__
-    case 4:
-      return &avx2_complementarity_kernels;
-    case 8:
-      return &avx512_complementarity_kernels;
+                                           &avx2_complementarity_kernels,
+                                           &avx512_complementarity_kernels
 #endif
-    default:
-      return &baseline_complementarity_kernels;
-    }
+                                          });
 }
 
 namespace

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """plugin.py CASE BUILD: what is made outside of the sources, against what is installed in a folder that is moved.
 
+  prepare  installs the copy and builds the example and others, for the other cases
   run      doc/plugin-example: its brake and its quantity in a run against closed forms, in the documents, in what the run
            leaves behind, when it resumes, in a study, on two ranks; without it, or switched off, nothing changes
   refuse   libraries that are no plug-ins, or none for this program, each in one sentence
@@ -24,6 +25,48 @@ Z1, Z2, PITCH, SPEED, TORQUE, INERTIA = 11, 23, 19.05e-3, 120.0, 20.0, 5e-3  # o
 FEW = ("--set", "Time/End time in ms=3", "--set", "Output/Window start in ms=0", "--set", "Output/Field interval in ms=0")
 
 
+INCLUDE = "#include <chaindrive/plugin.h>\n"
+OTHERS = {  # besides what works: a library that says nothing, one that adds nothing, one that lacks a function
+    "stranger": "int answer() { return 42; }\n",
+    "empty": INCLUDE + 'CHAINDRIVE_PLUGIN("empty", "1.0")\n',
+    "lacking": INCLUDE + 'CHAINDRIVE_PLUGIN("lacking", "1.0")\nint nowhere();\nint here = nowhere();\n',
+    "others": INCLUDE + r"""#include <chaindrive/functions/terms.h>
+#include <chaindrive/scene/fidelity.h>
+CHAINDRIVE_PLUGIN("others", "1.0")
+using namespace chaindrive;
+namespace
+{
+void build_stiff(const model::Model &model, const drive::Drive &drive, scene::Scene &scene)
+{
+  scene::Fidelity::builder_of("simple")(model, drive, scene);
+  for (scene::Bar &bar : scene.bars)
+    bar.stiffness *= 4.;
+}
+const scene::Fidelity stiff({"stiff", "lumped rollers on stiff bars."}, {false, false, false}, &build_stiff);
+
+struct Constant
+{
+  struct Parameters
+  {
+    double torque = 0.; ///< N m
+    bool   is_active() const { return torque != 0.; }
+    void   declare(parameters::Declarations &declarations)
+    {
+      using namespace parameters;
+      add(declarations, "Torque in N m", torque, unit::si, at_least(0.), "Always.");
+    }
+  };
+  static functions::Term make(const Parameters &parameters, const functions::Shaft &)
+  {
+    return {functions::Variable::angle, std::make_shared<functions::Constant>(parameters.torque)};
+  }
+};
+const functions::TermOf<Constant> constant(functions::Of::torque, {"Constant", "A torque."});
+} // namespace
+""",
+}
+
+
 def say(*words, status=0):
     """What `words` say on both streams; the status must be `status`."""
     said = start(list(map(str, words)))
@@ -31,25 +74,32 @@ def say(*words, status=0):
     return said.stdout + said.stderr
 
 
-def installed():
-    """The folder of a copy that is installed and then moved."""
-    for folder in ("first", "moved", "example", "other", "brakes"):
+def prepare():
+    """A copy that is installed and then moved, and what is built against it: the example, and other libraries."""
+    for folder in ("first", "moved", "example", "other"):
         shutil.rmtree(folder, ignore_errors=True)
     say("cmake", "--install", BUILD, "--prefix", pathlib.Path("first").resolve())
-    return pathlib.Path("first").rename("moved").resolve()
-
-
-def build(folder, root, *targets):
-    """Builds the CMake project in `folder` against what is installed in `root`."""
-    say("cmake", "-S", folder, "-B", f"{folder}/build", f"-DCMAKE_PREFIX_PATH={root}")
-    say("cmake", "--build", f"{folder}/build", *targets)
-
-
-def example(root, *targets):
-    """The installed example, copied and built."""
+    root = pathlib.Path("first").rename("moved").resolve()
     shutil.copytree(root / "share/doc/chaindrive/doc/plugin-example", "example")
-    build("example", root, *targets)
-    return pathlib.Path("example/build/example.so").resolve()
+    folder = pathlib.Path("other")
+    folder.mkdir()
+    for name, text in OTHERS.items():
+        (folder / f"{name}.cc").write_text(text)
+    (folder / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.18)\nproject(other LANGUAGES CXX)\nfind_package(chaindrive REQUIRED)\n"
+        f"foreach(name {' '.join(OTHERS)})\n  chaindrive_plugin(${{name}} ${{name}}.cc)\nendforeach()\n")
+    for project in ("example", folder):
+        say("cmake", "-S", project, "-B", f"{project}/build", f"-DCMAKE_PREFIX_PATH={root}")
+        say("cmake", "--build", f"{project}/build", "--parallel", "2")
+
+
+def prepared():
+    """The program of what `prepare` has made, the example's library and the folder of the others; example/example.prm."""
+    made = pathlib.Path("../plugin-prepare").resolve()
+    for folder in ("example", "unfit", "brakes"):
+        shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(made / "example", "example", ignore=shutil.ignore_patterns("build"))
+    return made / "moved/bin/chaindrive", made / "example/build/example.so", made / "other/build"
 
 
 def histories(directory):
@@ -193,53 +243,9 @@ end
     check(all(file.stat().st_mtime > time for file, time in zip(results, times)), "the runs are those of another library")
 
 
-OTHERS = r"""#include <chaindrive/plugin.h>
-#include <chaindrive/functions/terms.h>
-#include <chaindrive/scene/fidelity.h>
-CHAINDRIVE_PLUGIN("others", "1.0")
-using namespace chaindrive;
-namespace
-{
-void build_stiff(const model::Model &model, const drive::Drive &drive, scene::Scene &scene)
-{
-  scene::Fidelity::builder_of("simple")(model, drive, scene);
-  for (scene::Bar &bar : scene.bars)
-    bar.stiffness *= 4.;
-}
-const scene::Fidelity stiff({"stiff", "lumped rollers on stiff bars."}, {false, false, false}, &build_stiff);
-
-struct Constant
-{
-  struct Parameters
-  {
-    double torque = 0.; ///< N m
-    bool   is_active() const { return torque != 0.; }
-    void   declare(parameters::Declarations &declarations)
-    {
-      using namespace parameters;
-      add(declarations, "Torque in N m", torque, unit::si, at_least(0.), "Always.");
-    }
-  };
-  static functions::Term make(const Parameters &parameters, const functions::Shaft &)
-  {
-    return {functions::Variable::angle, std::make_shared<functions::Constant>(parameters.torque)};
-  }
-};
-const functions::TermOf<Constant> constant(functions::Of::torque, {"Constant", "A torque."});
-} // namespace
-"""
-
-
-def others(program, root):
+def others(program, plugin):
     """A fidelity and a term of a plug-in do what the same asked of the program's own entries does."""
-    folder = pathlib.Path("other")
-    folder.mkdir()
-    (folder / "others.cc").write_text(OTHERS)
-    (folder / "CMakeLists.txt").write_text(
-        "cmake_minimum_required(VERSION 3.18)\nproject(other LANGUAGES CXX)\nfind_package(chaindrive REQUIRED)\n"
-        "chaindrive_plugin(others others.cc)\n")
-    build(folder, root)
-    few = [*FEW, "--set", "Output/History precision=double", "--plugin", folder / "build/others.so"]
+    few = [*FEW, "--set", "Output/History precision=double", "--plugin", plugin]
     said = say(program, "plain.prm", *few, "--set", "Model/Fidelity=stiff", "--output", "stiff")
     check("adds fidelity 'stiff', term of a torque 'Constant'" in said, said)
     say(program, "plain.prm", *few, "--set", "Loads/driven/Constant/Torque in N m=5", "--output", "term")
@@ -252,37 +258,22 @@ def others(program, root):
 
 
 def run():
-    root = installed()
-    program, plugin = root / "bin/chaindrive", example(root)
+    program, plugin, other = prepared()
     output, summary = closed_forms(program, plugin)
     record(program, plugin, output, summary)
     documents(program, plugin)
     without(program, plugin)
-    others(program, root)
+    others(program, other / "others.so")
     resume(program, plugin)
     study(program, plugin)
     two = ["mpirun", "-n", "2", program, "example/example.prm", *FEW, "--output", "two"]
     check("adds addition 'viscous brake'" in say(*two, "--plugin", plugin), "two ranks")
 
 
-def sources(root):
-    """Libraries that are no plug-ins for this program: one that says nothing, one that adds nothing, one that lacks a function."""
-    folder = pathlib.Path("other")
-    folder.mkdir()
-    begin = "#include <chaindrive/plugin.h>\n"
-    (folder / "stranger.cc").write_text("int answer() { return 42; }\n")
-    (folder / "empty.cc").write_text(begin + 'CHAINDRIVE_PLUGIN("empty", "1.0")\n')
-    (folder / "lacking.cc").write_text(begin + 'CHAINDRIVE_PLUGIN("lacking", "1.0")\nint nowhere();\nint here = nowhere();\n')
-    (folder / "CMakeLists.txt").write_text(
-        "cmake_minimum_required(VERSION 3.18)\nproject(other LANGUAGES CXX)\nfind_package(chaindrive REQUIRED)\n"
-        "foreach(name stranger empty lacking)\n  chaindrive_plugin(${name} ${name}.cc)\nendforeach()\n")
-    build(folder, root)
-    return folder / "build"
-
-
 def refuse():
-    root = installed()
-    program, plugin, other = root / "bin/chaindrive", example(root), sources(root)
+    program, plugin, unfit = prepared()
+    other = pathlib.Path("unfit").resolve()
+    shutil.copytree(unfit, other, ignore=shutil.ignore_patterns("CMake*"))
     made = plugin.read_bytes()
 
     def changed(name, before, after):
@@ -324,18 +315,17 @@ def refuse():
 
 
 def library():
-    root = installed()
-    example(root, "--target", "program")
-    said = say("example/build/program").split()
+    program, plugin, _ = prepared()
+    said = say(plugin.parent / "program").split()
     check(said[1] == "rad/s", f"{said}")
     print(f"{said[0]} rad/s")
     pathlib.Path("same.prm").write_text("subsection Drive\n set Number of links = 76\n set Driver teeth = 11\n set Driven teeth = 23\n"
                                         " subsection Chain\n  set Designation = 12A\n end\n subsection Layout\n  set Start = settled\n end\nend\n"
                                         "subsection Model\n set Fidelity = simple\nend\nsubsection Time\n set End time in ms = 10\nend\n"
                                         "subsection Output\n set Window start in ms = 0\n set Field interval in ms = 0\nend\n")
-    say(root / "bin/chaindrive", "same.prm", "--output", "same")
+    say(program, "same.prm", "--output", "same")
     speed = json.loads(pathlib.Path("same/summary.json").read_text())["driven_speed_mean"]
     check(float(said[0]) == speed > 0, f"the program says {said[0]}, chaindrive {speed} rad/s")
 
 
-{"run": run, "refuse": refuse, "library": library}[CASE]()
+{"prepare": prepare, "run": run, "refuse": refuse, "library": library}[CASE]()

@@ -21,12 +21,13 @@ enum class OnResume
 /// One entry of the .prm file.
 struct Entry
 {
-  std::string section;       ///< path such as "Drive/Chain"
-  std::string name;          ///< such as "Pitch in mm"
-  std::string default_value; ///< as it is written in a .prm file
-  std::string allowed;       ///< the accepted values in words
-  std::string meaning;
-  OnResume    on_resume;
+  std::string              section;       ///< path such as "Drive/Chain"
+  std::string              name;          ///< such as "Pitch in mm"
+  std::string              default_value; ///< as it is written in a .prm file
+  std::string              allowed;       ///< the accepted values in words
+  std::string              meaning;
+  OnResume                 on_resume;
+  std::vector<std::string> sought; ///< paths of no entries where this one may be looked for
 
   std::string path() const { return section + "/" + name; }
 };
