@@ -90,7 +90,8 @@ def prepare():
         f"foreach(name {' '.join(OTHERS)})\n  chaindrive_plugin(${{name}} ${{name}}.cc)\nendforeach()\n")
     for project in ("example", folder):
         say("cmake", "-S", project, "-B", f"{project}/build", f"-DCMAKE_PREFIX_PATH={root}")
-        say("cmake", "--build", f"{project}/build", "--parallel", "2")
+        targets = ["all", "program"] if project == "example" else ["all"]
+        say("cmake", "--build", f"{project}/build", "--parallel", "2", "--target", *targets)
 
 
 def prepared():
