@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How scripts start chaindrive and what they read of its results."""
+import atexit
 import json
 import os
 import pathlib
-import subprocess
 import sys
+
+import served
 
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = REPOSITORY / "build/source/chaindrive"
@@ -15,6 +17,19 @@ ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": 
 os.environ.update(ENVIRONMENT)
 
 
+STARTED = set()  # programs
+
+
+def serve(program):
+    """A program that is started again gets a server, which has its libraries loaded."""
+    name = pathlib.Path(program).name
+    if name != "chaindrive" or served.VARIABLE in os.environ:
+        return
+    if program in STARTED:
+        atexit.register(served.Server(program).stop)
+    STARTED.add(program)
+
+
 def command(file, entries=(), *options, program=PROGRAM, ranks=1):
     """The words that start a run of `file`, a path in the repository or any other: `entries` are {"Section/Entry": value}."""
     launcher = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
@@ -22,15 +37,17 @@ def command(file, entries=(), *options, program=PROGRAM, ranks=1):
     return [*launcher, str(program), str(REPOSITORY / file), *sets, *map(str, options)]
 
 
-def start(words, environment=()):
-    """Runs `words` to their end, with the variables {name: value} set besides; returns status, stdout and stderr."""
-    return subprocess.run(words, capture_output=True, text=True, errors="replace", env={**os.environ, **dict(environment)})
+def start(words, environment=(), folder="."):
+    """Runs `words` in `folder` to their end, with the variables {name: value} set besides; returns status, stdout and stderr."""
+    serve(words[0])
+    return served.run(words, {**os.environ, **dict(environment)}, folder)
 
 
 def run(file, entries=(), *options, program=PROGRAM, ranks=1, status=0):
     """Runs to the end and returns what was said; any other exit status than `status` ends the script."""
     words = command(file, entries, *options, program=program, ranks=ranks)
-    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+    serve(words[0])
+    done = served.run(words, merged=True)
     check(done.returncode == status, f"status {done.returncode} instead of {status}: {' '.join(words)}\n{done.stdout}")
     return done.stdout
 

@@ -62,6 +62,11 @@ constexpr CommandName commands[] = {
      "print which chains would do for a power, a speed, a ratio and a centre distance"},
     {Command::template_file, "template", nullptr, "print a commented parameter file to start from"},
     {Command::document, "document", nullptr, "print the reference of all entries (Markdown)"},
+    {Command::serve,
+     "serve",
+     "SOCKET",
+     "for scripts (scripts/served.py): start again and again without loading the libraries each "
+     "time"},
 };
 
 const CommandName *find_command(const std::string &name)
@@ -277,6 +282,8 @@ std::string file_of(const Command command, const std::vector<std::string> &words
       if (command == Command::noise && words.size() > 1)
         throw InputError("The command noise takes one directory, but there are '" + words[0] +
                          "' and '" + words[1] + "'.");
+      if (command == Command::serve && words.size() != 1)
+        throw InputError("The command serve takes the path of one socket: chaindrive serve SOCKET.");
       if (named.argument != nullptr && words.empty())
         throw InputError("Which drive? Name a parameter file: chaindrive " +
                          (command == Command::run ? std::string() : named.name + std::string(" ")) +

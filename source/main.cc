@@ -7,6 +7,7 @@
 #include <chaindrive/packages.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/plugins.h>
+#include <chaindrive/serve.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/signals.h>
 
@@ -21,6 +22,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -92,6 +94,8 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
                                                          parameters::parameter_documentation() +
                                                              model::documentation_of_needs());
       break;
+    case Command::serve: // before anything is started that copies cannot share: main()
+      break;
     case Command::version:
       if (is_first_rank)
         std::cout << version_text();
@@ -130,6 +134,26 @@ End run_and_catch(const int argc, char **argv, const bool is_first_rank, Success
   catch (const std::exception &error)
     {
       return {3, error.what()};
+    }
+}
+
+/// What has become of a server: the command line of a copy, or the status of the server.
+struct Served
+{
+  std::optional<std::vector<std::string>> words;
+  int                                     status = 0;
+};
+
+Served serve_and_catch(const int argc, char **argv)
+{
+  try
+    {
+      return {serve(parse_command_line(argc, argv).parameter_file)};
+    }
+  catch (const std::exception &error)
+    {
+      std::cerr << "chaindrive: " << error.what() << std::endl;
+      return {{}, dynamic_cast<const InputError *>(&error) != nullptr ? 2 : 3};
     }
 }
 
@@ -173,21 +197,25 @@ std::vector<std::string> environment_variables()
   return all;
 }
 
+/// To C: the texts, and a null pointer.
+std::vector<char *> pointers_to(std::vector<std::string> &texts)
+{
+  std::vector<char *> all;
+  all.reserve(texts.size() + 1);
+  for (std::string &text : texts)
+    all.push_back(text.data());
+  all.push_back(nullptr);
+  return all;
+}
+
 /// Gives this process to @p command, in the environment that it was started in: MPI_Init() leaves
 /// variables behind that let mpirun crash. Returns the status when that fails.
 int become(Successor command, std::vector<std::string> environment)
 {
-  const auto pointers = [](std::vector<std::string> &texts) {
-    std::vector<char *> all;
-    all.reserve(texts.size() + 1);
-    for (std::string &text : texts)
-      all.push_back(text.data());
-    all.push_back(nullptr);
-    return all;
-  };
   std::cout.flush();
-  ::execvpe(
-      command.words.front().c_str(), pointers(command.words).data(), pointers(environment).data());
+  ::execvpe(command.words.front().c_str(),
+            pointers_to(command.words).data(),
+            pointers_to(environment).data());
   std::cerr << "chaindrive: " << command.words.front()
             << " cannot be started: " << std::strerror(errno) << ". " << command.needs << std::endl;
   return command.status;
@@ -196,6 +224,18 @@ int become(Successor command, std::vector<std::string> environment)
 
 int main(int argc, char **argv)
 {
+  std::vector<std::string> words; // of a copy that a server has made
+  std::vector<char *>      pointers;
+  if (argc > 1 && std::string(argv[1]) == "serve")
+    {
+      const Served served = serve_and_catch(argc, argv);
+      if (!served.words)
+        return served.status;
+      words    = *served.words;
+      pointers = pointers_to(words);
+      argc     = static_cast<int>(words.size());
+      argv     = pointers.data();
+    }
   // MPI and PETSc would end in a core dump
   if (std::error_code error; std::filesystem::current_path(error).empty())
     {

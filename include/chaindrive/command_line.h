@@ -20,6 +20,7 @@ enum class Command
   select,        ///< which chains would do
   template_file, ///< print a .prm file to begin with
   document,      ///< print doc/parameters.md
+  serve,         ///< be ready for many starts
   version,
   help
 };
@@ -28,7 +29,7 @@ enum class Command
 struct CommandLine
 {
   Command                  command = Command::run;
-  std::string              parameter_file;   ///< noise: the directory of a run
+  std::string              parameter_file;   ///< noise: the directory of a run; serve: the socket
   std::vector<std::string> overrides;        ///< "Section/Entry=value", in the order given
   std::vector<std::string> plugins;          ///< shared libraries to load, in the order given
   std::string              output_directory; ///< empty: what the .prm file says

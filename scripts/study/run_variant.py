@@ -12,6 +12,8 @@ import subprocess
 import sys
 import time
 
+import served
+
 RANKS = pathlib.Path(__file__).resolve().parents[1] / "ranks"
 ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_rmaps_base_oversubscribe": "1", "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe",
@@ -46,8 +48,8 @@ def run(folder, ranks, program, plugins):
     if ranks > 1:
         words = [str(RANKS), str(ranks), *words]
     with open(folder / "errors.txt", "w+", encoding="utf-8", errors="replace") as errors:
-        process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=errors, pass_fds=[lock],
-                                   env={**ENVIRONMENT, **os.environ}, preexec_fn=end_with_parent)
+        process = served.popen(words, subprocess.DEVNULL, errors, {**ENVIRONMENT, **os.environ}, keep=[lock],
+                               preexec_fn=end_with_parent)
         for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
             signal.signal(number, lambda *_: process.send_signal(signal.SIGTERM))
         asked = False

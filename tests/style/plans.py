@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Whether the program accepts every .prm of the folder prm/: plans.py PATH_OF_CHAINDRIVE."""
 
-import subprocess
 import sys
 
+import program
 import style
 
 
-def refused(program, paths):
+def refused(which, paths):
     """Those that it does not plan, with what it says."""
     said = {}
     for path in paths:
         words = ["study", path, "--dry-run", "--set", "Study/Phases=1"] if path.startswith("prm/studies/") else ["plan", path]
-        result = subprocess.run([program, *words], cwd=style.ROOT, capture_output=True, text=True)
+        result = program.start([which, *words], folder=style.ROOT)
         if result.returncode:
             said[path] = result.stderr.strip()
     return said
