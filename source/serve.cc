@@ -22,9 +22,9 @@ namespace chaindrive
 {
 namespace
 {
-constexpr std::size_t longest_request = 1 << 20; // bytes
-constexpr int         n_streams = 3, most_files = 16;
-constexpr std::array  from_terminal = {SIGINT, SIGHUP};
+constexpr std::size_t        longest_request = 1 << 20; // bytes
+constexpr int                n_streams = 3, most_files = 16;
+constexpr std::array<int, 2> from_terminal = {{SIGINT, SIGHUP}};
 
 /// What is asked for.
 struct Request
