@@ -283,7 +283,8 @@ std::string file_of(const Command command, const std::vector<std::string> &words
         throw InputError("The command noise takes one directory, but there are '" + words[0] +
                          "' and '" + words[1] + "'.");
       if (command == Command::serve && words.size() != 1)
-        throw InputError("The command serve takes the path of one socket: chaindrive serve SOCKET.");
+        throw InputError(
+            "The command serve takes the path of one socket: chaindrive serve SOCKET.");
       if (named.argument != nullptr && words.empty())
         throw InputError("Which drive? Name a parameter file: chaindrive " +
                          (command == Command::run ? std::string() : named.name + std::string(" ")) +

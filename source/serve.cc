@@ -47,23 +47,23 @@ struct Copy
   throw RunError(what + " '" + path + "': " + std::strerror(errno) + ".");
 }
 
-int listen_on(const std::string &path)
+int open_socket(const std::string &path)
 {
   sockaddr_un address = {};
   address.sun_family  = AF_UNIX;
   if (path.size() >= sizeof(address.sun_path))
     throw RunError("The path of a socket is too long: '" + path + "'.");
   std::copy(path.begin(), path.end(), std::begin(address.sun_path));
-  const int  listening = ::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0);
-  const auto before    = ::umask(0077);
+  const int  file   = ::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0);
+  const auto before = ::umask(0077);
   const bool bound =
-      listening >= 0 &&
-      ::bind(listening, reinterpret_cast<const sockaddr *>(&address), sizeof(address)) == 0 &&
-      ::listen(listening, SOMAXCONN) == 0;
+      file >= 0 &&
+      ::bind(file, reinterpret_cast<const sockaddr *>(&address), sizeof(address)) == 0 &&
+      ::listen(file, SOMAXCONN) == 0;
   ::umask(before);
   if (!bound)
     fail("Cannot listen on the socket", path);
-  return listening;
+  return file;
 }
 
 bool is_own_user(const int connection)
@@ -134,7 +134,7 @@ bool become(const Request &request)
 class Server
 {
 public:
-  explicit Server(const std::string &path) : path_(path), listening_(listen_on(path))
+  explicit Server(const std::string &path) : path_(path), socket_(open_socket(path))
   {
     sigset_t children;
     sigemptyset(&children);
@@ -158,7 +158,7 @@ public:
         if (is_open)
           {
             files.push_back({STDIN_FILENO, POLLIN, 0});
-            files.push_back({listening_, POLLIN, 0});
+            files.push_back({socket_, POLLIN, 0});
           }
         const std::size_t n_own = files.size();
         for (const Copy &copy : copies_)
@@ -179,7 +179,7 @@ public:
         if (files[1].revents != 0 && has_ended(STDIN_FILENO))
           {
             is_open = false;
-            ::close(listening_);
+            ::close(socket_);
             ::unlink(path_.c_str());
           }
       }
@@ -236,7 +236,7 @@ private:
 
   std::optional<std::vector<std::string>> accept()
   {
-    const int connection = ::accept4(listening_, nullptr, nullptr, SOCK_CLOEXEC);
+    const int connection = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
     if (connection < 0)
       return {};
     const Request request = is_own_user(connection) ? receive(connection) : Request();
@@ -249,7 +249,7 @@ private:
           if (copy.connection >= 0)
             ::close(copy.connection);
         ::close(connection);
-        ::close(listening_);
+        ::close(socket_);
         ::close(ended_);
         ::sigprocmask(SIG_SETMASK, &mask_before_, nullptr);
         for (std::size_t i = 0; i < from_terminal.size(); ++i)
@@ -268,7 +268,7 @@ private:
   }
 
   std::string path_;
-  int         listening_, ended_;
+  int         socket_, ended_;
   sigset_t    mask_before_;
 
   std::array<void (*)(int), from_terminal.size()> before_;

@@ -152,6 +152,30 @@ int main()
     verdict("  energy to 1e-6", drift_of_energy(system) < 1e-6);
   }
 
+  // one with a dashpot, which does not pull: it lets go when spring and dashpot balance, at the
+  // time at which x'' of x = exp(-z t) sin(w t) is zero, with the speed exp(-z t) of the first one
+  // (Schwager & Poeschel 2007, Granular Matter 9, 465)
+  {
+    scene::Scene scene = empty_scene();
+    scene.bodies       = {
+              arm_about(vector(0., 0., 1.), vector(arm, 0., 0.), vector(2., 3., own)),
+              body(scene::Motion::rigid, scene::Mount::fixed(), 1., vector(1., 1., 1.), Vector3())};
+    scene.bodies[0].initial.angular_velocity = vector(0., 0., 3.);
+    const double z = 0.1, w = std::sqrt(1. - z * z), c = 2. * z * std::sqrt(1e5 * inertia);
+    scene.forces = {std::make_shared<const Stop>(0, 1, 0.01, 1, 1e5, c)};
+    dynamics::System system(scene, false);
+    advance(system, 200000, 1e-7, []() {});
+    const double time = (PI - std::atan(2. * z * w / (w * w - z * z))) / w;
+    ratio("speed after a stop with a dashpot",
+          system.world.hubs[0].speed,
+          -3. * std::exp(-z * time),
+          4);
+    const Ledger &ledger = system.world.ledger;
+    verdict("  the ledger has what is missing to 1e-4",
+            std::abs(ledger.imbalance()) < 1e-4 * ledger.spring_damping &&
+                ledger.spring_damping > 0.);
+  }
+
   // a bushing: a mass on three springs
   {
     scene::Scene  scene     = empty_scene();

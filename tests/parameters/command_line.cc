@@ -22,6 +22,7 @@ const char *const names[] = {"run",
                              "select",
                              "template",
                              "document",
+                             "serve",
                              "version",
                              "help"};
 
@@ -81,6 +82,10 @@ int main()
   parse({"./run"}); // a file
   parse({"--write-parameters"});
   parse({"--write-documentation"});
+  parse({"serve", "socket"});
+  parse({"serve"});
+  parse({"serve", "a", "b"});
+  parse({"serve", "socket", "--quick"});
   parse({"--version"});
   parse({"-h"});
 

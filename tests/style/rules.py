@@ -269,7 +269,7 @@ FIELD_WORDS = [
     (r"\bcomes?_apart\b|\blose_touch\b", "separate, lose contact"),
     (r"\b\w+_stations?\b|\baxial stations?\b", "axial ring"),
     (r"\bfore(?:tells?|told)\b", "predict, estimate"),
-    (r"\bHeard\b|\blisten\w*\(", "radiated sound, received"),
+    (r"\bHeard\b|(?<!::)\blisten\w*\(", "radiated sound, received"),
     (r"\bmoves_by_nodes\b", "nodal"),
     (r"\bPictures\b|\b\w+_in_pictures\b", "field output"),
     (r"\b(?:hold|put|take|some|more|there)_(?=\W)", "a name that can be searched"),
