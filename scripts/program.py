@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import sys
+import threading
 
 import served
 
@@ -18,16 +19,18 @@ os.environ.update(ENVIRONMENT)
 
 
 STARTED = set()  # programs
+LOCK = threading.Lock()
 
 
 def serve(program):
     """A program that is started again gets a server, which has its libraries loaded."""
     name = pathlib.Path(program).name
-    if name != "chaindrive" or served.VARIABLE in os.environ:
-        return
-    if program in STARTED:
-        atexit.register(served.Server(program).stop)
-    STARTED.add(program)
+    with LOCK:
+        if name != "chaindrive" or served.VARIABLE in os.environ:
+            return
+        if program in STARTED:
+            atexit.register(served.Server(program).stop)
+        STARTED.add(program)
 
 
 def command(file, entries=(), *options, program=PROGRAM, ranks=1):
