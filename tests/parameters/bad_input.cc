@@ -52,6 +52,9 @@ int main()
   read_text("misspelt entry", "subsection Drive\n\n  set Driver tooth = 15\nend\n");
   read_text("entry elsewhere", "subsection Drive\n  set Friction coefficient = 0.1\nend\n");
   read_text("entry without its unit", "subsection Time\n  set End = 30\nend\n");
+  read_text("entry in another unit", "subsection Time\n  set End time in s = 0.03\nend\n");
+  read_text("entry in a unit of another kind", "subsection Time\n  set End time in mm = 3\nend\n");
+  read_text("entry that has no unit", "subsection Contact\n  set Penalty factor in N = 3\nend\n");
   read_text("entry outside all sections", "set Foo = 15\n");
 
   read_text("below its range", "subsection Drive\n  set Driver teeth = 8\nend\n");

@@ -81,6 +81,8 @@ with h5py.File("every/histories.h5", "r") as file:
     near("losses together", sum(loss["energy"] for loss in losses.values()), energy["lost"], 1e-9 * scale)
     near("balance of the window", energy["drive_work"], energy["resisting_work"] + energy["lost"] + energy["stored"], 1e-3 * scale)
     near("power", losses["roller-driver"]["power"], losses["roller-driver"]["energy"] / (end - start), 1e-9 * scale / (end - start))
+    near("efficiency by the ledger", summary["efficiency"], energy["resisting_work"] / (energy["drive_work"] - energy["stored"]), 1e-12)
+    check(abs(energy["stored"]) > 1e-6 * scale, "nothing is stored in the window")
     near("efficiency", summary["efficiency"], energy["resisting_work"] / (energy["resisting_work"] + energy["lost"]), 1e-3)
     check(0.9 < summary["efficiency"] < 1, f"efficiency {summary['efficiency']}")
 
