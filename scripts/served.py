@@ -1,1 +1,1 @@
-study/served.py
+../python/chaindrive/served.py

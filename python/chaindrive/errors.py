@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What goes wrong when results are read."""
+"""What goes wrong when drives are computed or results are read."""
 
 
 class RunError(Exception):

@@ -77,7 +77,7 @@ std::vector<unsigned int> node_offsets(const mesh::CylinderGrid        &grid,
 JointBatch::JointBatch(const JointTables       &tables,
                        const scene::ContactLaw &law,
                        const JointKernels      &kernels)
-    : tables_(tables), kernels_(kernels), grid_(tables.grid()), arguments_{}, window_{}, sums_{}
+    : kernels_(kernels), grid_(tables.grid()), arguments_{}, window_{}, sums_{}
 {
   state_.resize(std::size_t(tables.n_slave_nodes()) * n_touch_entries * n_lanes, 0.);
   gap_.resize(tables.n_slave_nodes() * n_lanes, 0.);

@@ -65,7 +65,7 @@ int main()
   const auto        form              = drive::make_tooth_form(15, chain, sprockets, 0);
   const std::string good              = read(SOURCE_DIR "/../../meshes/sprocket-15.msh");
 
-  const auto import = [&form](const std::string &text, const drive::ToothForm &teeth) {
+  const auto import = [](const std::string &text, const drive::ToothForm &teeth) {
     std::ofstream("mesh.msh") << text;
     mesh::import_sprocket("mesh.msh", teeth, 7600.);
   };

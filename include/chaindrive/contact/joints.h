@@ -106,7 +106,6 @@ private:
   /// Points the kernels' arguments to what this holds, wherever that has been moved.
   void connect();
 
-  const JointTables            &tables_;
   const JointKernels           &kernels_;
   JointGrid                     grid_;
   JointArguments                arguments_;
