@@ -27,10 +27,12 @@ Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
   for (const scene::Span &span : drive.spans)
     {
       const scene::Sprocket &from = drive.sprockets[span.from];
+      // never so short that it may hold no link
+      const double middle = std::max(0.15 * (span.end - span.begin), 0.51 * drive.pitch);
       places_.push_back({scene.bodies[from.body].initial.position,
                          0.5 * (span.begin + span.end),
-                         // never so short that it may hold no link
-                         std::max(0.15 * (span.end - span.begin), 0.51 * drive.pitch),
+                         std::max(0.5 * (span.end - span.begin), middle),
+                         middle,
                          // inside of the normal where the sprocket turns against the drive
                          from.sense * drive.sense * from.pitch_radius});
     }
@@ -77,22 +79,24 @@ unsigned int Spans::span_of(const Frame &first, const Frame &second) const
   const auto   none                 = static_cast<unsigned int>(drive.spans.size());
   unsigned int found                = none;
   double       nearest              = 0.;
+  bool         counts               = false;
   for (unsigned int s = 0; s < none; ++s)
     {
       const scene::Span         &span  = drive.spans[s];
       const Place               &place = places_[s];
       const dealii::Tensor<1, 3> arm   = middle - place.from;
-      if (std::abs(arm * span.along - place.middle) > place.half_length ||
-          travel * span.direction <= 0.)
+      const double               aside = std::abs(arm * span.along - place.middle);
+      if (aside > place.half_length || travel * span.direction <= 0.)
         continue;
       const double away = std::abs(arm * span.normal - place.straight);
       if (found == none || away < nearest)
         {
           found   = s;
           nearest = away;
+          counts  = aside <= place.half_middle;
         }
     }
-  return found;
+  return counts ? found : none;
 }
 
 void Spans::update(const dynamics::System &system)

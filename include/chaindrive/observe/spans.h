@@ -11,11 +11,11 @@ namespace chaindrive::observe
 /// Tension of every link and the state of all spans at the last update().
 ///
 /// A link's tension is its bar's (simple fidelity) or half the difference of the joint forces on
-/// its two ends along its axis (layered). A span is made of the links that travel along it and
-/// whose middle lies, along the line of centres of its sprockets, between 35 % and 65 % of the way
-/// from tangent point to tangent point of the pitch circles, or within half a pitch of its middle
-/// where that is more; a link that might be of several is of the one whose straight line is
-/// nearest.
+/// its two ends along its axis (layered). A link is of the span that it travels along, whose
+/// tangent points of the pitch circles it lies between, along the line of centres of the sprockets;
+/// of several, of the one whose straight line is nearest. Of these links count those whose middle
+/// lies between 35 % and 65 % of the way from tangent point to tangent point, or within half a
+/// pitch of its middle where that is more.
 class Spans
 {
 public:
@@ -43,7 +43,8 @@ public:
 private:
   void joint_forces(const dynamics::System &system);
 
-  /// The span of the link from @p first to @p second, or none, which is the number of spans.
+  /// The span in whose middle the link from @p first to @p second is, or none, which is the number
+  /// of spans.
   unsigned int span_of(const Frame &first, const Frame &second) const;
 
   /// Where a span is, and how much of it counts.
@@ -51,7 +52,8 @@ private:
   {
     dealii::Tensor<1, 3> from;        ///< centre of the sprocket from which it leads, m
     double               middle;      ///< of its straight line, along that of the centres, m
-    double               half_length; ///< of what counts, likewise, m
+    double               half_length; ///< likewise, m
+    double               half_middle; ///< of what counts, likewise, m
     double               straight;    ///< that line from the centre, along the outward normal, m
   };
 
