@@ -88,12 +88,16 @@
       return "rgb(" + stops[k].map((a, i) => Math.round(a + (stops[k + 1][i] - a) * (place - k))).join(",") + ")";
     }
 
+    // where the chain is in any frame: it may hang below all sprockets
+    const extent = rows => rows.reduce((e, row) => [Math.min(e[0], ...row), Math.max(e[1], ...row)], [Infinity, -Infinity]);
+    const chain = [...extent(data.x), ...extent(data.y)].map((value, i) => value / 100 + (i % 2 ? 1 : -1) * 1.5 * data.roller);
+
     function bounds() {
       const a = data.sprockets[0], margin = 3 * data.roller, one = data.sprockets.find(s => s.name === view.value);
       const around = s => [s.x - s.radius - margin, s.x + s.radius + margin, s.y - s.radius - margin, s.y + s.radius + margin];
       if (one === a) return [a.x - 1.8 * a.radius, a.x + 2.6 * a.radius, a.y - 1.5 * a.radius, a.y + 1.5 * a.radius];
       if (one) return around(one);
-      const all = data.sprockets.map(around);
+      const all = [...data.sprockets.map(around), chain];
       return [Math.min(...all.map(r => r[0])), Math.max(...all.map(r => r[1])), Math.min(...all.map(r => r[2])), Math.max(...all.map(r => r[3]))];
     }
 
