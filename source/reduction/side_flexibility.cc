@@ -110,6 +110,23 @@ std::vector<std::vector<unsigned int>> symmetries(const FreePart &part, const Nu
   return maps;
 }
 
+[[noreturn]] void
+refuse(const mesh::Part &part, const mesh::Surface surface, const std::string &why)
+{
+  throw InputError("The side '" + mesh::surface_name(surface) + "' of the " + part.name +
+                   " cannot be divided into patches: " + why + ".");
+}
+
+mesh::CylinderGrid equal_columns(const mesh::Part &part, const mesh::Surface surface)
+{
+  mesh::CylinderGrid grid(part, surface);
+  if (!grid.uniform() || std::abs(grid.angles[0]) > 1e-6 || grid.n_circumferential() % 4 != 0)
+    refuse(part,
+           surface,
+           "its nodes are not at equal angles from the x axis on, a multiple of four in number");
+  return grid;
+}
+
 std::string key_of_sides(const FreePart &part, const std::vector<SidePatches> &sides)
 {
   Checksum   sum;
@@ -140,22 +157,36 @@ std::string key_of_sides(const FreePart &part, const std::vector<SidePatches> &s
 }
 } // namespace
 
+SidePatches::SidePatches(const mesh::Part   &part,
+                         const mesh::Nodes  &nodes,
+                         const mesh::Surface surface)
+    : surface(surface)
+{
+  const mesh::CylinderGrid grid = equal_columns(part, surface);
+  radius                        = grid.radius;
+  axis                          = grid.axis;
+  n_columns                     = grid.n_circumferential();
+  bounds = height = grid.rings;
+  for (unsigned int r = 0; r < grid.n_rings(); ++r)
+    {
+      share.emplace_back(grid.n_rings(), 0.);
+      share[r][r] = 1.;
+      length.push_back(grid.area(r, 0) * n_columns / (2. * PI * radius));
+    }
+  for (const unsigned int v : grid.vertex)
+    node.push_back(nodes.of_vertex[v]);
+}
+
 SidePatches::SidePatches(const mesh::Part          &part,
                          const mesh::Nodes         &nodes,
                          const mesh::Surface        surface,
                          const std::vector<double> &bounds)
     : surface(surface), bounds(bounds)
 {
-  const mesh::CylinderGrid grid(part, surface);
-  const auto               refuse = [&](const std::string &why) {
-    throw InputError("The side '" + mesh::surface_name(surface) + "' of the " + part.name +
-                     " cannot be divided into patches: " + why + ".");
-  };
-  if (!grid.uniform() || std::abs(grid.angles[0]) > 1e-6 || grid.n_circumferential() % 4 != 0)
-    refuse("its nodes are not at equal angles from the x axis on, a multiple of four in number");
-  radius    = grid.radius;
-  axis      = grid.axis;
-  n_columns = grid.n_circumferential();
+  const mesh::CylinderGrid grid = equal_columns(part, surface);
+  radius                        = grid.radius;
+  axis                          = grid.axis;
+  n_columns                     = grid.n_circumferential();
   for (unsigned int s = 0; s + 1 < bounds.size(); ++s)
     {
       std::vector<double> part_of(grid.n_rings(), 0.);
@@ -179,8 +210,10 @@ SidePatches::SidePatches(const mesh::Part          &part,
           middle += part_of[r] * z;
         }
       if (!(sum > 0.))
-        refuse("there is nothing of it from z = " + to_text(1e3 * bounds[s], 4) + " to " +
-               to_text(1e3 * bounds[s + 1], 4) + " mm");
+        refuse(part,
+               surface,
+               "there is nothing of it from z = " + to_text(1e3 * bounds[s], 4) + " to " +
+                   to_text(1e3 * bounds[s + 1], 4) + " mm");
       for (double &x : part_of)
         x /= sum;
       share.push_back(part_of);

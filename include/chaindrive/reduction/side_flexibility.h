@@ -26,6 +26,9 @@ struct SidePatches
               mesh::Surface              surface,
               const std::vector<double> &bounds);
 
+  /// The same with a ring of patches for each of its rows of nodes: a patch is a node.
+  SidePatches(const mesh::Part &part, const mesh::Nodes &nodes, mesh::Surface surface);
+
   mesh::Surface                    surface;
   double                           radius; ///< m
   dealii::Point<2>                 axis;   ///< in the part's frame, m
