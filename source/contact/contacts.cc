@@ -57,7 +57,7 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
     add_family(family);
   for (const scene::BoreFamily &bores : scene.bores)
     if (bores.elastic)
-      families_.push_back(std::make_unique<NodeBores>(bores, world, search_every_step));
+      families_.push_back(std::make_unique<NodeBores>(scene, bores, world, search_every_step));
     else if (world.planar == nullptr || !add_planar(PlanarBores::make(bores, world)))
       families_.push_back(std::make_unique<PointContact>(bores));
   for (const scene::FaceFamily &faces : scene.faces)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/contact/packed_joint.h>
+#include <chaindrive/contact/packed_exact_joint.h>
 
 namespace chaindrive::contact
 {

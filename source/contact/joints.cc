@@ -2,6 +2,7 @@
 #include <chaindrive/contact/joints.h>
 
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/simd.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -100,6 +101,77 @@ void JointBatch::set_joint(const int lane, const JointBody &master, const JointB
   arguments_.slave_position[lane]  = slave.position;
   arguments_.slave_velocity[lane]  = slave.velocity;
   arguments_.slave_force[lane]     = slave.force;
+}
+
+JointBatch::Exact::Exact(const JointFlexibility &flexibility)
+    : flexibility(flexibility), solver(simd_width())
+{
+}
+
+void JointBatch::set_flexibility(const JointFlexibility &flexibility)
+{
+  exact_ = std::make_unique<Exact>(flexibility);
+}
+
+void JointBatch::press()
+{
+  constexpr double                 tolerance = 1e-14; // m, of positions up to a metre
+  Exact                           &e         = *exact_;
+  const std::vector<unsigned int> &rings     = e.flexibility.rings();
+  const auto                       n_rings   = static_cast<unsigned int>(rings.size());
+  const unsigned int n_places = *std::max_element(window_.count, window_.count + n_lanes);
+  const std::size_t  n        = std::size_t(n_places) * n_rings * n_lanes;
+  e.gaps.resize_fast(n);
+  e.forces.resize_fast(n);
+  std::fill(e.forces.begin(), e.forces.end(), 0.);
+  const WindowNodes nodes{n_rings, rings.data(), e.gaps.data(), e.forces.data()};
+  kernels_.measure_window(arguments_, nodes);
+
+  std::array<ComplementarityProblem, n_lanes> problems;
+  for (int lane = 0; lane < n_lanes; ++lane)
+    {
+      e.sets[lane].clear();
+      const unsigned int count = window_.count[lane];
+      if (arguments_.master_position[lane] == nullptr || count == 0)
+        continue;
+      const JointFlexibility::Matrix &matrix = e.flexibility.of_columns(count);
+      e.gap[lane].resize_fast(matrix.stride);
+      for (unsigned int i = 0; i < matrix.n; ++i)
+        {
+          e.gap[lane][i] = e.gaps[i * n_lanes + lane];
+          // what touched last time is where the search begins
+          const unsigned int column =
+              (window_.first[lane] + i / n_rings) % grid_.slave_circumferential;
+          const std::size_t node =
+              std::size_t(rings[i % n_rings]) * grid_.slave_circumferential + column;
+          if (state_[(node * n_touch_entries + touch_penetration) * n_lanes + lane] > 0.)
+            e.sets[lane].number.push_back(i);
+        }
+      problems[lane] = {matrix.n,
+                        matrix.number.data(),
+                        matrix.stride,
+                        e.gap[lane].data(),
+                        e.matrix[lane] == &matrix};
+      e.matrix[lane] = &matrix;
+    }
+  e.solver.solve(problems, tolerance, e.sets);
+  std::array<double, n_lanes> stored{};
+  for (int lane = 0; lane < n_lanes; ++lane)
+    for (unsigned int a = 0; a < e.sets[lane].number.size(); ++a)
+      {
+        const unsigned int i         = e.sets[lane].number[a];
+        e.forces[i * n_lanes + lane] = e.sets[lane].pressure[a];
+        stored[lane] -= 0.5 * e.sets[lane].pressure[a] * e.gap[lane][i]; // p C p / 2
+      }
+  kernels_.press(arguments_, nodes);
+  for (int lane = 0; lane < n_lanes; ++lane)
+    {
+      sums_.stored[lane] += stored[lane];
+      if (arguments_.dt == 0.) // how bodies have been placed, before their walls deflect
+        for (const unsigned int i : e.sets[lane].number)
+          sums_.largest_penetration[lane] =
+              std::max(sums_.largest_penetration[lane], -e.gap[lane][i]);
+    }
 }
 
 void JointBatch::connect()
@@ -205,7 +277,10 @@ void JointBatch::add_forces(const double dt)
 {
   connect();
   arguments_.dt = dt;
-  kernels_.add_forces(arguments_);
+  if (exact_)
+    press();
+  else
+    kernels_.add_forces(arguments_);
   if (!fresh_)
     cadence_.use(dt);
   fresh_ = false;

@@ -4,6 +4,7 @@
 #include <chaindrive/contact/tributary_area.h>
 #include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/mesh/surface/surface_nodes.h>
+#include <chaindrive/reduction/basis.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/simd.h>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 namespace chaindrive::contact
@@ -103,6 +105,55 @@ JointBody ghost_body(BodyBatches                     &copies,
           static_cast<unsigned int>(copies.index(copy, offset / numbers_per_node) - lane));
   return body_at(copies, lane, nodes);
 }
+
+/// What the body @p number of @p scene deflects on a @p surface in joints without inertia; null if
+/// it has none of that.
+const reduction::RoundFlexibility *
+flexibility_of(const scene::Scene &scene, const unsigned int number, const unsigned int surface)
+{
+  const scene::Body &body  = scene.bodies[number];
+  const auto         basis = scene.bases.find(body.part());
+  if (body.motion == scene::Motion::reduced && basis != scene.bases.end())
+    for (const reduction::RoundFlexibility &side : basis->second->joints)
+      if (side.surface == surface)
+        return &side;
+  return nullptr;
+}
+
+/// Whether the @p bores of @p scene have no penalty.
+bool is_exact(const scene::Scene &scene, const scene::BoreFamily &bores)
+{
+  const auto n = std::count_if(bores.pairs.begin(), bores.pairs.end(), [&](const auto &pair) {
+    return flexibility_of(scene, pair.master, pair.master_surface) != nullptr &&
+           flexibility_of(scene, pair.slave.body, pair.slave_surface) != nullptr;
+  });
+  if (n != 0 && n != std::ptrdiff_t(bores.pairs.size()))
+    throw std::logic_error("NodeBores: some of the joints have a penalty, others have not");
+  return n != 0;
+}
+
+/// The rings of @p side from @p first to @p last, of the mesh's @p grid.
+ClosedWindow window_of(const reduction::RoundFlexibility &side,
+                       const mesh::CylinderGrid          &grid,
+                       const unsigned int                 first,
+                       const unsigned int                 last,
+                       const scene::ContactLaw           &law)
+{
+  ClosedWindow window;
+  window.surface   = side.surface;
+  window.n_columns = side.n_columns;
+  window.n_rings   = last + 1 - first;
+  for (unsigned int r = first; r <= last; ++r)
+    {
+      window.across.push_back(law.friction > 0. ? law.tangential_stiffness * grid.area(r, 0) : 0.);
+      for (unsigned int c = 0; c < side.n_columns; ++c)
+        window.node.push_back(side.node[r * side.n_columns + c]);
+      for (unsigned int s = first; s <= last; ++s)
+        for (unsigned int d = 0; d < side.n_columns; ++d)
+          window.flexibility.push_back(side.at(r, s, d));
+    }
+  return window;
+}
 } // namespace
 
 NodeBores::Kinds NodeBores::kinds_of(const scene::BoreFamily &scene, const World &world)
@@ -176,20 +227,29 @@ void NodeBores::want_ghosts(const scene::BoreFamily &scene, World &world)
       }
 }
 
-NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool search_every_step)
-    : Family(scene.name, scene.interface, scene.law), every_step_(search_every_step)
+NodeBores::NodeBores(const scene::Scene      &scene,
+                     const scene::BoreFamily &bores,
+                     World                   &world,
+                     const bool               search_every_step)
+    : Family(bores.name, bores.interface, bores.law), every_step_(search_every_step)
 {
-  for (const scene::BorePair &pair : scene.pairs)
+  const bool exact = is_exact(scene, bores);
+  if (exact)
+    {
+      law_.damping = law_.tangential_damping = 0.;
+      law_.tangential_stiffness *= 0.1;
+    }
+  for (const scene::BorePair &pair : bores.pairs)
     {
       add_radius(pair.slave.radius);
       add_record(pair.master, pair.slave.body, pair.slave.joint);
     }
   states_.resize(records_.size());
-  owner_                  = owners_of(scene, world);
+  owner_                  = owners_of(bores, world);
   const unsigned int rank = rank_in(world.communicator());
 
   const JointKernels &kernels = *joint_kernels(simd_width());
-  for (auto &[sides, pairs] : kinds_of(scene, world))
+  for (auto &[sides, pairs] : kinds_of(bores, world))
     {
       const auto &[master_group, master_surface, slave_group, slave_surface] = sides;
       BodyBatches             &masters = world.copies[master_group];
@@ -217,8 +277,29 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
                  closed_side(cylinder, slave_surface, own, law_.stiffness, world, slave_group)}};
       for (ClosedSide &side : group.closed)
         if (cylinder.radius < bore.radius)
-          side.half_angle = scene.half_angle;
-      if (master_group < world.n_elastic_groups() && slave_group < world.n_elastic_groups())
+          side.half_angle = bores.half_angle;
+      if (exact)
+        {
+          const reduction::RoundFlexibility &of_bore = *flexibility_of(
+                                                scene, masters.bodies.front(), master_surface),
+                                            &of_cylinder = *flexibility_of(
+                                                scene, slaves.bodies.front(), slave_surface);
+          group.flexibility = std::make_unique<const JointFlexibility>(of_bore, of_cylinder);
+          const JointFlexibility &joint = *group.flexibility;
+          group.windows                 = {
+                              {window_of(of_bore,
+                         bore,
+                         joint.places().front().first,
+                         joint.places().back().first + 1,
+                         law_),
+                               window_of(
+                   of_cylinder, cylinder, joint.rings().front(), joint.rings().back(), law_)}};
+          group.windows[0].group = master_group;
+          group.windows[1].group = slave_group;
+          for (unsigned int i = 0; i < 2; ++i)
+            group.windows[i].half_angle = group.closed[i].half_angle;
+        }
+      else if (master_group < world.n_elastic_groups() && slave_group < world.n_elastic_groups())
         group.closed[1].springs = closed_springs(
             bore, masters.nodes.of_vertex, cylinder, slaves.nodes.of_vertex, law_.stiffness);
 
@@ -228,8 +309,8 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
                   pairs.end());
       // joints whose bores lie in one batch, lane by lane: their numbers are then side by side
       std::sort(pairs.begin(), pairs.end(), [&](const unsigned int a, const unsigned int b) {
-        const unsigned int i = world.node_address[scene.pairs[a].master].copy,
-                           j = world.node_address[scene.pairs[b].master].copy;
+        const unsigned int i = world.node_address[bores.pairs[a].master].copy,
+                           j = world.node_address[bores.pairs[b].master].copy;
         return std::make_pair(masters.batch_of(i), i) < std::make_pair(masters.batch_of(j), j);
       });
       group.pairs = pairs;
@@ -237,8 +318,8 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
                       {slave_group, cylinder_nodes, cylinder.n_circumferential(), {}, {}}}};
       for (const unsigned int i : pairs)
         {
-          group.sides[0].copy.push_back(world.node_address[scene.pairs[i].master].copy);
-          group.sides[1].copy.push_back(world.node_address[scene.pairs[i].slave.body].copy);
+          group.sides[0].copy.push_back(world.node_address[bores.pairs[i].master].copy);
+          group.sides[1].copy.push_back(world.node_address[bores.pairs[i].slave.body].copy);
         }
       for (Group::Side &side : group.sides)
         side.read.resize(n_batches_of(pairs.size()));
@@ -247,8 +328,12 @@ NodeBores::NodeBores(const scene::BoreFamily &scene, World &world, const bool se
       for (unsigned int i = 0; i < pairs.size(); ++i)
         {
           if (i % n_lanes == 0)
-            placed.batches.push_back(std::make_unique<JointBatch>(*placed.tables, law_, kernels));
-          const scene::BorePair &pair   = scene.pairs[pairs[i]];
+            {
+              placed.batches.push_back(std::make_unique<JointBatch>(*placed.tables, law_, kernels));
+              if (placed.flexibility)
+                placed.batches.back()->set_flexibility(*placed.flexibility);
+            }
+          const scene::BorePair &pair   = bores.pairs[pairs[i]];
           const unsigned int     master = world.node_address[pair.master].copy,
                              slave      = world.node_address[pair.slave.body].copy;
           placed.batches.back()->set_joint(
@@ -370,8 +455,18 @@ std::vector<ClosedPair> NodeBores::closed_pairs(const World &) const
   std::vector<ClosedPair> pairs;
   pairs.reserve(groups_.size());
   for (const Group &group : groups_)
-    pairs.push_back(group.closed);
+    if (!group.flexibility)
+      pairs.push_back(group.closed);
   return pairs;
+}
+
+std::vector<ClosedWindow> NodeBores::closed_windows() const
+{
+  std::vector<ClosedWindow> windows;
+  for (const Group &group : groups_)
+    if (group.flexibility)
+      windows.insert(windows.end(), group.windows.begin(), group.windows.end());
+  return windows;
 }
 
 std::optional<unsigned int> NodeBores::deepest_node(const unsigned int i) const

@@ -210,6 +210,8 @@ double static_error(const FreePart &part, const Basis &basis, const Vector &forc
   double compliance = 0.;
   for (unsigned int i = 0; i < basis.size(); ++i)
     compliance += std::pow(force * basis.modes[i] / basis.omega[i], 2);
+  for (const RoundFlexibility &side : basis.joints)
+    compliance += side.compliance(force);
   return 1. - compliance / (force * part.displacement(force));
 }
 } // namespace chaindrive::reduction

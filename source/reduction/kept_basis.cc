@@ -41,8 +41,9 @@ key_of(const FreePart &part, const std::vector<Vector> &tractions, const BasisOp
   return "basis of the " + part.name() + "; " + std::to_string(part.n_unknowns()) +
          " unknowns; matrices and tractions " + std::to_string(sum.value()) + "; modes up to " +
          to_text(options.modes_up_to, 12) + "; cap " + to_text(options.cap, 12) + "; negligible " +
-         to_text(options.negligible, 12) + "; version " + std::to_string(version) + " of " +
-         chaindrive::version;
+         to_text(options.negligible, 12) +
+         (options.orders.in_joints ? "" : "; joints without inertia") + "; version " +
+         std::to_string(version) + " of " + chaindrive::version;
 }
 
 /// The numbers of all @p vectors, one after the other, bit by bit.
@@ -69,17 +70,70 @@ std::vector<Vector> from_base64(const std::string &text, const std::size_t n)
   return vectors;
 }
 
+std::string to_base64(const std::vector<double> &numbers)
+{
+  return to_base64(std::vector<Vector>{Vector(numbers.begin(), numbers.end())});
+}
+
+nlohmann::json to_json(const RoundFlexibility &side)
+{
+  return {{"surface", static_cast<unsigned int>(side.surface)},
+          {"rings", to_base64(side.rings)},
+          {"columns", side.n_columns},
+          {"nodes", side.node},
+          {"m/N", to_base64(side.value)}};
+}
+
+/// Whether @p json is what to_json() writes of a side of a part with @p n_unknowns.
+bool is_round_flexibility(const nlohmann::json &json, const std::size_t n_unknowns)
+{
+  const std::size_t rings =
+      dealii::Utilities::decode_base64(json.at("rings")).size() / sizeof(double);
+  const nlohmann::json &columns = json.at("columns");
+  const auto           &nodes   = json.at("nodes").get_ref<const nlohmann::json::array_t &>();
+  return json.at("surface").is_number_unsigned() && json["surface"] < mesh::n_surfaces &&
+         columns.is_number_unsigned() && columns > 0 && rings > 0 &&
+         nodes.size() == rings * columns.get<std::size_t>() &&
+         std::all_of(nodes.begin(),
+                     nodes.end(),
+                     [n_unknowns](const nlohmann::json &node) {
+                       return node.is_number_unsigned() && 3 * node.get<std::size_t>() < n_unknowns;
+                     }) &&
+         dealii::Utilities::decode_base64(json.at("m/N")).size() ==
+             nodes.size() * rings * sizeof(double);
+}
+
+RoundFlexibility round_flexibility_from(const nlohmann::json &json)
+{
+  const auto numbers = [&json](const char *name) {
+    const std::vector<unsigned char> bytes = dealii::Utilities::decode_base64(json.at(name));
+    std::vector<double>              found(bytes.size() / sizeof(double));
+    std::memcpy(found.data(), bytes.data(), bytes.size());
+    return found;
+  };
+  RoundFlexibility side;
+  side.surface   = static_cast<mesh::Surface>(json.at("surface").get<unsigned int>());
+  side.rings     = numbers("rings");
+  side.n_columns = json.at("columns");
+  side.node      = json.at("nodes").get<std::vector<unsigned int>>();
+  side.value     = numbers("m/N");
+  return side;
+}
+
 nlohmann::json to_json(const Basis &basis)
 {
   nlohmann::json errors = nlohmann::json::array();
   for (const Basis::Error &error : basis.errors)
     errors.push_back({error.load, error.relative});
-  return {{"natural", basis.n_natural},
-          {"rad/s", basis.omega},
-          {"shapes", to_base64(basis.modes)},
-          {"reflections", basis.reflections},
-          {"symmetry", basis.symmetry},
-          {"errors", errors}};
+  nlohmann::json json = {{"natural", basis.n_natural},
+                         {"rad/s", basis.omega},
+                         {"shapes", to_base64(basis.modes)},
+                         {"reflections", basis.reflections},
+                         {"symmetry", basis.symmetry},
+                         {"errors", errors}};
+  for (const RoundFlexibility &side : basis.joints)
+    json["joints"].push_back(to_json(side));
+  return json;
 }
 
 /// Whether @p json is a basis of a part with @p n_unknowns, as to_json() writes it.
@@ -102,6 +156,10 @@ bool is_basis(const nlohmann::json &json, const std::size_t n_unknowns)
   for (const nlohmann::json &error : json.at("errors"))
     if (!error.at(0).is_string() || !error.at(1).is_number())
       return false;
+  if (json.contains("joints"))
+    for (const nlohmann::json &side : json["joints"])
+      if (!is_round_flexibility(side, n_unknowns))
+        return false;
   return std::all_of(
              omega.begin(),
              omega.end(),
@@ -120,16 +178,19 @@ Basis from_json(const nlohmann::json &json)
   basis.symmetry    = json.at("symmetry").get<std::vector<unsigned int>>();
   for (const nlohmann::json &error : json.at("errors"))
     basis.errors.push_back({error.at(0), error.at(1)});
+  if (json.contains("joints"))
+    for (const nlohmann::json &side : json["joints"])
+      basis.joints.push_back(round_flexibility_from(side));
   return basis;
 }
 } // namespace
 
-BasisOptions options_of(const parameters::Reduction &reduction)
+BasisOptions options_of(const parameters::Reduction &reduction, const bool pressed_joints)
 {
   BasisOptions options;
   options.modes_up_to = 2. * dealii::numbers::PI * reduction.modes_up_to;
   options.cap         = 2. * dealii::numbers::PI * reduction.highest;
-  options.orders      = {reduction.tube_order, reduction.pin_order};
+  options.orders      = {reduction.tube_order, reduction.pin_order, pressed_joints};
   return options;
 }
 
@@ -159,6 +220,8 @@ Basis kept_basis(const mesh::Part           &part,
     if (announce)
       announce("Finding the modes of the " + part.name + ", which are kept for later runs ...");
     Basis basis = make_basis(free, loads, options);
+    if (!options.orders.in_joints)
+      basis.joints = round_flexibilities(free, part, nodes, basis);
     for (const Load &load : contact_loads(part, nodes))
       basis.errors.push_back({load.name, static_error(free, basis, load.force)});
     const nlohmann::json json = to_json(basis);

@@ -68,6 +68,15 @@ void add(const mesh::CylinderGrid &grid,
 }
 } // namespace
 
+std::vector<mesh::Surface> joint_sides(const mesh::Part &part)
+{
+  std::vector<mesh::Surface> sides;
+  for (const Side &side : all_sides)
+    if (has(part, side.surface) && side.surface != mesh::roller_outside)
+      sides.push_back(side.surface);
+  return sides;
+}
+
 std::vector<Vector>
 tractions(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders)
 {
@@ -79,7 +88,8 @@ tractions(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders
       const mesh::CylinderGrid grid(part, side.surface);
       const unsigned int       highest =
           std::min(side.of_pin ? orders.pin : orders.tube, (grid.n_circumferential() - 1) / 2);
-      for (unsigned int power = 0; power <= side.power; power += part.half ? 2 : 1)
+      const bool pressed = orders.in_joints || side.surface == mesh::roller_outside;
+      for (unsigned int power = 0; pressed && power <= side.power; power += part.half ? 2 : 1)
         for (unsigned int n = 0; n <= highest; ++n)
           for (const bool sine : {false, true})
             {

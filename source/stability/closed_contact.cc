@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/stability/closed_contact.h>
 #include <chaindrive/stability/closed_modes.h>
+#include <chaindrive/stability/closed_windows.h>
 #include <chaindrive/stability/coupled_modes.h>
 #include <chaindrive/stability/critical_time_step.h>
 
@@ -114,6 +115,8 @@ bool is_modal(const std::vector<Bodies> &bodies, const ClosedSide &side)
 double
 take_coupled(const World &world, const std::vector<Bodies> &bodies, std::vector<ClosedKind> &kinds)
 {
+  if (kinds.empty())
+    return std::numeric_limits<double>::infinity();
   auto coupled = CoupledModes::make(world, kinds);
   if (!coupled)
     return std::numeric_limits<double>::infinity();
@@ -299,7 +302,10 @@ double closed_contact_time_step(const World &world, const contact::Contacts &con
             }
         limit = std::min(limit, step);
       }
-  return limit;
+  std::vector<const contact::Family *> families;
+  for (const auto &family : contacts.families())
+    families.push_back(family);
+  return std::min(limit, closed_windows_time_step(world, families));
 }
 
 double closed_contact_time_step(const World &world, const contact::Family &family)
@@ -319,6 +325,6 @@ double closed_contact_time_step(const World &world, const contact::Family &famil
         }
       step = std::min(step, critical_time_step_of(both, both * kind.time));
     }
-  return step;
+  return std::min(step, closed_windows_time_step(world, {&family}));
 }
 } // namespace chaindrive::stability

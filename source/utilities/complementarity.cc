@@ -64,7 +64,7 @@ void list(const std::vector<char> &closed, ClosedSet &set)
 } // namespace
 
 ComplementaritySolver::ComplementaritySolver(const int width)
-    : kernels_(*complementarity_kernels(width))
+    : kernels_(complementarity_kernels(width))
 {
 }
 
@@ -93,7 +93,7 @@ void ComplementaritySolver::factor(const std::array<ComplementarityProblem, n_la
             *to = row != nullptr ? row[set[j]] : i == j ? 1. : 0.;
         }
     }
-  kernels_.factor(n_rows_, factor_.begin());
+  kernels_->factor(n_rows_, factor_.begin());
   for (unsigned int i = 0; i < n_rows_; ++i)
     for (unsigned int lane = 0; lane < n_lanes; ++lane)
       if (!std::isfinite(factor_[(triangle_row(i) + i) * n_lanes + lane]))
@@ -113,12 +113,12 @@ void ComplementaritySolver::find_wrong(const ComplementarityProblem &problem,
   gap_.resize_fast(problem.stride);
   std::copy_n(problem.gap, problem.n, gap_.begin());
   std::fill(gap_.begin() + problem.n, gap_.end(), 0.);
-  kernels_.add_rows(problem.stride,
-                    problem.matrix,
-                    static_cast<unsigned int>(set.number.size()),
-                    set.number.data(),
-                    set.pressure.data(),
-                    gap_.begin());
+  kernels_->add_rows(problem.stride,
+                     problem.matrix,
+                     static_cast<unsigned int>(set.number.size()),
+                     set.number.data(),
+                     set.pressure.data(),
+                     gap_.begin());
   for (unsigned int a = 0; a < set.number.size(); ++a)
     gap_[set.number[a]] = set.pressure[a] < 0. ? -std::numeric_limits<double>::max() : 0.;
   search.wrong.clear();
@@ -175,7 +175,7 @@ void ComplementaritySolver::solve(const std::array<ComplementarityProblem, n_lan
         if (!searches_[lane].is_done)
           for (unsigned int a = 0; a < sets[lane].number.size(); ++a)
             x_[std::size_t(a) * n_lanes + lane] = -problems[lane].gap[sets[lane].number[a]];
-      kernels_.solve(n_rows_, factor_.begin(), x_.begin());
+      kernels_->solve(n_rows_, factor_.begin(), x_.begin());
       for (unsigned int lane = 0; lane < n_lanes; ++lane)
         {
           Search &search = searches_[lane];

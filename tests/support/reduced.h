@@ -19,7 +19,10 @@ inline reduction::Basis basis_of(const scene::Scene            &scene,
   const mesh::Nodes         nodes(part);
   const reduction::FreePart free(
       part, nodes, element::ElasticPart(part, nodes, scene.material, scene.elements));
-  return make_basis(free, tractions(part, nodes, options.orders), options);
+  reduction::Basis basis = make_basis(free, tractions(part, nodes, options.orders), options);
+  if (!options.orders.in_joints)
+    basis.joints = round_flexibilities(free, part, nodes, basis);
+  return basis;
 }
 
 /// Makes all elastic bodies of @p scene but sprockets reduced ones.

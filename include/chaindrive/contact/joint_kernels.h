@@ -91,6 +91,17 @@ struct GapArguments
   double  closing[n_lanes]; ///< greatest rate at which a gap becomes smaller, m/s; 0 if none does
 };
 
+/// Nodes of joints whose normal forces are found for all nodes of a joint together, without a
+/// penalty. Arrays of numbers are [place of the column in the window][one of the rings][lane],
+/// aligned to 64 bytes, for as many places as the largest window has.
+struct WindowNodes
+{
+  unsigned int        n_rings;
+  const unsigned int *ring;  ///< slave rings
+  double             *gap;   ///< m; a metre where a lane has no such node
+  const double       *force; ///< normal forces, N
+};
+
 /// The kernels of one instruction set.
 struct JointKernels
 {
@@ -99,6 +110,11 @@ struct JointKernels
   void (*add_forces)(const JointArguments &);
   /// Geometry alone, for all slave nodes of each lane, whatever the window.
   void (*measure)(const JointArguments &, GapArguments &);
+  /// Gaps of the slave nodes of each lane's window.
+  void (*measure_window)(const JointArguments &, const WindowNodes &);
+  /// Adds the normal forces to both sides of each lane, with friction. What a node remembers as its
+  /// penetration is its normal force.
+  void (*press)(const JointArguments &, const WindowNodes &);
 };
 
 /// Kernels of @p width 1, 2, 4 or 8 numbers; null where this machine has none, as with

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/contact/joint_flexibility.h>
 #include <chaindrive/contact/joint_kernels.h>
 #include <chaindrive/contact/search_cadence.h>
 #include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/utilities/archive.h>
+#include <chaindrive/utilities/complementarity.h>
 
 #include <deal.II/base/aligned_vector.h>
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace chaindrive::contact
@@ -57,6 +60,10 @@ public:
   /// @p tables must outlive the batch. @p kernels are those of joint_kernels().
   JointBatch(const JointTables &tables, const scene::ContactLaw &law, const JointKernels &kernels);
 
+  /// From now on normal forces are those that a @p flexibility, which must outlive the batch, asks
+  /// for in place of a penalty: gaps that have no force, and forces that leave no gap.
+  void set_flexibility(const JointFlexibility &flexibility);
+
   void set_joint(int lane, const JointBody &master, const JointBody &slave);
 
   /// Makes the windows anew. @p reach [m], not negative: with 0 the search is due at every step.
@@ -103,6 +110,9 @@ private:
   /// Makes one lane's window anew; returns the nodes missed.
   unsigned int search_lane(int lane, double reach);
 
+  /// The contact forces of joints without penalty.
+  void press();
+
   /// Points the kernels' arguments to what this holds, wherever that has been moved.
   void connect();
 
@@ -115,7 +125,22 @@ private:
   std::vector<unsigned int>     ring_, cell_;
   std::vector<unsigned int>     searched_cell_; ///< cell_ at the last search
   std::array<double, n_lanes>   closing_{};
-  SearchCadence                 cadence_;       ///< s
-  bool                          fresh_ = false; ///< searched since the last add_forces()
+  SearchCadence                 cadence_; ///< s
+
+  /// Of joints without penalty.
+  struct Exact
+  {
+    explicit Exact(const JointFlexibility &flexibility);
+
+    const JointFlexibility        &flexibility;
+    ComplementaritySolver          solver;
+    std::array<ClosedSet, n_lanes> sets; ///< of nodes [place in the window][ring]
+
+    std::array<dealii::AlignedVector<double>, n_lanes>    gap;
+    std::array<const JointFlexibility::Matrix *, n_lanes> matrix{};     ///< at the last solution
+    dealii::AlignedVector<double>                         gaps, forces; ///< of WindowNodes
+  };
+  std::unique_ptr<Exact> exact_;
+  bool                   fresh_ = false; ///< searched since the last add_forces()
 };
 } // namespace chaindrive::contact

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/contact/closed_window.h>
 #include <chaindrive/contact/family.h>
 #include <chaindrive/contact/joints.h>
+#include <chaindrive/scene/scene.h>
 
 #include <array>
 #include <map>
@@ -15,11 +17,19 @@ namespace chaindrive::contact
 /// Elastic cylinders in elastic bores, n_lanes joints at a time: see JointBatch. One of the two may
 /// be rigid, see RigidSurfaceNodes. One record per pair. A joint is evaluated by the rank that owns
 /// its bore or, where nodes do not travel and that makes loads more even, its cylinder.
-class NodeBores : public Family
+///
+/// Reduced bodies whose bases have the flexibility of their joints (reduction::Basis::joints) touch
+/// without penalty: no node overlaps, and what the sides deflect beside their modes has no inertia.
+/// Such joints have no contact damping, and stick by springs a tenth as stiff as with a penalty:
+/// these still yield little against what joints slide, and do not limit the step.
+class NodeBores : public Family, public HasClosedWindows
 {
 public:
   /// @p world must outlive this.
-  NodeBores(const scene::BoreFamily &scene, World &world, bool search_every_step);
+  NodeBores(const scene::Scene      &scene,
+            const scene::BoreFamily &bores,
+            World                   &world,
+            bool                     search_every_step);
 
   /// Makes ghosts in @p world of the nodes of other ranks in joints that this rank evaluates.
   static void want_ghosts(const scene::BoreFamily &scene, World &world);
@@ -30,7 +40,8 @@ public:
   void add_springs(const World &, std::vector<Spring> &) const override {}
   bool needs_search() const override { return false; }
 
-  std::vector<ClosedPair> closed_pairs(const World &world) const override;
+  std::vector<ClosedPair>   closed_pairs(const World &world) const override;
+  std::vector<ClosedWindow> closed_windows() const override;
 
   void                        serialize(const Archive &archive, unsigned int rank) override;
   std::optional<unsigned int> deepest_node(unsigned int i) const override;
@@ -65,6 +76,9 @@ private:
     };
     std::array<Side, 2> sides;  ///< bore and cylinder
     ClosedPair          closed; ///< bore and cylinder
+
+    std::unique_ptr<const JointFlexibility> flexibility; ///< without penalty
+    std::array<ClosedWindow, 2>             windows;     ///< then: bore and cylinder
   };
 
   /// Announces what the batch of joints number @p b reads: the sides of its bodies, or what is in

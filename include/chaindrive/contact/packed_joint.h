@@ -379,10 +379,4 @@ void measure_gaps(const JointArguments &arg, GapArguments &gaps)
   for (int lane = 0; lane < n_lanes; lane += width)
     measure_gaps_of<width>(arg, gaps, lane);
 }
-
-template <int width>
-constexpr JointKernels make_joint_kernels()
-{
-  return {width, add_forces<width>, measure_gaps<width>};
-}
 } // namespace chaindrive::contact::packed

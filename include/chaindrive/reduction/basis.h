@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/reduction/free_modes.h>
+#include <chaindrive/reduction/round_flexibility.h>
 #include <chaindrive/reduction/tractions.h>
 
 #include <string>
@@ -40,6 +41,10 @@ struct Basis
   };
   std::vector<Error> errors; ///< for contact_loads()
 
+  /// Of sides in joints, if no pressures there are among the tractions: what they deflect without
+  /// inertia.
+  std::vector<RoundFlexibility> joints;
+
   std::vector<std::string> notes; ///< what was wrong with one that was kept
 
   unsigned int size() const { return static_cast<unsigned int>(omega.size()); }
@@ -57,6 +62,7 @@ Basis make_basis(const FreePart            &part,
                  const std::vector<Vector> &tractions,
                  const BasisOptions        &options);
 
-/// The part of the compliance f . u under the @p force that the @p basis lacks.
+/// The part of the compliance f . u under the @p force that the @p basis, with Basis::joints,
+/// lacks.
 double static_error(const FreePart &part, const Basis &basis, const Vector &force);
 } // namespace chaindrive::reduction

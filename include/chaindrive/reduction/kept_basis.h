@@ -10,8 +10,9 @@
 
 namespace chaindrive::reduction
 {
-/// The options of section `Reduction`.
-BasisOptions options_of(const parameters::Reduction &reduction);
+/// The options of section `Reduction`, with modes for pressures in joints, or, without such, what
+/// their sides deflect without inertia.
+BasisOptions options_of(const parameters::Reduction &reduction, bool pressed_joints = true);
 
 /// The basis of @p part, with its errors in statics, from the @p cache if it is there: the same bit
 /// by bit on all ranks of @p comm, whose first one computes it and reads and writes the cache.

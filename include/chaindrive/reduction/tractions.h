@@ -14,7 +14,15 @@ struct Orders
 {
   unsigned int tube = 8; ///< of rollers and bushes, which become oval
   unsigned int pin  = 6;
+
+  /// Sides in joints too: else what they deflect beside natural modes has no inertia, see
+  /// round_flexibility.h, and no pressures on them are needed.
+  bool in_joints = true;
 };
+
+/// The cylindrical sides of @p part that touch others but for the outside of rollers, in which
+/// teeth press.
+std::vector<mesh::Surface> joint_sides(const mesh::Part &part);
 
 /// What acts on every cylindrical side of @p part that touches another part, as forces of the
 /// nodes, N, with zeta = z over half of the side's length:

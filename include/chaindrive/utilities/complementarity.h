@@ -96,7 +96,7 @@ private:
                   const ClosedSet              &set,
                   Search                       &search);
 
-  const ComplementarityKernels                  &kernels_;
+  const ComplementarityKernels                  *kernels_;
   std::array<Search, n_lanes>                    searches_;
   std::array<std::vector<unsigned int>, n_lanes> factored_;        ///< the sets
   unsigned int                                   n_rows_      = 0; ///< of the factors

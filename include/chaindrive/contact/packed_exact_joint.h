@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+// Bodies of the kernels of joint_kernels.h for joints without penalty, as in packed_joint.h: gaps
+// of the nodes in the windows, and forces on them that somebody has found for all nodes of a joint.
+
+#include <chaindrive/contact/packed_joint.h>
+
+namespace chaindrive::contact::packed
+{
+/// The slave node of ring @p s that is @p place columns after the first of the windows, and where
+/// it meets the bore. Returns false if no lane has it.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE bool visit_window(const JointArguments &arg,
+                                           const int             lane,
+                                           const Joints<width>  &joints,
+                                           const unsigned int    s,
+                                           const unsigned int    place,
+                                           unsigned int (&index)[width],
+                                           bool (&active)[width],
+                                           Meeting<width> &m)
+{
+  const JointGrid   &grid   = *arg.grid;
+  const JointWindow &window = *arg.window;
+  unsigned int       cell[width], column[width];
+  bool               any = false;
+  for (int l = 0; l < width; ++l)
+    {
+      column[l] = (window.first[lane + l] + place) % grid.slave_circumferential;
+      active[l] = joints.present[l] && place < window.count[lane + l];
+      any |= active[l];
+      index[l] = s * grid.slave_circumferential + column[l];
+      cell[l]  = arg.cell[column[l] * n_lanes + lane + l];
+    }
+  if (!any)
+    return false;
+  take_slave(joints, index, m);
+  meet(grid, joints, cell, arg.ring + s * n_lanes + lane, m);
+  for (int l = 0; l < width; ++l)
+    arg.cell[column[l] * n_lanes + lane + l] = cell[l];
+  return true;
+}
+
+/// The largest window of the lanes from @p lane on.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE unsigned int
+largest_window(const JointArguments &arg, const int lane, const Joints<width> &joints)
+{
+  unsigned int visits = 0;
+  for (int l = 0; l < width; ++l)
+    if (joints.present[l] && arg.window->count[lane + l] > visits)
+      visits = arg.window->count[lane + l];
+  return visits;
+}
+
+template <int width>
+void measure_window_of(const JointArguments &arg, const WindowNodes &nodes, const int lane)
+{
+  Joints<width> joints;
+  if (!take_lanes(arg, lane, joints))
+    return;
+  const unsigned int visits = largest_window(arg, lane, joints);
+  if (visits == 0)
+    return;
+  find_frame(*arg.grid, joints);
+#pragma GCC unroll 1
+  for (unsigned int place = 0; place < visits; ++place)
+#pragma GCC unroll 1
+    for (unsigned int k = 0; k < nodes.n_rings; ++k)
+      {
+        Meeting<width> m;
+        unsigned int   index[width];
+        bool           active[width];
+        if (!visit_window(arg, lane, joints, nodes.ring[k], place, index, active, m))
+          continue;
+        double *gap = nodes.gap + (place * nodes.n_rings + k) * n_lanes + lane;
+        for (int l = 0; l < width; ++l)
+          gap[l] = active[l] ? m.gap[l] : 1.;
+      }
+}
+
+/// A normal force as that of a law of unit stiffness: its energy is booked for the whole joint.
+template <typename Number>
+struct GivenForce
+{
+  Number force; ///< N
+  Number rate;  ///< which the law has no damping for
+
+  CHAINDRIVE_ALWAYS_INLINE Number penetration() const { return force; }
+
+  template <int n_tangents>
+  CHAINDRIVE_ALWAYS_INLINE void book(const scene::ContactLawOf<Number> &,
+                                     const TouchStateOf<Number, n_tangents> &,
+                                     const TouchStateOf<Number, n_tangents> &,
+                                     ContactEnergies<Number> &) const
+  {
+  }
+};
+
+template <int width>
+void press_of(const JointArguments &arg, const WindowNodes &nodes, const int lane)
+{
+  using P               = Pack<double, width>;
+  const JointGrid &grid = *arg.grid;
+  JointSums       &sums = *arg.sums;
+  for (int l = lane; l < lane + width; ++l)
+    {
+      sums.stored[l] = sums.largest_penetration[l] = 0.;
+      sums.touching[l]                             = 0;
+      for (auto &component : sums.force)
+        component[l] = 0.;
+    }
+  Joints<width> joints;
+  if (!take_lanes(arg, lane, joints))
+    return;
+  const unsigned int visits = largest_window(arg, lane, joints);
+  if (visits == 0)
+    return;
+  find_frame(grid, joints);
+
+  const P            zero(0.);
+  ContactEnergies<P> energies{zero, zero, zero};
+  P                  total[3] = {zero, zero, zero};
+#pragma GCC unroll 1
+  for (unsigned int place = 0; place < visits; ++place)
+#pragma GCC unroll 1
+    for (unsigned int k = 0; k < nodes.n_rings; ++k)
+      {
+        const unsigned int s     = nodes.ring[k];
+        const double      *given = nodes.force + (place * nodes.n_rings + k) * n_lanes + lane;
+        unsigned int       state_at[width];
+        bool               changes[width], any = false;
+        for (int l = 0; l < width; ++l)
+          {
+            const unsigned int column =
+                (arg.window->first[lane + l] + place) % grid.slave_circumferential;
+            state_at[l] =
+                (s * grid.slave_circumferential + column) * n_touch_entries * n_lanes + lane + l;
+            changes[l] =
+                joints.present[l] && place < arg.window->count[lane + l] &&
+                (given[l] > 0. || arg.state[state_at[l] + touch_penetration * n_lanes] > 0.);
+            any |= changes[l];
+          }
+        if (!any)
+          continue;
+        Meeting<width> m;
+        unsigned int   index[width];
+        bool           active[width];
+        if (!visit_window(arg, lane, joints, s, place, index, active, m))
+          continue;
+        alignas(64) double in[n_touch_entries + 1][width];
+        for (int l = 0; l < width; ++l)
+          {
+            for (unsigned int entry = 0; entry < n_touch_entries; ++entry)
+              in[entry][l] = changes[l] ? arg.state[state_at[l] + entry * n_lanes] : 0.;
+            in[n_touch_entries][l] = changes[l] ? given[l] : 0.;
+          }
+        TouchStateOf<P> touch{
+            P::load(in[touch_penetration]),
+            P::load(in[touch_normal]),
+            {P::load(in[touch_slip_around]), P::load(in[touch_slip_along])},
+            {P::load(in[touch_tangential_around]), P::load(in[touch_tangential_along])}};
+        Motion<P> motion;
+        find_motion(joints, m, motion);
+        const P                      slip_rate[2] = {motion.relative[1] - motion.arm * motion.spin,
+                                                     motion.relative[2] - motion.arm * motion.tilt};
+        const P                      area(grid.area[s]);
+        const scene::ContactLawOf<P> law{P(1.),
+                                         zero,
+                                         P(arg.law.friction),
+                                         area * P(arg.law.tangential_stiffness),
+                                         area * P(arg.law.tangential_damping)};
+        update_touch(law,
+                     GivenForce<P>{P::load(in[n_touch_entries]), zero},
+                     slip_rate,
+                     P(arg.dt),
+                     arg.law.friction > 0.,
+                     touch,
+                     energies);
+
+        alignas(64) double now[n_touch_entries][width];
+        touch.penetration.store(now[touch_penetration]);
+        touch.normal.store(now[touch_normal]);
+        touch.slip[0].store(now[touch_slip_around]);
+        touch.slip[1].store(now[touch_slip_along]);
+        touch.tangential[0].store(now[touch_tangential_around]);
+        touch.tangential[1].store(now[touch_tangential_along]);
+        bool touches[width];
+        for (int l = 0; l < width; ++l)
+          {
+            if (changes[l])
+              for (unsigned int entry = 0; entry < n_touch_entries; ++entry)
+                arg.state[state_at[l] + entry * n_lanes] = now[entry][l];
+            touches[l] = changes[l] && now[touch_normal][l] > 0.;
+            sums.touching[lane + l] += touches[l];
+          }
+        const P(&e)[2]   = motion.ray;
+        const P local[3] = {zero - touch.normal * e[0] - touch.tangential[0] * e[1],
+                            touch.tangential[0] * e[0] - touch.normal * e[1],
+                            touch.tangential[1]};
+        P       force[3];
+        out_of_frame(joints.axes, local, force);
+        for (int i = 0; i < 3; ++i)
+          total[i] += force[i];
+        scatter(arg, lane, joints, m, motion, force, touch.tangential, touches);
+      }
+  for (int l = 0; l < width; ++l)
+    {
+      sums.stored[lane + l] = energies.stored[l];
+      for (int i = 0; i < 3; ++i)
+        sums.force[i][lane + l] = total[i][l];
+      sums.friction_loss[lane + l] += energies.friction_loss[l];
+    }
+}
+
+template <int width>
+void measure_window(const JointArguments &arg, const WindowNodes &nodes)
+{
+  for (int lane = 0; lane < n_lanes; lane += width)
+    measure_window_of<width>(arg, nodes, lane);
+}
+
+template <int width>
+void press(const JointArguments &arg, const WindowNodes &nodes)
+{
+  for (int lane = 0; lane < n_lanes; lane += width)
+    press_of<width>(arg, nodes, lane);
+}
+
+template <int width>
+constexpr JointKernels make_joint_kernels()
+{
+  return {width, add_forces<width>, measure_gaps<width>, measure_window<width>, press<width>};
+}
+} // namespace chaindrive::contact::packed

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/bodies/world.h>
+#include <chaindrive/contact/family.h>
+
+#include <vector>
+
+namespace chaindrive::stability
+{
+/// The critical time step [s] of modal bodies that some of @p families hold without penalty;
+/// infinite without such.
+///
+/// Where the patches of a set are closed and what they meet stands still, the modes and rigid
+/// motions of a body have the matrix W^2 + N^T C^-1 N, with what they displace patches by, N, and
+/// what these deflect without inertia, C, of this body alone. No system of bodies whose joints are
+/// closed in such sets is faster than the fastest of its bodies so held: its elastic energy is the
+/// least over all deflections that close the gaps, and one that returns all patches of each body to
+/// where they were closes them all. Springs of other contacts on the same bodies are added, dampers
+/// with them.
+///
+/// Each side closes in a window about one of n_directions. Of several sides of a body the worst
+/// directions are searched for one after the other, from some that all sides have in common, until
+/// none gets worse.
+double closed_windows_time_step(const World                                &world,
+                                const std::vector<const contact::Family *> &families);
+} // namespace chaindrive::stability

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Seven links pulled, inner and outer ones in turn, whose joints have no penalty: the force in a
+// joint in the middle is that of room statics, which has other elements, meshes and a solution of
+// its own, within 3 % at the same extension, from 100 to 3000 N. Links keep their centres of mass
+// and directions; those at the ends are stretched to one side only. With the penalty of full and
+// the same meshes the joint is softer by more than 5 %.
+#include "../support/reduced.h"
+
+#include <chaindrive/dynamics/relaxation.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
+#include <chaindrive/scene/build.h>
+#include <chaindrive/statics/library.h>
+#include <chaindrive/statics/part_stiffness.h>
+
+#include <deal.II/base/mpi.h>
+
+using namespace test;
+
+namespace
+{
+bool with_numbers = false; ///< behind the verdicts: if there is an argument
+
+constexpr unsigned int n_links = 7;
+
+/// The links, with pins in their bushes by @p extension [m] more than they touch.
+scene::Scene pulled(const Parameters &p, const drive::Drive &drive, const double extension)
+{
+  scene::Scene scene    = empty_scene();
+  scene.half            = true;
+  scene.drive.pitch     = drive.chain.pitch;
+  scene.drive.n_joints  = n_links - 1;
+  scene.material        = p.material;
+  scene.elements        = p.elements;
+  scene.prestress       = 1e4;
+  const double distance = 0.5 * (drive.chain.inner_hole_pitch + drive.chain.outer_hole_pitch) +
+                          drive.chain.pin_clearance() + extension;
+  for (unsigned int i = 0; i < n_links; ++i)
+    {
+      scene::Body link = body(scene::Motion::elastic,
+                              scene::Mount::free(),
+                              1.,
+                              vector(1., 1., 1.),
+                              vector(i * distance, 0.));
+      link.kind        = i % 2 == 0 ? scene::Kind::inner_link : scene::Kind::outer_link;
+      link.number      = i;
+      scene.bodies.push_back(link);
+    }
+  for (const bool inner : {true, false})
+    scene.parts[inner ? scene::Kind::inner_link : scene::Kind::outer_link] =
+        scene::make_link_part({p.mesh, p.material.density, scene.half}, drive, inner);
+
+  scene::BoreFamily pins;
+  pins.name            = "bush-pin";
+  pins.elastic         = true;
+  const auto thickness = [&](const scene::Kind kind, const mesh::Surface side) {
+    const mesh::Part &part = *scene.parts.at(kind);
+    return mesh::SurfaceNodes(part, mesh::Nodes(part), side).thickness;
+  };
+  pins.law.stiffness = 0.5 * p.material.bulk_modulus() /
+                       std::max(thickness(scene::Kind::inner_link, mesh::bush_bore_first),
+                                thickness(scene::Kind::outer_link, mesh::pin_outside_first));
+  pins.half_angle = drive::largest_half_angle(
+      0.5 * drive.chain.pin_diameter, drive.chain.pin_clearance(), p.material);
+  for (unsigned int joint = 0; joint + 1 < n_links; ++joint)
+    {
+      const bool         inner_first = joint % 2 == 0;
+      const unsigned int inner       = joint + (inner_first ? 0 : 1),
+                         outer       = joint + (inner_first ? 1 : 0);
+      pins.pairs.push_back(
+          {inner,
+           dealii::Point<3>((inner_first ? 0.5 : -0.5) * drive.chain.inner_hole_pitch, 0., 0.),
+           0.5 * drive.chain.bush_bore,
+           {outer, dealii::Point<3>(), 0.5 * drive.chain.pin_diameter, joint},
+           inner_first ? mesh::bush_bore_second : mesh::bush_bore_first,
+           inner_first ? mesh::pin_outside_first : mesh::pin_outside_second});
+    }
+  scene.bores.push_back(pins);
+  return scene;
+}
+
+/// In the middle, of links that @p known bases move.
+double pin_force(scene::Scene                   scene,
+                 const reduction::BasisOptions &options,
+                 decltype(scene::Scene::bases) &known)
+{
+  scene.bases = known;
+  reduce(scene, options);
+  known = scene.bases;
+  return dynamics::Relaxation(scene, MPI_COMM_SELF, 1e-5).joint_forces().pin[n_links / 2 - 1];
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  with_numbers = argc > 1;
+  Parameters p;
+  p.model.fidelity              = "full";
+  p.model.half                  = parameters::SymmetryModel::yes;
+  p.mesh.refinement             = 1;
+  p.mesh.inner_link             = {48, 2, 2, 2, 12};
+  p.mesh.outer_link             = {48, 2, 2, 2, 20};
+  const drive::Drive      drive = drive::make_drive(p);
+  statics::Library        library(p.material, statics::Cache::usual_folder(), MPI_COMM_SELF);
+  reduction::BasisOptions exact, penalty;
+  exact.modes_up_to      = 2. * dealii::numbers::PI * 130e3;
+  exact.orders.in_joints = false;
+  decltype(scene::Scene::bases) of_exact, of_penalty;
+  for (const double load : {100., 500., 1412., 3000.})
+    {
+      const double extension =
+          statics::at_force(
+              [&](const unsigned int k) { return library.pulled_links(drive.chain, k); }, load)
+              .approach[0];
+      const scene::Scene scene = pulled(p, drive, extension);
+      const double       ratio = pin_force(scene, exact, of_exact) / load;
+      if (with_numbers)
+        std::cerr << load << " N: " << ratio << std::endl;
+      verdict(std::to_string(int(load)) + " N, within 3 % of statics", std::abs(ratio - 1.) < 0.03);
+      if (load != 1412.)
+        continue;
+      const double soft = pin_force(scene, penalty, of_penalty) / load;
+      if (with_numbers)
+        std::cerr << "penalty: " << soft << std::endl;
+      verdict("with a penalty it is softer by more than 5 %", soft < 0.95);
+    }
+}
