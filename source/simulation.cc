@@ -109,7 +109,9 @@ part_bases(const Parameters &parameters, const MPI_Comm comm, const Announce &an
             reduction::kept_basis(part,
                                   parameters.material,
                                   parameters.elements,
-                                  reduction::options_of(parameters.reduction),
+                                  reduction::options_of(parameters.reduction,
+                                                        parameters.contact.enforcement ==
+                                                            parameters::Enforcement::penalty),
                                   cache,
                                   comm,
                                   announce));

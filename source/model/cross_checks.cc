@@ -297,6 +297,40 @@ void check_model(const Parameters &p, Findings &findings)
       "Loads/Torque after step in N m has no effect, since Torque step time in ms is auto.");
 }
 
+/// Contact without penalty is for joints both of whose sides are reduced.
+void check_enforcement(const Parameters &p, const Effects &effects, Findings &findings)
+{
+  if (p.contact.enforcement != parameters::Enforcement::exact_joints)
+    return;
+  const std::string entry = "Contact/Enforcement = exact joints";
+  if (!p.model.capabilities().is_reduced)
+    {
+      findings.contradiction(true,
+                             entry + " is for bodies that deform in modes, which " +
+                                 chosen_fidelity(p) +
+                                 " has not; choose penalty, or Model/Fidelity = reduced.");
+      return;
+    }
+  findings.contradiction(p.model.elastic_links == ElasticLinks::region_of_interest,
+                         entry + " is for chains all of whose links are elastic, but Model/Elastic "
+                                 "links = region of interest; choose all, or Enforcement = "
+                                 "penalty.");
+  for (const auto &[name, effect] :
+       {std::pair<const char *, Effect>{"Elastic links", Effect::elastic_links},
+        {"Elastic rollers", Effect::elastic_rollers}})
+    findings.contradiction(!effects.is_on(effect),
+                           entry + " needs elastic links and rollers, but Effects/" + name +
+                               " is off; choose on, or Enforcement = penalty.");
+  constexpr double least = 110e3; // Hz
+  findings.contradiction(
+      p.reduction.modes_up_to < least,
+      "Reduction/Modes up to in kHz = " + to_entry_text(p.reduction.modes_up_to, unit::kilo) +
+          " is too low for " + entry +
+          ", in which only modes tell one end of a link what happens at the "
+          "other; choose at least " +
+          to_entry_text(least, unit::kilo) + ".");
+}
+
 /// What is asked of an idler.
 void check_wheels(const Parameters &p, Findings &findings)
 {
@@ -498,6 +532,7 @@ std::vector<std::string> cross_check(const Parameters &parameters, const Effects
   check_wheels(parameters, findings);
   check_effects(parameters, effects, findings);
   check_elasticity(parameters, effects, findings);
+  check_enforcement(parameters, effects, findings);
   check_quantities(parameters, effects, findings);
   check_noise(parameters, findings);
   check_mesh(parameters.mesh, findings);

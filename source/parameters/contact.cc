@@ -75,6 +75,15 @@ void Contact::declare(Declarations &declarations)
       "Tangential over normal stiffness of a sticking contact. Two elastic half-spaces have 2 (1 - "
       "nu) / (2 - nu), which is 0.82 for steel. A smaller value allows a longer time step.");
   add(declarations,
+      "Enforcement",
+      enforcement,
+      "How elastic bodies are kept from overlapping. penalty: by stiff springs, see Penalty "
+      "factor. exact joints: in reduced fidelity roller and bush, and bush and pin, do not overlap "
+      "at all, and their walls deflect as their meshes do, so that links stretch as in static "
+      "solutions. What natural modes (Reduction/Modes up to in kHz, at least 110) lack of that "
+      "flexibility has no inertia; joints have no contact damping. Rollers and teeth touch by "
+      "penalty.");
+  add(declarations,
       "Penalty factor",
       penalty_factor,
       unit::si,

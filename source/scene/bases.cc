@@ -20,6 +20,9 @@ std::string note_of(const std::string &name, const reduction::Basis &basis)
                      " natural modes and " + std::to_string(basis.size() - basis.n_natural) +
                      " modes under load up to " +
                      to_text(highest / (2e3 * dealii::numbers::PI), 3) + " kHz";
+  if (!basis.joints.empty())
+    note += "; without inertia what " + std::to_string(basis.joints.size()) +
+            " sides in joints, which have no penalty, deflect beside them";
   const auto worst =
       std::max_element(basis.errors.begin(), basis.errors.end(), [](const auto &a, const auto &b) {
         return a.relative < b.relative;

@@ -167,6 +167,15 @@ def models():
            [{M + "Stiffness per pitch in N/m": "auto"}, {L + "Start": "settled"}])
     yield ("leave them auto and choose Penalty factor", {**REDUCED, K + "Roller-tooth stiffness in N/m": 3e8},
            [{K + "Roller-tooth stiffness in N/m": "auto", K + "Penalty factor": 1}])
+    exact, modes = K + "Enforcement", "Reduction/Modes up to in kHz"
+    yield ("is for bodies that deform in modes, which .* has not; choose penalty, or Model/Fidelity = reduced",
+           {**LAYERED, exact: "exact joints", modes: 120}, [{exact: "penalty"}, {FIDELITY: "reduced"}])
+    yield (rf"is too low for .* joints, .*; choose at least {NUMBER}", {**REDUCED, exact: "exact joints"}, [{modes: r"\1"}])
+    yield ("but Effects/Elastic links is off; choose on, or Enforcement = penalty",
+           {**REDUCED, exact: "exact joints", modes: 120, E + "Elastic links": "off"}, [{E + "Elastic links": "on"}, {exact: "penalty"}])
+    yield ("but Model/Elastic links = region of interest; choose all, or Enforcement = penalty",
+           {**REDUCED, exact: "exact joints", modes: 120, M + "Elastic links": "region of interest", END: 3, WINDOW: 1},
+           [{M + "Elastic links": "all"}, {exact: "penalty"}])
     yield ("Plate faces = on is for elastic bodies: .* has none; choose off", {K + "Plate faces": "on"}, [{K + "Plate faces": "off"}])
     yield (none, {M + "Elastic sprockets": "on"}, [{M + "Elastic sprockets": "auto"}, {M + "Elastic sprockets": "off"}])
     yield ("in which no link is elastic; choose all, or Fidelity = full", {**SMALL, M + "Elastic links": "region of interest", END: 3, WINDOW: 1},

@@ -11,6 +11,7 @@ move as they do where it reads all of them at every step.
   half       half of that
   arriving   elastic links among rigid ones
   reduced    all rollers and links reduced
+  exact-joints  the same, and no penalty in their joints
   mixed      halves of elastic links among reduced ones
   settled    halves of them, from a settled start
   settled-reduced  reduced bodies from a settled start
@@ -40,6 +41,11 @@ CASES = {
     "half": {**IMPORTED, "Model/Symmetry model": "true"},
     "arriving": {"Model/Elastic links": "region of interest"},
     "reduced": {"Model/Fidelity": "reduced"},
+    "exact-joints": {
+        "Model/Fidelity": "reduced",
+        "Contact/Enforcement": "exact joints",
+        "Reduction/Modes up to in kHz": 120,
+    },
     "mixed": {"Model/Elastic links": "region of interest", "Model/Other links": "reduced", "Model/Symmetry model": "true"},
     "settled-reduced": {"Model/Fidelity": "reduced", "Drive/Layout/Start": "settled", "Loads/Resisting torque in N m": 30},
     "settled": {

@@ -20,6 +20,17 @@ template <>
 inline constexpr Texts<Search, 2> texts_of<Search>{
     {{Search::displacement, "displacement"}, {Search::every_step, "every step"}}};
 
+/// How elastic bodies are kept from overlapping.
+enum class Enforcement
+{
+  penalty,     ///< by springs between nodes and surfaces
+  exact_joints ///< in joints of reduced bodies exactly, elsewhere by springs
+};
+
+template <>
+inline constexpr Texts<Enforcement, 2> texts_of<Enforcement>{
+    {{Enforcement::penalty, "penalty"}, {Enforcement::exact_joints, "exact joints"}}};
+
 /// Section `Contact`: penalty law, friction law and search of every interface.
 struct Contact
 {
@@ -30,6 +41,7 @@ struct Contact
   double                friction_coefficient = 0.1; ///< of every interface not named below
   std::optional<double> roller_tooth_friction, roller_bush_friction, bush_pin_friction;
   double                tangential_ratio = 0.8; ///< sticking over normal stiffness
+  Enforcement           enforcement      = Enforcement::penalty;
   double                penalty_factor   = 0.5; ///< of elastic bodies
   Switch                plate_faces      = Switch::automatic;
   Search                search           = Search::displacement;
