@@ -69,6 +69,7 @@ void check_choices()
                                    check_choice<OtherLinks>("other links"),
                                    check_choice<ElementType>("element type"),
                                    check_choice<Search>("search"),
+                                   check_choice<Enforcement>("enforcement"),
                                    check_choice<SpeedRamp>("speed ramp"),
                                    check_choice<Side>("side"),
                                    check_choice<Precision>("history precision")};
