@@ -32,7 +32,7 @@ import subprocess
 import sys
 import time
 
-import program
+import served
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KINDS = ("sign", "comparison", "constant")
@@ -467,7 +467,7 @@ def report(places, tests, normal, results):
 
 
 def main():
-    os.environ.update(program.ENVIRONMENT)
+    os.environ.update(served.ENVIRONMENT)
     title, text = __doc__.split("\n\n", 1)
     plain = argparse.RawDescriptionHelpFormatter
     parser = argparse.ArgumentParser(description=title, epilog=text, formatter_class=plain)

@@ -12,10 +12,7 @@ import served
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = REPOSITORY / "build/source/chaindrive"
 
-# in a container all are root, and tests have more ranks than there are cores
-ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-               "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe"}  # the last is of OpenMPI 5
-os.environ.update(ENVIRONMENT)
+os.environ.update(served.ENVIRONMENT)
 
 
 STARTED = set()  # programs

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import pathlib
 import shutil
-import signal
 import tempfile
 import warnings
 from collections.abc import Mapping, Sequence
@@ -22,8 +21,6 @@ Value = Union[str, float, bool, Sequence[Union[str, float]]]
 #: Names the program where it is neither in build/ of the sources nor on the PATH.
 VARIABLE = "CHAINDRIVE_PROGRAM"
 
-_ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-                "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe"}
 _STOPPED = 4
 
 
@@ -136,23 +133,13 @@ def _written(value: Value) -> str:
 
 def _done(words: Sequence[str]) -> str:
     """What the words print. RunError, with their sentence, if they fail."""
-    with tempfile.TemporaryFile() as stdout, tempfile.TemporaryFile() as stderr:
-        process = served.popen(words, stdout, stderr, {**_ENVIRONMENT, **os.environ})
-        try:
-            process.wait()
-        except BaseException:
-            process.send_signal(signal.SIGTERM)
-            process.wait()
-            raise
-        for file in (stdout, stderr):
-            file.seek(0)
-        text, said = (file.read().decode(errors="replace") for file in (stdout, stderr))
-    lines = [line.removeprefix("chaindrive: ").strip() for line in said.splitlines() if line.strip()]
-    if process.returncode == _STOPPED:
+    done = served.run(words, {**served.ENVIRONMENT, **os.environ})
+    lines = [line.removeprefix("chaindrive: ").strip() for line in done.stderr.splitlines() if line.strip()]
+    if done.returncode == _STOPPED:
         raise RunError(" ".join(lines) or "The run was stopped; resume=True goes on from its last checkpoint.")
-    if process.returncode != 0:
-        told = [line.removeprefix("chaindrive: ").strip() for line in said.splitlines() if line.startswith("chaindrive: ")]
-        raise RunError(" ".join(told or lines[-1:]) or f"The program has ended with status {process.returncode}.")
+    if done.returncode != 0:
+        told = [line.removeprefix("chaindrive: ").strip() for line in done.stderr.splitlines() if line.startswith("chaindrive: ")]
+        raise RunError(" ".join(told or lines[-1:]) or f"The program has ended with status {done.returncode}.")
     for line in lines:
         warnings.warn(line, stacklevel=4)
-    return text
+    return done.stdout

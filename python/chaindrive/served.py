@@ -22,6 +22,10 @@ from typing import IO, Any, Optional, Union
 
 VARIABLE = "CHAINDRIVE_SERVER"  # "SOCKET:PROGRAM" of the server that runs
 
+# in a container all are root, and there may be more ranks than cores
+ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
+               "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe"}  # the last is of OpenMPI 5
+
 
 class Server:
     """A server of `program`, until stop() or the end of this process.
@@ -128,12 +132,18 @@ def run(words: Sequence[str], environment: Mapping[str, str] | None = None, fold
         merged: bool = False) -> subprocess.CompletedProcess[str]:
     """Starts the words, waits for their end and returns status, stdout and stderr.
 
-    `merged`: what goes to stderr is in stdout, where it belongs.
+    `merged`: what goes to stderr is in stdout, where it belongs. Who is interrupted meanwhile asks for the end, and
+    waits for it.
     """
     with tempfile.TemporaryFile() as stdout, tempfile.TemporaryFile() as own:
         stderr = stdout if merged else own
         process = popen(words, stdout, stderr, environment, folder)
-        process.wait()
+        try:
+            process.wait()
+        except BaseException:
+            process.send_signal(signal.SIGTERM)
+            process.wait()
+            raise
         for file in (stdout, own):
             file.seek(0)
         texts = [file.read().decode(errors="replace") for file in (stdout, own)]

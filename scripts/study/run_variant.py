@@ -15,9 +15,7 @@ import time
 import served
 
 RANKS = pathlib.Path(__file__).resolve().parents[1] / "ranks"
-ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-               "OMPI_MCA_rmaps_base_oversubscribe": "1", "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe",
-               "GLIBC_TUNABLES": "glibc.malloc.hugetlb=1"}
+ENVIRONMENT = {**served.ENVIRONMENT, "GLIBC_TUNABLES": "glibc.malloc.hugetlb=1"}
 PR_SET_PDEATHSIG = 1
 
 
