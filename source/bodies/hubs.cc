@@ -25,6 +25,7 @@ void Hubs::drift(World &world, const Step &step)
         hub.angle += step.dt * hub.speed;
       world.place(hub);
     }
+  world.place_carried();
 }
 
 void Hubs::finish(World &world, const Step &step)
@@ -36,6 +37,7 @@ void Hubs::finish(World &world, const Step &step)
         hub.speed = step.programs[i].speed;
       world.place(hub);
     }
+  world.place_carried();
 }
 
 double Hubs::kinetic_energy(const World &world) const

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/bodies/mobility.h>
 
+#include <utility>
+
 namespace chaindrive
 {
 Mobility::Mobility(const World &world)
@@ -20,10 +22,38 @@ Mobility::Mobility(const World &world)
     inverse_inertia_[spin.body][2][2] = 1. / spin.inertia;
   for (const World::Hub &hub : world.hubs)
     {
+      if (hub.slides)
+        continue;
       pivot_[hub.body] = world.pivot_of(hub);
       if (!hub.prescribed)
         inverse_inertia_[hub.body] = 1. / hub.inertia * outer_product(hub.axis, hub.axis);
     }
+  for (const World::Carried &c : world.carried)
+    pivot_[c.body] = world.frames[c.body].position;
+}
+
+void Mobility::accelerate(std::vector<dealii::Tensor<1, 3>> &force,
+                          std::vector<dealii::Tensor<1, 3>> &moment) const
+{
+  for (const World::Carried &c : world_.carried)
+    {
+      force[c.carrier] += force[c.body];
+      moment[c.carrier] += cross_product_3d(pivot_[c.body] - pivot_[c.carrier], force[c.body]);
+    }
+  std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>> sliding;
+  for (const World::Hub &hub : world_.hubs)
+    if (hub.slides)
+      sliding.emplace_back(hub.body, (hub.axis * force[hub.body]) / hub.inertia * hub.axis);
+  for (unsigned int body = 0; body < world_.n_bodies(); ++body)
+    {
+      force[body] *= world_.inverse_mass[body];
+      moment[body] = inverse_inertia_[body] * moment[body];
+    }
+  for (const auto &[body, acceleration] : sliding)
+    force[body] = acceleration;
+  for (const World::Carried &c : world_.carried)
+    force[c.body] =
+        force[c.carrier] + cross_product_3d(moment[c.carrier], pivot_[c.body] - pivot_[c.carrier]);
 }
 
 dealii::Tensor<2, 3> Mobility::of_point(const unsigned int          body,
@@ -40,6 +70,12 @@ dealii::Tensor<2, 3> Mobility::of_point(const unsigned int          body,
   dealii::Tensor<2, 3> result = cross * inverse_inertia_[body] * dealii::transpose(cross);
   for (unsigned int d = 0; d < 3; ++d)
     result[d][d] += world_.inverse_mass[body];
+  for (const World::Carried &c : world_.carried)
+    if (c.body == body)
+      result += of_point(c.carrier, pivot_[body]);
+  for (const World::Hub &hub : world_.hubs)
+    if (hub.slides && hub.body == body)
+      result += 1. / hub.inertia * outer_product(hub.axis, hub.axis);
   return result;
 }
 } // namespace chaindrive

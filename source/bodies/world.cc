@@ -33,12 +33,15 @@ World::Hub make_hub(const unsigned int b, const scene::Body &body, const Quatern
   const Frame        &start = body.initial;
   World::Hub          hub{};
   hub.body       = b;
-  hub.prescribed = mount.kind != scene::Mount::Kind::revolute;
+  hub.slides     = mount.kind == scene::Mount::Kind::prismatic;
+  hub.prescribed = mount.kind != scene::Mount::Kind::revolute && !hub.slides;
   hub.axis       = mount.axis;
   hub.start      = orientation;
   hub.speed   = mount.kind == scene::Mount::Kind::fixed ? 0. : start.angular_velocity * mount.axis;
-  hub.inertia = body.inertia[2];
-  if (hub.about_z())
+  hub.inertia = hub.slides ? body.mass : body.inertia[2];
+  if (hub.slides)
+    hub.speed = start.velocity * mount.axis;
+  else if (hub.about_z())
     hub.start_angle = 2. * std::atan2(orientation.z, orientation.w);
   else
     {
@@ -84,7 +87,11 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
 
       const Quaternion orientation = to_quaternion(body.initial.rotation);
       if (!body.mount.is_free())
-        hubs.push_back(make_hub(b, body, orientation));
+        {
+          hubs.push_back(make_hub(b, body, orientation));
+          if (body.mount.carrier)
+            carried.push_back({b, *body.mount.carrier});
+        }
       else if (body.motion == scene::Motion::rigid || body.motion == scene::Motion::reduced)
         rotations.push_back(
             {b, orientation, angular_momentum(body.initial, body.inertia), body.inertia});
@@ -98,7 +105,13 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
 
 void World::place(const Hub &hub)
 {
-  Frame &frame           = frames[hub.body];
+  Frame &frame = frames[hub.body];
+  if (hub.slides)
+    {
+      frame.position = origin[hub.body] + hub.angle * hub.axis;
+      frame.velocity = hub.speed * hub.axis;
+      return;
+    }
   frame.angular_velocity = hub.speed * hub.axis;
   if (hub.about_z())
     frame.rotation = to_matrix(rotation_about_z(hub.start_angle + hub.angle));
@@ -121,6 +134,12 @@ double World::moment_about(const Hub &hub) const
     }
   if (hub.about_z() && hub.arm.norm_square() == 0.)
     return moment_on[2];
+  for (const Carried &c : carried)
+    if (c.carrier == hub.body)
+      for (unsigned int d = 0; d < 3; ++d)
+        force_on[d] += force.local_element(3 * c.body + d);
+  if (hub.slides)
+    return hub.axis * force_on;
   return hub.axis *
          (moment_on + cross_product_3d(frames[hub.body].position - pivot_of(hub), force_on));
 }

@@ -54,19 +54,6 @@ double turns_of(const std::vector<path::Wheel> &wheels)
   return turns;
 }
 
-/// Whether the wheels may be where they are with the one that moves at the distance @p c: apart
-/// from each other, in a loop.
-bool may_be(const Fitter &fitter, const double c)
-{
-  const std::vector<path::Wheel> wheels = fitter.wheels(c);
-  for (std::size_t i = 0; i < wheels.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (wheels[i].centre.distance(wheels[j].centre) <=
-          wheels[i].roller_radius + wheels[j].roller_radius)
-        return false;
-  return std::abs(turns_of(wheels) - 1.) < 1e-6;
-}
-
 /// The layouts near the given centre distance that meet @p target, for more than two wheels: the
 /// range of distances in which those are whose excess has either sign grows from there, as far as
 /// wheels may be. Beyond, the slack is another one, since the chain would go another way.
@@ -115,6 +102,21 @@ Proposal propose_near(const Fitter      &fitter,
   return {target,
           fitter.fits(fitter.solve(target, std::min(near, far), std::max(near, far)), false)};
 }
+} // namespace
+
+bool may_be(const Fitter &fitter, const double c)
+{
+  const std::vector<path::Wheel> wheels = fitter.wheels(c);
+  for (std::size_t i = 0; i < wheels.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (wheels[i].centre.distance(wheels[j].centre) <=
+          wheels[i].roller_radius + wheels[j].roller_radius)
+        return false;
+  return std::abs(turns_of(wheels) - 1.) < 1e-6;
+}
+
+namespace
+{
 /// Refuses more than one wheel whose centre is to be found; whether there is one.
 bool finds_one(const parameters::Sprockets &sprockets,
                const parameters::Layout    &layout,

@@ -160,7 +160,8 @@ parameters::Drive worn_drive(const Parameters &parameters, const Lay &lay, Drive
   parameters::Drive as_new = entries;
   as_new.chain.elongation  = 0.;
   const double distance =
-      lay(as_new, make_chain(as_new.chain, parameters.effects)).centre_distance();
+      lay(without_tensioner(as_new), make_chain(as_new.chain, parameters.effects))
+          .centre_distance();
   d.notes.push_back("Centre distance " + to_text(distance * 1e3, 7) + " mm, from " +
                     text_of(layout.centre_distance_from) + " of the chain when it was new.");
   entries.layout.centre_distance_from = CentreDistanceFrom::given;
@@ -337,6 +338,12 @@ std::vector<RestingWheel> resting_wheels(const std::vector<Sprocket> &sprockets,
   return wheels;
 }
 
+/// The wheels of @p d, which are not loaded.
+std::vector<RestingWheel> unloaded(const Drive &d)
+{
+  return resting_wheels(d.sprockets, d.layout, [](const Sprocket &) { return 0.; });
+}
+
 /// Refuses stiffnesses of rollers, pins and bushes that the load would push through one another.
 void refuse_soft_chain(const Parameters &parameters, const Drive &d)
 {
@@ -467,18 +474,28 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
                        mass * gravity(parameters),
                        mass * speed * speed);
   };
-  parameters::Drive   entries   = worn_drive(parameters, lay, d);
-  parameters::Layout &layout    = entries.layout;
-  const bool          settled   = layout.start == parameters::Start::settled;
-  const bool          stretched = layout.centre_distance_from == CentreDistanceFrom::pretension;
+  parameters::Drive   entries = worn_drive(parameters, lay, d);
+  parameters::Layout &layout  = entries.layout;
+  if (tensioned_wheel(entries.sprockets) > 0 &&
+      layout.centre_distance_from == CentreDistanceFrom::slack)
+    { // the tensioner takes up the slack that there is without its travel
+      layout.centre_distance      = lay(without_tensioner(entries), d.chain).centre_distance();
+      layout.centre_distance_from = CentreDistanceFrom::given;
+      d.notes.push_back("Centre distance " + to_text(layout.centre_distance * 1e3, 7) +
+                        " mm, from slack where the tensioner has no travel.");
+    }
+  const bool settled   = layout.start == parameters::Start::settled;
+  const bool stretched = layout.centre_distance_from == CentreDistanceFrom::pretension;
   if (settled && stretched) // shafts are where the drive at rest has its pre-tension
     layout.start = parameters::Start::taut;
   d.layout = lay(entries, d.chain);
+  if (d.layout.tensioner)
+    d.layout.tensioner->carry(d.sprockets[d.layout.tensioner->wheel].solid.mass,
+                              gravity(parameters));
+  if (d.layout.tensioner && !settled)
+    bring_to_rest(d.layout, resting_chain(parameters, d), unloaded(d));
   if (stretched && layout.pretension > 0.)
-    bring_to_rest(d.layout,
-                  resting_chain(parameters, d),
-                  resting_wheels(d.sprockets, d.layout, [](const Sprocket &) { return 0.; }),
-                  layout.pretension);
+    bring_to_rest(d.layout, resting_chain(parameters, d), unloaded(d), layout.pretension);
   if (settled)
     {
       RestingChain chain  = resting_chain(parameters, d);
@@ -516,6 +533,9 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
           return settled(lay(trial, d.chain));
         });
     }
+  if (d.layout.tensioner)
+    d.notes.push_back(d.layout.tensioner->in_words(d.sprockets[d.layout.tensioner->wheel].title,
+                                                   d.layout.slack().slack));
   if (layout.centre_distance_from != CentreDistanceFrom::given)
     d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance() * 1e3, 7) +
                       " mm, from " + text_of(layout.centre_distance_from) + ".");
@@ -537,6 +557,7 @@ Drive make_drive(const Parameters  &parameters,
                  const JointShifts &shifts)
 {
   Drive d;
+  check_tensioner(parameters.drive, parameters.model.capabilities().is_elastic);
   set_chain_and_sprockets(parameters, d);
   set_solids(parameters, d);
   set_stiffnesses(parameters, stiffness_of, d);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace chaindrive::drive
 {
@@ -149,6 +150,29 @@ std::vector<double> tensions_of_loads(const Facts &facts)
   return tensions;
 }
 
+/// The same where a tensioner presses its wheel against the chain, without the centrifugal tension:
+/// its spring balances the two spans beside the wheel, which has no load. Nothing at a stop.
+std::optional<double>
+tension_of_tensioner(const Facts &facts, const Drive &d, const std::vector<double> &effective)
+{
+  if (!d.layout.tensioner)
+    return {};
+  const Tensioner   &tensioner = *d.layout.tensioner;
+  const double       travel    = tensioner.travel;
+  const Facts::Span &before    = facts.spans[tensioner.wheel - 1],
+                    &after     = facts.spans[tensioner.wheel];
+  const auto along             = [](const Facts::Span &span) {
+    const dealii::Tensor<1, 2> way = span.end - span.begin;
+    return way / way.norm();
+  };
+  const dealii::Tensor<1, 2> way  = tensioner.way(travel);
+  const double               push = tensioner.law.elastic(travel) - tensioner.weight * way[1];
+  const double               back = (along(before) - along(after)) * way; // by 1 N of tension
+  if (travel >= tensioner.law.most || travel <= tensioner.law.least || push <= 0. || back <= 0.)
+    return {};
+  return push / back - effective[tensioner.wheel];
+}
+
 /// The tension that all spans keep besides @p effective, what loads make of each, N: that of the
 /// slack span of its weight, with the slack that all stretch adds or the sag that a settled start
 /// has found; of pre-tension what stretch leaves of it.
@@ -157,6 +181,8 @@ double kept_tension(const Facts               &facts,
                     const Drive               &d,
                     const std::vector<double> &effective)
 {
+  if (const auto kept = tension_of_tensioner(facts, d, effective))
+    return *kept;
   const parameters::Layout &layout = p.drive.layout;
   HangingSpan               slack  = hanging(facts, facts.slack(), p, d);
   slack.length       = facts.slack().links * facts.loaded_pitch; // slack and sag are between seats

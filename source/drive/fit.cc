@@ -32,7 +32,9 @@ std::vector<path::Wheel> Fitter::wheels(const double centre_distance) const
   for (const Wheel &wheel : sprockets)
     {
       Point<2> centre = wheel.centre;
-      if (wheel.moves)
+      if (tensioner && at.size() == tensioner->wheel)
+        centre = tensioner->centre(centre_distance);
+      else if (wheel.moves)
         centre = Point<2>(sprockets[0].centre[0] + centre_distance * std::cos(wheel.direction),
                           sprockets[0].centre[1] + centre_distance * std::sin(wheel.direction));
       at.emplace_back(wheel.teeth, centre, chain.seats, wheel.turn);
@@ -42,8 +44,9 @@ std::vector<path::Wheel> Fitter::wheels(const double centre_distance) const
 
 bool Fitter::moves() const
 {
-  return std::any_of(
-      sprockets.begin(), sprockets.end(), [](const Wheel &wheel) { return wheel.moves; });
+  return tensioner || std::any_of(sprockets.begin(), sprockets.end(), [](const Wheel &wheel) {
+           return wheel.moves;
+         });
 }
 
 std::vector<Fitter::Wheel> wheels_of(const parameters::Sprockets &sprockets)
@@ -109,7 +112,7 @@ double Fitter::solve(const Target &target, const double low, const double high) 
 std::optional<Fit>
 Fitter::solve(const Target &target, const path::Route &route, const double guess) const
 {
-  const double reach = 0.3 * chain.seats.mean();
+  const double reach = 0.3 * chain.seats.mean() / (tensioner ? tensioner->lever() : 1.);
   const auto   at    = [&](const double c) {
     const auto f = fit(c, route);
     return f ? (rises ? -1. : 1.) * excess(*f, target) : std::nan("");

@@ -109,6 +109,8 @@ Tensor<1, 2> right_of(const Tensor<1, 2> &direction)
 void mirror(Layout &layout, const std::vector<ToothForm> &forms)
 {
   layout.sense = -1;
+  if (layout.tensioner)
+    layout.tensioner->mirror();
   for (Layout::Sprocket &sprocket : layout.sprockets)
     {
       sprocket.centre[1] = 0. - sprocket.centre[1]; // and no negative zero
@@ -446,8 +448,13 @@ Layout make_layout(const parameters::Drive      &drive,
   for (unsigned int i = 1; i < fitter.sprockets.size(); ++i)
     if (fitter.sprockets[i].moves)
       moved = i;
-  const double least    = 0.5 * (forms[0].outside_diameter + forms[moved].outside_diameter);
-  Proposal     proposal = propose(fitter, drive.layout, least, clearances);
+  const double       least     = 0.5 * (forms[0].outside_diameter + forms[moved].outside_diameter);
+  const unsigned int tensioned = tensioned_wheel(drive.sprockets);
+  if (tensioned > 0)
+    set_tensioner(drive, fitter);
+  Proposal proposal = tensioned > 0 ?
+                          take_up(fitter, drive.sprockets.list[tensioned].name, clearances) :
+                          propose(fitter, drive.layout, least, clearances);
   if (keeps_sag(drive.layout) && drive.layout.sag > 0. && !proposal.fits.empty())
     {
       // the span is longer by the stretch, which changes its tension by as small a part
@@ -476,6 +483,11 @@ Layout make_layout(const parameters::Drive      &drive,
         check_apart(fit, fitter, drive.sprockets, forms, height);
       Layout layout = to_layout(fit.wheels, fitter.chain, fit.laid);
       layout.moved  = moved;
+      if (tensioned > 0)
+        {
+          layout.tensioner         = fitter.tensioner;
+          layout.tensioner->travel = fit.centre_distance;
+        }
       if (drive.layout.start == parameters::Start::settled)
         set_in_motion(layout, std::abs(driver_speed));
       if (drive.layout.tight_span == parameters::TightSide::lower)

@@ -77,6 +77,43 @@ std::string sense_of(const Facts::Sprocket &wheel, const double letter)
          arrow(to, 0.1 * letter * by, 0.8 * letter, "sense");
 }
 
+/// What @p tensioner moves its wheel on: the arm with its pivot, or the line of the slide; where
+/// the wheel's centre may be between the stops, or within a @p letter [m] of travel where there are
+/// none; and with what it presses.
+std::string track_of(const Tensioner &tensioner, const double letter)
+{
+  const double reach   = 3. * letter / tensioner.lever();
+  const double from    = std::max(tensioner.law.least, tensioner.travel - reach),
+               to      = std::min(tensioner.law.most, tensioner.travel + reach);
+  const Point<2> now   = tensioner.centre(tensioner.travel);
+  const double   force = tensioner.law.elastic(tensioner.travel);
+  std::string    path  = "  <path class=\"tensioner\" d=\"M" + at(tensioner.centre(from));
+  constexpr int  parts = 16;
+  for (int i = 1; i <= parts; ++i)
+    path += "L" + at(tensioner.centre(from + (to - from) * i / parts));
+  for (const double end : {from, to}) // the stops
+    {
+      const Tensor<1, 2> way = 0.4 * letter / tensioner.lever() * tensioner.way(end);
+      const Point<2>     p   = tensioner.centre(end);
+      if (end == tensioner.law.least || end == tensioner.law.most)
+        path += "M" + at(Point<2>(p[0] - way[1], p[1] + way[0])) + "L" +
+                at(Point<2>(p[0] + way[1], p[1] - way[0]));
+    }
+  if (tensioner.is_arm())
+    path += "M" + at(tensioner.pivot) + "L" + at(now);
+  path += "\"/>\n";
+  if (tensioner.is_arm())
+    path += "  <circle class=\"tensioner\" cx=\"" + mm(tensioner.pivot[0]) + "\" cy=\"" +
+            mm(0. - tensioner.pivot[1]) + "\" r=\"" + mm(0.4 * letter) + "\"/>\n";
+  const Tensor<1, 2> way = tensioner.way(tensioner.travel) / tensioner.lever();
+  const Tensor<1, 2> by  = 3. * letter * way;
+  path += arrow(now + by, by, 0.8 * letter, "tensioner");
+  const Point<2> label = tensioner.is_arm() ? tensioner.pivot : now - 4. * letter * way;
+  return path + text(Point<2>(label[0], label[1] - 1.4 * letter),
+                     0.8 * letter,
+                     to_text(force, 4) + (tensioner.is_arm() ? " N m" : " N"));
+}
+
 /// The resultant of the spans at its two ends on the shaft of wheel @p i, N.
 Tensor<1, 2> load_on(const Facts &facts, const std::size_t i)
 {
@@ -107,6 +144,8 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
     }
   for (const Layout::Joint &joint : layout.joints)
     see(joint.roller, drive.chain.roller_diameter);
+  if (layout.tensioner && layout.tensioner->is_arm())
+    see(layout.tensioner->pivot, 0.);
   const double size = std::max(right - left, high - low), letter = 0.022 * size;
   const double margin = 4. * letter;
 
@@ -117,6 +156,7 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
       << "  <style>path, circle { fill: none; stroke: #333; stroke-width: " << mm(0.002 * size)
       << " } .wheel { fill: #e8ecef } .chain { stroke: #1c6aa8 } .load { stroke: #b3261e; "
       << "stroke-width: " << mm(0.004 * size)
+      << " } .tensioner { stroke: #8a5a00; stroke-width: " << mm(0.004 * size)
       << " } .sense { stroke: #2d7d46 } text { paint-order: stroke; "
       << "stroke: #fff; stroke-linejoin: round; stroke-width: " << mm(0.2 * letter)
       << " }</style>\n";
@@ -145,6 +185,8 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
         << mm(0. - joint.roller[1]) << "\" r=\"" << mm(0.5 * drive.chain.roller_diameter)
         << "\"/>\n";
 
+  if (layout.tensioner)
+    out << track_of(*layout.tensioner, letter);
   for (std::size_t i = 0; i < facts.spans.size(); ++i)
     {
       const Layout::Span &span = layout.spans[i];

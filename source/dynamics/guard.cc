@@ -172,8 +172,9 @@ Guard::Vector3 Guard::force_on_hubs(const World &world)
 {
   Vector3 sum;
   for (const World::Hub &hub : world.hubs)
-    for (unsigned int d = 0; d < 3; ++d)
-      sum[d] += world.force.local_element(3 * hub.body + d);
+    if (!hub.slides) // what acts there are its spring and its weight
+      for (unsigned int d = 0; d < 3; ++d)
+        sum[d] += world.force.local_element(3 * hub.body + d);
   return sum;
 }
 

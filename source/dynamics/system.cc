@@ -3,6 +3,7 @@
 #include <chaindrive/dynamics/newmark.h>
 #include <chaindrive/dynamics/relaxation.h>
 #include <chaindrive/dynamics/system.h>
+#include <chaindrive/forces/tensioner.h>
 #include <chaindrive/scene/scene.h>
 
 namespace chaindrive::dynamics
@@ -16,6 +17,8 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
   // a phase that nothing in the scene calls for is not made and has no row in the table
   for (const auto &given : scene.forces)
     forces.push_back(given->clone());
+  for (const scene::Tensioner &given : scene.tensioners)
+    forces.push_back(std::make_unique<TensionerSpring>(given));
   if (bars.size() > 0 || !forces.empty() || world.n_nodal_groups() > 0)
     internal_force_ = timer.add("Internal force");
   integration_ = timer.add("Time integration");

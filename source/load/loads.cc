@@ -40,6 +40,14 @@ void Loads::add_forces(World &world, const double dt)
           world.moment.local_element(3 * hub.body + 2) -= arm[0] * weight;
           world.ledger.potential += weight * (arm - hub.arm)[1];
         }
+  if (gravity_ != 0.)
+    for (const World::Hub &hub : world.hubs)
+      if (hub.slides)
+        {
+          const double weight = world.symmetry.share(world.mass[hub.body] * gravity_);
+          world.force.local_element(3 * hub.body + 1) -= weight;
+          world.ledger.potential += weight * hub.angle * hub.axis[1];
+        }
   if (drag_ != 0. && world.planar == nullptr)
     for (unsigned int b = 0; b < world.n_bodies(); ++b)
       if (world.inverse_mass[b] > 0.)

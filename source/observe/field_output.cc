@@ -177,9 +177,10 @@ void FieldOutput::write(const dynamics::System &system)
 
   std::vector<BodySnapshot> bodies;
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
-    if (world.owns(b))
+    if (const auto part = drawing_->parts.find(scene_.bodies[b].part());
+        world.owns(b) && part != drawing_->parts.end()) // an arm has no mesh
       {
-        bodies.push_back({&drawing_->parts.at(scene_.bodies[b].part()),
+        bodies.push_back({&part->second,
                           b,
                           scene_.bodies[b].number_in_fields(),
                           scene_.bodies[b].initial,

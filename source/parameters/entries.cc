@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/parameters/entries.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
@@ -13,6 +14,8 @@ namespace chaindrive::parameters
 {
 namespace
 {
+constexpr double degree = dealii::numbers::PI / 180.; // rad
+
 /// Reads all of @p text as a T; empty if there is anything else in it.
 template <typename T>
 std::optional<T> read_all(const std::string &text)
@@ -154,6 +157,74 @@ Entry &add(Declarations          &declarations,
           member.reset();
         else
           member = from_entry_text(text, exponent).value_or(0.);
+      });
+}
+
+Entry &add_angle(Declarations          &declarations,
+                 const std::string     &name,
+                 std::optional<double> &member,
+                 const Range           &range,
+                 const std::string     &meaning,
+                 const std::string     &empty)
+{
+  return declarations.add(
+      name,
+      member ? to_entry_text(*member / degree, unit::si) : empty,
+      empty + " or " + range.text(),
+      meaning,
+      [range, empty](const std::string &text) { return text == empty || is_in(text, range); },
+      [&member, empty](const std::string &text) {
+        member.reset();
+        if (text != empty)
+          member = from_entry_text(text, unit::si).value_or(0.) * degree;
+      });
+}
+
+Entry &add_angle(Declarations      &declarations,
+                 const std::string &name,
+                 double            &member,
+                 const Range       &range,
+                 const std::string &meaning)
+{
+  return declarations.add(
+      name,
+      to_entry_text(member / degree, unit::si),
+      range.text(),
+      meaning,
+      [range](const std::string &text) { return is_in(text, range); },
+      [&member](const std::string &text) {
+        member = from_entry_text(text, unit::si).value_or(0.) * degree;
+      });
+}
+
+Entry &add_point(Declarations                         &declarations,
+                 const std::string                    &name,
+                 std::optional<std::array<double, 2>> &member,
+                 const std::string                    &meaning)
+{
+  const Range range   = between(-1e5, 1e5);
+  const auto  numbers = [range](const std::string &text) {
+    std::vector<double> found;
+    for (const std::string &word : split_at_commas(text))
+      if (is_in(word, range))
+        found.push_back(*from_entry_text(word, unit::milli));
+      else
+        return std::vector<double>();
+    return found.size() == 2 ? found : std::vector<double>();
+  };
+  return declarations.add(
+      name,
+      member ? to_entry_text((*member)[0], unit::milli) + ", " +
+                   to_entry_text((*member)[1], unit::milli) :
+               "auto",
+      "auto, or x and y separated by a comma, each " + range.text(),
+      meaning,
+      [numbers](const std::string &text) { return text == "auto" || !numbers(text).empty(); },
+      [numbers, &member](const std::string &text) {
+        const std::vector<double> at = numbers(text);
+        member.reset();
+        if (!at.empty())
+          member = std::array<double, 2>{{at[0], at[1]}};
       });
 }
 

@@ -170,7 +170,8 @@ const std::vector<NotModelled> &not_modelled()
       {{"shaft stiffness", "shaft damping", "bearing", "housing"},
        "the shafts and bearings of both sprockets are rigid"},
       {{"tensioner", "guide", "snubber"},
-       "a wheel of Drive/Wheels stays where it is, and nothing else touches the chain"},
+       "nothing but the wheels of Drive/Wheels touches the chain; one of them may be a tensioner, "
+       "see its entry Held by"},
       {{"lubric", "oil", "grease", "viscos"},
        "friction follows Coulomb's law; set Contact/Friction coefficient for the lubrication"},
       {{"temperature", "thermal", "heat"}, "temperatures are constant"},

@@ -4,7 +4,6 @@
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
-#include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -58,35 +57,6 @@ std::string wrong_with(const std::vector<std::string> &names)
   return "";
 }
 
-/// Two numbers in mm for a point in m, or auto.
-void add_centre(Declarations &declarations, Sprocket &sprocket, const std::string &meaning)
-{
-  const Range range   = between(-1e5, 1e5);
-  const auto  numbers = [range](const std::string &text) {
-    std::vector<double> found;
-    for (const std::string &word : names_in(text))
-      if (const auto value = from_entry_text(word, unit::si); value && range.contains(*value))
-        found.push_back(*from_entry_text(word, unit::milli));
-      else
-        return std::vector<double>();
-    return found.size() == 2 ? found : std::vector<double>();
-  };
-  declarations.add(
-      "Centre in mm",
-      sprocket.centre ? to_entry_text((*sprocket.centre)[0], unit::milli) + ", " +
-                            to_entry_text((*sprocket.centre)[1], unit::milli) :
-                        "auto",
-      "auto, or x and y separated by a comma, each " + range.text(),
-      meaning,
-      [numbers](const std::string &text) { return text == "auto" || !numbers(text).empty(); },
-      [numbers, &sprocket](const std::string &text) {
-        const std::vector<double> at = numbers(text);
-        sprocket.centre.reset();
-        if (!at.empty())
-          sprocket.centre = std::array<double, 2>{{at[0], at[1]}};
-      });
-}
-
 /// The entries of @p sprocket in Drive/Wheels; @p is_first, @p is_own: the driver, and one that
 /// other sections do not describe.
 void declare_wheel(Declarations &declarations,
@@ -122,30 +92,24 @@ void declare_wheel(Declarations &declarations,
                [&sprocket](const std::string &text) {
                  sprocket.turn = value_of<Side>(text) == Side::inside ? 1 : -1;
                });
-  add_centre(declarations,
-             sprocket,
-             std::string("Of its axis, x and y, in a drive that turns counter-clockwise: with "
-                         "Layout/Tight span = lower it is mirrored, y becomes -y. auto: ") +
-                 (is_first ? "the origin." :
-                             "as far from the driver as Layout/Centre distance from says, in the "
-                             "direction below; at most one wheel is found so."));
+  add_point(declarations,
+            "Centre in mm",
+            sprocket.centre,
+            std::string("Of its axis, x and y, in a drive that turns counter-clockwise: with "
+                        "Layout/Tight span = lower it is mirrored, y becomes -y. auto: ") +
+                (is_first ? "the origin." :
+                            "as far from the driver as Layout/Centre distance from says, in the "
+                            "direction below; at most one wheel is found so."));
   if (!is_first)
-    {
-      constexpr double degree = dealii::numbers::PI / 180.;
-      declarations.add(
-          "Direction in degrees",
-          to_entry_text(sprocket.direction / degree, unit::si),
-          between(-180., 180.).text(),
-          "Where Centre in mm is auto: of the line from the driver to it, counter-clockwise from "
-          "x.",
-          [](const std::string &text) {
-            const auto value = from_entry_text(text, unit::si);
-            return value && between(-180., 180.).contains(*value);
-          },
-          [&sprocket](const std::string &text) {
-            sprocket.direction = from_entry_text(text, unit::si).value_or(0.) * degree;
-          });
-    }
+    add_angle(
+        declarations,
+        "Direction in degrees",
+        sprocket.direction,
+        between(-180., 180.),
+        "Where Centre in mm is auto: of the line from the driver to it, counter-clockwise from "
+        "x.");
+  if (is_own)
+    sprocket.held.declare(declarations);
 }
 } // namespace
 

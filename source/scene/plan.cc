@@ -26,6 +26,8 @@ std::string name_of(const Scene &scene, const Body &body)
       return "outer links";
     case Kind::sprocket:
       return scene.drive.sprockets.at(body.number).name + " sprocket";
+    case Kind::tensioner:
+      return "tensioner of " + scene.drive.sprockets.at(body.number).name;
     }
   return "";
 }
@@ -37,8 +39,12 @@ std::string motion_of(const Body &body)
     return "fixed";
   if (body.mount.kind == Mount::Kind::motor)
     return rim + "hub turned by the speed program";
+  if (body.kind == Kind::tensioner)
+    return body.mount.kind == Mount::Kind::prismatic ? "a slide, pressed by its spring" :
+                                                       "an arm, turned by its spring";
   if (body.mount.kind == Mount::Kind::revolute)
-    return rim + "one rotation of the hub against the load torque";
+    return rim + "one rotation of the hub against the load torque" +
+           (body.mount.carrier ? ", carried by its tensioner" : "");
   switch (body.motion)
     {
     case Motion::lumped:

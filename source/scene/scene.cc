@@ -61,6 +61,8 @@ std::string Scene::name_of(const unsigned int b) const
       return "outer link " + number;
     case Kind::sprocket:
       return drive.sprockets.at(bodies[b].number).title;
+    case Kind::tensioner:
+      return "tensioner of the " + drive.sprockets.at(bodies[b].number).title;
     }
   return "";
 }

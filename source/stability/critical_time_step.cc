@@ -29,6 +29,11 @@ Ends ends_of(const Mobility &mobility, const Spring &s)
       End                       &end  = ends[i];
       const dealii::Tensor<1, 3> pull = i == 0 ? -s.direction : s.direction;
       end.body                        = i == 0 ? s.first : s.second;
+      if (end.body == Spring::ground)
+        {
+          end.body = s.first;
+          continue;
+        }
       if (s.is_rotational)
         {
           end.moment = pull;
@@ -59,11 +64,7 @@ double largest_of(const World               &world,
           force[end.body] += stretch * end.force;
           moment[end.body] += stretch * end.moment;
         }
-    for (unsigned int body = 0; body < world.n_bodies(); ++body)
-      {
-        force[body] *= world.inverse_mass[body];
-        moment[body] = mobility.inverse_inertia(body) * moment[body];
-      }
+    mobility.accelerate(force, moment);
     for (std::size_t i = 0; i < k.size(); ++i)
       {
         double stretch = 0.;

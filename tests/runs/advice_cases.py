@@ -79,6 +79,34 @@ def layout():
            {**REDUCED, FROM: "pretension"}, [{FROM: "given", LINKS: "auto", DISTANCE: 150}, {FROM: "slack"}, {FROM: "sag"}])
 
 
+def tensioners():
+    wheels, low = D + "Wheels/", D + "Wheels/low/"
+    held, arm, slide = low + "Held by", low + "Arm/", low + "Slide/"
+    pressed = {**SMALL, LINKS: 52, FROM: "given", DISTANCE: 314, wheels + "Order of travel": "driver, low, driven",
+               low + "Side": "outside", low + "Teeth": 13, low + "Centre in mm": "157, -54", held: "arm",
+               arm + "Pivot in mm": "90, -90", arm + "Moment in N m": 5, arm + "Stiffness in N m/rad": 5, slide + "Force in N": 60}
+    yield ("Held by = arm is for the fidelities simple and layered; choose one of these", {**pressed, FIDELITY: "full"},
+           [{FIDELITY: "simple"}, {FIDELITY: "layered"}])
+    yield ("is for an idler; choose bearing for a wheel with a load, or Role = idler", {**pressed, low + "Role": "driven"},
+           [{held: "bearing"}, {low + "Role": "idler"}])
+    yield ("moves the wheel from where it has no travel; give .*Centre in mm",
+           {**pressed, low + "Centre in mm": "auto", wheels + "driven/Centre in mm": "314, 0"}, [{low + "Centre in mm": "157, -54"}])
+    yield ("turns about a pivot; give .*Pivot in mm", {**pressed, arm + "Pivot in mm": "auto"}, [{arm + "Pivot in mm": "90, -90"}])
+    yield ("must be at least 1 mm from Centre in mm", {**pressed, arm + "Pivot in mm": "157, -54.5"}, [{arm + "Pivot in mm": "90, -90"}])
+    yield ("whose spring decides tension and sag; choose given, or slack", {**pressed, FROM: "sag"}, [{FROM: "given"}, {FROM: "slack"}])
+    yield ("the chain cannot bear the spring .*; choose taut or settled", {**pressed, FIDELITY: "layered", L + "Start": "concentric"},
+           [{L + "Start": "taut"}, {L + "Start": "settled"}])
+    yield ("Least angle in degrees must be below Greatest angle in degrees",
+           {**pressed, arm + "Least angle in degrees": 5, arm + "Greatest angle in degrees": -5}, [{arm + "Greatest angle in degrees": 20}])
+    yield ("nothing presses the wheel against the chain; give one", {**pressed, arm + "Moment in N m": 0, arm + "Stiffness in N m/rad": 0},
+           [{arm + "Moment in N m": 5}])
+    along = {**pressed, held: "slide", slide + "Direction in degrees": 0}
+    yield ("moves the wheel along the chain.*; choose another Direction in degrees", along, [{slide + "Direction in degrees": 90}])
+    short = r"too short for the tensioner.*; choose another place of the wheel, or (\d+) links"
+    yield (short, {**pressed, LINKS: 50, arm + "Least angle in degrees": -3}, [{LINKS: r"\1"}])
+    yield (short.replace("short", "long"), {**pressed, LINKS: 90}, [{LINKS: r"\1"}])
+
+
 def chain_and_sprockets():
     yield (r"is not a chain this program knows; did you mean (\w+)\?", {C + "Designation": "08BB"}, [{C + "Designation": r"\1"}])
     yield (r"is not a chain this program knows. Known are: (\w+),", {C + "Designation": "xyzzy"}, [{C + "Designation": r"\1"}])
@@ -333,4 +361,4 @@ def misspelt():
         yield (rf"Did you mean '([^']+)'\? .* are {NUMBER} ", {wrong: value}, [{wrong: None, MEANT: r"\2"}])
 
 
-TABLES = (layout, chain_and_sprockets, softness, times, models, effects, quantities, loads, warnings, misspelt)
+TABLES = (layout, tensioners, chain_and_sprockets, softness, times, models, effects, quantities, loads, warnings, misspelt)

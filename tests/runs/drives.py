@@ -3,6 +3,7 @@
 
   power split       each load pulls with 2 pi T / (z p) more on the span behind it than on the one before
   an idler          takes no tension and turns by its teeth
+  a tensioner       its spring's moment is that of its travel, and in the mean that of the chain on its wheel
   prescribed        speeds and torques are the functions of time, angle and speed that the file says
 
 and `plan --picture` draws it: every wheel with its name, every roller.
@@ -77,6 +78,49 @@ def idler(drive):
     near("tension that the load takes, N", tight - drive.tension("idler_to_driven"), drive.pull("driven"), 0.03 * tight)
 
 
+def tensioner(drive):
+    idler(drive)
+    travel, moment = drive.of("hubs/idler_travel", False), drive.of("hubs/idler_tensioner_moment", False)
+    speed = np.gradient(travel, drive.time)
+    rms = lambda x: np.sqrt(np.mean(np.square(x[2:-2])))  # noqa: E731
+    below("moment off the law of spring and damper, over that of the damper", rms(moment - (5 - 8 * travel - 0.05 * speed)) / rms(0.05 * speed), 0.05)
+    program.check(travel.min() > math.radians(-10) and travel.max() < math.radians(25), "it has met a stop")
+    program.check(np.ptp(travel) > 1e-4, "it does not move")
+    # counter-clockwise the arm takes up slack; the wheel's weight is 2 % of what its spring presses with
+    arm, turned = 1j * (-58 + 115) * 1e-3 + (190 - 120) * 1e-3, drive.of("hubs/idler_travel")
+    lever = arm * np.exp(1j * turned)
+    load = drive.of("hubs/idler_load_x") + 1j * drive.of("hubs/idler_load_y")
+    of_chain = (np.conj(lever) * load).imag
+    mean = moment[drive.inside].mean()
+    near("mean moment of chain and spring about the pivot, N m", (of_chain.mean() + mean) / mean, 0, 0.03)
+    planned = drive.summary["drive"]["spans"][0]["tension"]
+    near("tension beside the tensioner over the planned one", drive.tension("driver_to_idler") / planned, 1, 0.03)
+    tensioner_in_space()
+
+
+def tensioner_in_space():
+    """In space, with fields, on two ranks; and resumed: the same histories, those in the plane to round-off."""
+    entries = {"Output/History precision": "double", "Time/End time in ms": 3, "Output/Window start in ms": 1, "Output/Field interval in ms": 1}
+    entries["Output/Checkpoint interval in ms"] = 1
+    layered = {**entries, "Model/Fidelity": "layered", "Effects/Planar motion": "off"}
+    layered.update({"Drive/Layout/Start": "taut", "Drive/Layout/Tight span": "lower", "Drive/Wheels/idler/Held by": "slide"})
+    layered.update({"Drive/Wheels/idler/Slide/Direction in degrees": -90, "Drive/Wheels/idler/Slide/Force in N": 60})
+    layered.update({"Drive/Wheels/idler/Slide/Stiffness in N/m": 1000, "Time/Time step in us": 0.12})
+    file = FOLDER / f"{NAME}.prm"
+    program.run(file, layered, "--output", "whole", program=PROGRAM)
+    program.run(file, layered, "--output", "ranks", program=PROGRAM, ranks=2)
+    program.run(file, {**layered, "Time/End time in ms": 2}, "--output", "resumed", program=PROGRAM)
+    program.run(file, layered, "--output", "resumed", "--resume", "auto", program=PROGRAM)
+    program.run(file, {**layered, "Effects/Planar motion": "auto"}, "--output", "plane", program=PROGRAM)
+    whole = chaindrive.open("whole")
+    for other in ("ranks", "resumed"):
+        run = chaindrive.open(other)
+        for history in ("hubs/idler_travel", "hubs/idler_tensioner_force", "hubs/idler_angle", "links/tension", "energy/spring"):
+            program.check(np.array_equal(np.asarray(whole[history]), np.asarray(run[history])), f"{history} of {other} differs")
+    plane = np.asarray(chaindrive.open("plane")["hubs/idler_travel"])
+    below("travel in the plane off that in space, m", np.abs(plane - np.asarray(whole["hubs/idler_travel"])).max(), 1e-9)
+
+
 def emergency_stop(drive):
     begin, length, full = 40e-3, 60e-3, 105
     s = np.clip((drive.time - begin) / length, 0, 1)
@@ -141,5 +185,5 @@ def picture(drive):
 
 
 drive = Drive()
-{"two-loads": two_loads, "idler": idler, "emergency-stop": emergency_stop, "camshaft": camshaft, "conveyor": conveyor}[NAME](drive)
+{"two-loads": two_loads, "idler": idler, "tensioner": tensioner, "emergency-stop": emergency_stop, "camshaft": camshaft, "conveyor": conveyor}[NAME](drive)
 picture(drive)

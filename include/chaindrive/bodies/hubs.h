@@ -5,8 +5,9 @@
 
 namespace chaindrive
 {
-/// What turns about an axis that stands still (World::hubs): sprockets, arms. Those that are
-/// prescribed turn as the step's program says, exactly at every step, the others by their moments.
+/// What turns about an axis, or slides along one (World::hubs): sprockets, arms, slides. Those that
+/// are prescribed turn as the step's program says, exactly at every step, the others by their
+/// moments.
 class Hubs : public BodyGroup
 {
 public:

@@ -23,6 +23,11 @@ public:
   /// About what @p body turns: its centre of mass or its axis, m.
   const dealii::Tensor<1, 3> &centre(const unsigned int body) const { return pivot_[body]; }
 
+  /// Makes of the @p force [N] and the @p moment [N m] about its centre on each body the
+  /// accelerations [m/s2] of that centre and [rad/s2] that they cause.
+  void accelerate(std::vector<dealii::Tensor<1, 3>> &force,
+                  std::vector<dealii::Tensor<1, 3>> &moment) const;
+
   /// Acceleration per force of the material point of @p body that is at @p at [world, m], 1/kg.
   dealii::Tensor<2, 3> of_point(unsigned int body, const dealii::Tensor<1, 3> &at) const;
 

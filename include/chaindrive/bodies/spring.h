@@ -8,6 +8,8 @@ namespace chaindrive
 /// A spring between two bodies along one direction, as the critical time step sees it.
 struct Spring
 {
+  static constexpr unsigned int ground = static_cast<unsigned int>(-1); ///< for the second one
+
   unsigned int         first, second;
   dealii::Tensor<1, 3> direction; ///< unit
   dealii::Tensor<1, 3> first_at;  ///< world points where it is fastened, m

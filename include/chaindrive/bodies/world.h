@@ -53,13 +53,16 @@ public:
     double       speed;   ///< rad/s, counter-clockwise positive
   };
 
-  /// A body that only turns, about an axis that stands still, or does not move at all.
+  /// A body that only turns, about an axis that stands still or is carried, or only moves along an
+  /// axis, or does not move at all.
   struct Hub
   {
-    unsigned int         body;
-    bool                 prescribed;
-    dealii::Tensor<1, 3> axis;        ///< unit; positive is counter-clockwise seen from its end
-    dealii::Tensor<1, 3> arm;         ///< of the body's origin from the axis at the start, m
+    unsigned int body;
+    bool         prescribed;
+    bool         slides;       ///< along the axis: its inertia is a mass, kg; angle and speed are
+                               ///< its way, m, and m/s
+    dealii::Tensor<1, 3> axis; ///< unit; positive is counter-clockwise seen from its end
+    dealii::Tensor<1, 3> arm;  ///< of the body's origin from the axis at the start, m
     double               inertia;     ///< about the axis of all that moves as the hub does, kg m2
     double               angle = 0.;  ///< since the start, rad
     double               speed = 0.;  ///< rad/s
@@ -72,7 +75,24 @@ public:
   /// The frame of the body of a hub at its present angle and speed.
   void place(const Hub &hub);
 
-  /// Moment of all forces on the body of @p hub about its axis, N m.
+  /// A body on a hub that another one takes along.
+  struct Carried
+  {
+    unsigned int body, carrier;
+  };
+
+  /// Puts what is carried where its carrier is.
+  void place_carried()
+  {
+    for (const Carried &c : carried)
+      {
+        frames[c.body].position = frames[c.carrier].position;
+        frames[c.body].velocity = frames[c.carrier].velocity;
+      }
+  }
+
+  /// Moment of all forces on the body of @p hub, and on those that it carries, about its axis, N m;
+  /// of one that slides the force along it, N.
   double moment_about(const Hub &hub) const;
 
   /// Where the axis of a hub passes the origin of its body, m.
@@ -200,6 +220,7 @@ public:
   std::vector<Rotation>             rotations;
   std::vector<Spin>                 spins;
   std::vector<Hub>                  hubs;
+  std::vector<Carried>              carried;
   std::vector<Frame>       frames;        ///< per body, now; of an elastic one, its centre of mass
   std::vector<BodyBatches> copies;        ///< the elastic bodies, part by part
   NodeExchange             node_exchange; ///< between the ranks' copies

@@ -25,6 +25,21 @@ struct Proposal
 Proposal
 propose(const Fitter &fitter, const parameters::Layout &layout, double least_distance, bool even);
 
+/// Whether the wheels of @p fitter may be where they are with the one that moves at the distance
+/// or travel @p c: apart from each other, in a loop.
+bool may_be(const Fitter &fitter, double c);
+
+/// Makes the tensioner of @p drive what moves in its @p fitter: all other wheels stay, and the
+/// sense of its travel is the one in which slack falls. InputError where it moves along the chain
+/// and takes up next to nothing.
+void set_tensioner(const parameters::Drive &drive, Fitter &fitter);
+
+/// The travel of the tensioner of @p fitter with which the chain is straight in all spans; at its
+/// greatest one where even this leaves slack.
+/// @throws InputError when the chain is too short for the least travel, or too long for any with
+/// which wheels are apart.
+Proposal take_up(const Fitter &fitter, const std::string &wheel, bool even);
+
 /// Refuses (InputError) wheels of which more than one is to be found, that overlap, whatever the
 /// distance of the one that is found, or round which the chain would cross itself.
 void check_wheels(const parameters::Sprockets  &sprockets,

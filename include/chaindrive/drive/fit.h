@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/drive/tensioner.h>
 #include <chaindrive/parameters/drive.h>
 #include <chaindrive/path/route.h>
 
@@ -9,7 +10,7 @@
 
 namespace chaindrive::drive
 {
-/// A chain laid at one centre distance.
+/// A chain laid at one centre distance, or travel of a tensioner.
 struct Fit
 {
   double                   centre_distance;
@@ -40,6 +41,10 @@ struct Fitter
   /// and does not fall.
   bool rises = false;
 
+  /// Of the wheel that moves by its travel, in the place of a centre distance; else nothing moves
+  /// so.
+  std::optional<Tensioner> tensioner = {};
+
   /// What a centre distance is solved for: the part of the slack span that is excess, as a length
   /// or through its sag.
   struct Target
@@ -53,7 +58,7 @@ struct Fitter
     double value;
   };
 
-  /// The wheels, those that move at this distance from wheel 0.
+  /// The wheels, those that move at this distance from wheel 0, or with this travel.
   std::vector<path::Wheel> wheels(double centre_distance) const;
 
   /// Whether there is one that moves.

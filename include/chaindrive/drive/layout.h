@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/drive/chain.h>
+#include <chaindrive/drive/tensioner.h>
 #include <chaindrive/drive/tooth_form.h>
 #include <chaindrive/parameters/drive.h>
 #include <chaindrive/path/route.h>
@@ -9,6 +10,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <optional>
 #include <vector>
 
 namespace chaindrive::drive
@@ -67,6 +69,8 @@ struct Layout
   std::vector<Link>     links;
   double                prestress = 0.; ///< largest force that joints and teeth are placed for, N
 
+  std::optional<Tensioner> tensioner = {}; ///< where it is at the start
+
   /// The span that leads to a sprocket; span i leads from sprocket i.
   const Span &into(unsigned int sprocket) const;
 
@@ -104,7 +108,8 @@ bool keeps_sag(const parameters::Layout &layout);
 ///
 /// Rollers on a sprocket are on the circle of radius p / (2 sin(pi/z)), p the loaded pitch, in the
 /// middle of their gaps. The tight span is straight. The slack span is a polygon with equal angles
-/// between its links that bulges along gravity (-y), or outwards where there is none.
+/// between its links that bulges along gravity (-y), or outwards where there is none. A tensioner
+/// is where all spans are straight, or at its greatest travel.
 ///
 /// @param forms  of the sprockets, in the order of the path: driver and driven sprocket
 /// @param clearances  Without them, in the simple model, a joint is one lump and all links have the

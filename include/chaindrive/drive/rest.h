@@ -51,6 +51,14 @@ void bring_to_rest(Layout                          &layout,
                    const std::vector<RestingWheel> &wheels,
                    double                           tension);
 
+/// The same without load, where the tensioner of the layout keeps the tension and is the only shaft
+/// that moves; nothing does where it leans on its greatest stop and leaves slack.
+///
+/// @throws InputError, naming Drive/Wheels, when there is no such state.
+void bring_to_rest(Layout                          &layout,
+                   const RestingChain              &chain,
+                   const std::vector<RestingWheel> &wheels);
+
 /// How a drive runs.
 struct Operation
 {
@@ -60,10 +68,10 @@ struct Operation
                           ///< below their resonance on straight spans, or with their means
 };
 
-/// Moves chain and free wheels of @p layout to where they balance their torques while the drive
-/// runs, and sets them in motion: minimum of the energy as above, in which the tension that pulls
-/// at a joint is less by what turns the chain's own momentum, m v^2. Teeth take their shares of the
-/// tension at the angles at which rollers bear on them then. Without friction.
+/// Moves chain, free wheels and the tensioner of @p layout to where they balance their torques
+/// while the drive runs, and sets them in motion: minimum of the energy as above, in which the
+/// tension that pulls at a joint is less by what turns the chain's own momentum, m v^2. Teeth take
+/// their shares of the tension at the angles at which rollers bear on them then. Without friction.
 ///
 /// @throws InputError, naming Drive/Layout/Start, when no such state is found.
 void settle(Layout                          &layout,

@@ -3,6 +3,7 @@
 
 #include <chaindrive/parameters/choice.h>
 #include <chaindrive/parameters/sections.h>
+#include <chaindrive/parameters/tensioner.h>
 
 #include <array>
 #include <optional>
@@ -162,6 +163,7 @@ struct Sprocket
   /// Of its axis, m; empty: of the first one the origin, of one other what the layout finds.
   std::optional<std::array<double, 2>> centre    = {};
   double                               direction = 0.; ///< from the first one to what is found, rad
+  Holders                              held{};         ///< what holds its axis
 
   std::optional<double> resisting_torque = {}; ///< N m, of a driven one; empty: that of Loads
   std::optional<double> inertia          = {}; ///< kg m2, of all that turns with it; empty: its own

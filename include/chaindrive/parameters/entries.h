@@ -4,6 +4,7 @@
 #include <chaindrive/parameters/choice.h>
 #include <chaindrive/parameters/declarations.h>
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -65,6 +66,28 @@ Entry &add(Declarations          &declarations,
            const Range           &range,
            const std::string     &meaning,
            const std::string     &empty = "auto");
+
+/// An angle in degrees, or the word @p empty, which leaves the member [rad] empty.
+Entry &add_angle(Declarations          &declarations,
+                 const std::string     &name,
+                 std::optional<double> &member,
+                 const Range           &range,
+                 const std::string     &meaning,
+                 const std::string     &empty);
+
+/// The same for one that is always given.
+Entry &add_angle(Declarations      &declarations,
+                 const std::string &name,
+                 double            &member,
+                 const Range       &range,
+                 const std::string &meaning);
+
+/// A point of the plane, x and y in mm separated by a comma, or `auto`, which leaves the member [m]
+/// empty.
+Entry &add_point(Declarations                         &declarations,
+                 const std::string                    &name,
+                 std::optional<std::array<double, 2>> &member,
+                 const std::string                    &meaning);
 
 /// A whole number, both ends of the range included.
 Entry &add(Declarations      &declarations,

@@ -75,6 +75,10 @@ void add_sprockets(const model::Model             &model,
                    const std::vector<std::string> &folders,
                    Scene                          &scene);
 
+/// The arm or slide of the tensioner of @p drive, if there is one, and its spring. The wheels must
+/// be there.
+void add_tensioner(const drive::Drive &drive, Scene &scene);
+
 /// The law per area of a contact of elastic bodies of @p steel whose elements below the surface are
 /// @p thickness [m] thick: stiffness from the penalty factor, the rest as make_law() does.
 ContactLaw make_area_law(const model::Contact &contact,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/drive/programs.h>
+#include <chaindrive/drive/tensioner.h>
 #include <chaindrive/model/effects.h>
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/drive_view.h>
@@ -40,7 +41,8 @@ enum class Kind
   roller,
   inner_link,
   outer_link,
-  sprocket
+  sprocket,
+  tensioner ///< the arm or slide of one
 };
 
 /// Which part a body is an instance of: all rollers, inner and outer links share one each, every
@@ -82,10 +84,13 @@ struct Mount
     fixed,    ///< it stands still
     motor,    ///< turns about an axis as its shaft says; without one it stands still
     revolute, ///< turns about an axis by the moments on it, those of its shaft among them
+    prismatic ///< moves along an axis by the forces on it
   };
   Kind                            kind  = Kind::free;
   dealii::Tensor<1, 3>            axis  = {}; ///< unit
   std::optional<dealii::Point<3>> pivot = {}; ///< a point of the axis, m; empty: the body's origin
+  std::optional<unsigned int>     carrier = {}; ///< a body on a mount whose origin is that of this
+                                                ///< one and takes it along, without turning it
 
   static Mount free() { return {}; }
   static Mount fixed() { return {Kind::fixed, along_z()}; }
@@ -95,6 +100,7 @@ struct Mount
   {
     return {Kind::revolute, axis, pivot};
   }
+  static Mount prismatic(const dealii::Tensor<1, 3> &axis) { return {Kind::prismatic, axis}; }
 
   bool is_free() const { return kind == Kind::free; }
 
@@ -130,12 +136,24 @@ struct Shaft
   drive::ShaftProgram program;
 };
 
+/// What presses an arm or a slide that carries a wheel.
+struct Tensioner
+{
+  unsigned int body;          ///< on a mount
+  unsigned int sprocket;      ///< its wheel, in DriveView::sprockets
+  int          sense;         ///< +1: travel is positive as the body's motion about or along its
+                              ///< axis
+  double              travel; ///< at the start
+  drive::TensionerLaw law;
+};
+
 /// Who is there, what touches what, what pulls: a pure description, from which a World is made.
 struct Scene
 {
-  std::vector<Body> bodies; ///< rollers first (in joint order), then links, then sprockets
+  std::vector<Body> bodies; ///< rollers first (in joint order), then links, sprockets, others
   std::vector<Bar>  bars;   ///< simple fidelity: bar k joins rollers k and k+1
   std::vector<std::shared_ptr<const ForceElement>> forces; ///< others than bars and contacts
+  std::vector<Tensioner>                           tensioners;
   std::vector<BoreFamily>                          bores;
   std::vector<FaceFamily>                          faces;
   std::vector<ToothFamily>                         teeth;

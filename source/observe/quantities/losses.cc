@@ -89,7 +89,7 @@ public:
       add("chain damping", within_[chain_damping]);
     if (now_.system.loads.drag() != 0.)
       add("drag", within_[drag]);
-    if (!now_.scene.forces.empty())
+    if (!now_.scene.forces.empty() || !now_.scene.tensioners.empty())
       add("force elements", within_[spring_damping]);
 
     const double in = within_[drive_work], out = within_[resisting_work],
