@@ -14,10 +14,11 @@ using namespace test;
 int main()
 {
   const double length = 0.1, width = 4e-3, v0 = 1.;
-  for (const auto &[n, ratio_of_lengths] :
+  for (const auto &bars :
        {std::pair{50u, 1u}, std::pair{100u, 1u}, std::pair{200u, 1u}, std::pair{100u, 2u}})
     {
-      scene::Scene scene            = empty_scene();
+      const unsigned int n = bars.first, ratio_of_lengths = bars.second;
+      scene::Scene       scene      = empty_scene();
       scene.material.poissons_ratio = 0.;
       const double E                = scene.material.youngs_modulus;
       const double rho              = scene.material.density;

@@ -154,7 +154,7 @@ int main()
       std::cout << formulation.second << ", two bars, slowest and fastest:";
       for (const int lane : {0, n_lanes - 1})
         {
-          double momentum = 0., second = 0., before = 0., energy = 0., energy_second = 0.;
+          double momentum = 0., second = 0., before = 0., energy_second = 0.;
           for (unsigned int node = 0; node < reference.n_nodes(); ++node)
             {
               const double v    = batch.velocity[Batch::index(node, 0, lane)];
@@ -163,7 +163,6 @@ int main()
               before += m * first(reference.position[node]) * v0(lane);
               momentum += m * v;
               second += part * m * v;
-              energy += 0.5 * m * v * v;
               energy_second += part * 0.5 * m * v * v;
             }
           std::cout << " pressure over rho c v / 2 "

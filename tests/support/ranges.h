@@ -83,7 +83,7 @@ inline void paper_ranges(const nlohmann::json &s, const double least_angle, cons
 /// the window. @p k [N/m] and @p m [kg] are the roller-tooth stiffness and the mass of an impact.
 inline void engagement_ranges(const nlohmann::json &s, const double k, const double m)
 {
-  double       peak = 0., impulse = 0., least = 1e9, most = 0.;
+  double       peak = 0., least = 1e9, most = 0.;
   unsigned int n = 0;
   for (const auto &e : s["engagements"])
     if (e["sprocket"] == "driver" && e["complete"] && e["time"] >= s["window"]["start"])
@@ -91,7 +91,6 @@ inline void engagement_ranges(const nlohmann::json &s, const double k, const dou
         const double scaled =
             e["peak_force"].get<double>() / (e["normal_speed"].get<double>() * std::sqrt(k * m));
         peak += scaled;
-        impulse += e["impulse"].get<double>();
         least = std::min(least, e["impulse"].get<double>());
         most  = std::max(most, e["impulse"].get<double>());
         ++n;
