@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/contacts.h>
 #include <chaindrive/contact/elastic_flanks.h>
+#include <chaindrive/contact/guide_line.h>
 #include <chaindrive/contact/node_bores.h>
 #include <chaindrive/contact/node_contact.h>
 #include <chaindrive/contact/node_faces.h>
@@ -55,6 +56,8 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
     }
   for (const scene::SurfaceFamily &family : scene.surfaces)
     add_family(family);
+  for (const scene::GuideFamily &guide : scene.guides)
+    add_family({guide.name, std::make_shared<const GuideLine>(guide), guide.law, guide.slaves});
   for (const scene::BoreFamily &bores : scene.bores)
     if (bores.elastic)
       families_.push_back(std::make_unique<NodeBores>(scene, bores, world, search_every_step));

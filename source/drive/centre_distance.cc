@@ -30,14 +30,6 @@ std::string teeth_in_words(const Fitter &fitter)
   return text;
 }
 
-Target wanted(const parameters::Layout &layout)
-{
-  if (layout.centre_distance_from == parameters::CentreDistanceFrom::slack)
-    return {Target::Kind::slack, layout.slack};
-  if (layout.centre_distance_from == parameters::CentreDistanceFrom::sag)
-    return {Target::Kind::sag, layout.sag};
-  return {Target::Kind::slack, 0.}; // pre-tension: the link lengths hold the stretch
-}
 /// How often a chain turns counter-clockwise on its way round @p wheels, with wraps of less than a
 /// turn; NaN where two wheels have no common tangent.
 double turns_of(const std::vector<path::Wheel> &wheels)
@@ -104,6 +96,15 @@ Proposal propose_near(const Fitter      &fitter,
 }
 } // namespace
 
+Target wanted(const parameters::Layout &layout)
+{
+  if (layout.centre_distance_from == parameters::CentreDistanceFrom::slack)
+    return {Target::Kind::slack, layout.slack};
+  if (layout.centre_distance_from == parameters::CentreDistanceFrom::sag)
+    return {Target::Kind::sag, layout.sag};
+  return {Target::Kind::slack, 0.}; // pre-tension: the link lengths hold the stretch
+}
+
 bool may_be(const Fitter &fitter, const double c)
 {
   const std::vector<path::Wheel> wheels = fitter.wheels(c);
@@ -151,7 +152,9 @@ void check_wheels(const parameters::Sprockets  &sprockets,
                   const Fitter                 &fitter)
 {
   const auto &wheels = fitter.sprockets;
-  if (!finds_one(sprockets, layout, fitter) &&
+  const bool  clamped =
+      parameters::is_clamped(sprockets.list[tensioned_wheel(sprockets)].held.holder);
+  if (!finds_one(sprockets, layout, fitter) && !clamped &&
       layout.centre_distance_from != parameters::CentreDistanceFrom::given)
     throw InputError("Drive/Layout/Centre distance from = " + text_of(layout.centre_distance_from) +
                      " finds the centre of one wheel, but all of Drive/Wheels have one; choose "

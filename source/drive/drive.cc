@@ -8,6 +8,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -148,7 +149,8 @@ RestingChain resting_chain(const Parameters &p, const Drive &d)
 }
 
 /// The entries of a drive whose chain has worn while its shafts stayed where slack or sag of the
-/// new chain had put them: their distance is given. @p lay finds the layout of entries and a chain.
+/// new chain had put them: their distance, or the place of the wheel that is clamped, is given. @p
+/// lay finds the layout of entries and a chain.
 template <typename Lay>
 parameters::Drive worn_drive(const Parameters &parameters, const Lay &lay, Drive &d)
 {
@@ -159,13 +161,24 @@ parameters::Drive worn_drive(const Parameters &parameters, const Lay &lay, Drive
     return entries;
   parameters::Drive as_new = entries;
   as_new.chain.elongation  = 0.;
-  const double distance =
-      lay(without_tensioner(as_new), make_chain(as_new.chain, parameters.effects))
-          .centre_distance();
-  d.notes.push_back("Centre distance " + to_text(distance * 1e3, 7) + " mm, from " +
-                    text_of(layout.centre_distance_from) + " of the chain when it was new.");
+  const Layout laid = lay(without_tensioner(as_new), make_chain(as_new.chain, parameters.effects));
+  const std::string from =
+      ", from " + text_of(layout.centre_distance_from) + " of the chain when it was new.";
   entries.layout.centre_distance_from = CentreDistanceFrom::given;
-  entries.layout.centre_distance      = distance;
+  if (laid.clamped)
+    {
+      const Tensioner       &at     = *laid.clamped;
+      const dealii::Point<2> centre = at.centre(at.travel);
+      parameters::Sprocket  &wheel  = entries.sprockets.list[at.wheel];
+      wheel.centre                  = std::array<double, 2>{{centre[0], laid.sense * centre[1]}};
+      wheel.held.holder             = parameters::Holder::bearing;
+      d.notes.push_back("Travel of the " + text_of(at.holder) + " " + at.with_unit(at.travel) +
+                        from);
+      return entries;
+    }
+  entries.layout.centre_distance = laid.centre_distance();
+  d.notes.push_back("Centre distance " + to_text(1e3 * entries.layout.centre_distance, 7) + " mm" +
+                    from);
   return entries;
 }
 
@@ -474,10 +487,11 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
                        mass * gravity(parameters),
                        mass * speed * speed);
   };
-  parameters::Drive   entries = worn_drive(parameters, lay, d);
-  parameters::Layout &layout  = entries.layout;
-  if (tensioned_wheel(entries.sprockets) > 0 &&
-      layout.centre_distance_from == CentreDistanceFrom::slack)
+  parameters::Drive   entries   = worn_drive(parameters, lay, d);
+  parameters::Layout &layout    = entries.layout;
+  const unsigned int  tensioned = tensioned_wheel(entries.sprockets);
+  const bool          clamped   = is_clamped(entries.sprockets.list[tensioned].held.holder);
+  if (tensioned > 0 && !clamped && layout.centre_distance_from == CentreDistanceFrom::slack)
     { // the tensioner takes up the slack that there is without its travel
       layout.centre_distance      = lay(without_tensioner(entries), d.chain).centre_distance();
       layout.centre_distance_from = CentreDistanceFrom::given;
@@ -533,10 +547,11 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
           return settled(lay(trial, d.chain));
         });
     }
-  if (d.layout.tensioner)
-    d.notes.push_back(d.layout.tensioner->in_words(d.sprockets[d.layout.tensioner->wheel].title,
-                                                   d.layout.slack().slack));
-  if (layout.centre_distance_from != CentreDistanceFrom::given)
+  for (const auto &tensioner : {d.layout.tensioner, d.layout.clamped})
+    if (tensioner)
+      d.notes.push_back(
+          tensioner->in_words(d.sprockets[tensioner->wheel].title, d.layout.slack().slack));
+  if (layout.centre_distance_from != CentreDistanceFrom::given && !clamped)
     d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance() * 1e3, 7) +
                       " mm, from " + text_of(layout.centre_distance_from) + ".");
 }
@@ -562,6 +577,8 @@ Drive make_drive(const Parameters  &parameters,
   set_solids(parameters, d);
   set_stiffnesses(parameters, stiffness_of, d);
   lay_chain(parameters, shifts, d);
+  d.guides =
+      make_guides(parameters.drive, d.chain, d.layout, parameters.model.capabilities().is_elastic);
   return d;
 }
 } // namespace chaindrive::drive

@@ -60,15 +60,23 @@ Equilibrium::Equilibrium(Layout                          &layout,
 
 void Equilibrium::move_shaft(const double by)
 {
-  Point<2>    &shaft = layout_.sprockets[layout_.moved].centre;
-  const Vector arm = shaft - layout_.sprockets[0].centre, way = by / arm.norm() * arm;
+  const auto   wheel = layout_.clamped ? layout_.clamped->wheel : layout_.moved;
+  Point<2>    &shaft = layout_.sprockets[wheel].centre;
+  const Vector arm   = shaft - layout_.sprockets[0].centre;
+  Vector       way   = (layout_.rises ? -by : by) / arm.norm() * arm;
+  if (layout_.clamped)
+    {
+      Tensioner &clamped = *layout_.clamped;
+      clamped.travel += by / clamped.lever();
+      way = clamped.centre(clamped.travel) - shaft;
+    }
   if (wheels_.size() == 2 && arm[1] == 0.)
     for (Point<2> &p : at_)
       p[0] += std::clamp(p[0] / shaft[0], 0., 1.) * by;
   else
     {
-      const auto share = [this](const unsigned int k) {
-        return layout_.joints[k].sprocket == static_cast<int>(layout_.moved) ? 1. : 0.;
+      const auto share = [this, wheel](const unsigned int k) {
+        return layout_.joints[k].sprocket == static_cast<int>(wheel) ? 1. : 0.;
       };
       for (unsigned int k = 0; k < n_; ++k)
         at_[k] += share(k) * way;

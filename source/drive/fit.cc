@@ -112,13 +112,16 @@ double Fitter::solve(const Target &target, const double low, const double high) 
 std::optional<Fit>
 Fitter::solve(const Target &target, const path::Route &route, const double guess) const
 {
-  const double reach = 0.3 * chain.seats.mean() / (tensioner ? tensioner->lever() : 1.);
-  const auto   at    = [&](const double c) {
+  const double near = 0.3 * chain.seats.mean() / (tensioner ? tensioner->lever() : 1.);
+  const auto   at   = [&](const double c) {
     const auto f = fit(c, route);
     return f ? (rises ? -1. : 1.) * excess(*f, target) : std::nan("");
   };
-  if (!(at(guess - reach) > 0. && at(guess + reach) <= 0.))
-    return {};
-  return fit(bisect(guess - reach, guess + reach, 0., at), route);
+  // a tensioner takes up only a part of its way as slack
+  const double far = tensioner ? 20. * near : near;
+  for (double reach = near; reach <= far; reach *= 2.)
+    if (at(guess - reach) > 0. && at(guess + reach) <= 0.)
+      return fit(bisect(guess - reach, guess + reach, 0., at), route);
+  return {};
 }
 } // namespace chaindrive::drive

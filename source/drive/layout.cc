@@ -109,8 +109,9 @@ Tensor<1, 2> right_of(const Tensor<1, 2> &direction)
 void mirror(Layout &layout, const std::vector<ToothForm> &forms)
 {
   layout.sense = -1;
-  if (layout.tensioner)
-    layout.tensioner->mirror();
+  for (std::optional<Tensioner> *tensioner : {&layout.tensioner, &layout.clamped})
+    if (*tensioner)
+      (*tensioner)->mirror();
   for (Layout::Sprocket &sprocket : layout.sprockets)
     {
       sprocket.centre[1] = 0. - sprocket.centre[1]; // and no negative zero
@@ -291,6 +292,8 @@ std::string no_route(const parameters::Layout &layout,
                      const bool                even)
 {
   const std::string what = ": the chain closes on no route around these sprockets";
+  if (fitter.tensioner)
+    return "Drive/Wheels" + what + "; choose another number of links, or other places of wheels.";
   if (layout.centre_distance_from == CentreDistanceFrom::given)
     return "Drive/Layout/Centre distance in mm = " + to_text(layout.centre_distance * 1e3, 7) +
            what + "; choose a larger one, or Centre distance from = slack.";
@@ -443,26 +446,33 @@ Layout make_layout(const parameters::Drive      &drive,
   };
   Fitter fitter = fitter_with(0.);
   check_wheels(drive.sprockets, drive.layout, forms, fitter);
-  fitter.rises       = slack_rises(fitter, drive.layout.centre_distance);
   unsigned int moved = 1;
   for (unsigned int i = 1; i < fitter.sprockets.size(); ++i)
     if (fitter.sprockets[i].moves)
       moved = i;
   const double       least     = 0.5 * (forms[0].outside_diameter + forms[moved].outside_diameter);
   const unsigned int tensioned = tensioned_wheel(drive.sprockets);
-  if (tensioned > 0)
+  const auto         proposed  = [&]() {
+    if (tensioned == 0)
+      {
+        fitter.rises = slack_rises(fitter, drive.layout.centre_distance);
+        return propose(fitter, drive.layout, least, clearances);
+      }
     set_tensioner(drive, fitter);
-  Proposal proposal = tensioned > 0 ?
-                          take_up(fitter, drive.sprockets.list[tensioned].name, clearances) :
-                          propose(fitter, drive.layout, least, clearances);
+    const bool clamped = fitter.tensioner->is_clamped();
+    return take_up(fitter,
+                   clamped ? wanted(drive.layout) : Fitter::Target{Fitter::Target::Kind::slack, 0.},
+                   drive.sprockets.list[tensioned].name,
+                   clearances);
+  };
+  Proposal proposal = proposed();
   if (keeps_sag(drive.layout) && drive.layout.sag > 0. && !proposal.fits.empty())
     {
       // the span is longer by the stretch, which changes its tension by as small a part
       const path::SlackSpan &slack = proposal.fits.front().laid.slack;
       const HangingSpan      hung{slack.from.distance(slack.to), weight, 0.};
-      fitter       = fitter_with(hung.tension_of_sag(drive.layout.sag * hung.length) + centrifugal);
-      fitter.rises = slack_rises(fitter, drive.layout.centre_distance);
-      proposal     = propose(fitter, drive.layout, least, clearances);
+      fitter   = fitter_with(hung.tension_of_sag(drive.layout.sag * hung.length) + centrifugal);
+      proposal = proposed();
     }
 
   // The best route may leave a roller just short of its seat, touching a flank: then it belongs on
@@ -483,10 +493,12 @@ Layout make_layout(const parameters::Drive      &drive,
         check_apart(fit, fitter, drive.sprockets, forms, height);
       Layout layout = to_layout(fit.wheels, fitter.chain, fit.laid);
       layout.moved  = moved;
+      layout.rises  = fitter.rises;
       if (tensioned > 0)
         {
-          layout.tensioner         = fitter.tensioner;
-          layout.tensioner->travel = fit.centre_distance;
+          auto &held   = fitter.tensioner->is_clamped() ? layout.clamped : layout.tensioner;
+          held         = fitter.tensioner;
+          held->travel = fit.centre_distance;
         }
       if (drive.layout.start == parameters::Start::settled)
         set_in_motion(layout, std::abs(driver_speed));

@@ -86,7 +86,6 @@ std::string track_of(const Tensioner &tensioner, const double letter)
   const double from    = std::max(tensioner.law.least, tensioner.travel - reach),
                to      = std::min(tensioner.law.most, tensioner.travel + reach);
   const Point<2> now   = tensioner.centre(tensioner.travel);
-  const double   force = tensioner.law.elastic(tensioner.travel);
   std::string    path  = "  <path class=\"tensioner\" d=\"M" + at(tensioner.centre(from));
   constexpr int  parts = 16;
   for (int i = 1; i <= parts; ++i)
@@ -105,8 +104,11 @@ std::string track_of(const Tensioner &tensioner, const double letter)
   if (tensioner.is_arm())
     path += "  <circle class=\"tensioner\" cx=\"" + mm(tensioner.pivot[0]) + "\" cy=\"" +
             mm(0. - tensioner.pivot[1]) + "\" r=\"" + mm(0.4 * letter) + "\"/>\n";
-  const Tensor<1, 2> way = tensioner.way(tensioner.travel) / tensioner.lever();
-  const Tensor<1, 2> by  = 3. * letter * way;
+  if (tensioner.is_clamped())
+    return path;
+  const double       force = tensioner.law.elastic(tensioner.travel);
+  const Tensor<1, 2> way   = tensioner.way(tensioner.travel) / tensioner.lever();
+  const Tensor<1, 2> by    = 3. * letter * way;
   path += arrow(now + by, by, 0.8 * letter, "tensioner");
   const Point<2> label = tensioner.is_arm() ? tensioner.pivot : now - 4. * letter * way;
   return path + text(Point<2>(label[0], label[1] - 1.4 * letter),
@@ -144,8 +146,9 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
     }
   for (const Layout::Joint &joint : layout.joints)
     see(joint.roller, drive.chain.roller_diameter);
-  if (layout.tensioner && layout.tensioner->is_arm())
-    see(layout.tensioner->pivot, 0.);
+  const std::optional<Tensioner> &held = layout.clamped ? layout.clamped : layout.tensioner;
+  if (held && held->is_arm())
+    see(held->pivot, 0.);
   const double size = std::max(right - left, high - low), letter = 0.022 * size;
   const double margin = 4. * letter;
 
@@ -157,6 +160,7 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
       << " } .wheel { fill: #e8ecef } .chain { stroke: #1c6aa8 } .load { stroke: #b3261e; "
       << "stroke-width: " << mm(0.004 * size)
       << " } .tensioner { stroke: #8a5a00; stroke-width: " << mm(0.004 * size)
+      << " } .guide { stroke: #6a3d9a; stroke-width: " << mm(0.004 * size)
       << " } .sense { stroke: #2d7d46 } text { paint-order: stroke; "
       << "stroke: #fff; stroke-linejoin: round; stroke-width: " << mm(0.2 * letter)
       << " }</style>\n";
@@ -185,8 +189,16 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
         << mm(0. - joint.roller[1]) << "\" r=\"" << mm(0.5 * drive.chain.roller_diameter)
         << "\"/>\n";
 
-  if (layout.tensioner)
-    out << track_of(*layout.tensioner, letter);
+  for (const Guide &guide : drive.guides)
+    {
+      out << "  <path class=\"guide\" d=\"M" << at(guide.curve.begin());
+      constexpr unsigned int n = 8;
+      for (unsigned int i = 1; i <= n * guide.curve.n_pieces(); ++i)
+        out << "L" << at(guide.curve.at(static_cast<double>(i) / n));
+      out << "\"/>\n";
+    }
+  if (held)
+    out << track_of(*held, letter);
   for (std::size_t i = 0; i < facts.spans.size(); ++i)
     {
       const Layout::Span &span = layout.spans[i];

@@ -14,18 +14,19 @@ namespace chaindrive::drive
 {
 namespace
 {
-/// Slack of the best route at @p travel, m; not a number where there is none.
-double slack_at(const Fitter &fitter, const double travel)
+using Target = Fitter::Target;
+
+/// Excess of the best route at @p travel over the @p target; not a number where there is no route.
+double excess_at(const Fitter &fitter, const Target &target, const double travel)
 {
-  const auto best = fitter.fits(travel, true, 1);
-  return best.empty() ? std::nan("") : best.front().laid.slack.slack;
+  const auto best = fitter.fits(travel, target.kind == Target::Kind::slack, 1);
+  return best.empty() ? std::nan("") : Fitter::excess(best.front(), target);
 }
 
-/// A travel in the unit of its entry.
-std::string in_words(const Tensioner &tensioner, const double travel)
+/// Slack of the same with a straight slack span, m.
+double slack_at(const Fitter &fitter, const double travel)
 {
-  return tensioner.is_arm() ? to_text(travel * 180. / dealii::numbers::PI, 4) + " degrees" :
-                              in_mm(travel, 4);
+  return excess_at(fitter, {Target::Kind::slack, 0.}, travel);
 }
 } // namespace
 
@@ -57,40 +58,49 @@ void set_tensioner(const parameters::Drive &drive, Fitter &fitter)
   fitter.tensioner = make_tensioner(drive, gain < 0.);
 }
 
-Proposal take_up(const Fitter &fitter, const std::string &wheel, const bool even)
+Proposal
+take_up(const Fitter &fitter, const Target &target, const std::string &wheel, const bool even)
 {
   const Tensioner &tensioner = *fitter.tensioner;
   const double     most = tensioner.law.most, least = tensioner.law.least;
   const double     from  = std::clamp(0., least, most);
-  const double     first = slack_at(fitter, from);
+  const double     first = excess_at(fitter, target, from);
   const int        way   = first > 0. ? 1 : -1; // takes up slack, or lets go of some
   double near = from, far = from, step = 0.1 * fitter.chain.seats.mean() / tensioner.lever();
+  double slack = slack_at(fitter, from);
   for (double now = first; way * now > 0.; step *= 1.3)
     {
+      const double      wanted  = target.kind == Target::Kind::slack ? target.value : 0.;
+      const double      missing = wanted - slack;
       const std::string the_chain =
           "Drive/Wheels/" + wheel + ": a chain of " + std::to_string(fitter.chain.n_links) +
-          " links is " + in_mm(std::abs(now), 4) + " too " + (way > 0 ? "long" : "short") +
-          " for the tensioner, whose travel is ";
-      const std::string advice = "; choose another place of the wheel, or " +
-                                 advised_links(fitter, -now, even) + " links.";
+          " links is " + (std::isfinite(missing) ? in_mm(std::abs(missing), 4) + " " : "") +
+          "too " + (way > 0 ? "long" : "short") + " for the " +
+          (tensioner.is_clamped() ? text_of(tensioner.holder) : "tensioner") + ", whose travel is ";
+      const std::string advice =
+          "; choose another place of the wheel" +
+          (std::isfinite(missing) ? ", or " + advised_links(fitter, missing, even) + " links" :
+                                    std::string()) +
+          ".";
       if (far == (way > 0 ? most : least))
         {
-          if (way > 0) // it rests on its stop, and the chain is slack
+          if (way > 0 && !tensioner.is_clamped()) // it rests on its stop, and the chain is slack
             return {{}, fitter.fits(most, false)};
-          throw InputError(the_chain + "the least one, " + in_words(tensioner, least) + advice);
+          throw InputError(the_chain + "the " + (way > 0 ? "greatest" : "least") + " one, " +
+                           tensioner.with_unit(far) + advice);
         }
-      near                  = far;
-      const double now_near = now;
-      far                   = std::clamp(far + way * step, least, most);
-      now                   = may_be(fitter, far) ? slack_at(fitter, far) : std::nan("");
-      if (!std::isfinite(now) || way * (now_near - now) < 0.)
-        throw InputError(the_chain + in_words(tensioner, near) +
+      near                = far;
+      const double before = slack;
+      far                 = std::clamp(far + way * step, least, most);
+      now                 = may_be(fitter, far) ? excess_at(fitter, target, far) : std::nan("");
+      slack               = slack_at(fitter, far);
+      if (!std::isfinite(now) || way * (before - slack) < 0.)
+        throw InputError(the_chain + tensioner.with_unit(near) +
                          ", beyond which wheels meet, the chain crosses itself or travel takes up "
                          "no more" +
                          advice);
     }
-  const Fitter::Target straight{Fitter::Target::Kind::slack, 0.};
-  return {straight,
-          fitter.fits(fitter.solve(straight, std::min(near, far), std::max(near, far)), false)};
+  return {target,
+          fitter.fits(fitter.solve(target, std::min(near, far), std::max(near, far)), false)};
 }
 } // namespace chaindrive::drive

@@ -103,12 +103,19 @@ void Tensioner::carry(const double wheel, const double gravity)
   law.stop_damping   = 2. * 0.2 * std::sqrt(law.stop_stiffness * moves);
 }
 
+std::string Tensioner::with_unit(const double travel) const
+{
+  return is_arm() ? to_text(travel * 180. / dealii::numbers::PI, 4) + " degrees" : in_mm(travel, 4);
+}
+
 std::string Tensioner::in_words(const std::string &wheel, const double slack) const
 {
+  const std::string place = "The " + text_of(holder) + " of the " + wheel + " has " +
+                            (is_arm() ? "turned by " : "moved by ") + with_unit(travel);
+  if (is_clamped())
+    return place + ", where it is clamped.";
   const double force = law.elastic(travel);
-  return "The " + text_of(holder) + " of the " + wheel + " has " +
-         (is_arm() ? "turned by " + to_text(travel * 180. / dealii::numbers::PI, 4) + " degrees" :
-                     "moved by " + in_mm(travel, 4)) +
+  return place +
          (travel >= law.most ?
               " onto its greatest stop, which leaves " + in_mm(slack, 4) + " of slack" :
           travel <= law.least ? " onto its least stop" :
@@ -153,7 +160,9 @@ Tensioner make_tensioner(const parameters::Drive &drive, const bool reverse)
   law.retracting_damping = given.retracting_damping.value_or(given.damping);
   law.least              = given.least.value_or(law.least);
   law.most               = given.most.value_or(law.most);
-  if (given.least || given.most)
+  if (tensioner.is_clamped())
+    law = {0., 0., 0., 0., law.least, law.most};
+  else if (given.least || given.most)
     law.stop_stiffness = stop_at_the_axis * tensioner.lever() * tensioner.lever();
   return tensioner;
 }
@@ -169,14 +178,15 @@ void check_tensioner(const parameters::Drive &drive, const bool is_elastic)
   const parameters::Sprocket &wheel   = drive.sprockets.list[tensioned_wheel(drive.sprockets)];
   const std::string           section = "Drive/Wheels/" + wheel.name + "/";
   const std::string           entry   = section + "Held by = " + text_of(wheel.held.holder);
-  const bool                  arm     = wheel.held.holder == Holder::arm;
+  const bool                  arm     = turns(wheel.held.holder);
+  const bool                  clamped = is_clamped(wheel.held.holder);
   if (held.size() > 1)
     throw InputError("Drive/Wheels: " + join(held, " and ") +
                      " are tensioners; one takes up the slack, so choose Held by = bearing for all "
                      "others.");
-  if (is_elastic)
+  if (is_elastic && !clamped)
     throw InputError(entry + " is for the fidelities simple and layered; choose one of these for "
-                             "Model/Fidelity, or bearing.");
+                             "Model/Fidelity, or bearing, eccentric or slot.");
   if (wheel.role != parameters::Role::idler)
     throw InputError(entry + " is for an idler; choose bearing for a wheel with a load, or Role = "
                              "idler.");
@@ -189,14 +199,18 @@ void check_tensioner(const parameters::Drive &drive, const bool is_elastic)
     throw InputError(section +
                      "Arm/Pivot in mm must be at least 1 mm from Centre in mm, or the arm "
                      "does not move the wheel.");
-  if (drive.layout.centre_distance_from == CentreDistanceFrom::sag ||
-      drive.layout.centre_distance_from == CentreDistanceFrom::pretension)
+  if (clamped && drive.layout.centre_distance_from == CentreDistanceFrom::given)
+    throw InputError(entry +
+                     " is moved until the chain has a slack, a sag or a pre-tension; choose "
+                     "one of these for Drive/Layout/Centre distance from, or bearing.");
+  if (!clamped && (drive.layout.centre_distance_from == CentreDistanceFrom::sag ||
+                   drive.layout.centre_distance_from == CentreDistanceFrom::pretension))
     throw InputError(
         "Drive/Layout/Centre distance from = " + text_of(drive.layout.centre_distance_from) +
         " cannot be with " + entry +
         ", whose spring decides tension and sag; choose given, or slack, which is that "
         "of the chain while the tensioner has no travel.");
-  if (drive.layout.start == parameters::Start::concentric)
+  if (!clamped && drive.layout.start == parameters::Start::concentric)
     throw InputError("Drive/Layout/Start = concentric has no contact in its joints, so that the "
                      "chain cannot bear the spring of " +
                      entry + "; choose taut or settled.");
@@ -206,7 +220,7 @@ void check_tensioner(const parameters::Drive &drive, const bool is_elastic)
     throw InputError(limit +
                      (arm ? "Least angle in degrees must be below Greatest angle in degrees." :
                             "Least travel in mm must be below Greatest travel in mm."));
-  if (given.preload == 0. && given.stiffness == 0.)
+  if (!clamped && given.preload == 0. && given.stiffness == 0.)
     throw InputError(
         limit +
         (arm ? "Moment in N m and Stiffness in N m/rad" : "Force in N and Stiffness in N/m") +
@@ -217,7 +231,8 @@ parameters::Drive without_tensioner(const parameters::Drive &drive)
 {
   parameters::Drive entries = drive;
   for (parameters::Sprocket &sprocket : entries.sprockets.list)
-    sprocket.held.holder = Holder::bearing;
+    if (!is_clamped(sprocket.held.holder))
+      sprocket.held.holder = Holder::bearing;
   return entries;
 }
 } // namespace chaindrive::drive

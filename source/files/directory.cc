@@ -22,8 +22,8 @@ namespace chaindrive::files
 {
 namespace
 {
-constexpr std::array<const char *, 8> groups{
-    {"hubs", "rollers", "teeth", "links", "spans", "joints", "plates", "energy"}};
+constexpr std::array<const char *, 9> groups{
+    {"hubs", "guides", "rollers", "teeth", "links", "spans", "joints", "plates", "energy"}};
 
 std::string csv_files()
 {

@@ -86,6 +86,27 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
                                       {CentreDistanceFrom::pretension, "Pretension in N"}})
     rules.push_back(
         {from != choice, {layout + entry}, layout + "Centre distance from = " + text_of(from)});
+  for (const parameters::Sprocket &wheel : p.drive.sprockets.list)
+    {
+      const parameters::Holder holder = wheel.held.holder;
+      const std::string        of     = "Drive/Wheels/" + wheel.name + "/";
+      const std::string        held   = of + "Held by = " + text_of(holder);
+      const bool               fixed  = holder == parameters::Holder::bearing;
+      rules.push_back({fixed || !turns(holder), {of + "Arm/"}, held});
+      rules.push_back({fixed || turns(holder), {of + "Slide/"}, held});
+      rules.push_back({is_clamped(holder),
+                       {of + "Arm/Moment in N m",
+                        of + "Arm/Stiffness in N m/rad",
+                        of + "Arm/Damping in N m s/rad",
+                        of + "Arm/Retracting damping in N m s/rad",
+                        of + "Arm/Inertia in kg m2",
+                        of + "Slide/Force in N",
+                        of + "Slide/Stiffness in N/m",
+                        of + "Slide/Damping in N s/m",
+                        of + "Slide/Retracting damping in N s/m",
+                        of + "Slide/Mass in g"},
+                       held + " is clamped"});
+    }
   for (const std::string &section : p.sections.inactive())
     rules.push_back({true, {section + "/"}, section + "/Active = false"});
   return rules;

@@ -169,9 +169,9 @@ const std::vector<NotModelled> &not_modelled()
        "the driver follows its prescribed speed, whatever the load"},
       {{"shaft stiffness", "shaft damping", "bearing", "housing"},
        "the shafts and bearings of both sprockets are rigid"},
-      {{"tensioner", "guide", "snubber"},
-       "nothing but the wheels of Drive/Wheels touches the chain; one of them may be a tensioner, "
-       "see its entry Held by"},
+      {{"tensioner", "guide", "snubber", "rail", "slipper"},
+       "nothing but the wheels of Drive/Wheels and their guides touches the chain; one of them may "
+       "be a tensioner, see its entry Held by and its section Guide"},
       {{"lubric", "oil", "grease", "viscos"},
        "friction follows Coulomb's law; set Contact/Friction coefficient for the lubrication"},
       {{"temperature", "thermal", "heat"}, "temperatures are constant"},

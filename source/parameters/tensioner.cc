@@ -70,8 +70,7 @@ void declare_arm(Declarations &declarations, Holders &held)
       unit::si,
       between(0., 1e6),
       "Of the arm about its pivot, without the wheel, whose mass is that of its solid. The arm's "
-      "own "
-      "weight is part of the moment above.");
+      "own weight is part of the moment above.");
 }
 
 void declare_slide(Declarations &declarations, Holders &held)
@@ -138,9 +137,11 @@ void Holders::declare(Declarations &declarations)
       "Held by",
       holder,
       "bearing: its axis stands still. arm, slide: it is a tensioner, whose axis turns about a "
-      "pivot "
-      "or moves along a line, pressed against the chain by the spring in section Arm or Slide; "
-      "simple and layered fidelity, one wheel of a drive, an idler with a centre of its own.");
+      "pivot or moves along a line, pressed against the chain by the spring in section Arm or "
+      "Slide; simple and layered fidelity. eccentric, slot: its axis is moved likewise until the "
+      "chain has the slack, sag or pre-tension of Layout/Centre distance from, and clamped there; "
+      "stops limit its travel, and springs have no meaning. One wheel of a drive, an idler with a "
+      "centre of its own.");
   declare_arm(declarations, *this);
   declare_slide(declarations, *this);
 }

@@ -110,6 +110,7 @@ void declare_wheel(Declarations &declarations,
         "x.");
   if (is_own)
     sprocket.held.declare(declarations);
+  sprocket.guide.declare(declarations);
 }
 } // namespace
 

@@ -28,6 +28,8 @@ std::string name_of(const Scene &scene, const Body &body)
       return scene.drive.sprockets.at(body.number).name + " sprocket";
     case Kind::tensioner:
       return "tensioner of " + scene.drive.sprockets.at(body.number).name;
+    case Kind::guide:
+      return "guides";
     }
   return "";
 }
@@ -111,6 +113,9 @@ void print_plan(std::ostream &out, const Scene &scene)
         << teeth.name
         << " (those near the sprocket are looked at): " << law_text(teeth.law, teeth.elastic)
         << '\n';
+  for (const GuideFamily &guide : scene.guides)
+    out << "  " << std::setw(4) << guide.slaves.size() << " points " << guide.name
+        << " (those near it are looked at): " << law_text(guide.law, false) << '\n';
   if (!scene.bars.empty())
     out << "  " << std::setw(4) << scene.bars.size() << " bars: k "
         << to_text(scene.bars.front().stiffness, 4) << " N/m, c "

@@ -63,6 +63,8 @@ std::string Scene::name_of(const unsigned int b) const
       return drive.sprockets.at(bodies[b].number).title;
     case Kind::tensioner:
       return "tensioner of the " + drive.sprockets.at(bodies[b].number).title;
+    case Kind::guide:
+      return "guide of " + drive.spans.at(bodies[b].number).name;
     }
   return "";
 }

@@ -72,6 +72,8 @@ void check_choices()
                                    check_choice<Enforcement>("enforcement"),
                                    check_choice<SpeedRamp>("speed ramp"),
                                    check_choice<Side>("side"),
+                                   check_choice<Holder>("what holds a wheel"),
+                                   check_choice<GuideLine>("line of a guide"),
                                    check_choice<Precision>("history precision")};
 
   std::string list = check_choice<QuantityGroup>("quantity group");

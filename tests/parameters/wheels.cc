@@ -21,11 +21,20 @@ const std::string wheels = "subsection Drive\n"
                            "      set Teeth = 11\n"
                            "      set Side = outside\n"
                            "      set Centre in mm = 300, -92\n"
+                           "      set Held by = arm\n"
+                           "      subsection Arm\n"
+                           "        set Pivot in mm = 200, -100\n"
+                           "        set Moment in N m = 5\n"
+                           "        set Least angle in degrees = -9\n"
+                           "      end\n"
                            "    end\n"
                            "    subsection pump\n"
                            "      set Role = driven\n"
                            "      set Centre in mm = 200, 150\n"
                            "      set Inertia in kg m2 = 0.002\n"
+                           "      subsection Guide\n"
+                           "        set Points in mm = 40, 60; 100, 62.5; 150, 60\n"
+                           "      end\n"
                            "    end\n"
                            "  end\n"
                            "  subsection Sprockets\n"
@@ -58,6 +67,20 @@ void print(const Parameters &p)
         std::cout << ", " << *sprocket.resisting_torque << " N m";
       if (sprocket.outside_diameter)
         std::cout << ", outside " << *sprocket.outside_diameter;
+      if (sprocket.held.holder != parameters::Holder::bearing)
+        {
+          const parameters::Tensioner &held = sprocket.held.tensioner();
+          std::cout << ", on an " << text_of(sprocket.held.holder) << " about "
+                    << (*sprocket.held.pivot)[0] << ' ' << (*sprocket.held.pivot)[1] << " with "
+                    << held.preload << " N m from " << *held.least << " rad on, end "
+                    << held.most.has_value();
+        }
+      if (!sprocket.guide.points.empty())
+        {
+          std::cout << ", guide";
+          for (const auto &point : sprocket.guide.points)
+            std::cout << " (" << point[0] << ' ' << point[1] << ')';
+        }
       std::cout << '\n';
     }
 }
@@ -135,6 +158,12 @@ int main()
                             "Centre in mm=300; -92",
                             "Centre in mm=300, nan",
                             "Centre in mm=1e9, 0",
+                            "Held by=nothing",
+                            "Arm/Pivot in mm=1",
+                            "Guide/Points in mm=1, 2",
+                            "Guide/Points in mm=1, 2; 3",
+                            "Guide/Points in mm=1, 2; 3, x",
+                            "Guide/Line=polygon",
                             "Role=driver",
                             "Side=left",
                             "Teeth=8",

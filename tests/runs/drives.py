@@ -4,6 +4,7 @@
   power split       each load pulls with 2 pi T / (z p) more on the span behind it than on the one before
   an idler          takes no tension and turns by its teeth
   a tensioner       its spring's moment is that of its travel, and in the mean that of the chain on its wheel
+  guides            the chain keeps half of a plate's height from them, and rubs on them with their coefficient of friction
   prescribed        speeds and torques are the functions of time, angle and speed that the file says
 
 and `plan --picture` draws it: every wheel with its name, every roller.
@@ -121,6 +122,50 @@ def tensioner_in_space():
     below("travel in the plane off that in space, m", np.abs(plane - np.asarray(whole["hubs/idler_travel"])).max(), 1e-9)
 
 
+def circle(points):
+    """Centre and radius of the one through three points of the plane, complex numbers."""
+    a, b, c = points
+    w = (c - a) / (b - a)
+    centre = (b - a) * (w - abs(w) ** 2) / (2j * w.imag) + a
+    return centre, abs(centre - a)
+
+
+def distances(run, points, above):
+    """By sample those of the joints beside an arc from it, towards the loop, m; infinite of all others."""
+    centre, radius = circle(points)
+    at = np.asarray(run["rollers/position_x"]) + 1j * np.asarray(run["rollers/position_y"])
+    beside = (at.real > min(points.real)) & (at.real < max(points.real)) & ((at.imag > 0) == above)
+    inwards = math.copysign(1, abs(centre) - radius)
+    return np.where(beside, inwards * (abs(at - centre) - radius), np.inf)
+
+
+def guides(drive):
+    half = 0.5 * 8.26e-3  # of an inner plate of 06B
+    arcs = {"driver_to_driven": np.array([30 - 41j, 120 - 54.2j, 210 - 61.8j]) * 1e-3,
+            "driven_to_driver": np.array([210 + 57.9j, 120.5 + 46.5j, 31.5 + 37.5j]) * 1e-3}
+    program.run(FOLDER / "guides.prm", {"Output/History precision": "double", "Drive/Wheels/driver/Guide/Points in mm": "",
+                "Drive/Wheels/driven/Guide/Points in mm": ""}, "--output", "without", program=PROGRAM)
+    without = chaindrive.open("without")
+    for span, points in arcs.items():
+        force, rubbing = (np.asarray(drive.run[f"guides/{span}_{what}"]) for what in ("force", "friction"))
+        touched = force > 0
+        program.check(touched.any(), f"the guide of {span} is not touched")
+        below(f"{span}: friction off 0.1 of the force, over the largest", np.abs(rubbing - 0.1 * force).max() / rubbing.max(), 1e-9)
+        beside = distances(drive.run, points, span == "driven_to_driver")
+        # all that are in the guide, by its stiffness of 1e7 N/m; its damping leaves as much as it brings
+        elastic = 1e7 * np.maximum(half - beside, 0).sum(axis=1)
+        near(f"{span}: mean force by the depths of plates in the guide, N", elastic.mean(), force.mean(), 0.1 * force.mean())
+        below(f"{span}: depth without force, m", half - beside[~touched].min(), 5e-6)
+        beyond = half - distances(without, points, span == "driven_to_driver").min()
+        print(f"{span}: without the guide the chain comes {1e3 * beyond:.3g} mm beyond it")
+        program.check(beyond > 1e-3, f"the guide of {span} holds nothing")
+    loss = {name: losses["power"] for name, losses in drive.summary["losses"].items()}
+    speed = np.hypot(np.asarray(drive.run["rollers/velocity_x"]), np.asarray(drive.run["rollers/velocity_y"]))[drive.inside].mean()
+    rubbed = drive.of("guides/driven_to_driver_friction").mean() * speed
+    near("power lost at the guide of the tight span, W", loss["guide of driven_to_driver"], rubbed, 0.3 * rubbed)
+    program.check("guides/driven_to_driver_force" not in without, "a run without guides has forces of guides")
+
+
 def emergency_stop(drive):
     begin, length, full = 40e-3, 60e-3, 105
     s = np.clip((drive.time - begin) / length, 0, 1)
@@ -185,5 +230,5 @@ def picture(drive):
 
 
 drive = Drive()
-{"two-loads": two_loads, "idler": idler, "tensioner": tensioner, "emergency-stop": emergency_stop, "camshaft": camshaft, "conveyor": conveyor}[NAME](drive)
+{"two-loads": two_loads, "idler": idler, "tensioner": tensioner, "guides": guides, "emergency-stop": emergency_stop, "camshaft": camshaft, "conveyor": conveyor}[NAME](drive)
 picture(drive)

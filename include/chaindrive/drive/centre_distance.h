@@ -34,11 +34,16 @@ bool may_be(const Fitter &fitter, double c);
 /// and takes up next to nothing.
 void set_tensioner(const parameters::Drive &drive, Fitter &fitter);
 
-/// The travel of the tensioner of @p fitter with which the chain is straight in all spans; at its
-/// greatest one where even this leaves slack.
+/// What the slack span has where the layout finds the place of a wheel: the slack or sag of @p
+/// layout; none with pre-tension, where the link lengths hold the stretch.
+Fitter::Target wanted(const parameters::Layout &layout);
+
+/// The travel of the tensioner of @p fitter that meets the @p target; at its greatest one where
+/// even this leaves more and it has a spring.
 /// @throws InputError when the chain is too short for the least travel, or too long for any with
 /// which wheels are apart.
-Proposal take_up(const Fitter &fitter, const std::string &wheel, bool even);
+Proposal
+take_up(const Fitter &fitter, const Fitter::Target &target, const std::string &wheel, bool even);
 
 /// Refuses (InputError) wheels of which more than one is to be found, that overlap, whatever the
 /// distance of the one that is found, or round which the chain would cross itself.

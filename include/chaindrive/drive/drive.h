@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/drive/chain.h>
+#include <chaindrive/drive/guide.h>
 #include <chaindrive/drive/layout.h>
 #include <chaindrive/drive/programs.h>
 #include <chaindrive/drive/solids.h>
@@ -44,6 +45,7 @@ struct Drive
   std::vector<Sprocket> sprockets; ///< in the order in which the chain runs over them
   double                sprocket_width;
   Layout                layout;
+  std::vector<Guide>    guides;
 
   MassProperties roller_solid, inner_link_solid, outer_link_solid;
   double         mass_per_pitch; ///< of the solids: a roller and half of either link, kg

@@ -69,7 +69,8 @@ struct Layout
   std::vector<Link>     links;
   double                prestress = 0.; ///< largest force that joints and teeth are placed for, N
 
-  std::optional<Tensioner> tensioner = {}; ///< where it is at the start
+  std::optional<Tensioner> tensioner = {}; ///< with a spring, where it is at the start
+  std::optional<Tensioner> clamped   = {}; ///< the place of a wheel that has been found so
 
   /// The span that leads to a sprocket; span i leads from sprocket i.
   const Span &into(unsigned int sprocket) const;
@@ -79,7 +80,8 @@ struct Layout
   const Span &tight() const { return into(0); }
   const Span &slack() const { return spans.front(); }
 
-  unsigned int moved = 1; ///< the sprocket whose distance from sprocket 0 the layout decides
+  unsigned int moved = 1;     ///< the sprocket whose distance from sprocket 0 the layout decides
+  bool         rises = false; ///< the chain gets slack as it goes away from sprocket 0
 
   /// Of these two, m.
   double centre_distance() const { return sprockets[0].centre.distance(sprockets[moved].centre); }
@@ -109,7 +111,8 @@ bool keeps_sag(const parameters::Layout &layout);
 /// Rollers on a sprocket are on the circle of radius p / (2 sin(pi/z)), p the loaded pitch, in the
 /// middle of their gaps. The tight span is straight. The slack span is a polygon with equal angles
 /// between its links that bulges along gravity (-y), or outwards where there is none. A tensioner
-/// is where all spans are straight, or at its greatest travel.
+/// with a spring is where all spans are straight, or at its greatest travel, one that is clamped
+/// where the slack span is as it should be.
 ///
 /// @param forms  of the sprockets, in the order of the path: driver and driven sprocket
 /// @param clearances  Without them, in the simple model, a joint is one lump and all links have the

@@ -47,7 +47,7 @@ struct TensionerLaw
 struct Tensioner
 {
   unsigned int         wheel;
-  parameters::Holder   holder;    ///< arm or slide
+  parameters::Holder   holder;    ///< any but a bearing
   dealii::Point<2>     reference; ///< of the wheel's centre without travel, m
   dealii::Point<2>     pivot;     ///< of an arm, m
   dealii::Tensor<1, 2> direction; ///< of a slide, unit: the one that takes up slack
@@ -57,7 +57,8 @@ struct Tensioner
   double               weight = 0.; ///< of all that moves with the wheel's centre, along -y, N
   double               travel = 0.; ///< at the start
 
-  bool is_arm() const { return holder == parameters::Holder::arm; }
+  bool is_arm() const { return parameters::turns(holder); }
+  bool is_clamped() const { return parameters::is_clamped(holder); }
 
   /// Way of the wheel's centre per travel: the length of the arm, m, or 1.
   double lever() const { return is_arm() ? reference.distance(pivot) : 1.; }
@@ -70,6 +71,9 @@ struct Tensioner
   /// Takes the mass of its wheel [kg], of which its weight and the damping of its stops follow: a
   /// fifth of critical damping.
   void carry(double wheel, double gravity);
+
+  /// A travel with the unit of its entry, such as "12 degrees".
+  std::string with_unit(double travel) const;
 
   /// A sentence that says where it is and how it presses, with this @p slack [m] in the chain.
   std::string in_words(const std::string &wheel, double slack) const;
@@ -89,6 +93,6 @@ Tensioner make_tensioner(const parameters::Drive &drive, bool reverse);
 /// elastic model.
 void check_tensioner(const parameters::Drive &drive, bool is_elastic);
 
-/// The same drive with the wheel standing still where its centre is given.
+/// The same drive with the wheel of a spring standing still where its centre is given.
 parameters::Drive without_tensioner(const parameters::Drive &drive);
 } // namespace chaindrive::drive

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/parameters/choice.h>
+#include <chaindrive/parameters/guide.h>
 #include <chaindrive/parameters/sections.h>
 #include <chaindrive/parameters/tensioner.h>
 
@@ -164,6 +165,7 @@ struct Sprocket
   std::optional<std::array<double, 2>> centre    = {};
   double                               direction = 0.; ///< from the first one to what is found, rad
   Holders                              held{};         ///< what holds its axis
+  Guide                                guide{};        ///< of the span behind it
 
   std::optional<double> resisting_torque = {}; ///< N m, of a driven one; empty: that of Loads
   std::optional<double> inertia          = {}; ///< kg m2, of all that turns with it; empty: its own

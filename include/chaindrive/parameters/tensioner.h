@@ -13,14 +13,31 @@ class Declarations;
 /// What holds the axis of a wheel.
 enum class Holder
 {
-  bearing, ///< it stands still
-  arm,     ///< it is on an arm that turns about a pivot
-  slide    ///< it moves along a straight line
+  bearing,   ///< it stands still
+  arm,       ///< it is on an arm that turns about a pivot
+  slide,     ///< it moves along a straight line
+  eccentric, ///< an arm that is clamped
+  slot       ///< a slide that is clamped
 };
 
 template <>
-inline constexpr Texts<Holder, 3> texts_of<Holder>{
-    {{Holder::bearing, "bearing"}, {Holder::arm, "arm"}, {Holder::slide, "slide"}}};
+inline constexpr Texts<Holder, 5> texts_of<Holder>{{{Holder::bearing, "bearing"},
+                                                    {Holder::arm, "arm"},
+                                                    {Holder::slide, "slide"},
+                                                    {Holder::eccentric, "eccentric"},
+                                                    {Holder::slot, "slot"}}};
+
+/// Whether it stands still where the layout has put it, and has no spring.
+constexpr bool is_clamped(const Holder holder)
+{
+  return holder == Holder::eccentric || holder == Holder::slot;
+}
+
+/// Whether its travel is an angle, and not a way.
+constexpr bool turns(const Holder holder)
+{
+  return holder == Holder::arm || holder == Holder::eccentric;
+}
 
 /// What presses a wheel against the chain. Travel, the turn of an arm [rad] or the way of a slide
 /// [m], counts from where the wheel's centre is given and is positive where it takes up slack;
@@ -45,7 +62,7 @@ struct Holders
   Tensioner                            arm{}, slide{};
 
   /// That of the two which is there.
-  const Tensioner &tensioner() const { return holder == Holder::arm ? arm : slide; }
+  const Tensioner &tensioner() const { return turns(holder) ? arm : slide; }
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.

@@ -79,6 +79,9 @@ void add_sprockets(const model::Model             &model,
 /// be there.
 void add_tensioner(const drive::Drive &drive, Scene &scene);
 
+/// The guides of @p drive, which plates slide on. The wheels must be there.
+void add_guides(const model::Model &model, const drive::Drive &drive, Scene &scene);
+
 /// The law per area of a contact of elastic bodies of @p steel whose elements below the surface are
 /// @p thickness [m] thick: stiffness from the penalty factor, the rest as make_law() does.
 ContactLaw make_area_law(const model::Contact &contact,

@@ -21,6 +21,11 @@ namespace chaindrive::mesh
 class FacetSurface;
 }
 
+namespace chaindrive::path
+{
+class Curve;
+}
+
 namespace chaindrive::contact
 {
 class Surface;
@@ -157,6 +162,17 @@ struct SurfaceFamily
                                        ///< elastic slave, N/m; 0: it does not
   double half_angle = right_angle; ///< up to which round slaves touch under the largest forces, rad
   InterfaceOf interface = Interface::other;
+};
+
+/// A guide and all plates that could ever slide on it.
+struct GuideFamily
+{
+  std::string                        name;  ///< in words
+  unsigned int                       body;  ///< whose frame the line is in
+  std::shared_ptr<const path::Curve> curve; ///< on which the edges of plates slide
+  ContactLaw                         law;
+  std::vector<SlavePoint>            slaves;
+  bool at_centres = false; ///< forces act at the centres of slaves, which plates do not turn
 };
 
 /// A massless elastic bar between the centres of two bodies.

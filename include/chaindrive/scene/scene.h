@@ -42,7 +42,8 @@ enum class Kind
   inner_link,
   outer_link,
   sprocket,
-  tensioner ///< the arm or slide of one
+  tensioner, ///< the arm or slide of one
+  guide
 };
 
 /// Which part a body is an instance of: all rollers, inner and outer links share one each, every
@@ -158,6 +159,7 @@ struct Scene
   std::vector<FaceFamily>                          faces;
   std::vector<ToothFamily>                         teeth;
   std::vector<SurfaceFamily>                       surfaces;
+  std::vector<GuideFamily>                         guides;
   parameters::Loads  loads;  ///< with the coefficients of effects that are off set to zero
   std::vector<Shaft> shafts; ///< a hub without one stands still or turns freely
   double             start_time  = 0.;    ///< s

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/contact/surface.h>
+#include <chaindrive/scene/interface.h>
+
+namespace chaindrive::contact
+{
+/// The line of a guide on a rigid body, along which the edges of plates slide.
+class GuideLine : public Surface
+{
+public:
+  explicit GuideLine(const scene::GuideFamily &family);
+
+  /// A slave that is behind the line by more than its radius is on another side of the guide.
+  Touch project(const World                &world,
+                const dealii::Tensor<1, 3> &x,
+                double                      radius,
+                double                      within,
+                unsigned int               &hint,
+                Projection                 &projection) const override;
+
+  bool needs_search() const override { return true; }
+  bool is_near(const World                &world,
+               const dealii::Tensor<1, 3> &x,
+               double                      radius,
+               double                      reach) const override;
+
+private:
+  std::shared_ptr<const path::Curve> curve_;
+  bool                               at_centres_;
+  dealii::Tensor<1, 3>               middle_; ///< in the body's frame, m
+  double                             reach_;  ///< of the line about it, m
+};
+} // namespace chaindrive::contact

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/drive/chain.h>
+#include <chaindrive/drive/layout.h>
+#include <chaindrive/path/curve.h>
+
+#include <vector>
+
+namespace chaindrive::drive
+{
+/// A guide that stands still beside a span.
+struct Guide
+{
+  unsigned int span;
+  path::Curve  curve;     ///< with its material on the side on which the chain is not
+  double       friction;  ///< of plates on it
+  double       stiffness; ///< under the plates of one joint, N/m
+};
+
+/// The guides of @p drive beside the chain of @p layout.
+/// @throws InputError for one through which the chain runs at the start, for points that make no
+/// line, and in an elastic model, @p is_elastic.
+std::vector<Guide> make_guides(const parameters::Drive &drive,
+                               const ChainDimensions   &chain,
+                               const Layout            &layout,
+                               bool                     is_elastic);
+} // namespace chaindrive::drive

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/guide_line.h>
+#include <chaindrive/path/curve.h>
+
+#include <algorithm>
+
+namespace chaindrive::contact
+{
+GuideLine::GuideLine(const scene::GuideFamily &family)
+    : Surface(family.body), curve_(family.curve), at_centres_(family.at_centres), reach_(0.)
+{
+  const dealii::Point<2> middle = curve_->at(0.5 * curve_->n_pieces());
+  for (unsigned int d = 0; d < 2; ++d)
+    middle_[d] = middle[d];
+  constexpr unsigned int n = 8;
+  for (unsigned int i = 0; i <= n * curve_->n_pieces(); ++i)
+    reach_ = std::max(reach_, middle.distance(curve_->at(static_cast<double>(i) / n)));
+  reach_ *= 1.05; // between these points
+}
+
+Touch GuideLine::project(const World                &world,
+                         const dealii::Tensor<1, 3> &x,
+                         const double                radius,
+                         double /*within*/,
+                         unsigned int &hint,
+                         Projection & /*projection*/) const
+{
+  const Frame               &frame   = world.frames[body()];
+  const dealii::Tensor<1, 3> local   = transpose(frame.rotation) * (x - frame.position);
+  const path::Nearest        nearest = curve_->nearest(dealii::Point<2>(local[0], local[1]), hint);
+  Touch                      touch;
+  if (nearest.distance < -radius)
+    return touch;
+  touch.gap = nearest.distance - radius;
+  if (touch.gap < 0.)
+    {
+      dealii::Tensor<1, 3> normal;
+      normal[0]    = nearest.normal[0];
+      normal[1]    = nearest.normal[1];
+      touch.normal = frame.rotation * normal;
+      touch.point  = at_centres_ ? x : x - radius * touch.normal;
+      set_tangents(touch, frame);
+    }
+  return touch;
+}
+
+bool GuideLine::is_near(const World                &world,
+                        const dealii::Tensor<1, 3> &x,
+                        const double                radius,
+                        const double                reach) const
+{
+  const Frame         &frame = world.frames[body()];
+  dealii::Tensor<1, 3> arm   = transpose(frame.rotation) * (x - frame.position) - middle_;
+  arm[2]                     = 0.;
+  return arm.norm() < reach_ + radius + reach;
+}
+} // namespace chaindrive::contact

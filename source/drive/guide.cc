@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/guide.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace chaindrive::drive
+{
+using dealii::Point;
+
+namespace
+{
+/// The line of @p given, whose section is @p section, mirrored where the drive is.
+path::Curve line_of(const parameters::Guide &given, const std::string &section, const int sense)
+{
+  std::vector<Point<2>> points;
+  for (const auto &p : given.points)
+    points.emplace_back(p[0], sense * p[1]);
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (points[i].distance(points[i - 1]) < 1e-4)
+      throw InputError(section + "Points in mm: point " + std::to_string(i + 1) +
+                       " is less than 0.1 mm from the one before it.");
+  if (given.line == parameters::GuideLine::spline)
+    return path::Curve::spline(points);
+  if (points.size() != 3)
+    throw InputError(section + "Line = arc takes three points; Points in mm has " +
+                     std::to_string(points.size()) + ". Choose spline, or three points.");
+  const dealii::Tensor<1, 2> a = points[1] - points[0], b = points[2] - points[0];
+  if (std::abs(a[0] * b[1] - a[1] * b[0]) < 1e-6 * a.norm() * b.norm())
+    throw InputError(section + "Line = arc: the three points lie on a straight line, round which "
+                               "there is no circle; choose spline.");
+  return path::Curve::arc(points);
+}
+} // namespace
+
+std::vector<Guide> make_guides(const parameters::Drive &drive,
+                               const ChainDimensions   &chain,
+                               const Layout            &layout,
+                               const bool               is_elastic)
+{
+  const double       half = 0.5 * chain.inner_plate_height;
+  const unsigned int n    = static_cast<unsigned int>(layout.joints.size());
+  std::vector<Guide> guides;
+  for (unsigned int i = 0; i < drive.sprockets.list.size(); ++i)
+    {
+      const parameters::Guide &given = drive.sprockets.list[i].guide;
+      if (given.points.empty())
+        continue;
+      const std::string section = "Drive/Wheels/" + drive.sprockets.list[i].name + "/Guide/";
+      if (is_elastic)
+        throw InputError(section +
+                         "Points in mm: guides are for the fidelities simple and layered; "
+                         "choose one of these, or no points.");
+      Guide guide{i, line_of(given, section, layout.sense), given.friction, given.stiffness};
+      // the chain is on the side on which the joint of the span is that is nearest to the line
+      const Layout::Span &span    = layout.spans[i];
+      double              nearest = std::numeric_limits<double>::infinity(), side = 1.;
+      unsigned int        hint = guide.curve.n_pieces();
+      for (unsigned int k = 0; k <= span.links; ++k)
+        {
+          const double distance =
+              guide.curve.nearest(layout.joints[(span.first + k) % n].bush, hint).distance;
+          if (std::abs(distance) < std::abs(nearest))
+            {
+              nearest = distance;
+              side    = distance;
+            }
+        }
+      if (side < 0.)
+        guide.curve.reverse();
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          unsigned int any      = guide.curve.n_pieces();
+          const double distance = guide.curve.nearest(layout.joints[k].bush, any).distance;
+          if (distance < half - 1e-9 && distance > -half)
+            throw InputError(section + "Points in mm: at the start the plates of joint " +
+                             std::to_string(k) + " are " + in_mm(half - distance, 4) +
+                             " inside of the guide; it must be at least " + in_mm(half, 4) +
+                             ", half the height of an inner plate, from the line of the joints.");
+        }
+      guides.push_back(std::move(guide));
+    }
+  return guides;
+}
+} // namespace chaindrive::drive
