@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """site.py CASE PROGRAM: the pages that ./site writes.
 
+  pages  manual and code reference are built without a warning or a dead link
   site   all pages are there: documents, search, a page per room with pictures of its seams, a drive with its report; headless Chromium draws
          formulas and pictures, and no page is wider than a wide or a narrow window
   wrong  what is wrong in a document, a comment, the list of rooms or a picture of a seam stops the build with a sentence that names it
   links  links that lead nowhere and what would be loaded from the network are found
 
-Without Sphinx, MyST, furo, MathJax or Doxygen the first two end with 77, without Chromium nothing is drawn: left out."""
+Without Sphinx, MyST, furo, MathJax or Doxygen all but the last end with 77, without Chromium nothing is drawn: left out."""
 import html
 import pathlib
 import re
@@ -77,6 +78,16 @@ def prose(text):
         fenced ^= line.startswith("```")
         if not fenced and len(line.split()) > 4 and not line.startswith(("    ", "|", "#")) and not re.search(r"[`*_\[\]$\\<>&]|^ *(-|\d+\.) ", line):
             yield line
+
+
+def pages():
+    needs()
+    done = build("--output", "pages", "--drives")
+    check(done.returncode == 0, f"{done.stdout}{done.stderr}")
+    folder = pathlib.Path("pages")
+    for page in ("index.html", "doc/theory.html", "prm/README.html", "api/group__contact.html"):
+        check((folder / page).is_file(), f"there is no page {page}")
+    check(links.broken(folder.resolve()) == [], "links")
 
 
 def site():
@@ -208,4 +219,4 @@ def of_links():
         check(len(found) == 1 and "a/a.html" in found[0] and word in found[0], f"{bad}: {found}")
 
 
-{"site": site, "wrong": wrong, "links": of_links}[CASE]()
+{"pages": pages, "site": site, "wrong": wrong, "links": of_links}[CASE]()
