@@ -72,16 +72,25 @@ std::vector<Guide> make_guides(const parameters::Drive &drive,
         }
       if (side < 0.)
         guide.curve.reverse();
+      double       deepest = 1e-9; // m, that plates may be in it by round-off
+      unsigned int joint   = n;
       for (unsigned int k = 0; k < n; ++k)
         {
           unsigned int any      = guide.curve.n_pieces();
           const double distance = guide.curve.nearest(layout.joints[k].bush, any).distance;
-          if (distance < half - 1e-9 && distance > -half)
-            throw InputError(section + "Points in mm: at the start the plates of joint " +
-                             std::to_string(k) + " are " + in_mm(half - distance, 4) +
-                             " inside of the guide; it must be at least " + in_mm(half, 4) +
-                             ", half the height of an inner plate, from the line of the joints.");
+          if (half - distance > deepest && distance > -half) // else it is behind the guide
+            {
+              deepest = half - distance;
+              joint   = k;
+            }
         }
+      if (joint < n)
+        throw InputError(section +
+                         "Points in mm: at the start plates reach into the guide, those "
+                         "of joint " +
+                         std::to_string(joint) + " the deepest, by " + in_mm(deepest, 4) +
+                         ", half the height of a plate being " + in_mm(half, 4) +
+                         "; move its points away from the chain by at least the former.");
       guides.push_back(std::move(guide));
     }
   return guides;
