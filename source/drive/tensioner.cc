@@ -81,19 +81,20 @@ double TensionerLaw::rate(const double travel) const
   return stiffness + (over_stop(*this, travel) != 0. ? stop_stiffness : 0.);
 }
 
-Point<2> Tensioner::centre(const double q) const
+Point<2> Tensioner::centre(const double travel) const
 {
-  return is_arm() ? pivot + rotated_by(reference - pivot, sense * q) : reference + q * direction;
+  return is_arm() ? pivot + rotated_by(reference - pivot, sense * travel) :
+                    reference + travel * direction;
 }
 
-Tensor<1, 2> Tensioner::way(const double q) const
+Tensor<1, 2> Tensioner::way(const double travel) const
 {
-  return is_arm() ? sense * quarter_turn(centre(q) - pivot) : direction;
+  return is_arm() ? sense * quarter_turn(centre(travel) - pivot) : direction;
 }
 
-Tensor<1, 2> Tensioner::bend(const double q) const
+Tensor<1, 2> Tensioner::bend(const double travel) const
 {
-  return is_arm() ? pivot - centre(q) : Tensor<1, 2>();
+  return is_arm() ? pivot - centre(travel) : Tensor<1, 2>();
 }
 
 void Tensioner::carry(const double wheel, const double gravity)
