@@ -91,7 +91,9 @@ struct Case
           tubes->batch.set(tubes->batch.velocity,
                            tubes == &ring ? lane : other,
                            [&](const Point<3> &, unsigned int) {
-                             return vector(uniform(random), uniform(random), uniform(random));
+                             const double x = uniform(random), y = uniform(random),
+                                          z = uniform(random);
+                             return vector(x, y, z);
                            });
         if (lane != 5)
           joints.set_joint(lane, ring.body(lane), bush.body(other));

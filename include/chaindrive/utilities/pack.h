@@ -29,26 +29,22 @@ struct VectorOf;
 template <>
 struct VectorOf<double, 1>
 {
-  using type      = double;
-  using unaligned = double;
+  using type = double;
 };
 template <>
 struct VectorOf<double, 2>
 {
-  using type      = double __attribute__((vector_size(16), may_alias));
-  using unaligned = double __attribute__((vector_size(16), may_alias, aligned(8)));
+  using type = double __attribute__((vector_size(16), may_alias));
 };
 template <>
 struct VectorOf<double, 4>
 {
-  using type      = double __attribute__((vector_size(32), may_alias));
-  using unaligned = double __attribute__((vector_size(32), may_alias, aligned(8)));
+  using type = double __attribute__((vector_size(32), may_alias));
 };
 template <>
 struct VectorOf<double, 8>
 {
-  using type      = double __attribute__((vector_size(64), may_alias));
-  using unaligned = double __attribute__((vector_size(64), may_alias, aligned(8)));
+  using type = double __attribute__((vector_size(64), may_alias));
 };
 
 /// @p width numbers that take part in one operation together. A plain number takes part with the
@@ -76,12 +72,13 @@ struct Pack
   static CHAINDRIVE_ALWAYS_INLINE Pack load_unaligned(const Number *p)
   {
     Pack r;
-    r.v = *reinterpret_cast<const typename VectorOf<Number, width>::unaligned *>(p);
+    // clang takes a vector type of less alignment for an aligned one
+    __builtin_memcpy(&r.v, p, sizeof(r.v));
     return r;
   }
   CHAINDRIVE_ALWAYS_INLINE void store_unaligned(Number *p) const
   {
-    *reinterpret_cast<typename VectorOf<Number, width>::unaligned *>(p) = v;
+    __builtin_memcpy(p, &v, sizeof(v));
   }
 
   CHAINDRIVE_ALWAYS_INLINE Pack &operator+=(const Pack &b)
