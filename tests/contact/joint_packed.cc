@@ -91,8 +91,8 @@ struct Case
           tubes->batch.set(tubes->batch.velocity,
                            tubes == &ring ? lane : other,
                            [&](const Point<3> &, unsigned int) {
-                             const double x = uniform(random), y = uniform(random),
-                                          z = uniform(random);
+                             const double z = uniform(random), y = uniform(random),
+                                          x = uniform(random);
                              return vector(x, y, z);
                            });
         if (lane != 5)
