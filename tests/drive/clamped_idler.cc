@@ -52,8 +52,9 @@ Parameters random_drive(std::mt19937 &random)
   const auto between = [&random](const double low, const double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
-  const auto yes = [&random]() { return std::bernoulli_distribution(0.5)(random); };
-  Parameters p   = with_idler(yes() ? 1 : -1, between(0.004, 0.012));
+  const auto   yes   = [&random]() { return std::bernoulli_distribution(0.5)(random); };
+  const double depth = between(0.004, 0.012);
+  Parameters   p     = with_idler(yes() ? 1 : -1, depth);
   p.drive.sprockets.list[1].held.direction = between(1., 2.);
   p.drive.sprockets.list[1].held.holder    = yes() ? Holder::eccentric : Holder::slot;
   parameters::Layout      &layout          = p.drive.layout;
