@@ -63,42 +63,49 @@ take_up(const Fitter &fitter, const Target &target, const std::string &wheel, co
 {
   const Tensioner &tensioner = *fitter.tensioner;
   const double     most = tensioner.law.most, least = tensioner.law.least;
-  const double     from  = std::clamp(0., least, most);
-  const double     first = excess_at(fitter, target, from);
-  const int        way   = first > 0. ? 1 : -1; // takes up slack, or lets go of some
+  const double     from     = std::clamp(0., least, most);
+  const bool       is_slack = target.kind == Target::Kind::slack;
+  double           slack    = slack_at(fitter, from);
+  const auto       excess   = [&](const double travel) { // where the slack is known
+    return is_slack ? slack - target.value : excess_at(fitter, target, travel);
+  };
+  double    now = excess(from);
+  const int way = now > 0. ? 1 : -1; // takes up slack, or lets go of some
+
+  const auto refusal = [&](const std::string &travel) {
+    const double missing  = (is_slack ? target.value : 0.) - slack;
+    const bool   is_known = std::isfinite(missing);
+    return InputError(
+        "Drive/Wheels/" + wheel + ": a chain of " + std::to_string(fitter.chain.n_links) +
+        " links is " + (is_known ? in_mm(std::abs(missing), 4) + " " : "") + "too " +
+        (way > 0 ? "long" : "short") + " for the " +
+        (tensioner.is_clamped() ? text_of(tensioner.holder) : "tensioner") + ", whose travel is " +
+        travel + "; choose another place of the wheel" +
+        (is_known ? ", or " + advised_links(fitter, missing, even) + " links" : "") + ".");
+  };
   double near = from, far = from, step = 0.1 * fitter.chain.seats.mean() / tensioner.lever();
-  double slack = slack_at(fitter, from);
-  for (double now = first; way * now > 0.; step *= 1.3)
+  for (; way * now > 0.; step *= 1.3)
     {
-      const double      wanted  = target.kind == Target::Kind::slack ? target.value : 0.;
-      const double      missing = wanted - slack;
-      const std::string the_chain =
-          "Drive/Wheels/" + wheel + ": a chain of " + std::to_string(fitter.chain.n_links) +
-          " links is " + (std::isfinite(missing) ? in_mm(std::abs(missing), 4) + " " : "") +
-          "too " + (way > 0 ? "long" : "short") + " for the " +
-          (tensioner.is_clamped() ? text_of(tensioner.holder) : "tensioner") + ", whose travel is ";
-      const std::string advice =
-          "; choose another place of the wheel" +
-          (std::isfinite(missing) ? ", or " + advised_links(fitter, missing, even) + " links" :
-                                    std::string()) +
-          ".";
       if (far == (way > 0 ? most : least))
         {
           if (way > 0 && !tensioner.is_clamped()) // it rests on its stop, and the chain is slack
             return {{}, fitter.fits(most, false)};
-          throw InputError(the_chain + "the " + (way > 0 ? "greatest" : "least") + " one, " +
-                           tensioner.with_unit(far) + advice);
+          throw refusal(std::string("the ") + (way > 0 ? "greatest" : "least") + " one, " +
+                        tensioner.with_unit(far));
         }
       near                = far;
-      const double before = slack;
       far                 = std::clamp(far + way * step, least, most);
-      now                 = may_be(fitter, far) ? excess_at(fitter, target, far) : std::nan("");
+      const double before = slack;
+      const bool   may    = may_be(fitter, far);
       slack               = slack_at(fitter, far);
+      now                 = may ? excess(far) : std::nan("");
       if (!std::isfinite(now) || way * (before - slack) < 0.)
-        throw InputError(the_chain + tensioner.with_unit(near) +
-                         ", beyond which wheels meet, the chain crosses itself or travel takes up "
-                         "no more" +
-                         advice);
+        {
+          slack = before; // that of the last travel that may be
+          throw refusal(tensioner.with_unit(near) +
+                        ", beyond which wheels meet, the chain crosses itself or travel takes up "
+                        "no more");
+        }
     }
   return {target,
           fitter.fits(fitter.solve(target, std::min(near, far), std::max(near, far)), false)};
