@@ -3,6 +3,7 @@
 // clamped: eccentrics and slots of 48 random drives. With the wheel on a bearing where it was
 // found the chain has that slack or sag; with pre-tension the links are stretched by it.
 #include "compare.h"
+#include "idler_drive.h"
 
 #include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/drive.h>
@@ -27,22 +28,9 @@ constexpr double stiffness = 2e7; // N/m, per pitch
 /// Driver, idler that presses the lower span out or in by about @p depth [m], driven sprocket.
 Parameters with_idler(const int turn, const double depth)
 {
-  Parameters p;
-  p.model.fidelity            = "simple";
-  p.model.stiffness_per_pitch = stiffness;
-  p.drive.chain.designation   = "08B";
-  p.drive.sprockets.set_order({"driver", "idler", "driven"});
-  auto &list         = p.drive.sprockets.list;
-  list[0].teeth      = 17;
-  list[1].teeth      = 13;
-  list[2].teeth      = 38;
-  list[1].turn       = turn;
-  list[1].centre     = std::array<double, 2>{{0.19, turn < 0 ? depth - 0.08 : -0.029 - depth}};
-  list[2].centre     = std::array<double, 2>{{0.405, 0.}};
-  list[1].held.pivot = std::array<double, 2>{{0.11, (*list[1].centre)[1] - 0.02}};
-  // links that leave slack to be taken up
-  p.drive.layout.centre_distance_from = CentreDistanceFrom::given;
-  p.drive.n_links                     = drive::number_of_links(p.drive);
+  const double y                      = turn < 0 ? depth - 0.08 : -0.029 - depth;
+  Parameters   p                      = idler_drive(turn, {{0.19, y}}, {{0.11, y - 0.02}});
+  p.model.stiffness_per_pitch         = stiffness;
   p.drive.layout.centre_distance_from = CentreDistanceFrom::slack;
   return p;
 }

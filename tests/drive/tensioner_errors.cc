@@ -2,6 +2,7 @@
 // Tensioners that cannot be are refused with the entry, the value and what is allowed. One whose
 // travel does not suffice rests on its stop, with slack.
 #include "compare.h"
+#include "idler_drive.h"
 
 #include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/drive.h>
@@ -16,25 +17,13 @@ namespace
 /// Driver, idler below the lower span on an arm, driven sprocket.
 Parameters tensioned()
 {
-  Parameters p;
-  p.model.fidelity          = "simple";
-  p.drive.chain.designation = "08B";
-  p.drive.sprockets.set_order({"driver", "idler", "driven"});
-  auto &list                          = p.drive.sprockets.list;
-  list[0].teeth                       = 17;
-  list[1].teeth                       = 13;
-  list[2].teeth                       = 38;
-  list[1].turn                        = -1;
-  list[1].centre                      = std::array<double, 2>{{0.19, -0.066}};
-  list[2].centre                      = std::array<double, 2>{{0.405, 0.}};
-  list[1].held.holder                 = parameters::Holder::arm;
-  list[1].held.pivot                  = std::array<double, 2>{{0.11, -0.1}};
-  list[1].held.arm.preload            = 6.;
-  list[1].held.arm.stiffness          = 8.;
-  list[1].held.slide.preload          = 80.;
-  list[1].held.direction              = 1.5;
-  p.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::given;
-  p.drive.n_links                     = drive::number_of_links(p.drive);
+  Parameters p       = idler_drive(-1, {{0.19, -0.066}}, {{0.11, -0.1}});
+  auto      &held    = p.drive.sprockets.list[1].held;
+  held.holder        = parameters::Holder::arm;
+  held.arm.preload   = 6.;
+  held.arm.stiffness = 8.;
+  held.slide.preload = 80.;
+  held.direction     = 1.5;
   return p;
 }
 
