@@ -3,7 +3,7 @@
 // are in the ratio exp(mu theta) (Euler, Eytelwein), for an arc, for a spline, and with forces at
 // the centres of lumps, which then do not turn. A chain on the other side of the guide is not
 // touched. A lump that slides down a straight guide has the acceleration g (sin a - mu cos a).
-#include "../support/scenes.h"
+#include "../support/capstan.h"
 
 #include <chaindrive/path/curve.h>
 
@@ -13,7 +13,7 @@ using dealii::numbers::PI;
 
 namespace
 {
-constexpr double radius = 0.05, mu = 0.1, r = 1e-4;
+constexpr double radius = capstan_radius, mu = capstan_friction;
 
 Point<2> on_circle(const double angle)
 {
@@ -32,57 +32,25 @@ path::Curve line(const bool spline)
 
 void pull(const std::string &name, const bool spline, const bool at_centres)
 {
-  const double       force = 10.;
-  const unsigned int n     = 31; // on the guide, 6 degrees apart
-  const double       step = PI / (n - 1), m = 1e-4, k_contact = 1e5, k_bar = 1e6;
-
-  scene::Scene scene = empty_scene();
-  scene.loads.drag   = 200.;
-  std::vector<scene::SlavePoint> slaves;
-  const double                   seat = radius + r + 1e-9;
-  for (unsigned int i = 0; i < n; ++i)
-    {
-      scene.bodies.push_back(lump(m, vector(seat * std::cos(i * step), seat * std::sin(i * step))));
-      if (at_centres)
-        scene.bodies.back().inertia[2] = 1e-13;
-      slaves.push_back({i, Point<3>(), r, 0});
-      if (i > 0)
-        scene.bars.push_back({i - 1, i, 2. * seat * std::sin(0.5 * step), k_bar, 2.});
-    }
-  const unsigned int guide = n, anchor = n + 1, far = n + 2;
-  for (unsigned int i = 0; i < 3; ++i)
-    scene.bodies.push_back(ground());
-  scene.bodies[anchor].initial.position = vector(seat, -0.1);  // holds the end at angle 0
-  scene.bodies[far].initial.position    = vector(-seat, -1e3); // soft and long: a constant force
-  turn(scene, guide, std::make_shared<functions::Ramp>(0.5, 0., 0.01));
-  scene.bars.push_back({anchor, 0, 0.1, k_bar, 2.});
-  scene.bars.push_back({n - 1, far, 0.5e3, force / 0.5e3, 0.});
+  scene::Scene scene = capstan(1e-9);
+  if (at_centres)
+    for (unsigned int i = 0; i < n_on_capstan; ++i)
+      scene.bodies[i].inertia[2] = 1e-13;
   scene.guides.push_back({"guide",
-                          guide,
+                          n_on_capstan,
                           std::make_shared<const path::Curve>(line(spline)),
-                          {k_contact, 1., mu, k_contact, 1.},
-                          slaves,
+                          capstan_law(),
+                          capstan_slaves(),
                           at_centres});
   for (const int sense : {1, -1})
-    {
-      scene.shafts[0].sense = sense;
-      dynamics::System system(scene, false);
-      const double     dt  = 0.5 * system.critical_time_step();
-      double           sum = 0., samples = 0.;
-      advance(system, static_cast<unsigned long>(0.08 / dt), dt, [&]() {
-        if (system.world.time > 0.05)
-          {
-            sum += system.bars.tension()[n - 1] / system.bars.tension()[n];
-            samples += 1.;
-          }
-      });
-      ratio(name + (sense > 0 ? ", towards the loaded end" : ", towards the held end"),
-            sense > 0 ? sum / samples : samples / sum,
-            std::exp(mu * PI),
-            3);
-      if (at_centres)
-        verdict("  lumps have not turned", system.world.spins[n / 2].speed == 0.);
-    }
+    compare_tensions(name + (sense > 0 ? ", towards the loaded end" : ", towards the held end"),
+                     scene,
+                     sense,
+                     [at_centres](const dynamics::System &system) {
+                       if (at_centres)
+                         verdict("  lumps have not turned",
+                                 system.world.spins[n_on_capstan / 2].speed == 0.);
+                     });
 }
 } // namespace
 
