@@ -124,29 +124,42 @@ void JointBatch::press()
   e.gaps.resize_fast(n);
   e.forces.resize_fast(n);
   std::fill(e.forces.begin(), e.forces.end(), 0.);
-  const WindowNodes nodes{n_rings, rings.data(), e.gaps.data(), e.forces.data()};
+  WindowNodes nodes{n_rings, rings.data(), e.gaps.data(), e.forces.data(), 0, nullptr};
   kernels_.measure_window(arguments_, nodes);
 
+  e.is_pressed.assign(std::size_t(n_places) * n_rings, 0);
+  const auto mark_pressed = [&e](const int lane) {
+    for (const unsigned int i : e.sets[lane].number)
+      e.is_pressed[i] = 1;
+  };
   std::array<ComplementarityProblem, n_lanes> problems;
   for (int lane = 0; lane < n_lanes; ++lane)
     {
-      e.sets[lane].clear();
       const unsigned int count = window_.count[lane];
       if (arguments_.master_position[lane] == nullptr || count == 0)
-        continue;
+        {
+          e.sets[lane].clear();
+          continue;
+        }
       const JointFlexibility::Matrix &matrix = e.flexibility.of_columns(count);
       e.gap[lane].resize_fast(matrix.stride);
       for (unsigned int i = 0; i < matrix.n; ++i)
+        e.gap[lane][i] = e.gaps[i * n_lanes + lane];
+      // what touched last time is where the search begins
+      if (e.new_windows)
         {
-          e.gap[lane][i] = e.gaps[i * n_lanes + lane];
-          // what touched last time is where the search begins
-          const unsigned int column =
-              (window_.first[lane] + i / n_rings) % grid_.slave_circumferential;
-          const std::size_t node =
-              std::size_t(rings[i % n_rings]) * grid_.slave_circumferential + column;
-          if (state_[(node * n_touch_entries + touch_penetration) * n_lanes + lane] > 0.)
-            e.sets[lane].number.push_back(i);
+          e.sets[lane].clear();
+          for (unsigned int i = 0; i < matrix.n; ++i)
+            {
+              const unsigned int column =
+                  (window_.first[lane] + i / n_rings) % grid_.slave_circumferential;
+              const std::size_t node =
+                  std::size_t(rings[i % n_rings]) * grid_.slave_circumferential + column;
+              if (state_[(node * n_touch_entries + touch_penetration) * n_lanes + lane] > 0.)
+                e.sets[lane].number.push_back(i);
+            }
         }
+      mark_pressed(lane);
       problems[lane] = {matrix.n,
                         matrix.number.data(),
                         matrix.stride,
@@ -154,8 +167,17 @@ void JointBatch::press()
                         e.matrix[lane] == &matrix};
       e.matrix[lane] = &matrix;
     }
+  e.new_windows = false;
   e.solver.solve(problems, tolerance, e.sets);
   std::array<double, n_lanes> stored{};
+  for (int lane = 0; lane < n_lanes; ++lane)
+    mark_pressed(lane);
+  e.pressed.clear();
+  for (unsigned int i = 0; i < e.is_pressed.size(); ++i)
+    if (e.is_pressed[i] != 0)
+      e.pressed.push_back(i);
+  nodes.n_pressed = static_cast<unsigned int>(e.pressed.size());
+  nodes.pressed   = e.pressed.data();
   for (int lane = 0; lane < n_lanes; ++lane)
     for (unsigned int a = 0; a < e.sets[lane].number.size(); ++a)
       {
@@ -208,6 +230,8 @@ unsigned int JointBatch::search(const double reach, const double unforeseen)
       }
   fresh_         = true;
   searched_cell_ = cell_;
+  if (exact_)
+    exact_->new_windows = true;
   cadence_.restart(holding_time(reach, fastest, unforeseen));
   return missed;
 }
@@ -295,6 +319,8 @@ void JointBatch::serialize(const int lane, const Archive &archive)
   archive("first", window_.first[lane]);
   archive("count", window_.count[lane]);
   archive("cell", window_.cell[lane]);
+  if (exact_)
+    exact_->new_windows = true; // what touched is to be had from the nodes
   SearchCadence cadence = cadence_;
   cadence.serialize(archive);
   if (lane > 0)

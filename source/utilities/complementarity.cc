@@ -74,18 +74,22 @@ void ComplementaritySolver::factor(const std::array<ComplementarityProblem, n_la
                                    const std::array<ClosedSet, n_lanes>              &sets)
 {
   n_rows_ = 0;
+  for (const ClosedSet &set : sets)
+    n_rows_ = std::max(n_rows_, static_cast<unsigned int>(set.number.size()));
+  if (triangle_row(n_rows_) * n_lanes > matrix_.size())
+    matrix_.resize(triangle_row(n_rows_) * n_lanes);
   for (unsigned int lane = 0; lane < n_lanes; ++lane)
     {
-      factored_[lane] = sets[lane].number;
-      n_rows_         = std::max(n_rows_, static_cast<unsigned int>(factored_[lane].size()));
-    }
-  factor_.resize_fast(triangle_row(n_rows_) * n_lanes);
-  for (unsigned int lane = 0; lane < n_lanes; ++lane)
-    {
+      // of a set that is the same, rows of a longer one in another lane may be missing
+      const bool         same = has_factors_ && sets[lane].number == factored_[lane];
+      const unsigned int from = same ? n_filled_[lane] : 0;
+      factored_[lane]         = sets[lane].number;
+      n_filled_[lane]         = std::max(from, n_rows_);
+
       const ComplementarityProblem    &problem = problems[lane];
       const std::vector<unsigned int> &set     = factored_[lane];
-      double                          *to      = factor_.begin() + lane;
-      for (unsigned int i = 0; i < n_rows_; ++i)
+      double                          *to = matrix_.begin() + triangle_row(from) * n_lanes + lane;
+      for (unsigned int i = from; i < n_rows_; ++i)
         {
           const double *row =
               i < set.size() ? problem.matrix + std::size_t(set[i]) * problem.stride : nullptr;
@@ -93,6 +97,8 @@ void ComplementaritySolver::factor(const std::array<ComplementarityProblem, n_la
             *to = row != nullptr ? row[set[j]] : i == j ? 1. : 0.;
         }
     }
+  factor_.resize_fast(triangle_row(n_rows_) * n_lanes);
+  std::copy_n(matrix_.begin(), factor_.size(), factor_.begin());
   kernels_->factor(n_rows_, factor_.begin());
   for (unsigned int i = 0; i < n_rows_; ++i)
     for (unsigned int lane = 0; lane < n_lanes; ++lane)

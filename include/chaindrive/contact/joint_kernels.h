@@ -100,6 +100,10 @@ struct WindowNodes
   const unsigned int *ring;  ///< slave rings
   double             *gap;   ///< m; a metre where a lane has no such node
   const double       *force; ///< normal forces, N
+
+  unsigned int        n_pressed;
+  const unsigned int *pressed; ///< nodes that have a force in any lane or had one before: place
+                               ///< times n_rings plus the number among the rings
 };
 
 /// The kernels of one instruction set.

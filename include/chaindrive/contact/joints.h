@@ -134,7 +134,10 @@ private:
 
     const JointFlexibility        &flexibility;
     ComplementaritySolver          solver;
-    std::array<ClosedSet, n_lanes> sets; ///< of nodes [place in the window][ring]
+    std::array<ClosedSet, n_lanes> sets;               ///< of nodes [place in the window][ring]
+    bool                           new_windows = true; ///< which the sets do not refer to
+    std::vector<char>              is_pressed;         ///< nodes of any lane, see WindowNodes
+    std::vector<unsigned int>      pressed;
 
     std::array<dealii::AlignedVector<double>, n_lanes>    gap;
     std::array<const JointFlexibility::Matrix *, n_lanes> matrix{};     ///< at the last solution

@@ -8,6 +8,13 @@
 
 namespace chaindrive::contact::packed
 {
+/// The slave column that is @p place columns after the first of the window of a lane.
+inline unsigned int column_of(const JointArguments &arg, const int lane, const unsigned int place)
+{
+  const unsigned int n = arg.grid->slave_circumferential, column = arg.window->first[lane] + place;
+  return column < n ? column : column - n;
+}
+
 /// The slave node of ring @p s that is @p place columns after the first of the windows, and where
 /// it meets the bore. Returns false if no lane has it.
 template <int width>
@@ -26,7 +33,7 @@ CHAINDRIVE_ALWAYS_INLINE bool visit_window(const JointArguments &arg,
   bool               any = false;
   for (int l = 0; l < width; ++l)
     {
-      column[l] = (window.first[lane + l] + place) % grid.slave_circumferential;
+      column[l] = column_of(arg, lane + l, place);
       active[l] = joints.present[l] && place < window.count[lane + l];
       any |= active[l];
       index[l] = s * grid.slave_circumferential + column[l];
@@ -113,8 +120,7 @@ void press_of(const JointArguments &arg, const WindowNodes &nodes, const int lan
   Joints<width> joints;
   if (!take_lanes(arg, lane, joints))
     return;
-  const unsigned int visits = largest_window(arg, lane, joints);
-  if (visits == 0)
+  if (nodes.n_pressed == 0)
     return;
   find_frame(grid, joints);
 
@@ -122,88 +128,85 @@ void press_of(const JointArguments &arg, const WindowNodes &nodes, const int lan
   ContactEnergies<P> energies{zero, zero, zero};
   P                  total[3] = {zero, zero, zero};
 #pragma GCC unroll 1
-  for (unsigned int place = 0; place < visits; ++place)
-#pragma GCC unroll 1
-    for (unsigned int k = 0; k < nodes.n_rings; ++k)
-      {
-        const unsigned int s     = nodes.ring[k];
-        const double      *given = nodes.force + (place * nodes.n_rings + k) * n_lanes + lane;
-        unsigned int       state_at[width];
-        bool               changes[width], any = false;
-        for (int l = 0; l < width; ++l)
-          {
-            const unsigned int column =
-                (arg.window->first[lane + l] + place) % grid.slave_circumferential;
-            state_at[l] =
-                (s * grid.slave_circumferential + column) * n_touch_entries * n_lanes + lane + l;
-            changes[l] =
-                joints.present[l] && place < arg.window->count[lane + l] &&
-                (given[l] > 0. || arg.state[state_at[l] + touch_penetration * n_lanes] > 0.);
-            any |= changes[l];
-          }
-        if (!any)
-          continue;
-        Meeting<width> m;
-        unsigned int   index[width];
-        bool           active[width];
-        if (!visit_window(arg, lane, joints, s, place, index, active, m))
-          continue;
-        alignas(64) double in[n_touch_entries + 1][width];
-        for (int l = 0; l < width; ++l)
-          {
-            for (unsigned int entry = 0; entry < n_touch_entries; ++entry)
-              in[entry][l] = changes[l] ? arg.state[state_at[l] + entry * n_lanes] : 0.;
-            in[n_touch_entries][l] = changes[l] ? given[l] : 0.;
-          }
-        TouchStateOf<P> touch{
-            P::load(in[touch_penetration]),
-            P::load(in[touch_normal]),
-            {P::load(in[touch_slip_around]), P::load(in[touch_slip_along])},
-            {P::load(in[touch_tangential_around]), P::load(in[touch_tangential_along])}};
-        Motion<P> motion;
-        find_motion(joints, m, motion);
-        const P                      slip_rate[2] = {motion.relative[1] - motion.arm * motion.spin,
-                                                     motion.relative[2] - motion.arm * motion.tilt};
-        const P                      area(grid.area[s]);
-        const scene::ContactLawOf<P> law{P(1.),
-                                         zero,
-                                         P(arg.law.friction),
-                                         area * P(arg.law.tangential_stiffness),
-                                         area * P(arg.law.tangential_damping)};
-        update_touch(law,
-                     GivenForce<P>{P::load(in[n_touch_entries]), zero},
-                     slip_rate,
-                     P(arg.dt),
-                     arg.law.friction > 0.,
-                     touch,
-                     energies);
+  for (unsigned int i = 0; i < nodes.n_pressed; ++i)
+    {
+      const unsigned int place = nodes.pressed[i] / nodes.n_rings,
+                         s     = nodes.ring[nodes.pressed[i] % nodes.n_rings];
+      const double *given      = nodes.force + nodes.pressed[i] * n_lanes + lane;
+      unsigned int  state_at[width];
+      bool          changes[width], any = false;
+      for (int l = 0; l < width; ++l)
+        {
+          state_at[l] = (s * grid.slave_circumferential + column_of(arg, lane + l, place)) *
+                            n_touch_entries * n_lanes +
+                        lane + l;
+          changes[l] = joints.present[l] && place < arg.window->count[lane + l] &&
+                       (given[l] > 0. || arg.state[state_at[l] + touch_penetration * n_lanes] > 0.);
+          any |= changes[l];
+        }
+      if (!any)
+        continue;
+      Meeting<width> m;
+      unsigned int   index[width];
+      bool           active[width];
+      if (!visit_window(arg, lane, joints, s, place, index, active, m))
+        continue;
+      alignas(64) double in[n_touch_entries + 1][width];
+      for (int l = 0; l < width; ++l)
+        {
+          for (unsigned int entry = 0; entry < n_touch_entries; ++entry)
+            in[entry][l] = changes[l] ? arg.state[state_at[l] + entry * n_lanes] : 0.;
+          in[n_touch_entries][l] = changes[l] ? given[l] : 0.;
+        }
+      TouchStateOf<P> touch{
+          P::load(in[touch_penetration]),
+          P::load(in[touch_normal]),
+          {P::load(in[touch_slip_around]), P::load(in[touch_slip_along])},
+          {P::load(in[touch_tangential_around]), P::load(in[touch_tangential_along])}};
+      Motion<P> motion;
+      find_motion(joints, m, motion);
+      const P                      slip_rate[2] = {motion.relative[1] - motion.arm * motion.spin,
+                                                   motion.relative[2] - motion.arm * motion.tilt};
+      const P                      area(grid.area[s]);
+      const scene::ContactLawOf<P> law{P(1.),
+                                       zero,
+                                       P(arg.law.friction),
+                                       area * P(arg.law.tangential_stiffness),
+                                       area * P(arg.law.tangential_damping)};
+      update_touch(law,
+                   GivenForce<P>{P::load(in[n_touch_entries]), zero},
+                   slip_rate,
+                   P(arg.dt),
+                   arg.law.friction > 0.,
+                   touch,
+                   energies);
 
-        alignas(64) double now[n_touch_entries][width];
-        touch.penetration.store(now[touch_penetration]);
-        touch.normal.store(now[touch_normal]);
-        touch.slip[0].store(now[touch_slip_around]);
-        touch.slip[1].store(now[touch_slip_along]);
-        touch.tangential[0].store(now[touch_tangential_around]);
-        touch.tangential[1].store(now[touch_tangential_along]);
-        bool touches[width];
-        for (int l = 0; l < width; ++l)
-          {
-            if (changes[l])
-              for (unsigned int entry = 0; entry < n_touch_entries; ++entry)
-                arg.state[state_at[l] + entry * n_lanes] = now[entry][l];
-            touches[l] = changes[l] && now[touch_normal][l] > 0.;
-            sums.touching[lane + l] += touches[l];
-          }
-        const P(&e)[2]   = motion.ray;
-        const P local[3] = {zero - touch.normal * e[0] - touch.tangential[0] * e[1],
-                            touch.tangential[0] * e[0] - touch.normal * e[1],
-                            touch.tangential[1]};
-        P       force[3];
-        out_of_frame(joints.axes, local, force);
-        for (int i = 0; i < 3; ++i)
-          total[i] += force[i];
-        scatter(arg, lane, joints, m, motion, force, touch.tangential, touches);
-      }
+      alignas(64) double now[n_touch_entries][width];
+      touch.penetration.store(now[touch_penetration]);
+      touch.normal.store(now[touch_normal]);
+      touch.slip[0].store(now[touch_slip_around]);
+      touch.slip[1].store(now[touch_slip_along]);
+      touch.tangential[0].store(now[touch_tangential_around]);
+      touch.tangential[1].store(now[touch_tangential_along]);
+      bool touches[width];
+      for (int l = 0; l < width; ++l)
+        {
+          if (changes[l])
+            for (unsigned int entry = 0; entry < n_touch_entries; ++entry)
+              arg.state[state_at[l] + entry * n_lanes] = now[entry][l];
+          touches[l] = changes[l] && now[touch_normal][l] > 0.;
+          sums.touching[lane + l] += touches[l];
+        }
+      const P(&e)[2]   = motion.ray;
+      const P local[3] = {zero - touch.normal * e[0] - touch.tangential[0] * e[1],
+                          touch.tangential[0] * e[0] - touch.normal * e[1],
+                          touch.tangential[1]};
+      P       force[3];
+      out_of_frame(joints.axes, local, force);
+      for (int i = 0; i < 3; ++i)
+        total[i] += force[i];
+      scatter(arg, lane, joints, m, motion, force, touch.tangential, touches);
+    }
   for (int l = 0; l < width; ++l)
     {
       sums.stored[lane + l] = energies.stored[l];

@@ -99,9 +99,10 @@ private:
   const ComplementarityKernels                  *kernels_;
   std::array<Search, n_lanes>                    searches_;
   std::array<std::vector<unsigned int>, n_lanes> factored_;        ///< the sets
+  std::array<unsigned int, n_lanes>              n_filled_{};      ///< rows of matrix_
   unsigned int                                   n_rows_      = 0; ///< of the factors
   bool                                           has_factors_ = false;
-  Numbers                                        factor_, x_, gap_;
+  Numbers                                        matrix_, factor_, x_, gap_; ///< C of the sets, ...
   Statistics                                     statistics_;
 };
 } // namespace chaindrive

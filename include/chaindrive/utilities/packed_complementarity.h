@@ -8,25 +8,27 @@
 
 namespace chaindrive::packed
 {
+// Updates go from left to right, so that those of one column do not wait for each other.
+
 template <int width>
 void factor(const unsigned int n, double *a)
 {
   using Numbers = Pack<double, width>;
   for (unsigned int lane = 0; lane < n_lanes; lane += width)
-    for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int k = 0; k < n; ++k)
       {
-        double *const row = a + triangle_row(i) * n_lanes + lane;
-        for (unsigned int j = 0; j <= i; ++j)
+        double *const diagonal = a + (triangle_row(k) + k) * n_lanes + lane;
+        const Numbers inverse  = Numbers(1.) / square_root(Numbers::load(diagonal));
+        inverse.store(diagonal);
+        for (unsigned int i = k + 1; i < n; ++i)
           {
-            const double *const other = a + triangle_row(j) * n_lanes + lane;
-            Numbers             sum   = Numbers::load(row + j * n_lanes);
-            for (unsigned int k = 0; k < j; ++k)
-              sum -= Numbers::load(row + k * n_lanes) * Numbers::load(other + k * n_lanes);
-            if (j < i)
-              sum = sum * Numbers::load(other + j * n_lanes);
-            else
-              sum = Numbers(1.) / square_root(sum);
-            sum.store(row + j * n_lanes);
+            double *const row   = a + triangle_row(i) * n_lanes + lane;
+            const Numbers entry = Numbers::load(row + k * n_lanes) * inverse;
+            entry.store(row + k * n_lanes);
+            for (unsigned int j = k + 1; j <= i; ++j)
+              (Numbers::load(row + j * n_lanes) -
+               entry * Numbers::load(a + (triangle_row(j) + k) * n_lanes + lane))
+                  .store(row + j * n_lanes);
           }
       }
 }
@@ -37,13 +39,15 @@ void solve(const unsigned int n, const double *l, double *x)
   using Numbers = Pack<double, width>;
   for (unsigned int lane = 0; lane < n_lanes; lane += width)
     {
-      for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int k = 0; k < n; ++k)
         {
-          const double *const row = l + triangle_row(i) * n_lanes + lane;
-          Numbers             sum = Numbers::load(x + i * n_lanes + lane);
-          for (unsigned int k = 0; k < i; ++k)
-            sum -= Numbers::load(row + k * n_lanes) * Numbers::load(x + k * n_lanes + lane);
-          (sum * Numbers::load(row + i * n_lanes)).store(x + i * n_lanes + lane);
+          const Numbers y = Numbers::load(x + k * n_lanes + lane) *
+                            Numbers::load(l + (triangle_row(k) + k) * n_lanes + lane);
+          y.store(x + k * n_lanes + lane);
+          for (unsigned int i = k + 1; i < n; ++i)
+            (Numbers::load(x + i * n_lanes + lane) -
+             Numbers::load(l + (triangle_row(i) + k) * n_lanes + lane) * y)
+                .store(x + i * n_lanes + lane);
         }
       for (unsigned int i = n; i-- > 0;)
         {
