@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/mesh/sector.h>
+#include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/reduction/basis.h>
 #include <chaindrive/scene/plan.h>
 #include <chaindrive/utilities/text.h>
 
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
 #include <iomanip>
 #include <map>
 #include <ostream>
@@ -79,6 +83,21 @@ std::string law_text(const ContactLaw &law, const bool elastic)
   text += law.friction > 0. ? ", mu " + to_text(law.friction) : ", frictionless";
   return text + (elastic ? " (nodes, per area)" : " (each point)");
 }
+
+/// What meshes of rollers do to their clearance: n columns of nodes about the axis touch a plane,
+/// or the nearly straight flank of a tooth, in a line. A roller of radius R one of whose columns
+/// points there touches at the distance R of its axis, one with two columns on either side at R
+/// cos(pi / n).
+std::string columns_text(const Scene &scene, const ToothFamily &teeth)
+{
+  const mesh::CylinderGrid grid(*scene.parts.at(scene.bodies[teeth.slaves.front().body].part()),
+                                static_cast<mesh::Surface>(teeth.slave_surface));
+  const unsigned int       n = grid.n_circumferential();
+  return ", on " + std::to_string(n) +
+         " columns of nodes: between two of them a straight flank is met up to " +
+         to_text(1e6 * grid.radius * (1. - std::cos(dealii::numbers::PI / n)), 3) +
+         " um late (Mesh/Roller/Cells around)";
+}
 } // namespace
 
 void print_plan(std::ostream &out, const Scene &scene)
@@ -112,7 +131,7 @@ void print_plan(std::ostream &out, const Scene &scene)
     out << "  " << std::setw(4) << teeth.slaves.size() << (teeth.elastic ? " rollers " : " points ")
         << teeth.name
         << " (those near the sprocket are looked at): " << law_text(teeth.law, teeth.elastic)
-        << '\n';
+        << (teeth.elastic ? columns_text(scene, teeth) : "") << '\n';
   for (const GuideFamily &guide : scene.guides)
     out << "  " << std::setw(4) << guide.slaves.size() << " points " << guide.name
         << " (those near it are looked at): " << law_text(guide.law, false) << '\n';
