@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A sprocket's mesh is cyclic cell by cell, its profile's vertices are on the exact arcs, and its
-// volume tends to the solid's.
+// volume tends to the solid's. The tangent of a profile is the derivative of its points.
 
+#include <chaindrive/mesh/generate/half_profile.h>
 #include <chaindrive/mesh/generate/sprocket.h>
 #include <chaindrive/mesh/mass.h>
 
@@ -46,6 +47,31 @@ double asymmetry(const mesh::Part &part)
     }
   return worst / radius;
 }
+
+/// Largest difference between tangents of the profile and differences of its points by arc length,
+/// except next to where two segments meet.
+double wrong_tangent(const drive::ToothForm &form)
+{
+  const mesh::HalfProfile profile(form);
+  constexpr unsigned int  n     = 500;
+  const double            step  = 1e-4 * profile.length();
+  double                  worst = 0.;
+  std::vector<double>     joints{0.};
+  for (const drive::Segment &segment : form.half_profile)
+    joints.push_back(joints.back() + segment.length());
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      const double s = (i + 0.5) / n * profile.length();
+      if (std::all_of(joints.begin(), joints.end(), [&](const double joint) {
+            return std::abs(joint - s) > step;
+          }))
+        worst = std::max(
+            worst,
+            (profile.tangent(s) - (profile.at(s + step) - profile.at(s - step)) / (2. * step))
+                .norm());
+    }
+  return worst;
+}
 } // namespace
 
 int main()
@@ -84,6 +110,6 @@ int main()
           }
         std::cout << "\n  profile exact " << verdict(profile_error, 1e-12) << ", cyclic "
                   << verdict(cyclic_error, 1e-14) << ", mass exact " << verdict(mass_error, 1e-11)
-                  << '\n';
+                  << ", tangents " << verdict(wrong_tangent(form), 1e-6) << '\n';
       }
 }

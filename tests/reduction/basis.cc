@@ -191,6 +191,21 @@ void keep()
     std::cout << "files after six changes: " << n_files() << ", notes " << cache.notes().size()
               << '\n';
 }
+
+/// Entries tell frequencies in Hz, options in radians per second.
+void read_entries()
+{
+  parameters::Reduction entries;
+  entries.modes_up_to                   = 70e3;
+  entries.highest                       = 130e3;
+  entries.tube_order                    = 5;
+  entries.pin_order                     = 3;
+  const reduction::BasisOptions options = reduction::options_of(entries);
+  const double                  turn    = 2. * std::acos(-1.);
+  std::cout << "options of entries: modes up to " << options.modes_up_to / turn << ", cap "
+            << options.cap / turn << " Hz, orders " << options.orders.tube << ' '
+            << options.orders.pin << '\n';
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -205,4 +220,6 @@ int main(int argc, char **argv)
         compare(half, whole);
       }
   keep();
+  if (rank_in(MPI_COMM_WORLD) == 0)
+    read_entries();
 }
