@@ -60,6 +60,10 @@ constexpr CommandName commands[] = {
      "select",
      nullptr,
      "print which chains would do for a power, a speed, a ratio and a centre distance"},
+    {Command::sprocket,
+     "sprocket",
+     "FILE.prm",
+     "print the dimensions of a sprocket, or write it to a file for CAD: csv, dxf, svg, step, stl"},
     {Command::template_file, "template", nullptr, "print a commented parameter file to start from"},
     {Command::document, "document", nullptr, "print the reference of all entries (Markdown)"},
     {Command::serve,
@@ -97,15 +101,16 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   const auto                   add = [&](const char *name, bool &flag, const char *meaning) {
     visible.add_options()(name, options::bool_switch(&flag), meaning);
   };
-  visible.add_options()("set",
-                        options::value(&c.overrides)->value_name("\"SECTION/ENTRY=VALUE\""),
-                        "run, plan, parts, noise, study: override an entry of the file; may be "
-                        "repeated");
+  visible.add_options()(
+      "set",
+      options::value(&c.overrides)->value_name("\"SECTION/ENTRY=VALUE\""),
+      "run, plan, parts, noise, study, sprocket: override an entry of the file; may be "
+      "repeated");
   visible.add_options()(
       "output",
       options::value(&c.output_directory)->value_name("DIRECTORY"),
-      "run, plan, study, report, select: write the results there, or the report, or the parameter "
-      "file of the best drive, to this file");
+      "run, plan, study, report, select, sprocket: write the results there, or the report, the "
+      "parameter file of the best drive or the sprocket, to this file");
   visible.add_options()(
       "resume",
       options::value(&c.resume)->value_name("auto|CHECKPOINT"),
@@ -116,6 +121,9 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   visible.add_options()("accuracy",
                         options::value(&c.accuracy)->value_name("\"OUTPUT=PERCENT\""),
                         "plan: print which models reach this accuracy, from the studies");
+  visible.add_options()("wheel",
+                        options::value(&c.wheel)->value_name("NAME"),
+                        "sprocket: which one, by default the driver");
   visible.add_options()("cores",
                         options::value(&c.cores)->value_name("N"),
                         "study: number of cores to use, all by default");
@@ -160,10 +168,11 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   visible.add_options()("strands",
                         value_of(c.design.strands)->value_name("N"),
                         "select: at most so many, 3 by default");
-  visible.add_options()("plugin",
-                        options::value(&c.plugins)->value_name("LIBRARY"),
-                        "run, plan, parts, noise, study, template, document: load this shared "
-                        "library, which adds to the program; may be repeated");
+  visible.add_options()(
+      "plugin",
+      options::value(&c.plugins)->value_name("LIBRARY"),
+      "run, plan, parts, noise, study, sprocket, template, document: load this shared "
+      "library, which adds to the program; may be repeated");
   add("man", c.man, "document: print the manual page (troff)");
   add("schema", c.schema, "document: print all histories and summary members of runs (JSON)");
   visible.add_options()("completion",
@@ -513,7 +522,7 @@ std::string help_text()
   out << "usage: chaindrive [COMMAND] FILE.prm [OPTION]...\n\n"
          "Simulates the roller chain drive that FILE.prm describes.\n\nCommands:\n";
   for (const CommandName &command : commands)
-    out << "  " << std::left << std::setw(15)
+    out << "  " << std::left << std::setw(17)
         << command.name + (command.argument != nullptr ? std::string(" ") + command.argument : "")
         << "  " << command.meaning << '\n';
   out << "\nOptions:\n"

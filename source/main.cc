@@ -82,6 +82,10 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
       if (is_first_rank)
         select_command(command_line, std::cout);
       break;
+    case Command::sprocket:
+      if (is_first_rank)
+        sprocket_command(command_line, std::cout);
+      break;
     case Command::template_file:
       if (is_first_rank)
         template_command(command_line.design, std::cout);

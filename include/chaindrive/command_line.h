@@ -18,6 +18,7 @@ enum class Command
   study,         ///< run the variants of a study file and compare them
   report,        ///< write a page on runs
   select,        ///< which chains would do
+  sprocket,      ///< draw a sprocket
   template_file, ///< print a .prm file to begin with
   document,      ///< print doc/parameters.md
   serve,         ///< be ready for many starts
@@ -39,6 +40,7 @@ struct CommandLine
   bool                     report = false;   ///< run: a page on it at its end
   std::string              picture;          ///< plan: SVG file of the layout; empty: none
   std::vector<std::string> accuracy;         ///< plan: "OUTPUT=PERCENT"
+  std::string              wheel;            ///< sprocket: its name; empty: the driver
   unsigned int             cores   = 0;      ///< study: runs at a time; 0: as many as there are
   bool                     quick   = false;  ///< study: with the changes of Study/Quick
   bool                     dry_run = false;  ///< study: say what would be run

@@ -60,6 +60,11 @@ void template_command(const CommandLine::Design &design,
 /// asked for.
 void select_command(const CommandLine &command_line, std::ostream &out);
 
+/// Prints the dimensions of a sprocket of the parameter file, and writes it as a drawing or a solid
+/// where a file name is given (drive/sprocket_files.h). Throws InputError for a wheel that there is
+/// not, for one whose teeth come from a file, and for other kinds of files.
+void sprocket_command(const CommandLine &command_line, std::ostream &out);
+
 /// Expands the study file named on the command line, prepares the first run of every variant as
 /// plan_command() does, of the other start phases the drive and the scene, and throws InputError
 /// with a sentence for each variant that cannot run, before anything is written; then writes a
