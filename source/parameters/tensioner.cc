@@ -6,67 +6,81 @@ namespace chaindrive::parameters
 {
 namespace
 {
-const std::string while_it_retracts =
-    "The same while the chain pushes the wheel back. auto: as above. A greater one, with none "
-    "above, is a hydraulic tensioner: oil flows in freely behind the plunger and leaks out slowly.";
-
-/// Of the entry of a stop.
-std::string at_stop(const std::string &which)
+/// What an arm or a slide has in common: spring, damper and stops.
+struct Spring
 {
-  return "Travel counts from where Centre in mm puts the wheel, and is positive where it takes up "
-         "slack; a stop that bears 1e6 N/m at the wheel's axis begins at the " +
-         which + " one. none: there is no stop.";
+  Tensioner  &values;
+  std::string holder, force;                       ///< in sentences
+  std::string preload, stiffness, damping, travel; ///< names of entries, or their ends
+  double      most_preload, most_stiffness, most_damping;
+};
+
+/// @p add_stop adds an entry of which name, member and meaning are given.
+template <typename AddStop>
+void declare_spring(Declarations &declarations, const Spring &spring, const AddStop &add_stop)
+{
+  Tensioner &values = spring.values;
+  add(declarations,
+      spring.preload,
+      values.preload,
+      unit::si,
+      between(0., spring.most_preload),
+      "With which the spring presses the wheel against the chain while its centre is where Centre "
+      "in mm says.");
+  add(declarations,
+      spring.stiffness,
+      values.stiffness,
+      unit::si,
+      between(0., spring.most_stiffness),
+      "By which that " + spring.force + " falls as the " + spring.holder + " takes up slack.");
+  add(declarations,
+      "Damping in " + spring.damping,
+      values.damping,
+      unit::si,
+      between(0., spring.most_damping),
+      "Of a damper beside the spring.");
+  add(declarations,
+      "Retracting damping in " + spring.damping,
+      values.retracting_damping,
+      unit::si,
+      between(0., spring.most_damping),
+      "The same while the chain pushes the wheel back. auto: as above. A greater one, with none "
+      "above, is a hydraulic tensioner: oil flows in freely behind the plunger and leaks out "
+      "slowly.");
+  const auto at_stop = [](const std::string &which) {
+    return "Travel counts from where Centre in mm puts the wheel, and is positive where it takes "
+           "up slack; a stop that bears 1e6 N/m at the wheel's axis begins at the " +
+           which + " one. none: there is no stop.";
+  };
+  add_stop("Least " + spring.travel, values.least, at_stop("least"));
+  add_stop("Greatest " + spring.travel, values.most, at_stop("greatest"));
 }
 
 void declare_arm(Declarations &declarations, Holders &held)
 {
   const Subsection section(declarations, "Arm");
-  Tensioner       &arm = held.arm;
   add_point(declarations,
             "Pivot in mm",
             held.pivot,
             "About which the arm turns, x and y as in Centre in mm. An arm must have one: auto is "
             "for wheels without.");
-  add(declarations,
-      "Moment in N m",
-      arm.preload,
-      unit::si,
-      between(0., 1e6),
-      "With which the spring presses the wheel against the chain while its centre is where Centre "
-      "in mm says.");
-  add(declarations,
-      "Stiffness in N m/rad",
-      arm.stiffness,
-      unit::si,
-      between(0., 1e7),
-      "By which that moment falls as the arm takes up slack.");
-  add(declarations,
-      "Damping in N m s/rad",
-      arm.damping,
-      unit::si,
-      between(0., 1e6),
-      "Of a damper beside the spring.");
-  add(declarations,
-      "Retracting damping in N m s/rad",
-      arm.retracting_damping,
-      unit::si,
-      between(0., 1e6),
-      while_it_retracts);
-  add_angle(declarations,
-            "Least angle in degrees",
-            arm.least,
-            between(-180., 180.),
-            at_stop("least"),
-            "none");
-  add_angle(declarations,
-            "Greatest angle in degrees",
-            arm.most,
-            between(-180., 180.),
-            at_stop("greatest"),
-            "none");
+  declare_spring(declarations,
+                 {held.arm,
+                  "arm",
+                  "moment",
+                  "Moment in N m",
+                  "Stiffness in N m/rad",
+                  "N m s/rad",
+                  "angle in degrees",
+                  1e6,
+                  1e7,
+                  1e6},
+                 [&](const auto &name, auto &angle, const auto &meaning) {
+                   add_angle(declarations, name, angle, between(-180., 180.), meaning, "none");
+                 });
   add(declarations,
       "Inertia in kg m2",
-      arm.inertia,
+      held.arm.inertia,
       unit::si,
       between(0., 1e6),
       "Of the arm about its pivot, without the wheel, whose mass is that of its solid. The arm's "
@@ -76,55 +90,29 @@ void declare_arm(Declarations &declarations, Holders &held)
 void declare_slide(Declarations &declarations, Holders &held)
 {
   const Subsection section(declarations, "Slide");
-  Tensioner       &slide = held.slide;
   add_angle(declarations,
             "Direction in degrees",
             held.direction,
             between(-180., 180.),
             "Of the line along which the wheel moves, counter-clockwise from x. Which way along it "
             "takes up slack is found.");
-  add(declarations,
-      "Force in N",
-      slide.preload,
-      unit::si,
-      between(0., 1e7),
-      "With which the spring presses the wheel against the chain while its centre is where Centre "
-      "in mm says.");
-  add(declarations,
-      "Stiffness in N/m",
-      slide.stiffness,
-      unit::si,
-      between(0., 1e9),
-      "By which that force falls as the slide takes up slack.");
-  add(declarations,
-      "Damping in N s/m",
-      slide.damping,
-      unit::si,
-      between(0., 1e7),
-      "Of a damper beside the spring.");
-  add(declarations,
-      "Retracting damping in N s/m",
-      slide.retracting_damping,
-      unit::si,
-      between(0., 1e7),
-      while_it_retracts);
-  add(declarations,
-      "Least travel in mm",
-      slide.least,
-      unit::milli,
-      between(-1e4, 1e4),
-      at_stop("least"),
-      "none");
-  add(declarations,
-      "Greatest travel in mm",
-      slide.most,
-      unit::milli,
-      between(-1e4, 1e4),
-      at_stop("greatest"),
-      "none");
+  declare_spring(declarations,
+                 {held.slide,
+                  "slide",
+                  "force",
+                  "Force in N",
+                  "Stiffness in N/m",
+                  "N s/m",
+                  "travel in mm",
+                  1e7,
+                  1e9,
+                  1e7},
+                 [&](const auto &name, auto &way, const auto &meaning) {
+                   add(declarations, name, way, unit::milli, between(-1e4, 1e4), meaning, "none");
+                 });
   add(declarations,
       "Mass in g",
-      slide.inertia,
+      held.slide.inertia,
       unit::milli,
       between(0., 1e7),
       "Of all that moves with the wheel, whose own mass is that of its solid.");
