@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/model/without_effect.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace chaindrive::model
 {
 using parameters::CentreDistanceFrom;
@@ -106,6 +109,17 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
                         of + "Slide/Retracting damping in N s/m",
                         of + "Slide/Mass in g"},
                        held + " is clamped"});
+      rules.push_back(
+          {wheel.guide.points.empty(), {of + "Guide/"}, of + "Guide/Points in mm is empty"});
+      const std::string loads = "Loads/" + wheel.name + "/";
+      const auto        terms =
+          (wheel.role == parameters::Role::driver ? wheel.speed_terms : wheel.torque_terms)
+              .inactive();
+      for (const auto &[term, entry] :
+           {std::pair<std::string, std::string>{"Table", "File"}, {"Changes", "Times in ms"}})
+        rules.push_back({std::find(terms.begin(), terms.end(), term) != terms.end(),
+                         {loads + term + "/"},
+                         loads + term + "/" + entry + " is empty"});
     }
   for (const std::string &section : p.sections.inactive())
     rules.push_back({true, {section + "/"}, section + "/Active = false"});

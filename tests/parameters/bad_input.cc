@@ -101,6 +101,15 @@ int main()
   read_text("without effect at a settled start",
             "subsection Drive\n  subsection Layout\n    set Start = settled\n  end\nend\n"
             "subsection Loads\n  set Ramp time in ms = 2\nend\n");
+  read_text("without effect where there is no table, change or guide",
+            "subsection Loads\n"
+            "  subsection driver\n    subsection Table\n      set File = speed.csv\n"
+            "      set Repeats = true\n    end\n"
+            "    subsection Changes\n      set Course = linear\n    end\n  end\n"
+            "  subsection driven\n    subsection Table\n      set Repeats = true\n    end\n  end\n"
+            "end\n"
+            "subsection Drive\n  subsection Wheels\n    subsection driven\n"
+            "      subsection Guide\n        set Line = spline\n      end\n    end\n  end\nend\n");
   read_text("no hourglass stiffness",
             "subsection Elements\n  set Hourglass coefficient = 0\nend\n");
   read_text("defaults are not worth a note",
