@@ -46,6 +46,25 @@ double turns_of(const std::vector<path::Wheel> &wheels)
   return turns;
 }
 
+/// Pitches of a chain on pitch circles of @p wheels, which are apart.
+double pitches_round(const std::vector<path::Wheel> &wheels, const double pitch)
+{
+  const std::size_t n       = wheels.size();
+  double            pitches = 0.;
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const path::Wheel &before = wheels[(i + n - 1) % n], &wheel = wheels[i],
+                        &after = wheels[(i + 1) % n];
+      const double far         = wheel.centre.distance(after.centre);
+      const double across = wheel.turn * wheel.roller_radius - after.turn * after.roller_radius;
+      const double turned =
+          wheel.turn * (path::tangent_angle(wheel, after) - path::tangent_angle(before, wheel));
+      const double wrap = turned - 2. * PI * std::floor(turned / (2. * PI));
+      pitches += std::sqrt(far * far - across * across) / pitch + wrap / wheel.pitch_angle;
+    }
+  return pitches;
+}
+
 /// The layouts near the given centre distance that meet @p target, for more than two wheels: the
 /// range of distances in which those are whose excess has either sign grows from there, as far as
 /// wheels may be. Beyond, the slack is another one, since the chain would go another way.
@@ -67,9 +86,11 @@ Proposal propose_near(const Fitter      &fitter,
   };
   double       near = given, far = given, step = 0.1 * fitter.chain.seats.mean();
   const double first = excess(given);
-  const int    much  = first > 0. ? 1 : -1; // slack
-  const int    way   = fitter.rises ? -much : much;
-  for (double now = first; much * now > 0. && std::isfinite(first); step *= 1.3)
+  if (!std::isfinite(first))
+    throw InputError(begin + "for " + entry + " begins: " + too_short(fitter, given, even));
+  const int much = first > 0. ? 1 : -1; // slack
+  const int way  = fitter.rises ? -much : much;
+  for (double now = first; much * now > 0.; step *= 1.3)
     {
       near = far;
       far += way * step;
@@ -201,14 +222,12 @@ unsigned int number_of_links(const parameters::Drive &drive)
   const std::vector<path::Wheel> wheels = fitter.wheels(c);
   finds_one(drive.sprockets, drive.layout, fitter);
   check_loop(wheels);
-  const std::size_t n     = wheels.size();
-  double            links = 0.;
+  const std::size_t n = wheels.size();
   for (std::size_t i = 0; i < n; ++i)
     {
-      const path::Wheel &before = wheels[(i + n - 1) % n], &wheel = wheels[i],
-                        &after = wheels[(i + 1) % n];
-      const double far         = wheel.centre.distance(after.centre);
-      const double least       = wheel.roller_radius + after.roller_radius;
+      const path::Wheel &wheel = wheels[i], &after = wheels[(i + 1) % n];
+      const double       far   = wheel.centre.distance(after.centre);
+      const double       least = wheel.roller_radius + after.roller_radius;
       if (far <= least && n > 2)
         throw InputError(overlap_of(drive.sprockets, (i + 1) % n, i, far, least));
       if (far <= least)
@@ -216,13 +235,8 @@ unsigned int number_of_links(const parameters::Drive &drive)
             "Drive/Layout/Centre distance in mm = " + to_text(c * 1e3, 7) +
             ": the sprockets overlap; for Drive/Number of links = auto it must exceed " +
             at_least(least) + ".");
-      const double across = wheel.turn * wheel.roller_radius - after.turn * after.roller_radius;
-      const double turned =
-          wheel.turn * (path::tangent_angle(wheel, after) - path::tangent_angle(before, wheel));
-      const double wrap = turned - 2. * PI * std::floor(turned / (2. * PI));
-      links += std::sqrt(far * far - across * across) / pitch + wrap / wheel.pitch_angle;
     }
-  const double pairs = 0.5 * links;
+  const double pairs = 0.5 * pitches_round(wheels, pitch);
   const bool   given = drive.layout.centre_distance_from == parameters::CentreDistanceFrom::given;
   return 2 * static_cast<unsigned int>(given ? std::ceil(pairs - 1e-9) : std::round(pairs));
 }
@@ -233,6 +247,34 @@ std::string advised_links(const Fitter &fitter, const double missing, const bool
   const double step   = even ? 2. : 1.;
   return std::to_string(static_cast<long>(
       step * (missing > 0. ? std::ceil(wanted / step - 1e-9) : std::floor(wanted / step + 1e-9))));
+}
+
+double missing_length(Fitter fitter, const double c)
+{
+  const unsigned int n     = fitter.chain.n_links;
+  const double       pitch = fitter.chain.seats.mean();
+  auto               taut  = fitter.fits(c, true, 1);
+  if (taut.empty()) // it may be far too short
+    {
+      const double more = pitches_round(fitter.wheels(c), pitch) + 2. - n;
+      if (!(more > 0.))
+        return std::nan("");
+      fitter.chain.n_links += 2 * static_cast<unsigned int>(std::ceil(0.5 * more));
+      taut = fitter.fits(c, true, 1);
+    }
+  return taut.empty() ? std::nan("") :
+                        (fitter.chain.n_links - n) * pitch - taut.front().laid.slack.slack;
+}
+
+std::string too_short(const Fitter &fitter, const double c, const bool even)
+{
+  const double      missing = missing_length(fitter, c);
+  const std::string chain   = "a chain of " + std::to_string(fitter.chain.n_links) + " links ";
+  if (!std::isfinite(missing))
+    return chain + "closes on no route around the wheels where they are; choose other places.";
+  return chain + "is " + in_mm(missing, 6) +
+         " too short for the wheels where they are; choose other places, or at least " +
+         advised_links(fitter, missing, even) + " links.";
 }
 
 Proposal propose(const Fitter             &fitter,
@@ -256,12 +298,8 @@ Proposal propose(const Fitter             &fitter,
                         even);
   if (!fitter.moves() || fitter.sprockets.size() > 2)
     {
-      const auto   taut    = fitter.fits(given, true, 1);
-      const double missing = taut.empty() ? 0. : -taut.front().laid.slack.slack;
-      if (missing > 1e-12)
-        throw InputError(the_chain + " is " + in_mm(missing) +
-                         " too short for the wheels where they are; it takes at least " +
-                         advised_links(fitter, missing, even) + " links.");
+      if (!(missing_length(fitter, given) <= 1e-12))
+        throw InputError("Drive/Wheels: " + too_short(fitter, given, even));
       return {{}, fitter.fits(given, false)};
     }
 

@@ -326,9 +326,11 @@ std::string no_route(const parameters::Layout &layout,
       (possible ? low : high) = value;
     }
   const double unit = sag ? 1e2 : 1e3;
+  const double most = std::floor(low * unit * 10.) / 10.;
   return std::string("Drive/Layout/") + (sag ? "Sag in percent" : "Slack in mm") + " = " +
-         to_text((sag ? layout.sag : layout.slack) * unit) + what + "; choose at most " +
-         to_text(std::floor(low * unit * 10.) / 10., 4) + ".";
+         to_text((sag ? layout.sag : layout.slack) * unit) + what +
+         (most > 0. ? "; choose at most " + to_text(most, 4) + "." :
+                      ", nor would it with less; choose another number of links.");
 }
 } // namespace
 

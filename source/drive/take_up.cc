@@ -48,6 +48,9 @@ void set_tensioner(const parameters::Drive &drive, Fitter &fitter)
     throw InputError("Drive/Wheels/" + wheel +
                      "/Centre in mm: wheels overlap with the tensioner there, or the chain would "
                      "cross itself; choose another place.");
+  if (!std::isfinite(slack_at(fitter, 0.)))
+    throw InputError("Drive/Wheels/" + wheel + ": " +
+                     too_short(fitter, 0., drive.n_links % 2 == 0));
   const double gain = (slack_at(fitter, -h) - slack_at(fitter, h)) / (2. * way);
   if (!(std::abs(gain) > least_gain))
     throw InputError("Drive/Wheels/" + wheel + "/Held by = " + text_of(fitter.tensioner->holder) +

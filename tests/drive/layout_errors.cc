@@ -4,6 +4,7 @@
 
 #include "compare.h"
 #include "forms.h"
+#include "idler_drive.h"
 
 #include <chaindrive/drive/layout.h>
 
@@ -67,4 +68,15 @@ int main()
   d                    = Drive();
   d.layout.start_phase = 1.;
   refuse("start phase", d);
+
+  // three wheels: none of the spans can be as short as so few links are
+  d                             = idler_drive(-1, {{0.19, -0.066}}, {{0.11, -0.1}}).drive;
+  d.n_links                     = 60;
+  d.layout.centre_distance_from = parameters::CentreDistanceFrom::given;
+  refuse("a chain that is far too short for given centres", d);
+  d.sprockets.list[2].centre.reset();
+  d.layout.centre_distance_from = parameters::CentreDistanceFrom::slack;
+  d.layout.centre_distance      = 0.4;
+  d.layout.slack                = 0.;
+  refuse("a chain that is far too short where the search begins", d);
 }

@@ -73,6 +73,7 @@ int main()
   });
   refuse("chain far too long", [](Parameters &p) { p.drive.n_links += 40; });
   refuse("chain far too short", [](Parameters &p) { p.drive.n_links -= 20; });
+  refuse("chain that cannot be laid", [](Parameters &p) { p.drive.n_links = 40; });
 
   Parameters p           = tensioned();
   idler(p).held.arm.most = 0.01;

@@ -57,6 +57,8 @@ def layout():
     centre = "Centre in mm"
     yield ("the chain .* would lie on the chain .*; choose other places",
            {**pushed, low + centre: "300, -40", top + centre: "300, 40"}, [{low + centre: "300, -60"}])
+    yield (r"too short for the wheels where they are; choose other places, or at least (\d+) links",
+           {**pushed, low + centre: "300, -60", top + centre: "300, 60", LINKS: 60}, [{LINKS: r"\1"}])
     yield ("but those of low and driven are auto; give all but one", {**pushed, top + centre: "300, 60"},
            [{low + centre: "300, -60"}])
     yield ("driver and low overlap: their centres are", {**pushed, low + centre: "30, 0", top + centre: "300, 60"},

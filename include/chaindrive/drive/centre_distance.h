@@ -69,6 +69,14 @@ void check_loop(const std::vector<path::Wheel> &wheels);
 /// it. Of a new chain. InputError where the sprockets would overlap, or for an unknown chain.
 unsigned int number_of_links(const parameters::Drive &drive);
 
+/// What a chain round the wheels with the one that moves at the distance or travel @p c would have
+/// to be longer to be taut, m, also where it is far too short to be laid; below zero it has slack.
+/// Not a number where a chain closes on no route.
+double missing_length(Fitter fitter, double c);
+
+/// That the chain is too short by missing_length(), and what to choose; from its subject on.
+std::string too_short(const Fitter &fitter, double c, bool even);
+
 /// The number of links that makes up for the length @p missing [m], negative when there is too
 /// much.
 std::string advised_links(const Fitter &fitter, double missing, bool even);
