@@ -237,8 +237,9 @@ unsigned int number_of_links(const parameters::Drive &drive)
             at_least(least) + ".");
     }
   const double pairs = 0.5 * pitches_round(wheels, pitch);
-  const bool   given = drive.layout.centre_distance_from == parameters::CentreDistanceFrom::given;
-  return 2 * static_cast<unsigned int>(given ? std::ceil(pairs - 1e-9) : std::round(pairs));
+  const bool   stay =
+      drive.layout.centre_distance_from == parameters::CentreDistanceFrom::given || !fitter.moves();
+  return 2 * static_cast<unsigned int>(stay ? std::ceil(pairs - 1e-9) : std::round(pairs));
 }
 
 std::string advised_links(const Fitter &fitter, const double missing, const bool even)

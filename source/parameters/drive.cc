@@ -292,8 +292,9 @@ void Drive::declare(Declarations &declarations)
       10000,
       "Inner plus outer links of the endless chain; even, unless it has an offset link, which only "
       "the simple fidelity has. auto: the even number whose length comes closest to Layout/Centre "
-      "distance in mm; if that is given and not adjusted, the smallest that is long enough. "
-      "Default: the drive in prm/paper.",
+      "distance in mm; if that is given and not adjusted, or the centres of all wheels are given, "
+      "the "
+      "smallest that is long enough. Default: the drive in prm/paper.",
       "auto");
   add(declarations,
       "Driver teeth",

@@ -199,8 +199,8 @@ public:
       throw InputError("Drive/Number of links = auto cannot be found here; give a number.");
     const std::string links = std::to_string(n_links(drive));
     set_value(*declarations_->find("Drive", "Number of links"), links, "");
-    input_.notes.push_back("Drive/Number of links = auto: " + links + " for a centre distance of " +
-                           to_entry_text(drive.layout.centre_distance, unit::milli) + " mm.");
+    input_.notes.push_back("Drive/Number of links = auto: " + links + " for " + places(drive) +
+                           ".");
   }
 
   /// Gives Output/Field interval in ms = auto the value that is used.
@@ -231,6 +231,21 @@ public:
   }
 
 private:
+  /// What the number of links is found for: where the wheels of @p drive are.
+  static std::string places(const Drive &drive)
+  {
+    const auto &wheels = drive.sprockets.list;
+    if (std::any_of(
+            wheels.begin() + 1, wheels.end(), [](const Sprocket &wheel) { return !wheel.centre; }))
+      return "a centre distance of " + to_entry_text(drive.layout.centre_distance, unit::milli) +
+             " mm";
+    const auto held = std::find_if(wheels.begin(), wheels.end(), [](const Sprocket &wheel) {
+      return wheel.held.holder != Holder::bearing;
+    });
+    return "the centres of Drive/Wheels" +
+           (held == wheels.end() ? "" : ", that of " + held->name + " without travel");
+  }
+
   /// Declares all entries of the wheels that there are.
   void declare()
   {

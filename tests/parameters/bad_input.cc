@@ -110,6 +110,17 @@ int main()
             "end\n"
             "subsection Drive\n  subsection Wheels\n    subsection driven\n"
             "      subsection Guide\n        set Line = spline\n      end\n    end\n  end\nend\n");
+  const std::string wheels = "subsection Drive\n  set Number of links = auto\n"
+                             "  subsection Chain\n    set Designation = 08B\n  end\n"
+                             "  subsection Wheels\n"
+                             "    set Order of travel = driver, idler, driven\n"
+                             "    subsection idler\n      set Teeth = 13\n"
+                             "      set Side = outside\n      set Centre in mm = 190, -58\n",
+                    driven = "    subsection driven\n      set Centre in mm = 411, 0\n    end\n",
+                    end = "    end\n", both = "  end\nend\n";
+  read_text("links for a distance", wheels + end + both);
+  read_text("links for given centres", wheels + end + driven + both);
+  read_text("links for a tensioner", wheels + "      set Held by = arm\n" + end + driven + both);
   read_text("no hourglass stiffness",
             "subsection Elements\n  set Hourglass coefficient = 0\nend\n");
   read_text("defaults are not worth a note",

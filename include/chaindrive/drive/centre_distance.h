@@ -66,7 +66,8 @@ void check_loop(const std::vector<path::Wheel> &wheels);
 ///   X = 2 C cos(a) / p + (z1 + z2) / 2 + (z2 - z1) a / pi,
 ///
 /// rounded to the nearest even number; up where the centre distance is given and nothing adjusts
-/// it. Of a new chain. InputError where the sprockets would overlap, or for an unknown chain.
+/// it, and where all centres are given, so that there is slack for a wheel that takes it up. Of a
+/// new chain. InputError where the sprockets would overlap, or for an unknown chain.
 unsigned int number_of_links(const parameters::Drive &drive);
 
 /// What a chain round the wheels with the one that moves at the distance or travel @p c would have
