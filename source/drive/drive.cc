@@ -465,13 +465,19 @@ void set_stiffnesses(const Parameters &parameters, const StiffnessOf &stiffness_
                     ")");
 }
 
+std::vector<ToothForm> forms_of(const std::vector<Sprocket> &sprockets)
+{
+  std::vector<ToothForm> forms;
+  for (const Sprocket &sprocket : sprockets)
+    forms.push_back(sprocket.form);
+  return forms;
+}
+
 /// Lays the chain: without load, at rest with its pre-tension, or as it runs.
 void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d)
 {
   const parameters::Model &given = parameters.model;
-  std::vector<ToothForm>   forms;
-  for (const Sprocket &sprocket : d.sprockets)
-    forms.push_back(sprocket.form);
+  const auto               forms = forms_of(d.sprockets);
   const double mass  = given.mass_per_pitch.value_or(d.mass_per_pitch) / d.chain.loaded_pitch();
   const double speed = parameters.loads.driver_speed * 0.5 * forms[0].pitch_diameter;
   const double start_speed = speed_at_start(parameters, d.driver().program);
@@ -577,8 +583,11 @@ Drive make_drive(const Parameters  &parameters,
   set_solids(parameters, d);
   set_stiffnesses(parameters, stiffness_of, d);
   lay_chain(parameters, shifts, d);
-  d.guides =
-      make_guides(parameters.drive, d.chain, d.layout, parameters.model.capabilities().is_elastic);
+  d.guides = make_guides(parameters.drive,
+                         d.chain,
+                         forms_of(d.sprockets),
+                         d.layout,
+                         parameters.model.capabilities().is_elastic);
   return d;
 }
 } // namespace chaindrive::drive

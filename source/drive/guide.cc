@@ -35,12 +35,24 @@ path::Curve line_of(const parameters::Guide &given, const std::string &section, 
                                "there is no circle; choose spline.");
   return path::Curve::arc(points);
 }
+/// How far @p p is from the line, on whichever side.
+double distance_of(const path::Curve &curve, const Point<2> &p)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (unsigned int piece = 0; piece < curve.n_pieces(); ++piece) // each may have a nearest point
+    {
+      unsigned int hint = piece;
+      least             = std::min(least, std::abs(curve.nearest(p, hint).distance));
+    }
+  return least;
+}
 } // namespace
 
-std::vector<Guide> make_guides(const parameters::Drive &drive,
-                               const ChainDimensions   &chain,
-                               const Layout            &layout,
-                               const bool               is_elastic)
+std::vector<Guide> make_guides(const parameters::Drive      &drive,
+                               const ChainDimensions        &chain,
+                               const std::vector<ToothForm> &forms,
+                               const Layout                 &layout,
+                               const bool                    is_elastic)
 {
   const double       half = 0.5 * chain.inner_plate_height;
   const unsigned int n    = static_cast<unsigned int>(layout.joints.size());
@@ -56,6 +68,16 @@ std::vector<Guide> make_guides(const parameters::Drive &drive,
                          "Points in mm: guides are for the fidelities simple and layered; "
                          "choose one of these, or no points.");
       Guide guide{i, line_of(given, section, layout.sense), given.friction, given.stiffness};
+      for (unsigned int k = 0; k < forms.size(); ++k)
+        {
+          const double radius = 0.5 * forms[k].root_diameter;
+          const double inside = radius - distance_of(guide.curve, layout.sprockets[k].centre);
+          if (inside > 0.)
+            throw InputError(section + "Points in mm: the guide would pass through the " +
+                             drive.sprockets.list[k].in_words() + ", by " + in_mm(inside, 4) +
+                             " within its root circle, whose diameter is " + in_mm(2. * radius, 4) +
+                             "; move its points away from there.");
+        }
       // the chain is on the side on which the joint of the span is that is nearest to the line
       const Layout::Span &span    = layout.spans[i];
       double              nearest = std::numeric_limits<double>::infinity(), side = 1.;

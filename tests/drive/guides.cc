@@ -95,6 +95,14 @@ int main()
   refuse("through the chain", [](Parameters &p) {
     p.drive.sprockets.list[1].guide.points = along_the_span(1e-3, -2e-3);
   });
+  // within the teeth, where no plates are
+  refuse("through a sprocket", [](Parameters &p) {
+    p.drive.sprockets.list[1].guide.line   = parameters::GuideLine::spline;
+    p.drive.sprockets.list[1].guide.points = {{{0.31, 0.03}}, {{0.29, 0.03}}};
+    p.drive.sprockets.list[1].centre       = std::array<double, 2>{{0.3, 0.}};
+    p.drive.layout.centre_distance_from    = parameters::CentreDistanceFrom::given;
+    p.drive.n_links                        = 68;
+  });
   refuse("arc through two points",
          [](Parameters &p) { p.drive.sprockets.list[1].guide.points.pop_back(); });
   refuse("arc through points of a line",

@@ -3,6 +3,7 @@
 
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/drive/layout.h>
+#include <chaindrive/drive/tooth_form.h>
 #include <chaindrive/path/curve.h>
 
 #include <vector>
@@ -19,10 +20,13 @@ struct Guide
 };
 
 /// The guides of @p drive beside the chain of @p layout.
-/// @throws InputError for one through which the chain runs at the start, for points that make no
-/// line, and in an elastic model, @p is_elastic.
-std::vector<Guide> make_guides(const parameters::Drive &drive,
-                               const ChainDimensions   &chain,
-                               const Layout            &layout,
-                               bool                     is_elastic);
+/// @param forms  of all sprockets
+/// @throws InputError for one through which the chain runs at the start, that passes through a
+/// sprocket within its root circle, for points that make no line, and in an elastic model, @p
+/// is_elastic.
+std::vector<Guide> make_guides(const parameters::Drive      &drive,
+                               const ChainDimensions        &chain,
+                               const std::vector<ToothForm> &forms,
+                               const Layout                 &layout,
+                               bool                          is_elastic);
 } // namespace chaindrive::drive
