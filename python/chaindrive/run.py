@@ -298,7 +298,7 @@ class Run:
         if path in self:
             return self.file[path]
         hint = ""
-        for word in schema.HISTORIES.get(path, {}).get("quantities", []):
+        for word in schema.history(path).get("quantities", []):
             hint = f" Output/Quantities makes it with '{word}'"
             if word in ("joint forces", "plate stress", "surface velocity"):
                 hint += ", where the fidelity has such parts"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/guide_line.h>
 #include <chaindrive/contact/surface_contact.h>
+#include <chaindrive/observe/known_names.h>
 #include <chaindrive/observe/quantity.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 // With what forces the chain presses and rubs on its guides.
@@ -27,19 +29,21 @@ public:
 
   static bool exists(const Observation &start) { return !start.scene.guides.empty(); }
 
+  static Contents contents()
+  {
+    Contents contents;
+    for (const auto &[history, across] : histories_of(any_span))
+      contents.histories.push_back(history);
+    return contents;
+  }
+
   void add_channels(Channels &channels) override
   {
     for (const Guide &guide : guides_)
-      {
-        channels.add(files::Described{"guides/" + guide.span + "_force",
-                                      "N",
-                                      "Sum of the normal forces of the chain on the guide"},
-                     [&guide](const Channels::Row row) { row[0] = guide.sum(false); });
-        channels.add(files::Described{"guides/" + guide.span + "_friction",
-                                      "N",
-                                      "Sum of the magnitudes of its friction forces"},
-                     [&guide](const Channels::Row row) { row[0] = guide.sum(true); });
-      }
+      for (const auto &[history, across] : histories_of(guide.span))
+        channels.add(history, [&guide, across = across](const Channels::Row row) {
+          row[0] = guide.sum(across);
+        });
   }
 
 private:
@@ -61,6 +65,16 @@ private:
       return total;
     }
   };
+
+  /// Of the guide beside a span, each with whether it is of forces across the normals.
+  static std::vector<std::pair<files::Described, bool>> histories_of(const std::string &span)
+  {
+    return {
+        {{"guides/" + span + "_force", "N", "Sum of the normal forces of the chain on the guide"},
+         false},
+        {{"guides/" + span + "_friction", "N", "Sum of the magnitudes of its friction forces"},
+         true}};
+  }
 
   std::vector<Guide> guides_;
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/known_names.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/window_statistics.h>
 
@@ -26,6 +27,8 @@ public:
     for (const parameters::Sprocket &sprocket : parameters::Sprockets().list)
       for (const files::Described &history : histories_of(sprocket.name, sprocket.role))
         contents.histories.push_back(history);
+    for (const files::Described &history : histories_of(any_sprocket, parameters::Role::driven))
+      contents.histories.push_back(history);
     contents.histories.push_back(
         {"hubs/load_torque", "N m", "The same as driven_torque, which it was called before"});
     contents.summary = WindowStatistics::members(signals(parameters::Sprockets().list));

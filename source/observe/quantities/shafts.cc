@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/surface_contact.h>
+#include <chaindrive/observe/known_names.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/window_statistics.h>
 
@@ -31,11 +32,10 @@ public:
     Contents                                         contents;
     std::vector<std::pair<std::string, std::string>> titles;
     for (const parameters::Sprocket &sprocket : parameters::Sprockets().list)
-      {
-        titles.emplace_back(sprocket.name, title_of(sprocket.name, sprocket.role));
-        for (const unsigned int d : {0U, 1U})
-          contents.histories.push_back(load_of(sprocket.name, d));
-      }
+      titles.emplace_back(sprocket.name, title_of(sprocket.name, sprocket.role));
+    for (const std::string &name : known_sprockets())
+      for (const unsigned int d : {0U, 1U})
+        contents.histories.push_back(load_of(name, d));
     contents.summary = WindowStatistics::members(signals(titles));
     return contents;
   }

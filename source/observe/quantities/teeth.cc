@@ -29,6 +29,8 @@ public:
       {
         for (const files::Described &history : histories_of(name))
           contents.histories.push_back(history);
+        if (name == any_sprocket)
+          continue; // members of the summary are described by name
         contents.summary.push_back({"penetration_max/" + scene::name_of_teeth(name),
                                     "m",
                                     "penetration of the two sides, largest"});

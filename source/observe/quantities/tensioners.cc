@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/forces/tensioner.h>
+#include <chaindrive/observe/known_names.h>
 #include <chaindrive/observe/quantity.h>
 
 #include <string>
@@ -18,6 +19,14 @@ public:
 
   static bool exists(const Observation &start) { return !start.scene.tensioners.empty(); }
 
+  static Contents contents()
+  {
+    Contents contents;
+    contents.histories = {
+        travel_of(any_sprocket, "rad or m"), moment_of(any_sprocket), force_of(any_sprocket)};
+    return contents;
+  }
+
   bool reads_contacts() const override { return false; }
 
   void add_channels(Channels &channels) override
@@ -26,29 +35,39 @@ public:
       {
         const bool slides =
             now_.scene.bodies[tensioner.body].mount.kind == scene::Mount::Kind::prismatic;
-        const std::string name = "hubs/" + now_.scene.drive.sprockets[tensioner.sprocket].name;
-        channels.add(
-            files::Described{
-                name + "_travel",
-                slides ? "m" : "rad",
-                slides ? "Way of its slide from where its centre is given, positive where it "
-                         "takes up slack" :
-                         "Turn of its arm from where its centre is given, positive where it "
-                         "takes up slack"},
-            [this, &tensioner](const Channels::Row row) {
-              row[0] = state_of(tensioner, now_.system.world).travel;
-            });
-        channels.add(
-            files::Described{
-                name + (slides ? "_tensioner_force" : "_tensioner_moment"),
-                slides ? "N" : "N m",
-                "Of the tensioner's spring, damper and stops, positive where it takes up "
-                "slack"},
-            [this, &tensioner](const Channels::Row row) {
-              row[0] = state_of(tensioner, now_.system.world).force;
-            });
+        const std::string &name = now_.scene.drive.sprockets[tensioner.sprocket].name;
+        channels.add(travel_of(name, slides ? "m" : "rad"),
+                     [this, &tensioner](const Channels::Row row) {
+                       row[0] = state_of(tensioner, now_.system.world).travel;
+                     });
+        channels.add(slides ? force_of(name) : moment_of(name),
+                     [this, &tensioner](const Channels::Row row) {
+                       row[0] = state_of(tensioner, now_.system.world).force;
+                     });
       }
   }
+
+private:
+  static files::Described travel_of(const std::string &name, const std::string &unit)
+  {
+    return {"hubs/" + name + "_travel",
+            unit,
+            "Turn of the tensioner's arm, or way of its slide, from where the centre of the wheel "
+            "is given, positive where it takes up slack"};
+  }
+
+  static files::Described force_of(const std::string &name)
+  {
+    return {"hubs/" + name + "_tensioner_force", "N", of_the_spring};
+  }
+
+  static files::Described moment_of(const std::string &name)
+  {
+    return {"hubs/" + name + "_tensioner_moment", "N m", of_the_spring};
+  }
+
+  static constexpr const char *of_the_spring =
+      "Of the tensioner's spring, damper and stops, positive where it takes up slack";
 };
 
 const Registered<Tensioners>
