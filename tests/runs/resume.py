@@ -26,6 +26,8 @@ import subprocess
 import sys
 import time
 
+import h5py
+
 import program
 from program import check
 
@@ -102,6 +104,15 @@ def results(directory):
     }
 
 
+def datasets(directory):
+    """All bytes of all datasets by their paths; the CSV files hold the same numbers."""
+    found = {}
+    with h5py.File(f"{directory}/histories.h5") as file:
+        file.visititems(lambda name, item: found.update({name: item[:].tobytes()}) if isinstance(item, h5py.Dataset) else None)
+    check("time" in found and len(found) > 8, f"{directory}/histories.h5 has {sorted(found)} only")
+    return found
+
+
 def compare(undisturbed, resumed):
     expected, got = results(undisturbed), results(resumed)
     check(expected.keys() == got.keys(), f"{resumed}: {sorted(expected.keys() ^ got.keys())} are not in both")
@@ -109,9 +120,7 @@ def compare(undisturbed, resumed):
         check(expected[name] == got[name], f"{resumed}/{name} is not as it is undisturbed")
     check(len(expected) > 8, "there were no results to compare")
     check(numbers(undisturbed) == numbers(resumed), f"{resumed}: another summary")
-    if shutil.which("h5diff"):  # the CSV files hold the same numbers
-        for name in ["time"] + [name[10:-4] for name in expected if name.endswith(".csv")]:
-            subprocess.run(["h5diff", f"{undisturbed}/histories.h5", f"{resumed}/histories.h5", "/" + name], check=True)
+    check(datasets(undisturbed) == datasets(resumed), f"{resumed}/histories.h5 is not as it is undisturbed")
     left = [file.name for file in pathlib.Path(resumed).iterdir() if re.search(r"part$|saved$|histories-", file.name)]
     check(not left, f"{resumed}: {left} were left behind")
 
