@@ -10,6 +10,7 @@
 #include <cstring>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/signalfd.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -215,8 +216,9 @@ private:
     signalfd_siginfo ignored;
     if (::read(ended_, &ignored, sizeof(ignored)) < 0)
       return;
-    int status = 0;
-    for (pid_t process = 0; (process = ::waitpid(-1, &status, WNOHANG)) > 0;)
+    int    status = 0;
+    rusage usage  = {};
+    for (pid_t process = 0; (process = ::wait4(-1, &status, WNOHANG, &usage)) > 0;)
       {
         const auto copy = std::find_if(copies_.begin(), copies_.end(), [process](const Copy &c) {
           return c.process == process;
@@ -224,7 +226,8 @@ private:
         if (copy == copies_.end())
           continue;
         const std::string answer =
-            std::to_string(WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status));
+            std::to_string(WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status)) + ' ' +
+            std::to_string(usage.ru_maxrss);
         if (copy->connection >= 0)
           {
             ::send(copy->connection, answer.data(), answer.size(), MSG_NOSIGNAL);

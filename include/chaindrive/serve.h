@@ -15,7 +15,8 @@ namespace chaindrive
 /// the words, the environment as "name=value", each ended by a zero byte; with it come open files:
 /// standard input, output and error, the working directory, and others, which the copy keeps open.
 /// Each byte that follows is the number of a signal for the copy. The answer is a message, the
-/// status of the copy in decimal digits, or -N if signal N ended it. A copy gets SIGTERM when the
+/// status of the copy in decimal digits, or -N if signal N ended it, and the largest memory of the
+/// copy in kilobytes. A copy gets SIGTERM when the
 /// other side closes the connection, and when this process dies. Who is not the user of this
 /// process is not served.
 ///

@@ -62,17 +62,19 @@ def serving(program: str | os.PathLike[str]) -> Iterator[None]:
 
 
 class Copy:
-    """A copy at work, with what subprocess.Popen has: poll(), wait(), send_signal(), returncode."""
+    """A copy at work, with what subprocess.Popen has: poll(), wait(), send_signal(), returncode; and its largest memory in bytes."""
 
     def __init__(self, connection: socket.socket) -> None:
         self.connection = connection
         self.returncode: Optional[int] = None
+        self.memory = 0
 
     def poll(self, timeout: float | None = 0.0) -> int | None:
         """The status, or None while the copy is at work; waits for `timeout` s at most, None: without end."""
         if self.returncode is None and select.select([self.connection], [], [], timeout)[0]:
-            answer = self.connection.recv(16)
-            self.returncode = int(answer) if answer else -signal.SIGTERM  # the server has died, and its copies with it
+            answer = self.connection.recv(64)
+            status, kilobytes = map(int, answer.split() or (-signal.SIGTERM, 0))  # the server has died, and its copies with it
+            self.returncode, self.memory = status, 1024 * kilobytes
             self.connection.close()
         return self.returncode
 

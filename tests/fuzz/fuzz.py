@@ -8,12 +8,13 @@ status 0 and finite results, or with status 2 or 3 and a sentence.
     fuzz.py --count 500 --jobs 4     the first 500, four at a time
     fuzz.py --meshes                 all of them meshes, half of these binary
     fuzz.py --only 17                input 17, with what the program says
-    fuzz.py --server PROGRAM         with build/tests/fuzz/fuzz_server, which loads the libraries once: much faster
+    fuzz.py --server                 by `chaindrive serve`, which loads the libraries once: much faster
 
 Inputs that fail are left in the folder of --results.
 """
 
 import argparse
+import atexit
 import json
 import os
 import re
@@ -22,7 +23,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
@@ -32,6 +32,7 @@ from random import Random
 import binary_meshes
 import meshes
 import mutations
+import served
 
 ROOT = Path(__file__).resolve().parents[2]
 # One process needs no network, and OpenMPI looks for none.
@@ -117,23 +118,26 @@ class Program:
 
 
 class Server(Program):
-    """The same with a server (server.cc) for each thread."""
+    """The same by a server, whose copies have its limits."""
 
-    local = threading.local()
+    def __init__(self, program, seconds, memory):
+        super().__init__(program, seconds, memory)
+        server = served.Server(self.program)
+        atexit.register(server.stop)
+        resource.prlimit(server.process.pid, resource.RLIMIT_CORE, (0, 0))
+        if memory:
+            resource.prlimit(server.process.pid, resource.RLIMIT_AS, (memory, memory))
+        while not os.path.exists(f"{server.folder}/socket") and server.process.poll() is None:
+            time.sleep(0.01)
 
     def __call__(self, options, folder):
-        if not hasattr(self.local, "process"):
-            self.local.process = subprocess.Popen(
-                [self.program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=ENVIRONMENT
-            )
-        process = self.local.process
-        process.stdin.write("\t".join([str(folder), str(self.seconds), str(self.memory), *options]) + "\n")
-        process.stdin.flush()
-        answer = process.stdout.readline()
-        if not answer:
-            sys.exit(f"the server ended with status {process.wait()} instead of doing {options}")
-        status, kilobytes = map(int, answer.split())
-        return status, kilobytes * 1024
+        with open(folder / "stdout", "wb") as out, open(folder / "stderr", "wb") as said:
+            copy = served.popen([self.program, *options], out, said, ENVIRONMENT, str(folder))
+        if not isinstance(copy, served.Copy):
+            sys.exit(f"there is no server to do {options}")
+        if copy.poll(self.seconds) is None:
+            copy.send_signal(signal.SIGALRM)
+        return copy.wait(), copy.memory
 
 
 def numbers_that_are_none(summary):
@@ -183,12 +187,12 @@ def main():
     parser.add_argument("--timeout", type=int, default=120, help="seconds for one input")
     parser.add_argument("--memory", type=float, default=6.0, help="GB: what asks for more is told that it cannot have it; 0: any")
     parser.add_argument("--program", default=ROOT / "build/source/chaindrive", type=Path)
-    parser.add_argument("--server", type=Path, help="instead of the program")
+    parser.add_argument("--server", action="store_true", help="start the program by its server")
     parser.add_argument("--results", type=Path, default=Path("results/fuzz"))
     options = parser.parse_args()
 
     inputs, limits = Inputs(options.seed, options.meshes), (options.timeout, int(options.memory * 2**30))
-    program = Server(options.server, *limits) if options.server else Program(options.program, *limits)
+    program = (Server if options.server else Program)(options.program, *limits)
     began = time.time()
 
     def one(i):

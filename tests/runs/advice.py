@@ -5,8 +5,7 @@ accuracy: the first line of `plan --accuracy` is the cheapest model, its error a
 entries: what doc/not-modelled.md lists is said of such entries; numbers in other units are converted, or said to be others; no
 entry is advised that means something else.
 options: a command refuses options that it has no use for; of a template every value that cannot be is refused by its name.
-followed SERVER: what advice_cases.py lists is said, and who does what it says is not told so again. SERVER is build/tests/fuzz/
-fuzz_server, which loads the libraries once; `followed SERVER KIND...` does some kinds."""
+followed [KIND...]: what advice_cases.py lists, or some kinds of it, is said, and who does what it says is not told so again."""
 import concurrent.futures
 import os
 import pathlib
@@ -139,9 +138,9 @@ def faults_of(server, row):
 
 
 def followed():
-    server = fuzz.Server(pathlib.Path(sys.argv[3]), 300, 0)
+    server = fuzz.Server(pathlib.Path(PROGRAM), 300, 0)
     tables = {kind.__name__: kind for kind in advice_cases.TABLES}
-    kinds = [tables[name] for name in sys.argv[4:] or tables]
+    kinds = [tables[name] for name in sys.argv[3:] or tables]
     rows = [row for kind in kinds for row in kind()]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         faults = [fault for found in pool.map(lambda row: faults_of(server, row), rows) for fault in found]
