@@ -30,7 +30,7 @@ def about(member: str) -> tuple[str, str]:
 def history(path: str) -> dict[str, Any]:
     """The member of HISTORIES for a path, by its name or else by the star in its place; empty where there is none."""
     fitting = (known for known in HISTORIES if re.fullmatch(re.escape(known).replace(r"\*", "[^/]+"), path))
-    return HISTORIES.get(path) or HISTORIES.get(next(fitting, ""), {})
+    return HISTORIES[path] if path in HISTORIES else HISTORIES.get(next(fitting, ""), {})
 
 
 def below(path: str) -> dict[str, str]:
