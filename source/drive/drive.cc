@@ -129,6 +129,7 @@ RestingChain resting_chain(const Parameters &p, const Drive &d)
 {
   const double mass = p.model.mass_per_pitch.value_or(d.mass_per_pitch);
   RestingChain chain;
+  chain.deviations      = d.links.deviations;
   chain.weight          = mass * gravity(p);
   chain.roller_radius   = 0.5 * d.chain.roller_diameter;
   chain.tooth_stiffness = d.roller_tooth_stiffness;
@@ -161,7 +162,8 @@ parameters::Drive worn_drive(const Parameters &parameters, const Lay &lay, Drive
     return entries;
   parameters::Drive as_new = entries;
   as_new.chain.elongation  = 0.;
-  const Layout laid = lay(without_tensioner(as_new), make_chain(as_new.chain, parameters.effects));
+  const Layout laid =
+      lay(without_tensioner(as_new), d.links.in(make_chain(as_new.chain, parameters.effects)));
   const std::string from =
       ", from " + text_of(layout.centre_distance_from) + " of the chain when it was new.";
   entries.layout.centre_distance_from = CentreDistanceFrom::given;
@@ -382,8 +384,12 @@ void refuse_soft_chain(const Parameters &parameters, const Drive &d)
 /// Chain and sprockets, with what their shafts are given.
 void set_chain_and_sprockets(const Parameters &parameters, Drive &d)
 {
-  const parameters::Sprockets &sprockets = parameters.drive.sprockets;
-  d.chain                                = make_chain(parameters.drive.chain, parameters.effects);
+  const parameters::Sprockets   &sprockets = parameters.drive.sprockets;
+  const parameters::Capabilities model     = parameters.model.capabilities();
+  d.chain                                  = make_chain(parameters.drive.chain, parameters.effects);
+  d.links =
+      make_link_pitches(parameters.drive, d.chain.pitch, model.has_clearances, model.is_elastic);
+  d.chain = d.links.in(d.chain);
   for (unsigned int i = 0; i < sprockets.list.size(); ++i)
     {
       d.sprockets.push_back(make_sprocket(i, sprockets, d.chain, parameters.model.driven_inertia));
@@ -396,6 +402,8 @@ void set_chain_and_sprockets(const Parameters &parameters, Drive &d)
     }
   set_torques(parameters, d);
   append(d.notes, d.chain.derived);
+  if (!d.links.are_equal())
+    d.notes.push_back(d.links.in_words());
   for (const Sprocket &sprocket : d.sprockets)
     append(d.notes, sprocket.form.derived);
 
@@ -482,16 +490,18 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
   const double speed = parameters.loads.driver_speed * 0.5 * forms[0].pitch_diameter;
   const double start_speed = speed_at_start(parameters, d.driver().program);
   const auto   lay         = [&](const parameters::Drive &entries, const ChainDimensions &chain) {
-    return make_layout(entries,
-                       chain,
-                       forms,
-                       given.capabilities().has_clearances,
-                       d.stiffness_per_pitch,
-                       start_speed,
-                       d.nominal_tension,
-                       gravity(parameters) == 0.,
-                       mass * gravity(parameters),
-                       mass * speed * speed);
+    Layout layout = make_layout(entries,
+                                chain,
+                                forms,
+                                given.capabilities().has_clearances,
+                                d.stiffness_per_pitch,
+                                start_speed,
+                                d.nominal_tension,
+                                gravity(parameters) == 0.,
+                                mass * gravity(parameters),
+                                mass * speed * speed);
+    shift_joints(layout, d.links);
+    return layout;
   };
   parameters::Drive   entries   = worn_drive(parameters, lay, d);
   parameters::Layout &layout    = entries.layout;
@@ -514,6 +524,8 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
                               gravity(parameters));
   if (d.layout.tensioner && !settled)
     bring_to_rest(d.layout, resting_chain(parameters, d), unloaded(d));
+  else if (!d.links.are_equal() && !settled && !(stretched && layout.pretension > 0.))
+    fit_links(d.layout, resting_chain(parameters, d), unloaded(d));
   if (stretched && layout.pretension > 0.)
     bring_to_rest(d.layout, resting_chain(parameters, d), unloaded(d), layout.pretension);
   if (settled)

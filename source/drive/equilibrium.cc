@@ -62,7 +62,7 @@ void Equilibrium::move_shaft(const double by)
 {
   const auto   wheel = layout_.clamped ? layout_.clamped->wheel : layout_.moved;
   Point<2>    &shaft = layout_.sprockets[wheel].centre;
-  const Vector arm   = shaft - layout_.sprockets[0].centre;
+  const Vector arm   = layout_.sprockets[wheel].axis() - layout_.sprockets[0].axis();
   Vector       way   = (layout_.rises ? -by : by) / arm.norm() * arm;
   if (layout_.clamped)
     {
@@ -183,7 +183,14 @@ void Equilibrium::store() const
       layout_.joints[k].roller = roller(k);
     }
   for (unsigned int i = 0; i < wheels_.size(); ++i)
-    layout_.sprockets[i].angle += turned_[i];
+    {
+      Layout::Sprocket &wheel = layout_.sprockets[i];
+      const Point<2>    axis  = wheel.axis();
+      wheel.centre            = centre(i, 0.);
+      if (wheel.eccentricity != Vector())
+        wheel.eccentricity = wheel.centre - axis;
+      wheel.angle += turned_[i];
+    }
   for (Layout::Span &span : layout_.spans)
     {
       const Point<2> &from = at_[span.first], &to = at_[(span.first + span.links) % n_];
@@ -201,13 +208,26 @@ double Equilibrium::stiffness(const unsigned int k) const
 
 double Equilibrium::length(const unsigned int k) const
 {
-  return chain_.length.of(k) +
+  return chain_.length.of(k) + (chain_.deviations.empty() ? 0. : chain_.deviations[k]) +
          (k % 2 == 0 ? 0. : chain_.shifts.pin_of(k) + chain_.shifts.pin_of((k + 1) % n_));
 }
 
 double Equilibrium::seat_force(const unsigned int k, const double depth) const
 {
   return seat_stiffness_ * std::max(0., depth - chain_.shifts.seat_of(k));
+}
+
+Point<2> Equilibrium::centre(const unsigned int i, const double turn) const
+{
+  const Layout::Sprocket &wheel = layout_.sprockets[i];
+  const Vector           &e     = wheel.eccentricity;
+  if (wheels_[i].held || e == Vector())
+    return wheel.centre;
+  const double c = std::cos(turned_[i] + turn), s = std::sin(turned_[i] + turn);
+  Point<2>     at = wheel.axis();
+  at[0] += c * e[0] - s * e[1];
+  at[1] += s * e[0] + c * e[1];
+  return at;
 }
 
 double Equilibrium::overlap(const unsigned int i,
@@ -217,7 +237,7 @@ double Equilibrium::overlap(const unsigned int i,
 {
   const path::Obstacle   &outline = *wheels_[i].outline;
   const Layout::Sprocket &wheel   = layout_.sprockets[i];
-  const Vector            arm     = p - wheel.centre;
+  const Vector            arm     = p - centre(i, turn);
   normal                          = Vector();
   if (arm.norm() > outline.reach() + chain_.roller_radius)
     return -1.;
@@ -265,7 +285,7 @@ double Equilibrium::contact(const unsigned int     k,
 {
   Vector       normal;
   const double force = seat_force(k, overlap(i, p, turn, normal));
-  const Vector arm   = p - layout_.sprockets[i].centre;
+  const Vector arm   = p - layout_.sprockets[i].axis();
   gradient           = {{-force * normal[0],
                          -force * normal[1],
                wheels_[i].held ?

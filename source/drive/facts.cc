@@ -61,9 +61,10 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
   std::vector<path::Wheel> wheels; // of a drive that turns counter-clockwise
   for (std::size_t i = 0; i < n; ++i)
     {
-      const Layout::Sprocket &at = d.layout.sprockets[i];
+      const Layout::Sprocket &at   = d.layout.sprockets[i];
+      const dealii::Point<2>  axis = at.axis();
       wheels.emplace_back(d.sprockets[i].form.teeth,
-                          dealii::Point<2>(at.centre[0], d.layout.sense * at.centre[1]),
+                          dealii::Point<2>(axis[0], d.layout.sense * axis[1]),
                           lengths,
                           at.turn);
     }
@@ -111,7 +112,7 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
       pulls += loaded ? torque / z : 0.;
       facts.sprockets.push_back({sprocket.name,
                                  sprocket.title,
-                                 d.layout.sprockets[i].centre,
+                                 d.layout.sprockets[i].axis(),
                                  d.layout.sense * wheels[i].turn,
                                  d.layout.sense * path::touching(wheels[i], in),
                                  sprocket.form.teeth,

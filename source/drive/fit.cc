@@ -37,7 +37,7 @@ std::vector<path::Wheel> Fitter::wheels(const double centre_distance) const
       else if (wheel.moves)
         centre = Point<2>(sprockets[0].centre[0] + centre_distance * std::cos(wheel.direction),
                           sprockets[0].centre[1] + centre_distance * std::sin(wheel.direction));
-      at.emplace_back(wheel.teeth, centre, chain.seats, wheel.turn);
+      at.emplace_back(wheel.teeth, centre + wheel.eccentricity, chain.seats, wheel.turn);
     }
   return at;
 }
@@ -58,7 +58,9 @@ std::vector<Fitter::Wheel> wheels_of(const parameters::Sprockets &sprockets)
       wheels.push_back({sprocket.teeth, sprocket.turn, !sprocket.centre && !at_origin});
       if (sprocket.centre)
         wheels.back().centre = Point<2>((*sprocket.centre)[0], (*sprocket.centre)[1]);
-      wheels.back().direction = sprocket.direction;
+      wheels.back().direction       = sprocket.direction;
+      wheels.back().eccentricity[0] = 0.5 * sprocket.runout * std::cos(sprocket.runout_phase);
+      wheels.back().eccentricity[1] = 0.5 * sprocket.runout * std::sin(sprocket.runout_phase);
     }
   return wheels;
 }

@@ -114,9 +114,10 @@ void mirror(Layout &layout, const std::vector<ToothForm> &forms)
       (*tensioner)->mirror();
   for (Layout::Sprocket &sprocket : layout.sprockets)
     {
-      sprocket.centre[1] = 0. - sprocket.centre[1]; // and no negative zero
-      sprocket.angle     = -sprocket.angle;
-      sprocket.speed     = -sprocket.speed;
+      sprocket.centre[1]       = 0. - sprocket.centre[1]; // and no negative zero
+      sprocket.eccentricity[1] = 0. - sprocket.eccentricity[1];
+      sprocket.angle           = -sprocket.angle;
+      sprocket.speed           = -sprocket.speed;
     }
   for (Layout::Span &span : layout.spans)
     {
@@ -397,15 +398,15 @@ void set_in_motion(Layout &layout, const double driver_speed)
       const Layout::Sprocket &after  = layout.sprockets[(i + 1) % layout.sprockets.size()];
       const Point<2>         &to     = layout.joints[(span.first + span.links) % n].bush;
       const Point<2>         &from   = layout.joints[span.first].bush;
-      before.speed                   = after.speed * cross(to - after.centre, to - from) /
-                     cross(from - before.centre, to - from);
+      before.speed                   = after.speed * cross(to - after.axis(), to - from) /
+                     cross(from - before.axis(), to - from);
     }
 
   for (Layout::Joint &joint : layout.joints)
     if (joint.sprocket >= 0)
       {
         const Layout::Sprocket &sprocket = layout.sprockets[joint.sprocket];
-        const Tensor<1, 2>      arm      = joint.roller - sprocket.centre;
+        const Tensor<1, 2>      arm      = joint.roller - sprocket.axis();
         joint.velocity[0]                = -sprocket.speed * arm[1];
         joint.velocity[1]                = sprocket.speed * arm[0];
       }
@@ -494,8 +495,10 @@ Layout make_layout(const parameters::Drive      &drive,
       if (fit.wheels.size() > 2)
         check_apart(fit, fitter, drive.sprockets, forms, height);
       Layout layout = to_layout(fit.wheels, fitter.chain, fit.laid);
-      layout.moved  = moved;
-      layout.rises  = fitter.rises;
+      for (std::size_t i = 0; i < layout.sprockets.size(); ++i)
+        layout.sprockets[i].eccentricity = fitter.sprockets[i].eccentricity;
+      layout.moved = moved;
+      layout.rises = fitter.rises;
       if (tensioned > 0)
         {
           auto &held   = fitter.tensioner->is_clamped() ? layout.clamped : layout.tensioner;

@@ -169,6 +169,7 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
     {
       const Layout::Sprocket &wheel    = layout.sprockets[i];
       const Sprocket         &sprocket = drive.sprockets[i];
+      const Point<2>          axis     = wheel.axis();
       out << "  <path class=\"wheel\" d=\"M";
       const char *between = "";
       for (const Point<2> &p : sprocket.form.polyline(4))
@@ -176,8 +177,8 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
           out << between << at(turned(p, wheel.angle, wheel.centre));
           between = "L";
         }
-      out << "Z\"/>\n  <circle cx=\"" << mm(wheel.centre[0]) << "\" cy=\""
-          << mm(0. - wheel.centre[1]) << "\" r=\"" << mm(0.5 * sprocket.bore) << "\"/>\n";
+      out << "Z\"/>\n  <circle cx=\"" << mm(axis[0]) << "\" cy=\"" << mm(0. - axis[1]) << "\" r=\""
+          << mm(0.5 * sprocket.bore) << "\"/>\n";
     }
 
   out << "  <path class=\"chain\" d=\"";

@@ -173,7 +173,14 @@ void check_tensioner(const parameters::Drive &drive, const bool is_elastic)
   std::vector<std::string> held;
   for (const parameters::Sprocket &sprocket : drive.sprockets.list)
     if (sprocket.held.holder != Holder::bearing)
-      held.push_back(sprocket.name);
+      {
+        held.push_back(sprocket.name);
+        if (sprocket.runout > 0.)
+          throw InputError("Drive/Wheels/" + sprocket.name +
+                           "/Runout in um = " + to_text(1e6 * sprocket.runout) +
+                           " is for wheels on bearings, whose axes stand still; choose 0, or Held "
+                           "by = bearing.");
+      }
   if (held.empty())
     return;
   const parameters::Sprocket &wheel   = drive.sprockets.list[tensioned_wheel(drive.sprockets)];

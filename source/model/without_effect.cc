@@ -33,6 +33,9 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
       {p.drive.chain.elongation == 0.,
        {"Drive/Layout/Worn chain"},
        "Drive/Chain/Elongation in percent = 0 is a new chain"},
+      {p.drive.chain.pitch_tolerance == 0.,
+       {"Drive/Chain/Pitch seed"},
+       "Drive/Chain/Pitch tolerance in percent = 0 makes all links the same"},
       {!has_clearances,
        {"Contact/Roller-bush stiffness in N/m",
         "Contact/Roller-bush friction",
@@ -95,6 +98,9 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
       const std::string        of     = "Drive/Wheels/" + wheel.name + "/";
       const std::string        held   = of + "Held by = " + text_of(holder);
       const bool               fixed  = holder == parameters::Holder::bearing;
+      rules.push_back({wheel.runout == 0.,
+                       {of + "Runout phase in degrees"},
+                       of + "Runout in um = 0 is no runout"});
       rules.push_back({fixed || !turns(holder), {of + "Arm/"}, held});
       rules.push_back({fixed || turns(holder), {of + "Slide/"}, held});
       rules.push_back({is_clamped(holder),

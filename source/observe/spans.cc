@@ -15,6 +15,15 @@ frame_of(const dynamics::System &system, const scene::DriveView &drive, const un
 }
 } // namespace
 
+namespace
+{
+/// A point of the axis about which @p body turns.
+dealii::Tensor<1, 3> shaft_of(const scene::Body &body)
+{
+  return body.mount.pivot ? dealii::Tensor<1, 3>(*body.mount.pivot) : body.initial.position;
+}
+} // namespace
+
 Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
     : scene_(scene)
     , spans_(scene.drive.spans.size())
@@ -29,14 +38,14 @@ Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
       const scene::Sprocket &from = drive.sprockets[span.from];
       // never so short that it may hold no link
       const double middle = std::max(0.15 * (span.end - span.begin), 0.51 * drive.pitch);
-      places_.push_back({scene.bodies[from.body].initial.position,
+      places_.push_back({shaft_of(scene.bodies[from.body]),
                          0.5 * (span.begin + span.end),
                          std::max(0.5 * (span.end - span.begin), middle),
                          middle,
                          // inside of the normal where the sprocket turns against the drive
                          from.sense * drive.sense * from.pitch_radius});
     }
-  driver_   = scene.bodies[drive.driver().body].initial.position;
+  driver_   = shaft_of(scene.bodies[drive.driver().body]);
   mirrored_ = drive.tight().normal -
               2. * (drive.tight().normal * drive.tight().along) * drive.tight().along;
   joints_ = system.contacts.find(scene::Interface::bush_pin);

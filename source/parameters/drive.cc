@@ -51,6 +51,33 @@ void Chain::declare(Declarations &declarations)
       between(0., 5.),
       "Wear: elongation of the loaded pitch relative to a new chain. Chains are usually replaced "
       "at 2 to 3 percent. Default: a new chain.");
+  add(declarations,
+      "Pitch tolerance in percent",
+      pitch_tolerance,
+      unit::percent,
+      between(0., 1.),
+      "Deviation of the pitch of single links from that of the chain: each has its own at random, "
+      "evenly distributed between minus and plus this part of the pitch, less the mean of all "
+      "inner or all outer links, so that the chain keeps its length. Simple and layered fidelity. "
+      "Default: all links are the same.");
+  add(declarations,
+      "Pitch seed",
+      pitch_seed,
+      0,
+      1000000000,
+      "Which of the random chains of that tolerance it is: the same number is the same chain on "
+      "every machine.");
+  add(declarations,
+      "Pitch deviations in um",
+      pitch_deviations,
+      unit::micro,
+      between(-1000., 1000.),
+      "In place of a tolerance: by how much the pitch of each link differs from that of the chain, "
+      "as measured or worn, from link 0 on, an inner link that leaves joint 0 (Start phase), in "
+      "the direction of travel. As many as links, or a part of them that repeats; their "
+      "sum, by which the chain is longer, must not be negative. Simple and layered fidelity. "
+      "Default: all links are the "
+      "same.");
   const auto length = [&declarations](const std::string     &name,
                                       std::optional<double> &member,
                                       const Range           &range,

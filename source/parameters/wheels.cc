@@ -108,6 +108,21 @@ void declare_wheel(Declarations &declarations,
         between(-180., 180.),
         "Where Centre in mm is auto: of the line from the driver to it, counter-clockwise from "
         "x.");
+  add(declarations,
+      "Runout in um",
+      sprocket.runout,
+      unit::micro,
+      between(0., 10000.),
+      "Radial runout of its teeth, the total indicator reading of a turn, as in ISO 606: twice the "
+      "eccentricity of the pitch circle about the axis of the shaft. For wheels on bearings. "
+      "Default: none.");
+  add_angle(declarations,
+            "Runout phase in degrees",
+            sprocket.runout_phase,
+            between(-360., 360.),
+            "Where the teeth stand out the most at the start: direction from the axis to the "
+            "centre of the pitch circle, counter-clockwise from x in a drive that turns "
+            "counter-clockwise.");
   if (is_own)
     sprocket.held.declare(declarations);
   sprocket.guide.declare(declarations);

@@ -43,7 +43,7 @@ void describe(const drive::Drive &drive, DriveView &view)
     {
       const unsigned int         j    = (i + 1) % n;
       const drive::Layout::Span &span = layout.spans[i];
-      const dealii::Tensor<1, 2> line = layout.sprockets[j].centre - layout.sprockets[i].centre;
+      const dealii::Tensor<1, 2> line = layout.sprockets[j].axis() - layout.sprockets[i].axis();
       const double               d    = line.norm();
       const double               r1   = layout.sprockets[i].turn * radius(i),
                    r2                 = layout.sprockets[j].turn * radius(j);

@@ -116,8 +116,12 @@ void add_chain_bodies(const model::Model      &model,
 
 Joint joint_of(const unsigned int k, const drive::Drive &drive, const DriveView &view)
 {
-  const double bush = 0.5 * drive.chain.inner_hole_pitch, pin = 0.5 * drive.chain.outer_hole_pitch;
-  const unsigned int before = view.links[view.next(k, view.n_joints - 1)], after = view.links[k];
+  const unsigned int k_before = view.next(k, view.n_joints - 1);
+  const unsigned int before = view.links[k_before], after = view.links[k];
+  const double       bush =
+      0.5 * (drive.chain.inner_hole_pitch + drive.links.of(k % 2 == 0 ? k : k_before));
+  const double pin =
+      0.5 * (drive.chain.outer_hole_pitch + drive.links.of(k % 2 == 0 ? k_before : k));
   // even links are inner links and start at even joints
   const unsigned int roller = view.rollers[k];
   return k % 2 == 0 ? Joint{roller, after, before, -bush, pin} :

@@ -46,7 +46,7 @@ void add_simple_chain(const model::Model &model, const drive::Drive &drive, Scen
   for (unsigned int i = 0; i < scene.drive.n_joints; ++i)
     scene.bars.push_back({scene.drive.rollers[i],
                           scene.drive.rollers[scene.drive.next(i)],
-                          drive.chain.loaded_pitch(),
+                          drive.chain.loaded_pitch() + drive.links.of(i),
                           k,
                           damping});
 }

@@ -76,6 +76,12 @@ Body sprocket_body(const model::Model &model,
                           " kg m2 (" +
                           (sprocket.given_inertia ? "given" : "auto: the sprocket alone") + ")");
   body.initial = placed(start.centre, start.angle, dealii::Tensor<1, 2>(), start.speed);
+  if (const dealii::Tensor<1, 2> &e = start.eccentricity; e != dealii::Tensor<1, 2>())
+    {
+      body.mount.pivot         = dealii::Point<3>(start.axis()[0], start.axis()[1], 0.);
+      body.initial.velocity[0] = -start.speed * e[1];
+      body.initial.velocity[1] = start.speed * e[0];
+    }
   return body;
 }
 

@@ -4,6 +4,7 @@
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/drive/guide.h>
 #include <chaindrive/drive/layout.h>
+#include <chaindrive/drive/link_pitches.h>
 #include <chaindrive/drive/programs.h>
 #include <chaindrive/drive/solids.h>
 #include <chaindrive/drive/stiffness.h>
@@ -41,7 +42,8 @@ struct Sprocket
 /// The geometry of a whole drive with what follows from it. SI units.
 struct Drive
 {
-  ChainDimensions       chain;
+  ChainDimensions       chain; ///< with the mean pitches of its links
+  LinkPitches           links;
   std::vector<Sprocket> sprockets; ///< in the order in which the chain runs over them
   double                sprocket_width;
   Layout                layout;

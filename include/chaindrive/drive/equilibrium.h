@@ -59,6 +59,9 @@ private:
   /// Of joint @p k on a tooth from which it overlaps by @p depth, N.
   double seat_force(unsigned int k, double depth) const;
 
+  /// Of the pitch circle of wheel @p i, turned on by @p turn.
+  dealii::Point<2> centre(unsigned int i, double turn) const;
+
   /// By how much a joint's point at @p p overlaps wheel @p i, turned on by @p turn; very negative
   /// where it is far from it. @p normal points away from the wheel.
   double overlap(unsigned int i, const dealii::Point<2> &p, double turn, Vector &normal) const;

@@ -27,8 +27,10 @@ struct Fitter
     unsigned int     teeth;
     int              turn      = 1;     ///< see path::Wheel
     bool             moves     = false; ///< it is at the centre distance from wheel 0
-    dealii::Point<2> centre    = {};    ///< of one that does not move
+    dealii::Point<2> centre    = {};    ///< of the axis of one that does not move
     double           direction = 0.;    ///< from wheel 0 to one that moves, from x, rad
+
+    dealii::Tensor<1, 2> eccentricity = {}; ///< of the pitch circle, from the axis, m
   };
   std::vector<Wheel> sprockets; ///< in the order in which the chain runs over them
   path::Chain        chain{};   ///< its bulge follows from the wheels, see bulge()

@@ -25,11 +25,15 @@ struct Layout
 {
   struct Sprocket
   {
-    dealii::Point<2> centre;
-    double           angle; ///< of gap 0 from +x, rad
+    dealii::Point<2> centre; ///< of its pitch circle
+    double           angle;  ///< of gap 0 from +x, rad
     double           speed; ///< rad/s, counter-clockwise positive; zero unless the start is settled
     unsigned int     seats; ///< joints that sit on it
     int              turn;  ///< +1: the chain runs round it in the sense of the drive, -1: against
+
+    dealii::Tensor<1, 2> eccentricity = {}; ///< of the centre from the axis of its shaft, m
+
+    dealii::Point<2> axis() const { return centre - eccentricity; }
   };
 
   struct Span
@@ -84,7 +88,7 @@ struct Layout
   bool         rises = false; ///< the chain gets slack as it goes away from sprocket 0
 
   /// Of these two, m.
-  double centre_distance() const { return sprockets[0].centre.distance(sprockets[moved].centre); }
+  double centre_distance() const { return sprockets[0].axis().distance(sprockets[moved].axis()); }
 };
 
 /// By how much further the surfaces of single joints must come together than those of all others

@@ -25,6 +25,8 @@ struct RestingChain
   double            bush_clearance; ///< radial, of bush and roller; 0: they are one, m
   double            bush_stiffness; ///< of a bush in its roller, where they are two, N/m
   JointShifts       shifts = {};
+
+  std::vector<double> deviations = {}; ///< of single links from these lengths, m; empty: none
 };
 
 /// A wheel, as statics see it.

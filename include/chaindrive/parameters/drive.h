@@ -110,9 +110,12 @@ inline constexpr Texts<WornChain, 2> texts_of<WornChain>{
 /// Section `Drive/Chain`. An empty optional means `auto`: from the designation, or derived from it.
 struct Chain
 {
-  std::string           designation = "525";
-  PitchSet              pitch_set   = PitchSet::standard;
-  double                elongation  = 0.; ///< of the loaded pitch, wear: 0.01 is one percent
+  std::string         designation     = "525";
+  PitchSet            pitch_set       = PitchSet::standard;
+  double              elongation      = 0.; ///< of the loaded pitch, wear: 0.01 is one percent
+  double              pitch_tolerance = 0.; ///< largest random deviation of a link's pitch from it
+  unsigned int        pitch_seed      = 1;
+  std::vector<double> pitch_deviations; ///< m, of one link after the other, again and again
   std::optional<double> pitch, roller_diameter, roller_bore, roller_length; ///< m
   std::optional<double> bush_diameter, bush_bore, bush_length;              ///< m
   std::optional<double> pin_diameter, pin_bore, pin_length;                 ///< m
@@ -166,6 +169,8 @@ struct Sprocket
   double                               direction = 0.; ///< from the first one to what is found, rad
   Holders                              held{};         ///< what holds its axis
   Guide                                guide{};        ///< of the span behind it
+  double                               runout       = 0.; ///< total indicator reading, m
+  double                               runout_phase = 0.; ///< rad
 
   std::optional<double> resisting_torque = {}; ///< N m, of a driven one; empty: that of Loads
   std::optional<double> inertia          = {}; ///< kg m2, of all that turns with it; empty: its own
