@@ -162,9 +162,9 @@ const std::vector<NotModelled> &not_modelled()
       {{"strand", "multiplex", "duplex", "triplex"},
        "the chain has one strand; divide torque and driven inertia by the number of strands; only "
        "new strands share the load evenly"},
-      {{"runout", "run-out", "eccentric", "pitch error", "wobble"},
-       "sprockets rotate about their own axes and all teeth are identical; a sprocket of any shape "
-       "can be imported, Drive/Sprockets/Driver mesh"},
+      {{"pitch error", "wobble"},
+       "all teeth are identical and do not wobble; a sprocket of any shape can be imported, "
+       "Drive/Sprockets/Driver mesh"},
       {{"driver inertia", "motor", "engine", "driver torque"},
        "the driver follows its prescribed speed, whatever the load"},
       {{"shaft stiffness", "shaft damping", "bearing", "housing"},
@@ -178,7 +178,8 @@ const std::vector<NotModelled> &not_modelled()
       {{"wear rate", "life", "fatigue", "yield", "plastic", "strength"},
        "the material is linear elastic and neither wears nor fails during a run; the elongation "
        "of a worn chain is Drive/Chain/Elongation in percent"},
-      {{"link tolerance", "tolerance", "scatter"}, "all links are identical"}};
+      {{"link tolerance", "tolerance", "scatter"},
+       "all links are identical but for their pitches, Drive/Chain/Pitch tolerance in percent"}};
   return all;
 }
 
