@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/drive/facts.h>
+#include <chaindrive/drive/hanging_span.h>
 #include <chaindrive/drive/rest.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -277,15 +278,6 @@ double depth(const Layout &layout, const Layout::Span &span)
       most              = std::max(most, std::abs((joint - from) * span.normal));
     }
   return most;
-}
-
-/// Sag over the distance that the slack span bridges.
-double relative_sag(const Layout &layout)
-{
-  const Layout::Span &span = layout.slack();
-  const auto         &from = layout.joints[span.first].bush;
-  return span.sag /
-         from.distance(layout.joints[(span.first + span.links) % layout.joints.size()].bush);
 }
 
 /// Lays the settled drive of @p d anew with other sags until it has the one of @p entries. Rollers

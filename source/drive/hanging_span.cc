@@ -51,4 +51,12 @@ LowestMode lowest_mode(const HangingSpan &span, const double tension)
     }
   return {2. * low / PI, true};
 }
+
+double relative_sag(const Layout &layout)
+{
+  const Layout::Span &span = layout.slack();
+  const auto         &from = layout.joints[span.first].bush;
+  return span.sag /
+         from.distance(layout.joints[(span.first + span.links) % layout.joints.size()].bush);
+}
 } // namespace chaindrive::drive

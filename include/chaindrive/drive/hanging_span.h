@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/drive/layout.h>
+
 namespace chaindrive::drive
 {
 /// A span that hangs between two sprockets at one height: a flat parabola of an elastic chain.
@@ -35,4 +37,7 @@ struct LowestMode
 /// but above the antisymmetric one for lambda > 2 pi. H. M. Irvine, T. K. Caughey, The linear
 /// theory of free vibrations of a suspended cable, Proc. R. Soc. A 341 (1974) 299-315.
 LowestMode lowest_mode(const HangingSpan &span, double tension);
+
+/// Sag over the distance that the slack span of a @p layout bridges.
+double relative_sag(const Layout &layout);
 } // namespace chaindrive::drive
