@@ -468,6 +468,7 @@ void set_stiffnesses(const Parameters &parameters, const StiffnessOf &stiffness_
 std::vector<ToothForm> forms_of(const std::vector<Sprocket> &sprockets)
 {
   std::vector<ToothForm> forms;
+  forms.reserve(sprockets.size());
   for (const Sprocket &sprocket : sprockets)
     forms.push_back(sprocket.form);
   return forms;

@@ -7,6 +7,7 @@
 
 #include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/drive.h>
+#include <chaindrive/drive/hanging_span.h>
 #include <chaindrive/drive/tensioner.h>
 
 #include <deal.II/base/numbers.h>
@@ -80,13 +81,6 @@ double mean_tension(const drive::Drive &d)
     }
   return sum / d.layout.spans.size();
 }
-
-double relative_sag(const drive::Layout &layout)
-{
-  const drive::Layout::Span &span = layout.slack();
-  return span.sag / layout.joints[span.first].bush.distance(
-                        layout.joints[(span.first + span.links) % layout.joints.size()].bush);
-}
 } // namespace
 
 int main()
@@ -142,7 +136,7 @@ int main()
             if (by_slack)
               slack = std::max(slack, std::abs(layout->slack().slack - given.slack));
             else
-              sag = std::max(sag, std::abs(relative_sag(*layout) / given.sag - 1.));
+              sag = std::max(sag, std::abs(drive::relative_sag(*layout) / given.sag - 1.));
           }
     }
   std::cout << "48 drives: " << eccentrics << " eccentrics, " << outside << " outside of the loop, "
