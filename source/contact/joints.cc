@@ -113,6 +113,22 @@ void JointBatch::set_flexibility(const JointFlexibility &flexibility)
   exact_ = std::make_unique<Exact>(flexibility);
 }
 
+void JointBatch::recall_touching(const int lane)
+{
+  const std::vector<unsigned int> &rings   = exact_->flexibility.rings();
+  const auto                       n_rings = static_cast<unsigned int>(rings.size());
+  ClosedSet                       &set     = exact_->sets[lane];
+  set.clear();
+  for (unsigned int i = 0; i < window_.count[lane] * n_rings; ++i)
+    {
+      const unsigned int column = (window_.first[lane] + i / n_rings) % grid_.slave_circumferential;
+      const std::size_t  node =
+          std::size_t(rings[i % n_rings]) * grid_.slave_circumferential + column;
+      if (state_[(node * n_touch_entries + touch_penetration) * n_lanes + lane] > 0.)
+        set.number.push_back(i);
+    }
+}
+
 void JointBatch::press()
 {
   constexpr double                 tolerance = 1e-14; // m, of positions up to a metre
@@ -145,21 +161,9 @@ void JointBatch::press()
       e.gap[lane].resize_fast(matrix.stride);
       for (unsigned int i = 0; i < matrix.n; ++i)
         e.gap[lane][i] = e.gaps[i * n_lanes + lane];
-      // what touched last time is where the search begins
       if (e.new_windows)
-        {
-          e.sets[lane].clear();
-          for (unsigned int i = 0; i < matrix.n; ++i)
-            {
-              const unsigned int column =
-                  (window_.first[lane] + i / n_rings) % grid_.slave_circumferential;
-              const std::size_t node =
-                  std::size_t(rings[i % n_rings]) * grid_.slave_circumferential + column;
-              if (state_[(node * n_touch_entries + touch_penetration) * n_lanes + lane] > 0.)
-                e.sets[lane].number.push_back(i);
-            }
-        }
-      mark_pressed(lane);
+        recall_touching(lane);
+      mark_pressed(lane); // the search begins with what touched last time
       problems[lane] = {matrix.n,
                         matrix.number.data(),
                         matrix.stride,

@@ -113,6 +113,9 @@ private:
   /// The contact forces of joints without penalty.
   void press();
 
+  /// Makes the set of @p lane those nodes of its window that remember a penetration.
+  void recall_touching(int lane);
+
   /// Points the kernels' arguments to what this holds, wherever that has been moved.
   void connect();
 

@@ -110,13 +110,7 @@ void press_of(const JointArguments &arg, const WindowNodes &nodes, const int lan
   using P               = Pack<double, width>;
   const JointGrid &grid = *arg.grid;
   JointSums       &sums = *arg.sums;
-  for (int l = lane; l < lane + width; ++l)
-    {
-      sums.stored[l] = sums.largest_penetration[l] = 0.;
-      sums.touching[l]                             = 0;
-      for (auto &component : sums.force)
-        component[l] = 0.;
-    }
+  clear_sums<width>(lane, sums);
   Joints<width> joints;
   if (!take_lanes(arg, lane, joints))
     return;
@@ -180,32 +174,7 @@ void press_of(const JointArguments &arg, const WindowNodes &nodes, const int lan
                    arg.law.friction > 0.,
                    touch,
                    energies);
-
-      alignas(64) double now[n_touch_entries][width];
-      touch.penetration.store(now[touch_penetration]);
-      touch.normal.store(now[touch_normal]);
-      touch.slip[0].store(now[touch_slip_around]);
-      touch.slip[1].store(now[touch_slip_along]);
-      touch.tangential[0].store(now[touch_tangential_around]);
-      touch.tangential[1].store(now[touch_tangential_along]);
-      bool touches[width];
-      for (int l = 0; l < width; ++l)
-        {
-          if (changes[l])
-            for (unsigned int entry = 0; entry < n_touch_entries; ++entry)
-              arg.state[state_at[l] + entry * n_lanes] = now[entry][l];
-          touches[l] = changes[l] && now[touch_normal][l] > 0.;
-          sums.touching[lane + l] += touches[l];
-        }
-      const P(&e)[2]   = motion.ray;
-      const P local[3] = {zero - touch.normal * e[0] - touch.tangential[0] * e[1],
-                          touch.tangential[0] * e[0] - touch.normal * e[1],
-                          touch.tangential[1]};
-      P       force[3];
-      out_of_frame(joints.axes, local, force);
-      for (int i = 0; i < 3; ++i)
-        total[i] += force[i];
-      scatter(arg, lane, joints, m, motion, force, touch.tangential, touches);
+      apply_touch(arg, lane, joints, m, motion, state_at, changes, touch, total);
     }
   for (int l = 0; l < width; ++l)
     {

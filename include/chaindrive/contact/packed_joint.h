@@ -85,6 +85,62 @@ CHAINDRIVE_ALWAYS_INLINE void scatter(const JointArguments              &arg,
       }
 }
 
+/// What the force kernel finds of one call begins with nothing in the lanes of a pack.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void clear_sums(const int lane, JointSums &sums)
+{
+  for (int l = lane; l < lane + width; ++l)
+    {
+      sums.stored[l] = sums.largest_penetration[l] = 0.;
+      sums.touching[l]                             = 0;
+      for (auto &component : sums.force)
+        component[l] = 0.;
+    }
+}
+
+/// After update_touch(): what the slave nodes of the lanes that have something to do, @p changes,
+/// remember from now on, at @p state_at, and their forces on both sides, which @p total sums up.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void apply_touch(const JointArguments              &arg,
+                                          const int                          lane,
+                                          const Joints<width>               &joints,
+                                          const Meeting<width>              &m,
+                                          const Motion<Pack<double, width>> &motion,
+                                          const unsigned int (&state_at)[width],
+                                          const bool (&changes)[width],
+                                          const TouchStateOf<Pack<double, width>> &touch,
+                                          Pack<double, width> (&total)[3])
+{
+  using P = Pack<double, width>;
+  const P            zero(0.);
+  alignas(64) double now[n_touch_entries][width];
+  touch.penetration.store(now[touch_penetration]);
+  touch.normal.store(now[touch_normal]);
+  touch.slip[0].store(now[touch_slip_around]);
+  touch.slip[1].store(now[touch_slip_along]);
+  touch.tangential[0].store(now[touch_tangential_around]);
+  touch.tangential[1].store(now[touch_tangential_along]);
+  bool touches[width];
+  for (int l = 0; l < width; ++l)
+    {
+      if (changes[l])
+        for (unsigned int entry = 0; entry < n_touch_entries; ++entry)
+          arg.state[state_at[l] + entry * n_lanes] = now[entry][l];
+      touches[l] = changes[l] && now[touch_normal][l] > 0.;
+      arg.sums->touching[lane + l] += touches[l];
+    }
+
+  const P(&e)[2]   = motion.ray;
+  const P local[3] = {zero - touch.normal * e[0] - touch.tangential[0] * e[1],
+                      touch.tangential[0] * e[0] - touch.normal * e[1],
+                      touch.tangential[1]};
+  P       force[3];
+  out_of_frame(joints.axes, local, force);
+  for (int i = 0; i < 3; ++i)
+    total[i] += force[i];
+  scatter(arg, lane, joints, m, motion, force, touch.tangential, touches);
+}
+
 /// One slave node per lane and how it meets the bore. A gap that counts nowhere is a metre.
 template <int width>
 struct Visit
@@ -218,33 +274,11 @@ CHAINDRIVE_ALWAYS_INLINE void touch_nodes(const JointArguments                 &
       penetration, v.gap, zero - motion.relative[0], dt * motion.relative[0]};
   update_touch(law, approach, slip_rate, dt, arg.law.friction > 0., touch, energies);
 
-  alignas(64) double now[n_touch_entries][width], changes[width];
-  (touch.penetration + v.penetration_before).store(changes);
-  touch.penetration.store(now[touch_penetration]);
-  touch.normal.store(now[touch_normal]);
-  touch.slip[0].store(now[touch_slip_around]);
-  touch.slip[1].store(now[touch_slip_along]);
-  touch.tangential[0].store(now[touch_tangential_around]);
-  touch.tangential[1].store(now[touch_tangential_along]);
-  bool touches[width];
+  const P now_or_before = touch.penetration + v.penetration_before;
+  bool    changes[width];
   for (int l = 0; l < width; ++l)
-    {
-      if (changes[l] > 0.)
-        for (unsigned int entry = 0; entry < n_touch_entries; ++entry)
-          arg.state[state_at[l] + entry * n_lanes] = now[entry][l];
-      touches[l] = now[touch_normal][l] > 0.;
-      arg.sums->touching[lane + l] += touches[l];
-    }
-
-  const P(&e)[2]   = motion.ray;
-  const P local[3] = {zero - touch.normal * e[0] - touch.tangential[0] * e[1],
-                      touch.tangential[0] * e[0] - touch.normal * e[1],
-                      touch.tangential[1]};
-  P       force[3];
-  out_of_frame(joints.axes, local, force);
-  for (int i = 0; i < 3; ++i)
-    total[i] += force[i];
-  scatter(arg, lane, joints, v.meeting, motion, force, touch.tangential, touches);
+    changes[l] = now_or_before[l] > 0.;
+  apply_touch(arg, lane, joints, v.meeting, motion, state_at, changes, touch, total);
 }
 
 /// Contact forces of the joints in lanes @p lane to lane + width - 1.
@@ -254,13 +288,7 @@ CHAINDRIVE_ALWAYS_INLINE void add_forces_of(const JointArguments &arg, const int
   using P               = Pack<double, width>;
   const JointGrid &grid = *arg.grid;
   JointSums       &sums = *arg.sums;
-  for (int l = lane; l < lane + width; ++l)
-    {
-      sums.stored[l] = sums.largest_penetration[l] = 0.;
-      sums.touching[l]                             = 0;
-      for (auto &component : sums.force)
-        component[l] = 0.;
-    }
+  clear_sums<width>(lane, sums);
 
   Joints<width> joints;
   if (!take_lanes(arg, lane, joints))
