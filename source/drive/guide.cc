@@ -35,6 +35,7 @@ path::Curve line_of(const parameters::Guide &given, const std::string &section, 
                                "there is no circle; choose spline.");
   return path::Curve::arc(points);
 }
+
 /// How far @p p is from the line, on whichever side.
 double distance_of(const path::Curve &curve, const Point<2> &p)
 {

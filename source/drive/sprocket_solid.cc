@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/sprocket_solid.h>
+#include <chaindrive/files/file.h>
+#include <chaindrive/files/temporary_directory.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <deal.II/base/config.h>
 
-#include <cstdio>
 #include <string>
 
 #ifdef DEAL_II_WITH_OPENCASCADE
@@ -71,8 +72,10 @@ void write_solid(const std::vector<Segment> &outline,
                  const double                width,
                  const std::string          &path)
 {
-  bool              written = false;
-  const std::string part    = path + ".part"; // takes the place of the file once it is whole
+  // OpenCASCADE writes files and says little of what went wrong
+  const files::TemporaryDirectory folder(MPI_COMM_SELF);
+  const std::string               written = folder.path() + "/solid";
+  bool                            done    = false;
   try
     {
       const TopoDS_Shape solid   = solid_of(outline, bore, width);
@@ -81,15 +84,15 @@ void write_solid(const std::vector<Segment> &outline,
         {
           Message::DefaultMessenger()->RemovePrinters(Message_Printer::get_type_descriptor());
           STEPControl_Writer writer;
-          written = writer.Transfer(solid, STEPControl_AsIs) == IFSelect_RetDone &&
-                    writer.Write(part.c_str()) == IFSelect_RetDone;
+          done = writer.Transfer(solid, STEPControl_AsIs) == IFSelect_RetDone &&
+                 writer.Write(written.c_str()) == IFSelect_RetDone;
         }
       else
         {
           constexpr double         deflection = 0.01, angle = 0.2; // mm, rad
           BRepMesh_IncrementalMesh triangles(solid, deflection, false, angle);
           StlAPI_Writer            writer;
-          written = writer.Write(solid, part.c_str());
+          done = writer.Write(solid, written.c_str());
         }
     }
   catch (const Standard_Failure &failure)
@@ -97,11 +100,9 @@ void write_solid(const std::vector<Segment> &outline,
       throw RunError("The solid of a sprocket cannot be built: " +
                      std::string(failure.GetMessageString()) + ".");
     }
-  if (!written || std::rename(part.c_str(), path.c_str()) != 0)
-    {
-      std::remove(part.c_str());
-      throw RunError("The file '" + path + "' cannot be written.");
-    }
+  if (!done)
+    throw RunError("The solid of a sprocket for '" + path + "' cannot be built.");
+  files::write_text(path, files::read_text(written));
 }
 #else
 void write_solid(const std::vector<Segment> &, double, double, const std::string &path)

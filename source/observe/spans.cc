@@ -13,10 +13,7 @@ frame_of(const dynamics::System &system, const scene::DriveView &drive, const un
 {
   return system.world.frames[drive.rollers[joint]];
 }
-} // namespace
 
-namespace
-{
 /// A point of the axis about which @p body turns.
 dealii::Tensor<1, 3> shaft_of(const scene::Body &body)
 {

@@ -74,10 +74,9 @@ void Chain::declare(Declarations &declarations)
       between(-1000., 1000.),
       "In place of a tolerance: by how much the pitch of each link differs from that of the chain, "
       "as measured or worn, from link 0 on, an inner link that leaves joint 0 (Start phase), in "
-      "the direction of travel. As many as links, or a part of them that repeats; their "
-      "sum, by which the chain is longer, must not be negative. Simple and layered fidelity. "
-      "Default: all links are the "
-      "same.");
+      "the direction of travel. As many as links, or a part of them that repeats; their sum, by "
+      "which the chain is longer, must not be negative. Simple and layered fidelity. Default: all "
+      "links are the same.");
   const auto length = [&declarations](const std::string     &name,
                                       std::optional<double> &member,
                                       const Range           &range,
@@ -320,8 +319,7 @@ void Drive::declare(Declarations &declarations)
       "Inner plus outer links of the endless chain; even, unless it has an offset link, which only "
       "the simple fidelity has. auto: the even number whose length comes closest to Layout/Centre "
       "distance in mm; if that is given and not adjusted, or the centres of all wheels are given, "
-      "the "
-      "smallest that is long enough. Default: the drive in prm/paper.",
+      "the smallest that is long enough. Default: the drive in prm/paper.",
       "auto");
   add(declarations,
       "Driver teeth",
