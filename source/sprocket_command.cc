@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/commands.h>
 #include <chaindrive/drive/sprocket_files.h>
+#include <chaindrive/files/temporary_directory.h>
 #include <chaindrive/model/reading.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -55,7 +56,8 @@ void sprocket_command(const CommandLine &command_line, std::ostream &out)
       << mm(drive::distance_over_pins(form)) << '\n';
   if (command_line.output_directory.empty())
     return;
-  drive::write_sprocket(wheel, drive.sprocket_width, command_line.output_directory);
+  const files::TemporaryDirectory folder(MPI_COMM_SELF);
+  drive::write_sprocket(wheel, drive.sprocket_width, command_line.output_directory, folder.path());
   out << "It is in " << command_line.output_directory << ".\n";
 }
 } // namespace chaindrive

@@ -180,7 +180,10 @@ const std::vector<std::string> &sprocket_file_suffixes()
   return suffixes;
 }
 
-void write_sprocket(const Sprocket &sprocket, const double width, const std::string &path)
+void write_sprocket(const Sprocket    &sprocket,
+                    const double       width,
+                    const std::string &path,
+                    const std::string &folder)
 {
   const auto  dot    = path.rfind('.');
   std::string suffix = dot == std::string::npos ? "" : path.substr(dot);
@@ -191,7 +194,7 @@ void write_sprocket(const Sprocket &sprocket, const double width, const std::str
   else if (suffix == ".svg")
     files::write_file(path, [&](std::ostream &out) { write_svg(out, sprocket); });
   else if (suffix == ".step" || suffix == ".stl")
-    write_solid(outline(sprocket.form), sprocket.bore, width, path);
+    write_solid(outline(sprocket.form), sprocket.bore, width, path, folder);
   else
     throw InputError("A sprocket cannot be written as '" + path +
                      "': choose a name that ends in one of " + join(sprocket_file_suffixes()) +

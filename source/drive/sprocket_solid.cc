@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/sprocket_solid.h>
 #include <chaindrive/files/file.h>
-#include <chaindrive/files/temporary_directory.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <deal.II/base/config.h>
@@ -70,12 +69,12 @@ TopoDS_Shape solid_of(const std::vector<Segment> &outline, const double bore, co
 void write_solid(const std::vector<Segment> &outline,
                  const double                bore,
                  const double                width,
-                 const std::string          &path)
+                 const std::string          &path,
+                 const std::string          &folder)
 {
   // OpenCASCADE writes files and says little of what went wrong
-  const files::TemporaryDirectory folder(MPI_COMM_SELF);
-  const std::string               written = folder.path() + "/solid";
-  bool                            done    = false;
+  const std::string written = folder + "/solid";
+  bool              done    = false;
   try
     {
       const TopoDS_Shape solid   = solid_of(outline, bore, width);
@@ -105,7 +104,8 @@ void write_solid(const std::vector<Segment> &outline,
   files::write_text(path, files::read_text(written));
 }
 #else
-void write_solid(const std::vector<Segment> &, double, double, const std::string &path)
+void write_solid(
+    const std::vector<Segment> &, double, double, const std::string &path, const std::string &)
 {
   throw InputError("'" + path +
                    "' cannot be written: this deal.II was built without OpenCASCADE. Choose a name "

@@ -33,7 +33,11 @@ const std::vector<std::string> &sprocket_file_suffixes();
 ///   .step   solid with exact cylinders, by OpenCASCADE
 ///   .stl    its surface in triangles that are nowhere farther than 0.01 mm from it, mm
 ///
+/// @p folder is for a file that nobody needs afterwards: OpenCASCADE writes to names only.
 /// InputError for other names and where deal.II has no OpenCASCADE; RunError where a file cannot be
 /// written.
-void write_sprocket(const Sprocket &sprocket, double width, const std::string &path);
+void write_sprocket(const Sprocket    &sprocket,
+                    double             width,
+                    const std::string &path,
+                    const std::string &folder);
 } // namespace chaindrive::drive
