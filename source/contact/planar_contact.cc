@@ -327,6 +327,8 @@ PlanarFlanks::PlanarFlanks(const scene::ToothFamily   &teeth,
     }
   for (const dealii::Tensor<1, 2> &turn : form.rotations)
     turns_.insert(turns_.end(), {turn[0], turn[1]});
+  for (const dealii::Tensor<1, 2> &turn : form.shifted)
+    shifted_.insert(shifted_.end(), {turn[0], turn[1]});
 }
 
 void PlanarFlanks::search(const World &world, const double reach)
@@ -367,6 +369,7 @@ void PlanarFlanks::add_forces(World &world, const double dt)
                     static_cast<unsigned int>(segments_.size()),
                     static_cast<unsigned int>(turns_.size() / 2),
                     turns_.data(),
+                    shifted_.empty() ? nullptr : shifted_.data(),
                     static_cast<unsigned int>(slot_.size()),
                     slot_.data(),
                     gap_.data(),

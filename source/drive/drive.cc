@@ -76,49 +76,6 @@ void refuse_soft(const std::string &entry,
                      pull.entry + ".");
 }
 
-/// Sprocket number @p number of @p sprockets but for its solid. A bore of a third and a hub of six
-/// tenths of the root diameter: a plain disc on a stout shaft.
-Sprocket make_sprocket(const unsigned int           number,
-                       const parameters::Sprockets &sprockets,
-                       const ChainDimensions       &chain,
-                       const std::optional<double> &driven_inertia)
-{
-  const parameters::Sprocket &given = sprockets.list[number];
-  Sprocket                    sprocket;
-  sprocket.name       = given.name;
-  sprocket.title      = given.in_words();
-  sprocket.in_entries = given.in_entries();
-  sprocket.role       = given.role;
-  sprocket.form       = make_tooth_form(given.teeth, chain, sprockets, number);
-  sprocket.mesh       = given.mesh;
-  sprocket.given_inertia =
-      given.name == sprockets.driven().name && driven_inertia ? driven_inertia : given.inertia;
-  const double root     = sprocket.form.root_diameter;
-  sprocket.bore         = given.bore.value_or(root / 3.);
-  sprocket.hub_diameter = given.hub_diameter.value_or(std::max(sprocket.bore, 0.6 * root));
-  return sprocket;
-}
-
-/// Says what was chosen for the hub of @p sprocket; refuses one that cannot be.
-void check_hub(const Sprocket             &sprocket,
-               const parameters::Sprocket &given,
-               std::vector<std::string>   &notes)
-{
-  const std::string name = given.in_entries();
-  const double      bore = sprocket.bore, hub = sprocket.hub_diameter,
-               root = sprocket.form.root_diameter;
-  if (!given.bore)
-    notes.push_back(name + " bore " + in_mm(bore, 5) + ", a third of the root diameter.");
-  if (!given.hub_diameter)
-    notes.push_back(name + " rigid zone up to the diameter " + in_mm(hub, 5) + ".");
-  if (!(bore > 0. && bore <= hub && hub < root))
-    throw InputError("Drive/Sprockets: " + name + " bore " + in_mm(bore, 5) + " and hub diameter " +
-                     in_mm(hub, 5) +
-                     " must be positive, the bore not larger than the hub, the hub "
-                     "smaller than the root diameter " +
-                     in_mm(root, 5) + ".");
-}
-
 /// The acceleration that acts, m/s2.
 double gravity(const Parameters &p)
 {
@@ -373,6 +330,14 @@ void refuse_soft_chain(const Parameters &parameters, const Drive &d)
                 "bushes");
 }
 
+/// Whether teeth of any sprocket do not stand in their places.
+bool has_shifted_gaps(const Drive &d)
+{
+  return std::any_of(d.sprockets.begin(), d.sprockets.end(), [](const Sprocket &sprocket) {
+    return !sprocket.form.shifted.empty();
+  });
+}
+
 /// Chain and sprockets, with what their shafts are given.
 void set_chain_and_sprockets(const Parameters &parameters, Drive &d)
 {
@@ -478,7 +443,9 @@ std::vector<ToothForm> forms_of(const std::vector<Sprocket> &sprockets)
 void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d)
 {
   const parameters::Model &given = parameters.model;
-  const auto               forms = forms_of(d.sprockets);
+  std::vector<ToothForm>   forms = forms_of(d.sprockets); // laid as drawn, and fitted below
+  for (ToothForm &form : forms)
+    form.shifted.clear();
   const double mass  = given.mass_per_pitch.value_or(d.mass_per_pitch) / d.chain.loaded_pitch();
   const double speed = parameters.loads.driver_speed * 0.5 * forms[0].pitch_diameter;
   const double start_speed = speed_at_start(parameters, d.driver().program);
@@ -517,7 +484,8 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
                               gravity(parameters));
   if (d.layout.tensioner && !settled)
     bring_to_rest(d.layout, resting_chain(parameters, d), unloaded(d));
-  else if (!d.links.are_equal() && !settled && !(stretched && layout.pretension > 0.))
+  else if ((!d.links.are_equal() || has_shifted_gaps(d)) && !settled &&
+           !(stretched && layout.pretension > 0.))
     fit_links(d.layout, resting_chain(parameters, d), unloaded(d));
   if (stretched && layout.pretension > 0.)
     bring_to_rest(d.layout, resting_chain(parameters, d), unloaded(d), layout.pretension);

@@ -2,6 +2,7 @@
 #include <chaindrive/drive/equilibrium.h>
 #include <chaindrive/drive/link_pitches.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/random.h>
 #include <chaindrive/utilities/text.h>
 
 #include <algorithm>
@@ -16,13 +17,6 @@ using Vector = dealii::Tensor<1, 2>;
 
 namespace
 {
-/// From 0 to below 1: the leading 53 bits. The distributions of the standard library differ from
-/// one implementation to the next.
-double even(std::mt19937_64 &generator)
-{
-  return std::ldexp(static_cast<double>(generator() >> 11), -53);
-}
-
 /// The entry that gives links their own pitches, with its value in short.
 std::string entry_of(const parameters::Chain &chain)
 {
@@ -101,8 +95,9 @@ LinkPitches make_link_pitches(const parameters::Drive &drive,
                      "not fit its sprockets; choose deviations whose sum is at least 0.");
   std::mt19937_64 generator(chain.pitch_seed);
   for (unsigned int k = 0; k < drive.n_links; ++k)
-    links.deviations.push_back(listed.empty() ? tolerance * pitch * (2. * even(generator) - 1.) :
-                                                listed[k % listed.size()]);
+    links.deviations.push_back(listed.empty() ?
+                                   tolerance * pitch * (2. * even_random(generator) - 1.) :
+                                   listed[k % listed.size()]);
   const bool alternate = clearances || listed.empty();
   links.inner          = take_mean(links.deviations, 0, alternate ? 2 : 1);
   links.outer          = alternate ? take_mean(links.deviations, 1, 2) : links.inner;
@@ -152,9 +147,10 @@ void fit_links(Layout &layout, const RestingChain &chain, const std::vector<Rest
   std::swap(tensioner, layout.tensioner);
   Equilibrium equilibrium(layout, unloaded, wheels);
   if (!equilibrium.solve(tolerance))
-    throw InputError("Drive/Chain: the pitches of its links differ so much that rollers do not fit "
-                     "into their gaps; choose a smaller Pitch tolerance in percent, or smaller "
-                     "Pitch deviations in um.");
+    throw InputError(
+        "Drive: pitches of links (Chain/Pitch tolerance in percent, Pitch deviations in "
+        "um) or tooth gaps (Wheels/.../Index tolerance in um, Index deviations in um) "
+        "differ so much that rollers do not fit into their gaps; choose smaller ones.");
   equilibrium.store();
   std::swap(tensioner, layout.tensioner);
 }

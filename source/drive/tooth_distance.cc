@@ -92,17 +92,22 @@ inline double rough_angle(const Point<2> &p)
 Projection ToothForm::closest_point(const Point<2> &p) const
 {
   // fold p into the sector 0 <= polar angle <= pi / z: the profile maps to itself under those
-  // rotations and mirrors, so the point nearest to p lies in the sector of p
+  // rotations and mirrors, so the point nearest to p lies in the sector of p. Gaps that have been
+  // shifted map to themselves about their own middles; on tips, which are round about the axis,
+  // nothing changes where sectors meet.
   const double gaps   = 0.5 + rough_angle(p) * (teeth / (2. * dealii::numbers::PI));
   const int    n_gaps = static_cast<int>(teeth);
   int          gap    = gaps < n_gaps ? static_cast<int>(gaps) : 0; // 0 of no number, too
   Tensor<1, 2> turn;
   double       x, y;
-  const auto   fold = [&]() {
-    gap  = gap < 0 ? gap + n_gaps : gap >= n_gaps ? gap - n_gaps : gap;
-    turn = rotations[gap];
+  const auto   unturn = [&](const Tensor<1, 2> &by) {
+    turn = by;
     x    = turn[0] * p[0] + turn[1] * p[1];
     y    = turn[0] * p[1] - turn[1] * p[0];
+  };
+  const auto fold = [&]() {
+    gap = gap < 0 ? gap + n_gaps : gap >= n_gaps ? gap - n_gaps : gap;
+    unturn(rotations[gap]);
   };
   fold();
   // the middle of the tooth is where y / x = tan(pi / z)
@@ -111,6 +116,8 @@ Projection ToothForm::closest_point(const Point<2> &p) const
       gap += y < 0. ? -1 : 1;
       fold();
     }
+  if (!shifted.empty())
+    unturn(shifted[gap]);
   const double   side  = y < 0. ? -1. : 1.;
   const Point<2> local = Point<2>(x, side * y);
 

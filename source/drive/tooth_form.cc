@@ -259,6 +259,16 @@ ToothForm make_tooth_form(const unsigned int           teeth,
 
 double ToothForm::pitch_angle() const { return 2. * PI / teeth; }
 
+void ToothForm::shift_gaps(const std::vector<double> &deviations)
+{
+  shifted.clear();
+  for (unsigned int k = 0; k < deviations.size(); ++k)
+    {
+      const double angle = k * pitch_angle() + 2. * deviations[k] / pitch_diameter;
+      shifted.push_back(Point<2>(std::cos(angle), std::sin(angle)));
+    }
+}
+
 double ToothForm::tip_land() const
 {
   return outside_diameter * (half_profile.back().end_angle - half_profile.back().begin_angle);

@@ -148,6 +148,30 @@ void check_facets(const Parameters &p, const Effects &effects, Findings &finding
     }
 }
 
+void check_teeth_off_place(const Parameters &p, const Effects &effects, Findings &findings)
+{
+  for (unsigned int i = 0; i < p.drive.sprockets.list.size(); ++i)
+    {
+      const Sprocket &sprocket = p.drive.sprockets.list[i];
+      const Decision &elastic  = effects.of(Effect::elastic_sprocket, i);
+      if (sprocket.index_tolerance == 0. && sprocket.index_deviations.empty())
+        continue;
+      const std::string entries =
+          "Drive/Wheels/" + sprocket.name + "/Index tolerance in um and Index deviations in um";
+      findings.contradiction(
+          p.drive.layout.start == Start::concentric,
+          entries + " cannot be with Drive/Layout/Start = concentric, in which rollers "
+                    "stand in the middle of gaps; choose taut or settled.");
+      findings.contradiction(
+          elastic.on,
+          entries + " are for rigid teeth, but those of the " + sprocket.in_words() +
+              " are elastic (" + elastic.reason + "); choose " +
+              (sprocket.elastic == Switch::on ? "Effects/Elastic " + sprocket.name :
+                                                "Model/Elastic sprockets") +
+              " = off, or 0 and no list.");
+    }
+}
+
 void check_chain(const Parameters &p, const Effects &effects, Findings &findings)
 {
   const parameters::Drive &drive      = p.drive;
@@ -204,6 +228,7 @@ void check_chain(const Parameters &p, const Effects &effects, Findings &findings
             "the chain on it.");
 
   check_facets(p, effects, findings);
+  check_teeth_off_place(p, effects, findings);
 
   findings.contradiction(
       !p.output.rollers.empty() && p.output.rollers.back() >= drive.n_links,

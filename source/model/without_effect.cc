@@ -101,6 +101,9 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
       rules.push_back({wheel.runout == 0.,
                        {of + "Runout phase in degrees"},
                        of + "Runout in um = 0 is no runout"});
+      rules.push_back({wheel.index_tolerance == 0.,
+                       {of + "Index seed"},
+                       of + "Index tolerance in um = 0 is no random wheel"});
       rules.push_back({fixed || !turns(holder), {of + "Arm/"}, held});
       rules.push_back({fixed || turns(holder), {of + "Slide/"}, held});
       rules.push_back({is_clamped(holder),

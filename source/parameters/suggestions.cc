@@ -162,8 +162,8 @@ const std::vector<NotModelled> &not_modelled()
       {{"strand", "multiplex", "duplex", "triplex"},
        "the chain has one strand; divide torque and driven inertia by the number of strands; only "
        "new strands share the load evenly"},
-      {{"pitch error", "wobble"},
-       "all teeth are identical and do not wobble; a sprocket of any shape can be imported, "
+      {{"flank error", "wobble"},
+       "all teeth have the same flanks and do not wobble; a sprocket of any shape can be imported, "
        "Drive/Sprockets/Driver mesh"},
       {{"driver inertia", "motor", "engine", "driver torque"},
        "the driver follows its prescribed speed, whatever the load"},

@@ -123,6 +123,29 @@ void declare_wheel(Declarations &declarations,
             "Where the teeth stand out the most at the start: direction from the axis to the "
             "centre of the pitch circle, counter-clockwise from x in a drive that turns "
             "counter-clockwise.");
+  add(declarations,
+      "Index tolerance in um",
+      sprocket.index_tolerance,
+      unit::micro,
+      between(0., 1000.),
+      "Pitch errors of its teeth: each gap stands off its place along the pitch circle at random, "
+      "evenly distributed between minus and plus this length. Rigid teeth. Default: none.");
+  add(declarations,
+      "Index seed",
+      sprocket.index_seed,
+      0,
+      1000000000,
+      "Which of the random wheels of that tolerance it is: the same number is, for as many teeth, "
+      "the same wheel on every machine.");
+  add(declarations,
+      "Index deviations in um",
+      sprocket.index_deviations,
+      unit::micro,
+      between(-1000., 1000.),
+      "In place of a tolerance: by how much each gap stands off its place along the pitch circle, "
+      "as measured (index deviation, ISO 1328-1), counter-clockwise positive, from one gap to the "
+      "next counter-clockwise. As many as teeth, or a part of them that repeats. Rigid teeth. "
+      "Default: all are in their places.");
   if (is_own)
     sprocket.held.declare(declarations);
   sprocket.guide.declare(declarations);

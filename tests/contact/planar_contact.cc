@@ -221,6 +221,12 @@ int main()
   compare("rollers on teeth of chords",
           rollers_on_teeth(form_of(parameters::StandardForm::iso_max).faceted(22)),
           20);
+  drive::ToothForm    off_place = form_of(parameters::StandardForm::iso_min);
+  std::vector<double> index;
+  for (unsigned int k = 0; k < off_place.teeth; ++k)
+    index.push_back(20e-6 * std::cos(3. * k));
+  off_place.shift_gaps(index);
+  compare("rollers on teeth off their places", rollers_on_teeth(off_place), 20);
   compare("cylinders in bores", cylinders_in_bores(), 400);
 
   const double xi = 0.1, root = std::sqrt(1. - xi * xi);

@@ -3,6 +3,8 @@
 
   pitches   With links of their own pitches the driven sprocket is ahead of that of equal links by what the links between the rollers
             that bear are shorter than in the mean, over its radius; and this, and the forces on teeth, repeat with the chain
+  index     Tooth gaps that stand off their places by e cos(2 pi k/z) along the pitch circle move the chain by as much, each by its part
+            of the torque: one line each at the frequency of the shaft
   runout    Wheels with eccentric pitch circles turn the driven shaft by w2 = w1 (r1 + e1 n) / (r2 + e2 n), n the outward normal of
             the tight span: one line each at the frequency of its shaft, of known height and phase
 """
@@ -137,4 +139,37 @@ def runout():
         near("the highest other line of low order, of the last one", others / abs(wanted), 0, 0.05)
 
 
-{"pitches": pitches, "runout": runout}[CASE]()
+def moved(found, name, deviations):
+    """How far the chain on a wheel is ahead by its teeth, m: the sum of m_k e_k over its gaps, m_k the part of its torque in gap k.
+
+    The torque does that work while gaps go on by e_k. A roller has the difference of tensions before and behind it.
+    """
+    inside = slice(4 * SAMPLES, (LINKS + 4) * SAMPLES)
+    tension, teeth = found["links/tension"][inside], found[f"teeth/{name}_force"][inside]
+    rollers = found[f"rollers/{name}_force"][inside]
+    change = np.where(rollers > 0, tension - np.roll(tension, 1, axis=1), 0)
+    gap = np.argmin(abs(rollers[:, :, None] - teeth[:, None, :]), axis=2)  # no two rollers have the same force
+    return np.sum(change * np.array(deviations)[gap], axis=1) / np.sum(change, axis=1)
+
+
+def index():
+    heights = (40e-6, 53e-6)
+    for fidelity in ("simple", "layered"):
+        runs, parts = [], []
+        for sign in (1, -1):  # half of the difference is free of what all drives do
+            own = [[sign * e * math.cos(2 * math.pi * k / teeth) for k in range(teeth)] for e, teeth in zip(heights, TEETH)]
+            entries = {f"Drive/Wheels/{name}/Index deviations in um": ", ".join(f"{1e6 * d:.9f}" for d in deviations)
+                       for name, deviations in zip(("driver", "driven"), own)}
+            found, drive = run(fidelity, LINKS + 4, entries)
+            runs.append(found)
+            parts.append([moved(found, name, deviations) for name, deviations in zip(("driver", "driven"), own)])
+        angle = 0.5 * (runs[0]["hubs/driven_angle"] - runs[1]["hubs/driven_angle"])[4 * SAMPLES : (LINKS + 4) * SAMPLES]
+        for i, name in enumerate(("driver", "driven")):
+            number = LINKS // TEETH[i]
+            wanted = (1, -1)[i] * line(0.5 * (parts[0][i] - parts[1][i]), number) / RADII[1]
+            got = line(angle, number)
+            near(f"{fidelity}: {name}, angle of the driven shaft at its line, urad", 1e6 * abs(got), 1e6 * abs(wanted), 0.08e6 * abs(wanted))
+            near("its phase, degrees", math.degrees(np.angle(got / wanted)), 0, 10)
+
+
+{"pitches": pitches, "index": index, "runout": runout}[CASE]()

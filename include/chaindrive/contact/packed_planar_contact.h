@@ -301,20 +301,23 @@ CHAINDRIVE_ALWAYS_INLINE void fold(const PlanarTeeth &teeth,
                                    Pack<double, width> &side)
 {
   using P = Pack<double, width>;
-  const P zero(0.), flat(1. + teeth.turns[2]), steep(teeth.turns[3]);
-  P       y;
+  const P    zero(0.), flat(1. + teeth.turns[2]), steep(teeth.turns[3]);
+  P          y;
+  const auto unturn = [&](const double *angles) {
+    alignas(64) double turns[2][width];
+    for (int i = 0; i < width; ++i)
+      {
+        turns[0][i] = angles[2 * gap[i]];
+        turns[1][i] = angles[2 * gap[i] + 1];
+      }
+    turn[0]   = P::load(turns[0]);
+    turn[1]   = P::load(turns[1]);
+    folded[0] = turn[0] * p[0] + turn[1] * p[1];
+    y         = turn[0] * p[1] - turn[1] * p[0];
+  };
   for (unsigned int tries = 0; tries <= teeth.n_teeth; ++tries)
     {
-      alignas(64) double turns[2][width];
-      for (int i = 0; i < width; ++i)
-        {
-          turns[0][i] = teeth.turns[2 * gap[i]];
-          turns[1][i] = teeth.turns[2 * gap[i] + 1];
-        }
-      turn[0]   = P::load(turns[0]);
-      turn[1]   = P::load(turns[1]);
-      folded[0] = turn[0] * p[0] + turn[1] * p[1];
-      y         = turn[0] * p[1] - turn[1] * p[0];
+      unturn(teeth.turns);
       // the middle of the tooth is where y / x = tan(pi / z)
       const P beyond = greatest(y, zero - y) * flat - folded[0] * steep;
       if (!any_less(zero, beyond))
@@ -327,6 +330,8 @@ CHAINDRIVE_ALWAYS_INLINE void fold(const PlanarTeeth &teeth,
                 y[i] < 0. ? (gap[i] == 0 ? last : gap[i] - 1) : (gap[i] == last ? 0 : gap[i] + 1);
           }
     }
+  if (teeth.shifted != nullptr)
+    unturn(teeth.shifted);
   side      = if_less(y, zero, P(-1.), P(1.));
   folded[1] = side * y;
 }

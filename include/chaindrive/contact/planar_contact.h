@@ -112,7 +112,8 @@ private:
 
   const PlanarBodies        &bodies_;
   std::vector<PlanarSegment> segments_;
-  std::vector<double>        turns_;      ///< cosine and sine of each gap's angle
+  std::vector<double>        turns_;      ///< cosine and sine of the angle of each gap's sector
+  std::vector<double>        shifted_;    ///< of the gaps themselves, if others
   std::vector<unsigned int>  slot_, gap_; ///< [place]
 };
 } // namespace chaindrive::contact

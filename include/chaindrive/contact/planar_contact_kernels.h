@@ -68,10 +68,11 @@ struct PlanarTeeth
   const PlanarSegment *segments; ///< of half a gap with half a tooth, see drive::ToothForm
   unsigned int         n_segments;
   unsigned int         n_teeth;
-  const double        *turns; ///< cosine and sine of each gap's angle
-  unsigned int         n;     ///< places, a multiple of n_lanes
-  const unsigned int  *slot;  ///< of the roller at each place; without one, that of another
-  unsigned int        *gap;   ///< [place], the gap that the roller is in, kept fresh
+  const double        *turns;   ///< cosine and sine of the angle of each gap's sector
+  const double        *shifted; ///< the same of the gaps themselves, if others, or null
+  unsigned int         n;       ///< places, a multiple of n_lanes
+  const unsigned int  *slot;    ///< of the roller at each place; without one, that of another
+  unsigned int        *gap;     ///< [place], the gap that the roller is in, kept fresh
 
   double position[2], velocity[2], rotation[2], spin; ///< of the sprocket; rotation: cosine, sine
   double force[2], moment;                            ///< on it, are set; N, N m

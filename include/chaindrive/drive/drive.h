@@ -7,6 +7,7 @@
 #include <chaindrive/drive/link_pitches.h>
 #include <chaindrive/drive/programs.h>
 #include <chaindrive/drive/solids.h>
+#include <chaindrive/drive/sprocket.h>
 #include <chaindrive/drive/stiffness.h>
 #include <chaindrive/drive/tooth_form.h>
 #include <chaindrive/parameters/parameters.h>
@@ -18,27 +19,6 @@
 
 namespace chaindrive::drive
 {
-/// A sprocket of the drive.
-struct Sprocket
-{
-  std::string           name;       ///< of histories and entries
-  std::string           title;      ///< what sentences call it
-  std::string           in_entries; ///< what names of entries begin with
-  parameters::Role      role;
-  ToothForm             form;
-  double                bore;         ///< diameter
-  double                hub_diameter; ///< of the rigid zone
-  MassProperties        solid;
-  std::string           mesh;    ///< a Gmsh file that takes the place of the form; empty: none
-  ShaftProgram          program; ///< of its shaft
-  std::optional<double> given_inertia  = {}; ///< of all that turns with it, kg m2
-  double                inertia        = 0.; ///< the same, given or that of the solid
-  double                mean_torque    = 0.; ///< that resists it in operation, N m
-  double                largest_torque = 0.; ///< a bound of its magnitude, before it steps, N m
-
-  double tooth_stiffness = 0.; ///< of tooth and rim under a roller, given or auto, N/m
-};
-
 /// The geometry of a whole drive with what follows from it. SI units.
 struct Drive
 {

@@ -43,8 +43,9 @@ make_link_pitches(const parameters::Drive &drive, double pitch, bool clearances,
 void shift_joints(Layout &layout, const LinkPitches &links);
 
 /// Puts the links of @p layout, which shift_joints() has placed, to their own pitches exactly where
-/// nothing pulls at the chain: rollers in their gaps, wheels where the chain turns them.
+/// nothing pulls at the chain: rollers in their gaps, also those that stand off their places,
+/// wheels where the chain turns them.
 ///
-/// @throws InputError, naming Drive/Chain, when teeth do not let them.
+/// @throws InputError, naming the entries, when teeth do not let them.
 void fit_links(Layout &layout, const RestingChain &chain, const std::vector<RestingWheel> &wheels);
 } // namespace chaindrive::drive

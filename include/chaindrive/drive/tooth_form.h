@@ -83,6 +83,11 @@ struct ToothForm
   /// one, and inside by no more than about h^2/8r, h the length of a chord.
   ToothForm faceted(unsigned int n) const;
 
+  /// Turns gap k by what moves it by @p deviations[k] [m] along the pitch circle,
+  /// counter-clockwise. Sectors stay: the middle of each tooth is where it was, on the arc of its
+  /// tip.
+  void shift_gaps(const std::vector<double> &deviations);
+
   /// Points of the half profile, from the bottom of gap 0 to the middle of the tooth, with
   /// @p per_segment equal intervals in every segment.
   std::vector<dealii::Point<2>> half_polyline(unsigned int per_segment) const;
@@ -93,6 +98,9 @@ struct ToothForm
 
   /// Rotations by k pitch angles as (cos, sin), filled by make_tooth_form().
   std::vector<dealii::Tensor<1, 2>> rotations;
+
+  /// Those of the gaps that shift_gaps() has turned; empty where these are #rotations.
+  std::vector<dealii::Tensor<1, 2>> shifted;
 };
 
 /// The profile of a sprocket with @p teeth teeth for @p chain, whose diameters are those of

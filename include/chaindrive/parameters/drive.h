@@ -169,8 +169,11 @@ struct Sprocket
   double                               direction = 0.; ///< from the first one to what is found, rad
   Holders                              held{};         ///< what holds its axis
   Guide                                guide{};        ///< of the span behind it
-  double                               runout       = 0.; ///< total indicator reading, m
-  double                               runout_phase = 0.; ///< rad
+  double                               runout          = 0.; ///< total indicator reading, m
+  double                               runout_phase    = 0.; ///< rad
+  double                               index_tolerance = 0.; ///< of gaps along the pitch circle, m
+  unsigned int                         index_seed      = 1;
+  std::vector<double>                  index_deviations{}; ///< m, of one gap after the other
 
   std::optional<double> resisting_torque = {}; ///< N m, of a driven one; empty: that of Loads
   std::optional<double> inertia          = {}; ///< kg m2, of all that turns with it; empty: its own

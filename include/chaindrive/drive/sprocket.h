@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/drive/chain.h>
+#include <chaindrive/drive/programs.h>
+#include <chaindrive/drive/solids.h>
+#include <chaindrive/drive/tooth_form.h>
+#include <chaindrive/parameters/drive.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace chaindrive::drive
+{
+/// A sprocket of the drive.
+struct Sprocket
+{
+  std::string           name;       ///< of histories and entries
+  std::string           title;      ///< what sentences call it
+  std::string           in_entries; ///< what names of entries begin with
+  parameters::Role      role;
+  ToothForm             form;
+  double                bore;         ///< diameter
+  double                hub_diameter; ///< of the rigid zone
+  MassProperties        solid;
+  std::string           mesh;    ///< a Gmsh file that takes the place of the form; empty: none
+  ShaftProgram          program; ///< of its shaft
+  std::optional<double> given_inertia  = {}; ///< of all that turns with it, kg m2
+  double                inertia        = 0.; ///< the same, given or that of the solid
+  double                mean_torque    = 0.; ///< that resists it in operation, N m
+  double                largest_torque = 0.; ///< a bound of its magnitude, before it steps, N m
+
+  double tooth_stiffness = 0.; ///< of tooth and rim under a roller, given or auto, N/m
+};
+
+/// Sprocket number @p number of @p sprockets but for its solid and its program. A bore of a third
+/// and a hub of six tenths of the root diameter: a plain disc on a stout shaft. @p driven_inertia
+/// [kg m2] is that of the driven one. Throws InputError as make_tooth_form() and index_deviations()
+/// do.
+Sprocket make_sprocket(unsigned int                 number,
+                       const parameters::Sprockets &sprockets,
+                       const ChainDimensions       &chain,
+                       const std::optional<double> &driven_inertia);
+
+/// Says in @p notes what was chosen for the hub of @p sprocket, which is @p given; InputError for
+/// one that cannot be.
+void check_hub(const Sprocket             &sprocket,
+               const parameters::Sprocket &given,
+               std::vector<std::string>   &notes);
+} // namespace chaindrive::drive
