@@ -14,7 +14,10 @@ int main()
   std::mt19937                           generator(1);
   std::uniform_real_distribution<double> any(-1., 1.);
   const auto                             random = [&](const double s) {
-    return vector(s * any(generator), s * any(generator), s * any(generator));
+    Vector3 numbers; // one after the other: compilers evaluate arguments in orders of their own
+    for (unsigned int d = 0; d < 3; ++d)
+      numbers[d] = s * any(generator);
+    return numbers;
   };
 
   double       worst_force = 0., worst_moment = 0.;
@@ -24,12 +27,13 @@ int main()
       scene::Scene scene = empty_scene();
       for (unsigned int b = 0; b < 2; ++b)
         {
+          const Vector3 position = random(1e-4), velocity = random(1.);
           scene.bodies.push_back(body(scene::Motion::rigid,
                                       scene::Mount::free(),
                                       1.,
                                       vector(1., 1., 1.),
-                                      random(1e-4),
-                                      random(1.)));
+                                      position,
+                                      velocity));
           scene.bodies[b].initial.rotation         = to_matrix(rotation_by(random(0.05)));
           scene.bodies[b].initial.angular_velocity = random(100.);
         }
