@@ -123,6 +123,17 @@ void check_times(const Parameters &p, const Effects &effects, Findings &findings
   check_window(p, findings);
 }
 
+/// What follows an entry and its verb where it needs rigid teeth and @p elastic says that those of
+/// @p sprocket are not, with the entry that makes them so.
+std::string for_rigid_teeth(const Sprocket &sprocket, const Decision &elastic)
+{
+  return " for rigid teeth, but those of the " + sprocket.in_words() + " are elastic (" +
+         elastic.reason + "); choose " +
+         (sprocket.elastic == Switch::on ? "Effects/Elastic " + sprocket.name :
+                                           "Model/Elastic sprockets") +
+         " = off";
+}
+
 void check_facets(const Parameters &p, const Effects &effects, Findings &findings)
 {
   const unsigned int facets = p.drive.sprockets.facets;
@@ -135,13 +146,8 @@ void check_facets(const Parameters &p, const Effects &effects, Findings &finding
     {
       const Sprocket &sprocket = p.drive.sprockets.list[i];
       const Decision &elastic  = effects.of(Effect::elastic_sprocket, i);
-      findings.contradiction(
-          elastic.on,
-          entry + " is for rigid teeth, but those of the " + sprocket.in_words() +
-              " are elastic (" + elastic.reason + "); choose " +
-              (sprocket.elastic == Switch::on ? "Effects/Elastic " + sprocket.name :
-                                                "Model/Elastic sprockets") +
-              " = off, or 0.");
+      findings.contradiction(elastic.on,
+                             entry + " is" + for_rigid_teeth(sprocket, elastic) + ", or 0.");
       findings.contradiction(!sprocket.mesh.empty(),
                              entry + " is for teeth of arcs, but the " + sprocket.in_words() +
                                  " has the flanks of its mesh; choose 0.");
@@ -162,13 +168,9 @@ void check_teeth_off_place(const Parameters &p, const Effects &effects, Findings
           p.drive.layout.start == Start::concentric,
           entries + " cannot be with Drive/Layout/Start = concentric, in which rollers "
                     "stand in the middle of gaps; choose taut or settled.");
-      findings.contradiction(
-          elastic.on,
-          entries + " are for rigid teeth, but those of the " + sprocket.in_words() +
-              " are elastic (" + elastic.reason + "); choose " +
-              (sprocket.elastic == Switch::on ? "Effects/Elastic " + sprocket.name :
-                                                "Model/Elastic sprockets") +
-              " = off, or 0 and no list.");
+      findings.contradiction(elastic.on,
+                             entries + " are" + for_rigid_teeth(sprocket, elastic) +
+                                 ", or 0 and no list.");
     }
 }
 

@@ -6,6 +6,7 @@
 // and the centre distance of two equal sprockets grows by half of what the spans are longer. Pulled
 // without friction or weight, all links of a span carry the same tension.
 #include "compare.h"
+#include "slack_drive.h"
 
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/utilities/errors.h>
@@ -20,54 +21,6 @@ using namespace chaindrive;
 
 namespace
 {
-Parameters drive_of(const std::string &fidelity)
-{
-  Parameters p;
-  p.model.fidelity                    = fidelity;
-  p.effects.gravity                   = parameters::Switch::off;
-  p.drive.chain.designation           = "08B";
-  p.drive.sprockets.driver().teeth    = 17;
-  p.drive.sprockets.driven().teeth    = 31;
-  p.drive.n_links                     = 90;
-  p.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::slack;
-  p.drive.layout.slack                = 1e-3;
-  return p;
-}
-
-/// Of link @p k without load, m.
-double own_length(const drive::Drive &d, const bool lumped, const unsigned int k)
-{
-  const double kind = lumped     ? d.chain.loaded_pitch() :
-                      k % 2 == 0 ? d.chain.loaded_inner_pitch() :
-                                   d.chain.loaded_outer_pitch();
-  return kind + d.links.of(k);
-}
-
-double length(const drive::Drive &d, const unsigned int k)
-{
-  return d.layout.joints[k].bush.distance(d.layout.joints[(k + 1) % d.layout.joints.size()].bush);
-}
-
-/// The largest overlap of a roller with a tooth, m.
-double deepest(const drive::Drive &d)
-{
-  double most = -1.;
-  for (const drive::Layout::Joint &joint : d.layout.joints)
-    for (unsigned int i = 0; i < d.sprockets.size(); ++i)
-      {
-        const drive::Layout::Sprocket &wheel = d.layout.sprockets[i];
-        const dealii::Tensor<1, 2>     arm   = joint.roller - wheel.centre;
-        const double                   c = std::cos(wheel.angle), s = std::sin(wheel.angle);
-        most =
-            std::max(most,
-                     0.5 * d.chain.roller_diameter -
-                         d.sprockets[i]
-                             .form.closest_point({c * arm[0] + s * arm[1], c * arm[1] - s * arm[0]})
-                             .distance);
-      }
-  return most;
-}
-
 /// Length of the links of the slack span less the distance between its ends, m.
 double slack_of(const drive::Drive &d, const bool lumped)
 {
@@ -139,7 +92,7 @@ int main()
       const bool lumped = fidelity == "simple";
       std::cout << "== " << fidelity << '\n';
 
-      Parameters worn = drive_of(fidelity), longer = worn;
+      Parameters worn = slack_drive(fidelity), longer = worn;
       worn.drive.chain.elongation         = 0.01;
       longer.drive.chain.pitch_deviations = {0.127e-3};
       const drive::Drive w = drive::make_drive(worn), l = drive::make_drive(longer);
@@ -149,7 +102,7 @@ int main()
       verdict("all links longer by 1 %: an elongation, within 2 nm", apart < 2e-9);
 
       // two equal sprockets of 18 teeth: of 90 links 72 are in the spans
-      Parameters equal                     = drive_of(fidelity);
+      Parameters equal                     = slack_drive(fidelity);
       equal.drive.sprockets.driver().teeth = 18;
       equal.drive.sprockets.driven().teeth = 18;
       const double before                  = drive::make_drive(equal).layout.centre_distance();
@@ -164,7 +117,7 @@ int main()
       int    laid = 0;
       for (unsigned int seed = 1; seed <= 25; ++seed)
         {
-          Parameters p                  = drive_of(fidelity);
+          Parameters p                  = slack_drive(fidelity);
           p.drive.chain.pitch_tolerance = 1.5e-3;
           p.drive.chain.pitch_seed      = seed;
           p.drive.layout.start_phase    = 0.04 * (seed - 1);
@@ -195,20 +148,20 @@ int main()
   const auto refused = [](const std::string &what, const Parameters &given) {
     expect_refusal(what, [&given]() { drive::make_drive(given); });
   };
-  Parameters p                   = drive_of("simple");
+  Parameters p                   = slack_drive("simple");
   p.drive.chain.pitch_deviations = {1e-6, 2e-6, 3e-6, 4e-6};
   refused("a list that does not repeat", p);
   p.drive.chain.pitch_deviations = {1e-6, 2e-6};
   p.drive.chain.pitch_tolerance  = 1e-3;
   refused("a list beside a tolerance", p);
-  p                             = drive_of("layered");
+  p                             = slack_drive("layered");
   p.drive.chain.pitch_tolerance = 1e-3;
   p.drive.layout.start          = parameters::Start::concentric;
   refused("no contact in the joints", p);
-  p                             = drive_of("full");
+  p                             = slack_drive("full");
   p.drive.chain.pitch_tolerance = 1e-3;
   refused("elastic links", p);
-  p                              = drive_of("layered");
+  p                              = slack_drive("layered");
   p.drive.chain.pitch_deviations = {5e-6, -6e-6};
   refused("a chain too short", p);
 }

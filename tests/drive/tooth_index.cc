@@ -3,6 +3,7 @@
 // turned gap by gap, deviations are the same for the same seed, and a chain is laid on such teeth
 // without stretching or overlapping.
 #include "compare.h"
+#include "slack_drive.h"
 
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/drive/tooth_index.h>
@@ -68,43 +69,12 @@ double error_of_distances(const drive::ToothForm &form, const std::vector<double
   return error;
 }
 
-Parameters drive_of(const std::string &fidelity)
-{
-  Parameters p;
-  p.model.fidelity                    = fidelity;
-  p.effects.gravity                   = parameters::Switch::off;
-  p.drive.chain.designation           = "08B";
-  p.drive.sprockets.driver().teeth    = 17;
-  p.drive.sprockets.driven().teeth    = 31;
-  p.drive.n_links                     = 90;
-  p.drive.layout.centre_distance_from = parameters::CentreDistanceFrom::slack;
-  p.drive.layout.slack                = 1e-3;
-  return p;
-}
-
 /// Whether in a drive without load no roller overlaps a tooth, and all links have their lengths.
 bool lies_freely(const drive::Drive &d, const bool lumped)
 {
-  const auto &joints = d.layout.joints;
-  double      most   = 0.; // m
-  for (std::size_t k = 0; k < joints.size(); ++k)
-    {
-      const double length = lumped     ? d.chain.loaded_pitch() :
-                            k % 2 == 0 ? d.chain.loaded_inner_pitch() :
-                                         d.chain.loaded_outer_pitch();
-      most                = std::max(
-          most, std::abs(joints[k].bush.distance(joints[(k + 1) % joints.size()].bush) - length));
-      for (std::size_t i = 0; i < d.sprockets.size(); ++i)
-        {
-          const Tensor<1, 2> arm = joints[k].roller - d.layout.sprockets[i].centre;
-          const double       c   = std::cos(d.layout.sprockets[i].angle),
-                       s         = std::sin(d.layout.sprockets[i].angle);
-          const Point<2> local(c * arm[0] + s * arm[1], c * arm[1] - s * arm[0]);
-          most = std::max(most,
-                          0.5 * d.chain.roller_diameter -
-                              d.sprockets[i].form.closest_point(local).distance);
-        }
-    }
+  double most = std::max(0., deepest(d)); // m
+  for (unsigned int k = 0; k < d.layout.joints.size(); ++k)
+    most = std::max(most, std::abs(length(d, k) - own_length(d, lumped, k)));
   return most < 1e-8;
 }
 } // namespace
@@ -127,7 +97,7 @@ int main()
   compare("the first, um", 1e6 * random[0], 6.912308, 6);
   std::cout << drive::in_words("driver", {10e-6, -5e-6, 2e-6}) << '\n';
 
-  Parameters p     = drive_of("simple");
+  Parameters p     = slack_drive("simple");
   auto       chain = drive::make_chain(p.drive.chain);
   for (const auto standard : {parameters::StandardForm::iso_mid, parameters::StandardForm::ansi})
     {
@@ -138,17 +108,16 @@ int main()
       form.shift_gaps(random);
       std::cout << ", " << (error_of_distances(form, random) < 1e-8 ? "yes" : "NO") << '\n';
     }
-  p.drive.sprockets.tooth_form = parameters::StandardForm::iso_mid;
 
   for (const std::string fidelity : {"simple", "layered"})
     {
       std::cout << "== " << fidelity << '\n';
       const bool         lumped = fidelity == "simple";
-      const drive::Drive plain  = drive::make_drive(drive_of(fidelity));
+      const drive::Drive plain  = drive::make_drive(slack_drive(fidelity));
       const double       radius = 0.5 * plain.sprockets[1].form.pitch_diameter;
       for (const auto tight : {parameters::TightSide::upper, parameters::TightSide::lower})
         {
-          Parameters q              = drive_of(fidelity);
+          Parameters q              = slack_drive(fidelity);
           q.drive.layout.tight_span = tight;
           q.drive.layout.start      = parameters::Start::settled;
           q.loads.driver_speed      = 1.;
@@ -162,7 +131,7 @@ int main()
       unsigned int n = 0;
       for (unsigned int seed = 0; seed < 10; ++seed)
         {
-          Parameters q = drive_of(fidelity);
+          Parameters q = slack_drive(fidelity);
           for (parameters::Sprocket &one : q.drive.sprockets.list)
             {
               one.index_tolerance = 30e-6;
