@@ -87,8 +87,10 @@ def mypy(files=()):
     return said_by("mypy", f"--config-file={ROOT}/pyproject.toml", "--cache-dir=/dev/null", "--no-error-summary", *files)
 
 
-# What decides on these rules is the checker of Debian 12: others break some lines elsewhere, or know other types of numpy.
-DECIDES = {"formatting": (["clang-format"], "14"), "python_types": ([PYTHON, "-m", "mypy"], "1.0")}
+# What decides on these rules is the checker of Debian 12: others break some lines elsewhere, know other types of numpy, or
+# complain of more.
+DECIDES = {"clang-tidy": (["clang-tidy"], "14"), "formatting": (["clang-format"], "14"),
+           "python_types": ([PYTHON, "-m", "mypy"], "1.0")}
 
 
 def other_version(rule):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs clang-tidy on our sources and headers: tidy.py BUILD_FOLDER [--record]. Exit status 1 on complaints.
+"""Runs clang-tidy on our sources and headers: tidy.py BUILD_FOLDER [--record]. Exit status 1 on complaints, 77
+where another version of clang-tidy is installed than the one that decides.
 
 A file that passed is not looked at again until its own text or the configuration changes. tests/style/
 tidy.passed, which is committed, and the folder style/ of the build remember; --record writes to the
@@ -132,6 +133,9 @@ def main():
     parser.add_argument("build", type=Path)
     parser.add_argument("--record", action="store_true")
     arguments = parser.parse_args()
+    if other := style.other_version("clang-tidy"):
+        print(f"clang-tidy: nothing looked at: {other}")
+        sys.exit(77)
     linter = Linter(arguments.build)
     if not linter.digests or not linter.flags:
         sys.exit("tidy.py: no sources, or none in compile_commands.json")
