@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether the program accepts every .prm of the folder prm/: plans.py PATH_OF_CHAINDRIVE."""
+"""Whether the program accepts every .prm of the folder prm/: plans.py PATH_OF_CHAINDRIVE parts | dimensions.
+
+The latter word is for the entry Stiffness from: `parts` computes the stiffnesses of every drive, which takes minutes.
+"""
 
 import sys
 
@@ -7,12 +10,12 @@ import program
 import style
 
 
-def refused(which, paths):
+def refused(which, paths, stiffness_from):
     """Those that it does not plan, with what it says."""
     said = {}
     for path in paths:
         words = ["study", path, "--dry-run", "--set", "Study/Phases=1"] if path.startswith("prm/studies/") else ["plan", path]
-        result = program.start([which, *words], folder=style.ROOT)
+        result = program.start([which, *words, "--set", f"Model/Stiffness from={stiffness_from}"], folder=style.ROOT)
         if result.returncode:
             said[path] = result.stderr.strip()
     return said
@@ -20,7 +23,7 @@ def refused(which, paths):
 
 def main():
     paths = [path for path in style.repository() if path.startswith("prm/") and path.endswith(".prm")]
-    said = refused(sys.argv[1], paths)
+    said = refused(sys.argv[1], paths, sys.argv[2])
     for path, text in said.items():
         print(f"{path}: {text}")
     print(f"{len(paths)} files, {len(said)} refused")

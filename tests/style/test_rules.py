@@ -223,8 +223,8 @@ class Documentation(unittest.TestCase):
 
 class Plans(unittest.TestCase):
     def test_a_program_that_refuses_is_noticed(self):
-        self.assertEqual(plans.refused("true", ["a.prm"]), {})
-        self.assertEqual(plans.refused("false", ["a.prm"]), {"a.prm": ""})
+        self.assertEqual(plans.refused("true", ["a.prm"], "parts"), {})
+        self.assertEqual(plans.refused("false", ["a.prm"], "parts"), {"a.prm": ""})
 
 
 class Tidy(unittest.TestCase):
