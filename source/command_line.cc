@@ -55,7 +55,7 @@ constexpr CommandName commands[] = {
     {Command::report,
      "report",
      "DIR...",
-     "write a report on the runs in the folders DIRECTORY..., report.html in the first"},
+     "write a report on the runs in these folders, report.html in the first"},
     {Command::select,
      "select",
      nullptr,
@@ -69,8 +69,7 @@ constexpr CommandName commands[] = {
     {Command::serve,
      "serve",
      "SOCKET",
-     "for scripts (scripts/served.py): start again and again without loading the libraries each "
-     "time"},
+     "for scripts: start as often as asked on SOCKET, loading the libraries once"},
 };
 
 const CommandName *find_command(const std::string &name)
