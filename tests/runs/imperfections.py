@@ -3,8 +3,10 @@
 
   pitches   With links of their own pitches the driven sprocket is ahead of that of equal links by what the links between the rollers
             that bear are shorter than in the mean, over its radius; and this, and the forces on teeth, repeat with the chain
-  index     Tooth gaps that stand off their places by e cos(2 pi k/z) along the pitch circle move the chain by as much, each by its part
-            of the torque: one line each at the frequency of the shaft
+  index, index-layered
+            Tooth gaps that stand off their places by e cos(2 pi k/z) along the pitch circle turn the driven shaft by the sum of
+            m_k e_k over its radius, m_k the part that gap k takes of a torque that is added (Castigliano's theorem): one line each
+            at the frequency of the shaft
   runout    Wheels with eccentric pitch circles turn the driven shaft by w2 = w1 (r1 + e1 n) / (r2 + e2 n), n the outward normal of
             the tight span: one line each at the frequency of its shaft, of known height and phase
 """
@@ -22,6 +24,7 @@ TEETH, LINKS, PITCH = (15, 20), 60, 15.875e-3  # of the 525 chain of hard.prm; 4
 PITCH_TIME = 10e-3  # s, far below the resonance of the driven inertia
 SPEED = 2 * math.pi / (TEETH[0] * PITCH_TIME)
 SAMPLES = 40  # in a pitch
+INDEX = {"index": {"simple": 1}, "index-layered": {"layered": 4}}  # fidelity and accuracy of the phase in degrees
 RADII = [0.5 * PITCH / math.sin(math.pi / z) for z in TEETH]
 DRIVE = {
     "Drive/Number of links": LINKS,
@@ -139,37 +142,41 @@ def runout():
         near("the highest other line of low order, of the last one", others / abs(wanted), 0, 0.05)
 
 
-def moved(found, name, deviations):
-    """How far the chain on a wheel is ahead by its teeth, m: the sum of m_k e_k over its gaps, m_k the part of its torque in gap k.
+def moments(found, name, wheel):
+    """Of the rollers on a wheel, from the tensions of their links, N m by samples and rollers; and the gap of each.
 
-    The torque does that work while gaps go on by e_k. A roller has the difference of tensions before and behind it.
+    Rollers that do not bear have none.
     """
     inside = slice(4 * SAMPLES, (LINKS + 4) * SAMPLES)
-    tension, teeth = found["links/tension"][inside], found[f"teeth/{name}_force"][inside]
-    rollers = found[f"rollers/{name}_force"][inside]
-    change = np.where(rollers > 0, tension - np.roll(tension, 1, axis=1), 0)
+    at = found["rollers/position_x"][inside] + 1j * found["rollers/position_y"][inside]
+    link = np.roll(at, -1, axis=1) - at
+    pull = found["links/tension"][inside] * link / abs(link)
+    moment = np.imag(np.conj(at - complex(*wheel["centre"])) * (pull - np.roll(pull, 1, axis=1)))
+    rollers, teeth = found[f"rollers/{name}_force"][inside], found[f"teeth/{name}_force"][inside]
     gap = np.argmin(abs(rollers[:, :, None] - teeth[:, None, :]), axis=2)  # no two rollers have the same force
-    return np.sum(change * np.array(deviations)[gap], axis=1) / np.sum(change, axis=1)
+    return np.where(rollers > 0, moment, 0), gap
 
 
 def index():
-    heights = (40e-6, 53e-6)
-    for fidelity in ("simple", "layered"):
-        runs, parts = [], []
+    heights, torques = (40e-6, 53e-6), (90, 110)
+    for fidelity, degrees in INDEX[CASE].items():
+        angle, moved = 0, [0, 0]
         for sign in (1, -1):  # half of the difference is free of what all drives do
             own = [[sign * e * math.cos(2 * math.pi * k / teeth) for k in range(teeth)] for e, teeth in zip(heights, TEETH)]
             entries = {f"Drive/Wheels/{name}/Index deviations in um": ", ".join(f"{1e6 * d:.9f}" for d in deviations)
                        for name, deviations in zip(("driver", "driven"), own)}
-            found, drive = run(fidelity, LINKS + 4, entries)
-            runs.append(found)
-            parts.append([moved(found, name, deviations) for name, deviations in zip(("driver", "driven"), own)])
-        angle = 0.5 * (runs[0]["hubs/driven_angle"] - runs[1]["hubs/driven_angle"])[4 * SAMPLES : (LINKS + 4) * SAMPLES]
+            runs = [run(fidelity, LINKS + 4, {**entries, "Loads/Resisting torque in N m": torque}) for torque in torques]
+            angle = angle + 0.25 * sign * sum(found["hubs/driven_angle"] for found, _ in runs)
+            for i, (name, deviations) in enumerate(zip(("driver", "driven"), own)):
+                (less, gap), (more, _) = (moments(found, name, drive["sprockets"][i]) for found, drive in runs)
+                added = np.where((less != 0) & (more != 0), more - less, 0)
+                moved[i] = moved[i] + 0.5 * sign * np.sum(added * np.array(deviations)[gap], axis=1) / np.mean(np.sum(added, axis=1))
         for i, name in enumerate(("driver", "driven")):
             number = LINKS // TEETH[i]
-            wanted = (1, -1)[i] * line(0.5 * (parts[0][i] - parts[1][i]), number) / RADII[1]
-            got = line(angle, number)
-            near(f"{fidelity}: {name}, angle of the driven shaft at its line, urad", 1e6 * abs(got), 1e6 * abs(wanted), 0.08e6 * abs(wanted))
-            near("its phase, degrees", math.degrees(np.angle(got / wanted)), 0, 10)
+            wanted = (1, -1)[i] * line(moved[i], number) / RADII[1]
+            got = line(angle[4 * SAMPLES : (LINKS + 4) * SAMPLES], number)
+            near(f"{fidelity}: {name}, angle of the driven shaft at its line, urad", 1e6 * abs(got), 1e6 * abs(wanted), 0.02e6 * abs(wanted))
+            near("its phase, degrees", math.degrees(np.angle(got / wanted)), 0, degrees)
 
 
-{"pitches": pitches, "index": index, "runout": runout}[CASE]()
+{"pitches": pitches, "index": index, "index-layered": index, "runout": runout}[CASE]()
