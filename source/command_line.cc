@@ -56,6 +56,10 @@ constexpr CommandName commands[] = {
      "report",
      "DIR...",
      "write a report on the runs in these folders, report.html in the first"},
+    {Command::export_files,
+     "export",
+     "DIR...",
+     "write histories (csv) or sound (wav) of the runs in these folders for other programs"},
     {Command::select,
      "select",
      nullptr,
@@ -108,8 +112,11 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   visible.add_options()(
       "output",
       options::value(&c.output_directory)->value_name("DIRECTORY"),
-      "run, plan, study, report, select, sprocket: write the results there, or the report, the "
-      "parameter file of the best drive or the sprocket, to this file");
+      "run, plan, study, export, report, select, sprocket: write the results there, or the "
+      "report, the parameter file of the best drive or the sprocket, to this file");
+  visible.add_options()("as",
+                        options::value(&c.kind)->value_name("csv|wav"),
+                        "export: histories (csv) or, after the command noise, sound (wav)");
   visible.add_options()(
       "resume",
       options::value(&c.resume)->value_name("auto|CHECKPOINT"),
@@ -178,7 +185,7 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
                         options::value(&c.completion)->value_name("SHELL"),
                         "document: print the completion script for a shell (bash)");
   add("plan", switches.plan, "run, plan: the same as the command plan");
-  add("quiet", c.quiet, "run, plan, noise, study, report: print warnings and errors only");
+  add("quiet", c.quiet, "run, plan, noise, study, report, export: print warnings and errors only");
   add("report", c.report, "run: write a report at its end, report.html in the output directory");
   add("strict", c.strict, "run, plan: refuse a drive with design-check warnings");
   add("version", switches.version, "print versions and SIMD and MPI support");
@@ -268,6 +275,12 @@ Command take_command(std::vector<std::string> &words, const Switches &switches)
   return switches.plan && command == Command::run ? Command::plan : command;
 }
 
+/// Whether @p command is for several runs that have ended.
+bool takes_folders(const Command command)
+{
+  return command == Command::report || command == Command::export_files;
+}
+
 /// Refuses more files than @p command takes, or fewer than it needs; returns the file.
 std::string file_of(const Command command, const std::vector<std::string> &words)
 {
@@ -275,11 +288,12 @@ std::string file_of(const Command command, const std::vector<std::string> &words
     {
       if (named.command != command)
         continue;
-      if (command == Command::report)
+      if (takes_folders(command))
         {
           if (words.empty())
-            throw InputError("Which runs? Name the folders of their results: chaindrive report "
-                             "DIRECTORY...");
+            throw InputError(std::string("Which runs? Name the folders of their results: "
+                                         "chaindrive ") +
+                             named.name + " DIRECTORY...");
           return "";
         }
       if (named.argument == nullptr && !words.empty())
@@ -385,9 +399,16 @@ void check_belonging(const CommandLine &c)
     throw InputError(
         "The option --report belongs to runs. The command for those that have ended is "
         "chaindrive report DIRECTORY.");
-  if (c.command == Command::report && (!c.overrides.empty() || !c.resume.empty()))
-    throw InputError(std::string("The option ") + (c.overrides.empty() ? "--resume" : "--set") +
-                     " belongs to runs: a report does not change them.");
+  if (takes_folders(c.command) && (!c.overrides.empty() || !c.resume.empty()))
+    throw InputError(
+        std::string("The option ") + (c.overrides.empty() ? "--resume" : "--set") +
+        " belongs to runs: " + (c.command == Command::report ? "a report" : "an export") +
+        " does not change them.");
+  if (c.command == Command::export_files && c.kind != "csv" && c.kind != "wav")
+    throw InputError((c.kind.empty() ? std::string("The command export needs the option --as") :
+                                       "The option --as = " + c.kind + " must be") +
+                     (c.kind.empty() ? ": csv for histories, wav for sound." :
+                                       " csv for histories or wav for sound."));
   if (c.cores > most_cores)
     throw InputError("The option --cores takes 1 to " + std::to_string(most_cores) + ".");
   if (is_study && !c.resume.empty())
@@ -466,13 +487,13 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   switches.help = switches.help || short_help;
   c.command     = take_command(words, switches);
   // What follows -- names files although it begins with a dash; of a study it is for Snakemake.
-  const bool takes_words = c.command == Command::report || words.empty();
+  const bool takes_words = takes_folders(c.command) || words.empty();
   if (rest != end && c.command != Command::study && takes_words)
     words.insert(words.end(), rest + 1, end);
   else
     c.rest.assign(rest == end ? end : rest + 1, end);
   c.parameter_file = file_of(c.command, words);
-  if (c.command == Command::report)
+  if (takes_folders(c.command))
     c.folders = words;
   check_belonging(c);
   refuse_useless(values, c);

@@ -44,6 +44,8 @@ std::string values_of(const OptionText &option)
   if (option.value == "LIBRARY")
     return "compopt -o filenames; COMPREPLY=($(compgen -d -- \"$word\") $(compgen -f -X '!*.so' -- "
            "\"$word\"))";
+  if (option.value == "csv|wav")
+    return "COMPREPLY=($(compgen -W $'csv\\nwav' -- \"$word\"))";
   if (option.value == "SHELL")
     return "COMPREPLY=($(compgen -W bash -- \"$word\"))";
   return ":"; // numbers and names that only the user knows

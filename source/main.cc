@@ -78,6 +78,9 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
     case Command::report:
       successor = {report_command(command_line, MPI_COMM_WORLD), packages_of_reports()};
       break;
+    case Command::export_files:
+      successor = {export_command(command_line, MPI_COMM_WORLD), packages_of_exports()};
+      break;
     case Command::select:
       if (is_first_rank)
         select_command(command_line, std::cout);

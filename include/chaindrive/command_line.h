@@ -17,6 +17,7 @@ enum class Command
   noise,         ///< compute the noise of a run that has ended
   study,         ///< run the variants of a study file and compare them
   report,        ///< write a page on runs
+  export_files,  ///< write results for other programs
   select,        ///< which chains would do
   sprocket,      ///< draw a sprocket
   template_file, ///< print a .prm file to begin with
@@ -67,7 +68,8 @@ struct CommandLine
   bool                     man    = false; ///< document: as the manual page
   bool                     schema = false; ///< document: what is in the results
   std::string              completion;     ///< document: as the completion of this shell
-  std::vector<std::string> folders;        ///< report: those of the runs
+  std::vector<std::string> folders;        ///< report, export: those of the runs
+  std::string              kind;           ///< export: of the files, csv or wav
   std::vector<std::string> rest;           ///< study: options of Snakemake, after `--`
 };
 

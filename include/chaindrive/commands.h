@@ -77,7 +77,11 @@ std::vector<std::string> study_command(const CommandLine &command_line, MPI_Comm
 /// several ranks.
 std::vector<std::string> report_command(const CommandLine &command_line, MPI_Comm comm);
 
-/// The same for the run that has just left its results in @p directory: it ends well whatever
-/// becomes of the page.
+/// The words of the command that writes histories or sound of the runs whose folders are named on
+/// the command line for other programs, likewise.
+std::vector<std::string> export_command(const CommandLine &command_line, MPI_Comm comm);
+
+/// Those of a report for the run that has just left its results in @p directory: it ends well
+/// whatever becomes of the page.
 std::vector<std::string> report_after_run(const std::string &directory);
 } // namespace chaindrive

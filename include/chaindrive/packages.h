@@ -11,6 +11,9 @@ namespace chaindrive
 /// "A report needs Debian's packages: apt install ...".
 std::string packages_of_reports();
 
+/// The same of an export.
+std::string packages_of_exports();
+
 /// The same of a study.
 std::string packages_of_studies();
 } // namespace chaindrive

@@ -39,8 +39,9 @@ constexpr const char *series =
     "(histories(-[0-9]+)?\\.h5|histories\\.saved|checkpoint-[0-9]+\\.ckpt)";
 constexpr const char *lists       = "(bodies|bars)\\.pvd";
 constexpr const char *field_files = "(bodies|bars)_[0-9]+(\\.[0-9]+)?\\.p?vtu";
-constexpr const char *summary     = "(summary\\.json|acoustics\\.(json|h5)|report\\.html)";
-constexpr const char *unfinished  = "\\.part";
+constexpr const char *summary =
+    "(summary\\.json|acoustics\\.(json|h5)|noise_[A-Za-z0-9_]+\\.wav|report\\.html)";
+constexpr const char *unfinished = "\\.part";
 
 std::string either(const std::vector<std::string> &names)
 {

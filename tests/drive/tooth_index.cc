@@ -81,9 +81,7 @@ bool lies_freely(const drive::Drive &d, const bool lumped)
 
 int main()
 {
-  parameters::Sprocket wheel;
-  wheel.name            = "driver";
-  wheel.teeth           = 17;
+  parameters::Sprocket wheel{"driver", parameters::Role::driver, 17};
   wheel.index_tolerance = 40e-6;
   const auto random     = drive::index_deviations(wheel);
   wheel.index_seed      = 2;

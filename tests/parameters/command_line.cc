@@ -19,6 +19,7 @@ const char *const names[] = {"run",
                              "noise",
                              "study",
                              "report",
+                             "export",
                              "select",
                              "sprocket",
                              "template",
@@ -78,6 +79,12 @@ int main()
   parse({"report"});
   parse({"report", "results/a", "--set", "Time/End time in ms=5"});
   parse({"plan", "a.prm", "--report"});
+  parse({"export", "results/a", "results/b", "--as", "wav", "--output", "sound"});
+  parse({"export", "--as", "csv"});
+  parse({"export", "results/a"});
+  parse({"export", "results/a", "--as", "mp3"});
+  parse({"export", "results/a", "--as", "csv", "--resume", "auto"});
+  parse({"plan", "a.prm", "--as", "csv"});
   parse({"template"});
   parse({"document"});
   parse({"./run"}); // a file

@@ -66,7 +66,7 @@ def test_it_reads_and_reports(python, simple):
 
 @pytest.mark.parametrize(("options", "status"), [((), 2), (("--after-run",), 0)])
 def test_a_report_without_the_packages_of_debian_says_what_it_needs(repository, options, status):
-    said = subprocess.run([sys.executable, "-S", "-B", repository / "python/report.py", *options, "nowhere"],
+    said = subprocess.run([sys.executable, "-S", "-B", repository / "python/start.py", "report", *options, "nowhere"],
                           capture_output=True, text=True)
     assert said.returncode == status
     assert "that are not installed: apt install --no-install-recommends python3-h5py" in said.stderr and "Traceback" not in said.stderr
