@@ -345,7 +345,7 @@ def refuse():
     check("up to 7 runs" in report(*["short"] * 8, status=2), "eight runs")
     check("cannot be written" in report("short", "--output", "nowhere/page.html", status=3), "a page that cannot be written")
     for script, words in (("--after-run", 0), ("--quiet", 2)):
-        done = subprocess.run([sys.executable, "-B", REPOSITORY / "python/report.py", script, "--", "nowhere"])
+        done = subprocess.run([sys.executable, "-B", REPOSITORY / "python/start.py", "report", script, "--", "nowhere"])
         check(done.returncode == words, f"{script}: {done.returncode}")
 
 
