@@ -143,8 +143,8 @@ def loop(time: Array, pressure: Array, periods: int, highest: float, seconds: fl
     """`seconds` of a record of whole pitch times, at RATE.
 
     `time`, s, evenly spaced, and `pressure` are the record of so many `periods`. Its end would not go over into its
-    beginning without a click: over the first pitch time the last one fades out while the first one fades in, so the
-    loop has one less (a single one is repeated as it is). Frequencies above `highest`, Hz, are left out.
+    beginning without a click. The loop has one pitch time less, and in the first tenth of its first one the beginning
+    of the one that is left out fades out while it fades in itself (a single pitch time is repeated as it is). Frequencies above `highest`, Hz, are left out.
     RunError for a record without two samples in a pitch time.
     """
     period = len(pressure) // periods
@@ -153,13 +153,15 @@ def loop(time: Array, pressure: Array, periods: int, highest: float, seconds: fl
     step = (time[-1] - time[0]) / (len(time) - 1)
     once = pressure[:periods * period].copy()
     if periods > 1:
-        fade = np.arange(period) / period
-        once[:period] = fade * once[:period] + (1 - fade) * once[-period:]
-        once = once[:-period]
+        once, rest = once[:-period], once[-period:]
+        fading = -(-period // 10)
+        fade = np.arange(fading) / fading
+        once[:fading] = fade * once[:fading] + (1 - fade) * rest[:fading]
     lines = np.fft.rfft(once)
     lines[np.fft.rfftfreq(len(once), step) > highest] = 0
-    once = np.fft.irfft(lines, len(once))
-    at = np.arange(round(seconds * RATE)) / (RATE * step) % len(once)
+    finer = 16  # the record has four samples or so in the shortest period
+    at = np.arange(round(seconds * RATE)) * finer / (RATE * step) % (finer * len(once))
+    once = finer * np.fft.irfft(lines, finer * len(once))
     return np.interp(at, np.arange(len(once) + 1), np.append(once, once[0]))
 
 
