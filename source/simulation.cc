@@ -111,7 +111,9 @@ part_bases(const Parameters &parameters, const MPI_Comm comm, const Announce &an
                                   parameters.elements,
                                   reduction::options_of(parameters.reduction,
                                                         parameters.contact.enforcement ==
-                                                            parameters::Enforcement::penalty),
+                                                            parameters::Enforcement::penalty,
+                                                        parameters.contact.enforcement !=
+                                                            parameters::Enforcement::exact),
                                   cache,
                                   comm,
                                   announce));

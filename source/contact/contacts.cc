@@ -7,6 +7,7 @@
 #include <chaindrive/contact/node_faces.h>
 #include <chaindrive/contact/planar_contact.h>
 #include <chaindrive/contact/point_contact.h>
+#include <chaindrive/contact/roller_strips.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
@@ -48,8 +49,21 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
       near_flanks_.add(*flanks, *made);
     families_.push_back(std::move(made));
   };
+  std::vector<RollerStrips *> strips;
+  const auto                  add_strips =
+      [&](const scene::Scene &scene, const scene::ToothFamily &teeth, World &world) {
+        auto made = std::make_unique<RollerStrips>(
+            scene, teeth, world, NodeBores::owners_of_bores(scene, teeth, world));
+        strips.push_back(made.get());
+        families_.push_back(std::move(made));
+      };
   for (const scene::ToothFamily &teeth : scene.teeth)
     {
+      if (RollerStrips::is_exact(scene, teeth))
+        {
+          add_strips(scene, teeth, world);
+          continue;
+        }
       const scene::SurfaceFamily family = on_flanks(teeth, world);
       if (world.planar == nullptr || !add_planar(PlanarFlanks::make(teeth, family, world)))
         add_family(family);
@@ -60,7 +74,12 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
     add_family({guide.name, std::make_shared<const GuideLine>(guide), guide.law, guide.slaves});
   for (const scene::BoreFamily &bores : scene.bores)
     if (bores.elastic)
-      families_.push_back(std::make_unique<NodeBores>(scene, bores, world, search_every_step));
+      {
+        auto made = std::make_unique<NodeBores>(scene, bores, world, search_every_step);
+        for (RollerStrips *of_rollers : strips)
+          made->couple(*of_rollers);
+        families_.push_back(std::move(made));
+      }
     else if (world.planar == nullptr || !add_planar(PlanarBores::make(bores, world)))
       families_.push_back(std::make_unique<PointContact>(bores));
   for (const scene::FaceFamily &faces : scene.faces)
@@ -120,14 +139,18 @@ void Contacts::add_forces(World &world, const double dt)
   world.place_surfaces(0.5 * dt);
   world.node_exchange.fetch(world.copies);
   std::fill(lost_now_.begin(), lost_now_.end(), 0.);
+  const auto with_losses = [&](const std::size_t i, const auto &act) {
+    const double friction = world.ledger.friction, damping = world.ledger.contact_damping;
+    act();
+    lost_now_[2 * i] += world.ledger.friction - friction;
+    lost_now_[2 * i + 1] += world.ledger.contact_damping - damping;
+  };
   for (std::size_t i = 0; i < families_.size(); ++i)
     if (families_[i]->is_distributed() || world.is_first_rank())
-      {
-        const double friction = world.ledger.friction, damping = world.ledger.contact_damping;
-        families_[i]->add_forces(world, dt);
-        lost_now_[2 * i]     = world.ledger.friction - friction;
-        lost_now_[2 * i + 1] = world.ledger.contact_damping - damping;
-      }
+      with_losses(i, [&] { families_[i]->add_forces(world, dt); });
+  for (std::size_t i = 0; i < families_.size(); ++i)
+    if (families_[i]->is_distributed())
+      with_losses(i, [&] { families_[i]->finish_forces(world, dt); });
   world.node_exchange.send_forces(world.copies);
   world.gather_forces();
 }

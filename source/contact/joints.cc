@@ -129,6 +129,82 @@ void JointBatch::recall_touching(const int lane)
     }
 }
 
+void JointBatch::couple(const int              lane,
+                        StripProblem          *strips,
+                        const WallFlexibility *wall,
+                        const double           angle)
+{
+  Exact::Coupled &coupled = exact_->coupled[lane];
+  coupled.strips          = strips != nullptr && strips->n() > 0 ? strips : nullptr;
+  coupled.wall            = wall;
+  coupled.angle           = angle;
+}
+
+ComplementarityProblem JointBatch::problem_of(const int                       lane,
+                                              const JointFlexibility::Matrix &matrix)
+{
+  Exact          &e       = *exact_;
+  Exact::Coupled &coupled = e.coupled[lane];
+  if (coupled.strips == nullptr)
+    {
+      const bool same = e.matrix[lane] == &matrix;
+      e.matrix[lane]  = &matrix;
+      return {matrix.n, matrix.number.data(), matrix.stride, e.gap[lane].data(), same};
+    }
+
+  const StripProblem &strips = *coupled.strips;
+  const unsigned int  m = matrix.n, k = strips.n(), n_rings = e.flexibility.n_rings();
+  const unsigned int  stride = ComplementaritySolver::padded(m + k);
+  coupled.matrix.resize_fast(std::size_t(m + k) * stride);
+  coupled.matrix.fill(0.);
+  double *number = coupled.matrix.data();
+  for (unsigned int i = 0; i < m; ++i)
+    std::copy_n(matrix.number.data() + std::size_t(i) * matrix.stride,
+                m,
+                number + std::size_t(i) * stride);
+  e.gap[lane].resize(stride, 0.);
+  for (unsigned int a = 0; a < k; ++a)
+    {
+      double *row = number + std::size_t(m + a) * stride;
+      for (unsigned int place = 0; place * n_rings < m; ++place)
+        {
+          const double column = coupled.angle + 2. * dealii::numbers::PI *
+                                                    (window_.first[lane] + place) /
+                                                    grid_.slave_circumferential;
+          coupled.wall->at(strips.unknown[a], column - strips.normal, row + place * n_rings);
+        }
+      // the bush presses the bore outwards, the tooth the outside inwards
+      for (unsigned int i = 0; i < m; ++i)
+        number[std::size_t(i) * stride + m + a] = row[i] = -row[i];
+      for (unsigned int b = 0; b < k; ++b)
+        row[m + b] = strips.flexibility->at(strips.unknown[a], strips.unknown[b]);
+      e.gap[lane][m + a] = strips.gap[a];
+      if (strips.force[a] > 0.)
+        e.sets[lane].number.push_back(m + a);
+    }
+  e.matrix[lane] = nullptr;
+  return {m + k, number, stride, e.gap[lane].data(), false};
+}
+
+double JointBatch::take_strips(const int lane, const unsigned int n)
+{
+  Exact        &e      = *exact_;
+  StripProblem *strips = e.coupled[lane].strips;
+  if (strips == nullptr)
+    return 0.;
+  std::fill(strips->force.begin(), strips->force.end(), 0.);
+  ClosedSet &set    = e.sets[lane];
+  double     stored = 0.;
+  for (; !set.number.empty() && set.number.back() >= n; set.number.pop_back())
+    {
+      const unsigned int a = set.number.back() - n;
+      strips->force[a]     = set.pressure.back();
+      stored -= 0.5 * set.pressure.back() * strips->gap[a];
+      set.pressure.pop_back();
+    }
+  return stored;
+}
+
 void JointBatch::press()
 {
   constexpr double                 tolerance = 1e-14; // m, of positions up to a metre
@@ -152,7 +228,8 @@ void JointBatch::press()
   for (int lane = 0; lane < n_lanes; ++lane)
     {
       const unsigned int count = window_.count[lane];
-      if (arguments_.master_position[lane] == nullptr || count == 0)
+      if (arguments_.master_position[lane] == nullptr ||
+          (count == 0 && e.coupled[lane].strips == nullptr))
         {
           e.sets[lane].clear();
           continue;
@@ -164,18 +241,16 @@ void JointBatch::press()
       if (e.new_windows)
         recall_touching(lane);
       mark_pressed(lane); // the search begins with what touched last time
-      problems[lane] = {matrix.n,
-                        matrix.number.data(),
-                        matrix.stride,
-                        e.gap[lane].data(),
-                        e.matrix[lane] == &matrix};
-      e.matrix[lane] = &matrix;
+      problems[lane] = problem_of(lane, matrix);
     }
   e.new_windows = false;
   e.solver.solve(problems, tolerance, e.sets);
   std::array<double, n_lanes> stored{};
   for (int lane = 0; lane < n_lanes; ++lane)
-    mark_pressed(lane);
+    {
+      stored[lane] = take_strips(lane, window_.count[lane] * n_rings);
+      mark_pressed(lane);
+    }
   e.pressed.clear();
   for (unsigned int i = 0; i < e.is_pressed.size(); ++i)
     if (e.is_pressed[i] != 0)

@@ -5,6 +5,7 @@
 #include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/reduction/basis.h>
+#include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/simd.h>
 
@@ -143,6 +144,7 @@ ClosedWindow window_of(const reduction::RoundFlexibility &side,
   window.surface   = side.surface;
   window.n_columns = side.n_columns;
   window.n_rings   = last + 1 - first;
+  window.first_ring = first;
   for (unsigned int r = first; r <= last; ++r)
     {
       window.across.push_back(law.friction > 0. ? law.tangential_stiffness * grid.area(r, 0) : 0.);
@@ -201,6 +203,29 @@ std::vector<unsigned int> NodeBores::owners_of(const scene::BoreFamily &scene, c
       load = with(owners);
       for (unsigned int k = 0; k < pairs.size(); ++k)
         owner[pairs[k]] = owners[k];
+    }
+  return owner;
+}
+
+std::vector<unsigned int> NodeBores::owners_of_bores(const scene::Scene       &scene,
+                                                     const scene::ToothFamily &teeth,
+                                                     const World              &world)
+{
+  std::map<unsigned int, unsigned int> owner_of; // by body
+  for (const scene::BoreFamily &bores : scene.bores)
+    if (bores.elastic)
+      {
+        const std::vector<unsigned int> owner = owners_of(bores, world);
+        for (unsigned int i = 0; i < owner.size(); ++i)
+          owner_of[bores.pairs[i].master] = owner[i];
+      }
+  std::vector<unsigned int> owner;
+  for (const scene::SlavePoint &slave : teeth.slaves)
+    {
+      const auto found = owner_of.find(slave.body);
+      if (found == owner_of.end())
+        throw std::logic_error("NodeBores: a roller on teeth without penalty has no joint");
+      owner.push_back(found->second);
     }
   return owner;
 }
@@ -397,6 +422,48 @@ void NodeBores::announce_joints(World             &world,
     }
 }
 
+void NodeBores::couple(RollerStrips &strips)
+{
+  for (Group &group : groups_)
+    {
+      const bool of_rollers = std::any_of(group.pairs.begin(), group.pairs.end(), [&](const unsigned int i) {
+        return std::find(strips.bodies().begin(), strips.bodies().end(), records_[i].master) !=
+               strips.bodies().end();
+      });
+      if (of_rollers)
+        group.coupled.push_back(
+            {&strips,
+             std::make_unique<const WallFlexibility>(strips.outside(),
+                                                     strips.flexibility().grid(),
+                                                     strips.flexibility().rings(),
+                                                     *group.flexibility)});
+    }
+}
+
+void NodeBores::couple_lanes(const World &world, Group &group, const unsigned int b)
+{
+  for (unsigned int lane = 0; lane < n_lanes && b * n_lanes + lane < group.pairs.size(); ++lane)
+    {
+      const Record          &record = records_[group.pairs[b * n_lanes + lane]];
+      StripProblem          *strips = nullptr;
+      const WallFlexibility *wall   = nullptr;
+      for (const Group::Coupled &coupled : group.coupled)
+        {
+          StripProblem *found = coupled.strips->problem_of(record.master);
+          if (found == nullptr || found->n() == 0)
+            continue;
+          if (strips != nullptr)
+            throw RunError("The roller of joint " + std::to_string(record.joint) +
+                           " touches two sprockets at once, which teeth without penalty cannot do; "
+                           "choose Contact/Enforcement = exact joints.");
+          strips = found;
+          wall   = coupled.wall.get();
+        }
+      const auto &rotation = world.frames[record.slave].rotation;
+      group.batches[b]->couple(static_cast<int>(lane), strips, wall, std::atan2(rotation[1][0], rotation[0][0]));
+    }
+}
+
 void NodeBores::add_forces(World &world, const double dt)
 {
   const double unforeseen = unforeseen_speed(world);
@@ -406,9 +473,14 @@ void NodeBores::add_forces(World &world, const double dt)
         JointBatch &batch = *group.batches[b];
         if (every_step_ || batch.search_due(dt))
           {
-            n_missed_ += batch.search(every_step_ ? 0. : search_reach(dt, unforeseen), unforeseen);
+            // teeth press nodes nearer through walls
+            const double walls = group.coupled.empty() ? 0. : 1e-5;
+            n_missed_ +=
+                batch.search(every_step_ ? walls : search_reach(dt, unforeseen) + walls, unforeseen);
             announce_joints(world, group, b, every_step_);
           }
+        if (!group.coupled.empty())
+          couple_lanes(world, group, b);
         batch.add_forces(dt);
 
         const JointSums &sums = batch.sums();

@@ -327,9 +327,10 @@ void check_model(const Parameters &p, Findings &findings)
 /// Contact without penalty is for joints both of whose sides are reduced.
 void check_enforcement(const Parameters &p, const Effects &effects, Findings &findings)
 {
-  if (p.contact.enforcement != parameters::Enforcement::exact_joints)
+  const parameters::Enforcement enforcement = p.contact.enforcement;
+  if (enforcement == parameters::Enforcement::penalty)
     return;
-  const std::string entry = "Contact/Enforcement = exact joints";
+  const std::string entry = "Contact/Enforcement = " + parameters::text_of(enforcement);
   if (!p.model.capabilities().is_reduced)
     {
       findings.contradiction(true,
@@ -348,6 +349,12 @@ void check_enforcement(const Parameters &p, const Effects &effects, Findings &fi
     findings.contradiction(!effects.is_on(effect),
                            entry + " needs elastic links and rollers, but Effects/" + name +
                                " is off; choose on, or Enforcement = penalty.");
+  if (enforcement == parameters::Enforcement::exact)
+    for (unsigned int i = 0; i < p.drive.sprockets.list.size(); ++i)
+      findings.contradiction(
+          effects.is_on(Effect::elastic_sprocket, i),
+          entry + " is for rigid teeth, but those of the " + p.drive.sprockets.list[i].in_words() +
+              " are elastic; choose Model/Elastic sprockets = off, or Enforcement = exact joints.");
   constexpr double least = 110e3; // Hz
   findings.contradiction(
       p.reduction.modes_up_to < least,

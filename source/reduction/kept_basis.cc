@@ -42,7 +42,8 @@ key_of(const FreePart &part, const std::vector<Vector> &tractions, const BasisOp
          " unknowns; matrices and tractions " + std::to_string(sum.value()) + "; modes up to " +
          to_text(options.modes_up_to, 12) + "; cap " + to_text(options.cap, 12) + "; negligible " +
          to_text(options.negligible, 12) +
-         (options.orders.in_joints ? "" : "; joints without inertia") + "; version " +
+         (options.orders.in_joints ? "" : "; joints without inertia") +
+         (options.orders.on_teeth ? "" : "; outside without inertia") + "; version " +
          std::to_string(version) + " of " + chaindrive::version;
 }
 
@@ -77,11 +78,14 @@ std::string to_base64(const std::vector<double> &numbers)
 
 nlohmann::json to_json(const RoundFlexibility &side)
 {
-  return {{"surface", static_cast<unsigned int>(side.surface)},
-          {"rings", to_base64(side.rings)},
-          {"columns", side.n_columns},
-          {"nodes", side.node},
-          {"m/N", to_base64(side.value)}};
+  nlohmann::json json = {{"surface", static_cast<unsigned int>(side.surface)},
+                         {"rings", to_base64(side.rings)},
+                         {"columns", side.n_columns},
+                         {"nodes", side.node},
+                         {"m/N", to_base64(side.value)}};
+  if (!side.to_bore.empty())
+    json["to bore, m/N"] = to_base64(side.to_bore);
+  return json;
 }
 
 /// Whether @p json is what to_json() writes of a side of a part with @p n_unknowns.
@@ -100,7 +104,11 @@ bool is_round_flexibility(const nlohmann::json &json, const std::size_t n_unknow
                        return node.is_number_unsigned() && 3 * node.get<std::size_t>() < n_unknowns;
                      }) &&
          dealii::Utilities::decode_base64(json.at("m/N")).size() ==
-             nodes.size() * rings * sizeof(double);
+             nodes.size() * rings * sizeof(double) &&
+         (!json.contains("to bore, m/N") ||
+          dealii::Utilities::decode_base64(json["to bore, m/N"]).size() %
+                  (nodes.size() * sizeof(double)) ==
+              0);
 }
 
 RoundFlexibility round_flexibility_from(const nlohmann::json &json)
@@ -117,6 +125,8 @@ RoundFlexibility round_flexibility_from(const nlohmann::json &json)
   side.n_columns = json.at("columns");
   side.node      = json.at("nodes").get<std::vector<unsigned int>>();
   side.value     = numbers("m/N");
+  if (json.contains("to bore, m/N"))
+    side.to_bore = numbers("to bore, m/N");
   return side;
 }
 
@@ -185,12 +195,14 @@ Basis from_json(const nlohmann::json &json)
 }
 } // namespace
 
-BasisOptions options_of(const parameters::Reduction &reduction, const bool pressed_joints)
+BasisOptions options_of(const parameters::Reduction &reduction,
+                        const bool                   pressed_joints,
+                        const bool                   pressed_outside)
 {
   BasisOptions options;
   options.modes_up_to = 2. * dealii::numbers::PI * reduction.modes_up_to;
   options.cap         = 2. * dealii::numbers::PI * reduction.highest;
-  options.orders      = {reduction.tube_order, reduction.pin_order, pressed_joints};
+  options.orders      = {reduction.tube_order, reduction.pin_order, pressed_joints, pressed_outside};
   return options;
 }
 
@@ -221,7 +233,7 @@ Basis kept_basis(const mesh::Part           &part,
       announce("Finding the modes of the " + part.name + ", which are kept for later runs ...");
     Basis basis = make_basis(free, loads, options);
     if (!options.orders.in_joints)
-      basis.joints = round_flexibilities(free, part, nodes, basis);
+      basis.joints = round_flexibilities(free, part, nodes, basis, !options.orders.on_teeth);
     for (const Load &load : contact_loads(part, nodes))
       basis.errors.push_back({load.name, static_error(free, basis, load.force)});
     const nlohmann::json json = to_json(basis);

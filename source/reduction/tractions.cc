@@ -88,7 +88,8 @@ tractions(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders
       const mesh::CylinderGrid grid(part, side.surface);
       const unsigned int       highest =
           std::min(side.of_pin ? orders.pin : orders.tube, (grid.n_circumferential() - 1) / 2);
-      const bool pressed = orders.in_joints || side.surface == mesh::roller_outside;
+      const bool pressed =
+          side.surface == mesh::roller_outside ? orders.on_teeth : orders.in_joints;
       for (unsigned int power = 0; pressed && power <= side.power; power += part.half ? 2 : 1)
         for (unsigned int n = 0; n <= highest; ++n)
           for (const bool sine : {false, true})

@@ -167,7 +167,20 @@ ToothFamily with_elastic_rollers(const model::Model &model,
   const double radius = 0.5 * drive.chain.roller_diameter;
   teeth.half_angle =
       drive::largest_half_angle(radius, teeth.form->seat_radius - radius, scene.material);
-  if (model.effects.is_on(Effect::tooth_compliance) && sector == scene.sectors.end())
+  const bool deflects =
+      model.effects.is_on(Effect::tooth_compliance) && sector == scene.sectors.end();
+  if (deflects && model.contact.exact_teeth)
+    {
+      // strips have what a tooth dents by themselves
+      const double length     = std::min(drive.chain.roller_length, drive.sprocket_width);
+      teeth.tooth_stiffness   = scene.symmetry().share(tooth_stiffness);
+      teeth.loaded_half_angle = drive::conforming_contact(radius,
+                                                          teeth.form->seat_radius - radius,
+                                                          drive.reference_load / length,
+                                                          scene.material)
+                                    .half_angle;
+    }
+  else if (deflects)
     {
       make_compliant(teeth,
                      tooth_stiffness,

@@ -21,7 +21,7 @@ inline reduction::Basis basis_of(const scene::Scene            &scene,
       part, nodes, element::ElasticPart(part, nodes, scene.material, scene.elements));
   reduction::Basis basis = make_basis(free, tractions(part, nodes, options.orders), options);
   if (!options.orders.in_joints)
-    basis.joints = round_flexibilities(free, part, nodes, basis);
+    basis.joints = round_flexibilities(free, part, nodes, basis, !options.orders.on_teeth);
   return basis;
 }
 

@@ -18,6 +18,15 @@ struct ClosedWindow
   std::vector<double>       flexibility; ///< [ring][ring][columns between], m/N
   std::vector<double> across; ///< [ring]: springs of friction across the normal of a node, N/m
   double              half_angle = dealii::numbers::PI; ///< of the window, rad
+
+  double across_middle = 0.; ///< one spring of friction across the window's middle, N/m
+
+  unsigned int first_ring = 0; ///< of the side, if not all of them are in the window
+
+  /// Of the outside of a roller, whose wall couples it with the bore: the flexibility between the
+  /// two, [ring][ring of the whole bore][columns between], m/N. Else empty.
+  std::vector<double> through            = {};
+  unsigned int        n_rings_of_through = 0;
 };
 
 /// What families of contact without penalty are besides.

@@ -46,6 +46,9 @@ public:
   /// the last call [s], zero at the first one.
   virtual void add_forces(World &world, double dt) = 0;
 
+  /// After add_forces() of all families: forces that others have found. Books their energy too.
+  virtual void finish_forces(World &, double /*dt*/) {}
+
   /// Appends the springs of every pair, held closed, for the critical time step. Pairs of smooth
   /// surfaces that the search has left out do not count.
   virtual void add_springs(const World &world, std::vector<Spring> &springs) const = 0;

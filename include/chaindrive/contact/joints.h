@@ -4,6 +4,7 @@
 #include <chaindrive/contact/joint_flexibility.h>
 #include <chaindrive/contact/joint_kernels.h>
 #include <chaindrive/contact/search_cadence.h>
+#include <chaindrive/contact/strip_problem.h>
 #include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/utilities/archive.h>
 #include <chaindrive/utilities/complementarity.h>
@@ -64,6 +65,12 @@ public:
   /// for in place of a penalty: gaps that have no force, and forces that leave no gap.
   void set_flexibility(const JointFlexibility &flexibility);
 
+  /// Of joints without penalty whose bores are those of rollers: until the next call the forces of
+  /// these @p strips on the outside of the one in @p lane, which deflect its bore through a @p wall
+  /// and are deflected by it, are found with those of the joint, whose first slave column is at
+  /// @p angle [rad] in the world. Null, or none: no strips. Both must outlive that.
+  void couple(int lane, StripProblem *strips, const WallFlexibility *wall, double angle);
+
   void set_joint(int lane, const JointBody &master, const JointBody &slave);
 
   /// Makes the windows anew. @p reach [m], not negative: with 0 the search is due at every step.
@@ -113,6 +120,13 @@ private:
   /// The contact forces of joints without penalty.
   void press();
 
+  /// The problem of @p lane, whose joint has the @p matrix: alone, or with that of its strips.
+  ComplementarityProblem problem_of(int lane, const JointFlexibility::Matrix &matrix);
+
+  /// Takes the forces of strips from the solution of @p lane, whose joint has @p n nodes. Returns
+  /// what is stored for these, J.
+  double take_strips(int lane, unsigned int n);
+
   /// Makes the set of @p lane those nodes of its window that remember a penetration.
   void recall_touching(int lane);
 
@@ -141,6 +155,15 @@ private:
     bool                           new_windows = true; ///< which the sets do not refer to
     std::vector<char>              is_pressed;         ///< nodes of any lane, see WindowNodes
     std::vector<unsigned int>      pressed;
+
+    struct Coupled
+    {
+      StripProblem                 *strips = nullptr;
+      const WallFlexibility        *wall   = nullptr;
+      double                        angle  = 0.;
+      dealii::AlignedVector<double> matrix; ///< of joint and strips
+    };
+    std::array<Coupled, n_lanes> coupled;
 
     std::array<dealii::AlignedVector<double>, n_lanes>    gap;
     std::array<const JointFlexibility::Matrix *, n_lanes> matrix{};     ///< at the last solution

@@ -4,6 +4,7 @@
 #include <chaindrive/contact/closed_window.h>
 #include <chaindrive/contact/family.h>
 #include <chaindrive/contact/joints.h>
+#include <chaindrive/contact/roller_strips.h>
 #include <chaindrive/scene/scene.h>
 
 #include <array>
@@ -34,6 +35,18 @@ public:
   /// Makes ghosts in @p world of the nodes of other ranks in joints that this rank evaluates.
   static void want_ghosts(const scene::BoreFamily &scene, World &world);
 
+  /// The rank that evaluates each pair.
+  static std::vector<unsigned int> owners_of(const scene::BoreFamily &scene, const World &world);
+
+  /// The rank that evaluates the bore of each roller of @p teeth.
+  static std::vector<unsigned int> owners_of_bores(const scene::Scene       &scene,
+                                                   const scene::ToothFamily &teeth,
+                                                   const World              &world);
+
+  /// From now on forces of @p strips, which must outlive this, on rollers whose bores are among
+  /// these joints are found with those of their joints.
+  void couple(RollerStrips &strips);
+
   void search(const World &, double) override {}
   void announce(World &world, std::optional<double> dt) override;
   void add_forces(World &world, double dt) override;
@@ -51,9 +64,6 @@ private:
   using Kinds = std::map<std::tuple<unsigned int, unsigned int, unsigned int, unsigned int>,
                          std::vector<unsigned int>>;
   static Kinds kinds_of(const scene::BoreFamily &scene, const World &world);
-
-  /// The rank that evaluates each pair.
-  static std::vector<unsigned int> owners_of(const scene::BoreFamily &scene, const World &world);
 
   /// Pairs whose two sides are the same surfaces of the same parts.
   struct Group
@@ -79,7 +89,18 @@ private:
 
     std::unique_ptr<const JointFlexibility> flexibility; ///< without penalty
     std::array<ClosedWindow, 2>             windows;     ///< then: bore and cylinder
+
+    /// Strips on the outside of rollers whose bores these are.
+    struct Coupled
+    {
+      RollerStrips                          *strips;
+      std::unique_ptr<const WallFlexibility> wall;
+    };
+    std::vector<Coupled> coupled;
   };
+
+  /// Tells the batch of joints number @p b which strips are to be solved with it.
+  void couple_lanes(const World &world, Group &group, unsigned int b);
 
   /// Announces what the batch of joints number @p b reads: the sides of its bodies, or what is in
   /// its windows.

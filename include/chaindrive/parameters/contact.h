@@ -23,13 +23,16 @@ inline constexpr Texts<Search, 2> texts_of<Search>{
 /// How elastic bodies are kept from overlapping.
 enum class Enforcement
 {
-  penalty,     ///< by springs between nodes and surfaces
-  exact_joints ///< in joints of reduced bodies exactly, elsewhere by springs
+  penalty,      ///< by springs between nodes and surfaces
+  exact_joints, ///< in joints of reduced bodies exactly, elsewhere by springs
+  exact         ///< in joints and on teeth
 };
 
 template <>
-inline constexpr Texts<Enforcement, 2> texts_of<Enforcement>{
-    {{Enforcement::penalty, "penalty"}, {Enforcement::exact_joints, "exact joints"}}};
+inline constexpr Texts<Enforcement, 3> texts_of<Enforcement>{
+    {{Enforcement::penalty, "penalty"},
+     {Enforcement::exact_joints, "exact joints"},
+     {Enforcement::exact, "exact"}}};
 
 /// Section `Contact`: penalty law, friction law and search of every interface.
 struct Contact

@@ -41,8 +41,8 @@ struct Basis
   };
   std::vector<Error> errors; ///< for contact_loads()
 
-  /// Of sides in joints, if no pressures there are among the tractions: what they deflect without
-  /// inertia.
+  /// Of sides in joints, and of the outside of rollers, if no pressures there are among the
+  /// tractions: what they deflect without inertia.
   std::vector<RoundFlexibility> joints;
 
   std::vector<std::string> notes; ///< what was wrong with one that was kept

@@ -28,6 +28,10 @@ struct RoundFlexibility
   std::vector<unsigned int> node;      ///< [ring][column]
   std::vector<double>       value;     ///< [ring][ring][columns between], m/N
 
+  /// Of the outside of a roller: the same between its nodes and those of the bore, whose columns
+  /// are as many, [ring][ring of the bore][columns between], m/N.
+  std::vector<double> to_bore = {};
+
   unsigned int n_rings() const { return static_cast<unsigned int>(rings.size()); }
 
   /// Of nodes in the rings @p r and @p s, @p columns apart, at most a round.
@@ -42,9 +46,11 @@ struct RoundFlexibility
 };
 
 /// Those of the sides in joints, which is all that touch but the outside of rollers, of @p part
-/// with @p nodes, beside the @p basis. InputError if a side has no equal columns.
+/// with @p nodes, beside the @p basis; last that of the outside of a roller if it is wanted
+/// @p outside as well. InputError if a side has no equal columns.
 std::vector<RoundFlexibility> round_flexibilities(const FreePart    &free,
                                                   const mesh::Part  &part,
                                                   const mesh::Nodes &nodes,
-                                                  const Basis       &basis);
+                                                  const Basis       &basis,
+                                                  bool               outside = false);
 } // namespace chaindrive::reduction

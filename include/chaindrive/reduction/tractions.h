@@ -18,6 +18,9 @@ struct Orders
   /// Sides in joints too: else what they deflect beside natural modes has no inertia, see
   /// round_flexibility.h, and no pressures on them are needed.
   bool in_joints = true;
+
+  /// The outside of rollers too, on which teeth press. Not without in_joints being false as well.
+  bool on_teeth = true;
 };
 
 /// The cylindrical sides of @p part that touch others but for the outside of rollers, in which

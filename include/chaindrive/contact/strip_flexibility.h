@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/contact/joint_flexibility.h>
+#include <chaindrive/material/material.h>
+#include <chaindrive/reduction/round_flexibility.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace chaindrive::contact
+{
+/// Strips along the outside of a roller, side by side about the normal on which its centre is
+/// nearest to a tooth, wherever this is round the roller. Angles are about the roller's axis.
+struct StripGrid
+{
+  std::vector<double> middle;     ///< from the normal, ascending, rad
+  std::vector<double> half_width; ///< rad
+
+  unsigned int size() const { return static_cast<unsigned int>(middle.size()); }
+};
+
+/// Strips that reach at least @p half_angle [rad] to both sides, on a roller of @p radius [m]: 0.15
+/// mm wide in the middle, where teeth that are convex touch, and wider and wider outwards.
+StripGrid graded_strips(double radius, double half_angle);
+
+/// By how much gaps between strips of a roller and a tooth grow under even pressures on these
+/// without any inertia, ring by ring of the roller's nodes. It is the same wherever round the
+/// roller the strips are.
+///
+/// What the roller deflects beside its modes is a sum over harmonics k of its circumference, as
+/// many as its mesh has nodes for. An even pressure on a strip of half width w has the part sin(k
+/// w) / (k w) of each, and so has the mean of a deflection. Shorter waves do not see that the
+/// roller is thin or round: a pressure p cos(x / l) on a half-space deflects it by 2 l / E' p
+/// cos(x / l) (Johnson, Contact Mechanics, 13.2), E' in plane strain. These are added; and where
+/// the harmonics of the mesh from a quarter of its columns on are stiffer than that they are made
+/// up to it. A tooth deflects like that in waves shorter than a quarter of the roller's
+/// circumference; all else of it is one number.
+class StripFlexibility
+{
+public:
+  struct Tooth
+  {
+    double stiffness  = 0.; ///< of tooth and rim under a roller, N/m; 0: it does not deflect
+    double half_angle = 0.; ///< of the contact in the seat where it is that, rad
+  };
+
+  /// Strips of those @p rings of the @p outside, by number, which are so long [m] as @p lengths
+  /// tell.
+  StripFlexibility(const reduction::RoundFlexibility &outside,
+                   const StripGrid                   &grid,
+                   const std::vector<unsigned int>   &rings,
+                   const std::vector<double>         &lengths,
+                   const Material                    &material,
+                   const Tooth                       &tooth);
+
+  const StripGrid                 &grid() const { return grid_; }
+  const std::vector<unsigned int> &rings() const { return rings_; }
+  unsigned int n_rings() const { return static_cast<unsigned int>(rings_.size()); }
+  unsigned int n() const { return grid_.size() * n_rings(); }
+
+  /// Of strip i / n_rings(), ring i % n_rings(), and of j the same, m/N.
+  double at(const unsigned int i, const unsigned int j) const
+  {
+    return value_[std::size_t(i) * n() + j];
+  }
+
+private:
+  /// Adds a @p factor(k) for the harmonics from @p first on, which act in each ring by itself.
+  template <typename Factor>
+  void add_harmonics(unsigned int first, const std::vector<double> &lengths, const Factor &factor);
+
+  StripGrid                 grid_;
+  std::vector<unsigned int> rings_;
+  std::vector<double>       value_; ///< [strip][ring] twice
+};
+
+/// By how much the outside of a roller in strips and its bore at nodes of a bush in it deflect each
+/// other without any inertia: through the wall.
+class WallFlexibility
+{
+public:
+  WallFlexibility(const reduction::RoundFlexibility &outside,
+                  const StripGrid                   &grid,
+                  const std::vector<unsigned int>   &rings,
+                  const JointFlexibility            &joint);
+
+  /// What a strip and ring, numbered as in StripFlexibility, move away from the axis under one
+  /// newton outwards in each ring of the joint, at the @p angle [rad] from the normal: [ring], m/N.
+  void at(unsigned int i, double angle, double *value) const;
+
+private:
+  unsigned int              n_rings_, n_joint_rings_, n_angles_;
+  std::vector<double>       middle_;
+  std::vector<unsigned int> width_; ///< of each strip, number of its table
+  std::vector<double>       table_; ///< [width][ring][angle from 0 to pi][ring of the joint]
+};
+} // namespace chaindrive::contact

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/contact/strip_flexibility.h>
+
+#include <vector>
+
+namespace chaindrive::contact
+{
+/// The strips of one roller that may touch a tooth now, whose forces are found together with those
+/// in the roller's bore: see RollerStrips, JointBatch.
+struct StripProblem
+{
+  const StripFlexibility   *flexibility = nullptr;
+  double                    normal      = 0.; ///< angle in the world of the middle strip, rad
+  std::vector<unsigned int> unknown;          ///< strips and rings, as StripFlexibility numbers them
+  std::vector<double>       gap;              ///< of each, m, that its force makes no smaller
+  std::vector<double>       force;            ///< of each, N; where the search begins: above 0
+
+  unsigned int n() const { return static_cast<unsigned int>(unknown.size()); }
+
+  void clear()
+  {
+    unknown.clear();
+    gap.clear();
+    force.clear();
+  }
+};
+} // namespace chaindrive::contact

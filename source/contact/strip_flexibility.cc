@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/strip_flexibility.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/std_cxx17/cmath.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace chaindrive::contact
+{
+namespace
+{
+using dealii::numbers::PI;
+
+/// The mean of cos(k t) over a strip of half width @p w about t = 0, of the harmonic @p k.
+double mean_over_strip(const double k, const double w)
+{
+  const double x = k * w;
+  return x < 1e-6 ? 1. : std::sin(x) / x;
+}
+
+/// Harmonics [k][ring][ring] of @p values [ring][ring][columns between], those of a unit force at a
+/// point.
+std::vector<double> harmonics_of(const std::vector<double> &values, const unsigned int n)
+{
+  const std::size_t   m = values.size() / n;
+  std::vector<double> sums((n / 2 + 1) * m, 0.);
+  for (unsigned int k = 0; k <= n / 2; ++k)
+    for (std::size_t i = 0; i < m; ++i)
+      for (unsigned int d = 0; d < n; ++d)
+        sums[k * m + i] += values[i * n + d] * std::cos(2. * PI * k * d / n) *
+                           ((k == 0 || 2 * k == n ? 1. : 2.) / n);
+  return sums;
+}
+
+constexpr unsigned int first_of_tooth = 4; ///< harmonic in which a tooth deflects as a half-space
+} // namespace
+
+StripGrid graded_strips(const double radius, const double half_angle)
+{
+  constexpr double    width = 0.15e-3, growth = 1.35, widest = 1e-3; // m
+  StripGrid           grid;
+  std::vector<double> middles = {0.}, halves = {0.5 * width / radius};
+  double              end = halves[0], next = width;
+  while (end < half_angle)
+    {
+      const double half = 0.5 * next / radius;
+      middles.push_back(end + half);
+      halves.push_back(half);
+      end += 2. * half;
+      next = std::min(growth * next, widest);
+    }
+  for (std::size_t i = middles.size(); i-- > 1;)
+    {
+      grid.middle.push_back(-middles[i]);
+      grid.half_width.push_back(halves[i]);
+    }
+  grid.middle.insert(grid.middle.end(), middles.begin(), middles.end());
+  grid.half_width.insert(grid.half_width.end(), halves.begin(), halves.end());
+  return grid;
+}
+
+template <typename Factor>
+void StripFlexibility::add_harmonics(const unsigned int         first,
+                                     const std::vector<double> &lengths,
+                                     const Factor              &factor)
+{
+  const double narrowest = *std::min_element(grid_.half_width.begin(), grid_.half_width.end());
+  const auto   last      = static_cast<unsigned int>(40. / narrowest); // others change it by 2e-4
+  const unsigned int  n_strips = grid_.size(), m = n_rings();
+  std::vector<double> mean(n_strips), sum(std::size_t(n_strips) * n_strips, 0.);
+  for (unsigned int k = first; k <= last; ++k)
+    {
+      const double f = factor(k);
+      if (!(f > 0.))
+        continue;
+      for (unsigned int a = 0; a < n_strips; ++a)
+        mean[a] = mean_over_strip(k, grid_.half_width[a]);
+      for (unsigned int a = 0; a < n_strips; ++a)
+        for (unsigned int b = 0; b < n_strips; ++b)
+          sum[a * n_strips + b] +=
+              f * mean[a] * mean[b] * std::cos(k * (grid_.middle[a] - grid_.middle[b]));
+    }
+  for (unsigned int a = 0; a < n_strips; ++a)
+    for (unsigned int b = 0; b < n_strips; ++b)
+      for (unsigned int r = 0; r < m; ++r)
+        value_[std::size_t(a * m + r) * n() + b * m + r] += sum[a * n_strips + b] / lengths[r];
+}
+
+StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
+                                   const StripGrid                   &grid,
+                                   const std::vector<unsigned int>   &rings,
+                                   const std::vector<double>         &lengths,
+                                   const Material                    &material,
+                                   const Tooth                       &tooth)
+    : grid_(grid), rings_(rings), value_(std::size_t(n()) * n(), 0.)
+{
+  if (rings.empty() || rings.size() != lengths.size())
+    throw std::logic_error("StripFlexibility: a ring without a length");
+  const unsigned int        n_columns = outside.n_columns, m = n_rings(), all = outside.n_rings();
+  const std::vector<double> harmonics = harmonics_of(outside.value, n_columns);
+  const auto harmonic = [&](const unsigned int k, const unsigned int r, const unsigned int s) {
+    return harmonics[(std::size_t(k) * all + rings_[r]) * all + rings_[s]];
+  };
+  for (unsigned int i = 0; i < n(); ++i)
+    for (unsigned int j = 0; j < n(); ++j)
+      for (unsigned int k = 0; k <= n_columns / 2; ++k)
+        value_[std::size_t(i) * n() + j] += harmonic(k, i % m, j % m) *
+                                            mean_over_strip(k, grid_.half_width[i / m]) *
+                                            mean_over_strip(k, grid_.half_width[j / m]) *
+                                            std::cos(k * (grid_.middle[i / m] - grid_.middle[j / m]));
+
+  // a half-space of unit length under a force per length: harmonics of 2 / (pi E' k)
+  const double of_half_space = 2. / (PI * material.plane_modulus());
+  const double length        = std::accumulate(lengths.begin(), lengths.end(), 0.);
+  add_harmonics(n_columns / 4, lengths, [&](const unsigned int k) {
+    double of_mesh = 0.; // under an even pressure in all rings, as if these were one of unit length
+    if (2 * k <= n_columns)
+      for (unsigned int r = 0; r < m; ++r)
+        for (unsigned int s = 0; s < m; ++s)
+          of_mesh += lengths[r] * harmonic(k, r, s) * lengths[s] / length;
+    return of_half_space / k - of_mesh;
+  });
+  if (!(tooth.stiffness > 0.))
+    return;
+  add_harmonics(first_of_tooth, lengths, [&](const unsigned int k) { return of_half_space / k; });
+  // what is left of the whole deflection in the seat, whose pressure is half of an ellipse
+  double of_dents = 0.;
+  for (unsigned int k = first_of_tooth; k < 1000; ++k)
+    {
+      const double x = k * tooth.half_angle, mean = 2. * dealii::std_cxx17::cyl_bessel_j(1., x) / x;
+      of_dents += of_half_space / (k * length) * mean * mean;
+    }
+  const double rest = std::max(0., 1. / tooth.stiffness - of_dents);
+  for (double &value : value_)
+    value += rest;
+}
+
+WallFlexibility::WallFlexibility(const reduction::RoundFlexibility &outside,
+                                 const StripGrid                   &grid,
+                                 const std::vector<unsigned int>   &rings,
+                                 const JointFlexibility            &joint)
+    : n_rings_(static_cast<unsigned int>(rings.size()))
+    , n_joint_rings_(joint.n_rings())
+    , n_angles_(8 * outside.n_columns + 1)
+    , middle_(grid.middle)
+{
+  const unsigned int n_columns = outside.n_columns,
+                     n_bore = static_cast<unsigned int>(outside.to_bore.size() / outside.node.size());
+  const std::vector<double> harmonics = harmonics_of(outside.to_bore, n_columns);
+  const std::size_t         all       = std::size_t(outside.n_rings()) * n_bore;
+  std::vector<double>       widths;
+  for (const double w : grid.half_width)
+    {
+      const auto found = std::find(widths.begin(), widths.end(), w);
+      width_.push_back(static_cast<unsigned int>(found - widths.begin()));
+      if (found == widths.end())
+        widths.push_back(w);
+    }
+  table_.reserve(widths.size() * n_rings_ * n_angles_ * n_joint_rings_);
+  for (const double w : widths)
+    for (const unsigned int r : rings)
+      for (unsigned int a = 0; a < n_angles_; ++a)
+        for (const JointFlexibility::Place &place : joint.places())
+          {
+            double sum = 0.;
+            for (unsigned int k = 0; k <= n_columns / 2; ++k)
+              {
+                const double *of_ring = &harmonics[k * all + std::size_t(r) * n_bore + place.first];
+                sum += ((1. - place.part) * of_ring[0] + place.part * of_ring[1]) *
+                       mean_over_strip(k, w) * std::cos(k * PI * a / (n_angles_ - 1));
+              }
+            table_.push_back(sum);
+          }
+}
+
+void WallFlexibility::at(const unsigned int i, const double angle, double *value) const
+{
+  const double apart  = std::abs(std::remainder(angle - middle_[i / n_rings_], 2. * PI));
+  const double place  = apart / PI * (n_angles_ - 1);
+  const auto   before = std::min(static_cast<unsigned int>(place), n_angles_ - 2);
+  const double part   = place - before;
+  const double *row =
+      &table_[((std::size_t(width_[i / n_rings_]) * n_rings_ + i % n_rings_) * n_angles_ + before) *
+              n_joint_rings_];
+  for (unsigned int q = 0; q < n_joint_rings_; ++q)
+    value[q] = (1. - part) * row[q] + part * row[n_joint_rings_ + q];
+}
+} // namespace chaindrive::contact
