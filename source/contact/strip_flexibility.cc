@@ -41,7 +41,7 @@ constexpr unsigned int first_of_tooth = 4; ///< harmonic in which a tooth deflec
 
 StripGrid graded_strips(const double radius, const double half_angle)
 {
-  constexpr double    width = 0.15e-3, growth = 1.35, widest = 1e-3; // m
+  constexpr double    width = 0.15e-3, growth = 1.35, widest = 0.8e-3; // m
   StripGrid           grid;
   std::vector<double> middles = {0.}, halves = {0.5 * width / radius};
   double              end = halves[0], next = width;
