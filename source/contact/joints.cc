@@ -159,9 +159,8 @@ ComplementarityProblem JointBatch::problem_of(const int                       la
   coupled.matrix.fill(0.);
   double *number = coupled.matrix.data();
   for (unsigned int i = 0; i < m; ++i)
-    std::copy_n(matrix.number.data() + std::size_t(i) * matrix.stride,
-                m,
-                number + std::size_t(i) * stride);
+    std::copy_n(
+        matrix.number.data() + std::size_t(i) * matrix.stride, m, number + std::size_t(i) * stride);
   e.gap[lane].resize(stride, 0.);
   for (unsigned int a = 0; a < k; ++a)
     {

@@ -141,9 +141,9 @@ ClosedWindow window_of(const reduction::RoundFlexibility &side,
                        const scene::ContactLaw           &law)
 {
   ClosedWindow window;
-  window.surface   = side.surface;
-  window.n_columns = side.n_columns;
-  window.n_rings   = last + 1 - first;
+  window.surface    = side.surface;
+  window.n_columns  = side.n_columns;
+  window.n_rings    = last + 1 - first;
   window.first_ring = first;
   for (unsigned int r = first; r <= last; ++r)
     {
@@ -426,10 +426,11 @@ void NodeBores::couple(RollerStrips &strips)
 {
   for (Group &group : groups_)
     {
-      const bool of_rollers = std::any_of(group.pairs.begin(), group.pairs.end(), [&](const unsigned int i) {
-        return std::find(strips.bodies().begin(), strips.bodies().end(), records_[i].master) !=
-               strips.bodies().end();
-      });
+      const bool of_rollers =
+          std::any_of(group.pairs.begin(), group.pairs.end(), [&](const unsigned int i) {
+            return std::find(strips.bodies().begin(), strips.bodies().end(), records_[i].master) !=
+                   strips.bodies().end();
+          });
       if (of_rollers)
         group.coupled.push_back(
             {&strips,
@@ -460,7 +461,8 @@ void NodeBores::couple_lanes(const World &world, Group &group, const unsigned in
           wall   = coupled.wall.get();
         }
       const auto &rotation = world.frames[record.slave].rotation;
-      group.batches[b]->couple(static_cast<int>(lane), strips, wall, std::atan2(rotation[1][0], rotation[0][0]));
+      group.batches[b]->couple(
+          static_cast<int>(lane), strips, wall, std::atan2(rotation[1][0], rotation[0][0]));
     }
 }
 
@@ -475,8 +477,8 @@ void NodeBores::add_forces(World &world, const double dt)
           {
             // teeth press nodes nearer through walls
             const double walls = group.coupled.empty() ? 0. : 1e-5;
-            n_missed_ +=
-                batch.search(every_step_ ? walls : search_reach(dt, unforeseen) + walls, unforeseen);
+            n_missed_ += batch.search(every_step_ ? walls : search_reach(dt, unforeseen) + walls,
+                                      unforeseen);
             announce_joints(world, group, b, every_step_);
           }
         if (!group.coupled.empty())

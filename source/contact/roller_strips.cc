@@ -15,8 +15,8 @@ namespace
 {
 using dealii::numbers::PI;
 
-constexpr double reach = 20e-6;      // m: strips with a wider gap cannot touch now
-constexpr double near_centre = 1e-4; // m: nor does a roller whose circle is so far away
+constexpr double reach       = 20e-6; // m: strips with a wider gap cannot touch now
+constexpr double near_centre = 1e-4;  // m: nor does a roller whose circle is so far away
 
 /// What the rollers of @p teeth deflect outside without inertia; null if none of them does.
 const reduction::RoundFlexibility *outside_of(const scene::Scene       &scene,
@@ -144,8 +144,9 @@ RollerStrips::RollerStrips(const scene::Scene       &scene,
   window_.n_rings    = static_cast<unsigned int>(rings.number.size());
   window_.half_angle = teeth.half_angle;
   window_.across.assign(window_.n_rings, 0.);
-  window_.across_middle      = law_.friction > 0. ? friction_.tangential_stiffness : 0.;
-  const unsigned int n_bore  = static_cast<unsigned int>(outside_.to_bore.size() / outside_.node.size());
+  window_.across_middle = law_.friction > 0. ? friction_.tangential_stiffness : 0.;
+  const unsigned int n_bore =
+      static_cast<unsigned int>(outside_.to_bore.size() / outside_.node.size());
   window_.n_rings_of_through = n_bore;
   for (const unsigned int r : rings.number)
     {
@@ -265,7 +266,8 @@ bool RollerStrips::lay(const World       &world,
   for (unsigned int k = 0; k < n_weights; ++k)
     {
       const int column = (static_cast<int>(before) + static_cast<int>(k) - 1) % static_cast<int>(n);
-      strip.column[k]  = static_cast<unsigned int>(column < 0 ? column + static_cast<int>(n) : column);
+      strip.column[k] =
+          static_cast<unsigned int>(column < 0 ? column + static_cast<int>(n) : column);
     }
   return true;
 }
@@ -283,8 +285,8 @@ void RollerStrips::measure(const World &world, const unsigned int i)
   records_[i].gap = distance - radius_;
   if (distance > radius_ + near_centre)
     return;
-  const dealii::Tensor<1, 3> down = -roller.touch.normal,
-                             z    = axis_of(world.frames[flanks_->body()], 2);
+  const dealii::Tensor<1, 3> down      = -roller.touch.normal,
+                             z         = axis_of(world.frames[flanks_->body()], 2);
   const dealii::Tensor<1, 3> local     = dealii::transpose(frame.rotation) * down;
   const double               direction = std::atan2(down[1], down[0]);
   problem.normal                       = direction;
@@ -304,11 +306,12 @@ void RollerStrips::measure(const World &world, const unsigned int i)
           double moved = outside_.rings[flexibility_->rings()[r]] * (tilt * strip.normal);
           for (unsigned int k = 0; k < n_weights; ++k)
             {
-              const unsigned int   number = window_.node[r * window_.n_columns + strip.column[k]];
+              const unsigned int number = window_.node[r * window_.n_columns + strip.column[k]];
               const dealii::Tensor<1, 3> rigid =
                   frame.position +
                   frame.rotation * dealii::Tensor<1, 3>(copies.nodes.position[number]);
-              moved += strip.weight[k] * ((at[node(world, i, r, strip.column[k])] - rigid) * strip.normal);
+              moved += strip.weight[k] *
+                       ((at[node(world, i, r, strip.column[k])] - rigid) * strip.normal);
             }
           const double gap = strip.gap + moved;
           if (gap > reach)
@@ -328,9 +331,9 @@ void RollerStrips::add_forces(World &world, const double /*dt*/)
 
 void RollerStrips::finish_forces(World &world, const double dt)
 {
-  const BodyBatches &copies   = world.copies[group_];
-  const NodeView     at       = NodeView(copies.position), velocity = NodeView(copies.velocity);
-  const unsigned int n_rings  = flexibility_->n_rings(), hub = flanks_->body();
+  const BodyBatches &copies = world.copies[group_];
+  const NodeView     at = NodeView(copies.position), velocity = NodeView(copies.velocity);
+  const unsigned int n_rings = flexibility_->n_rings(), hub = flanks_->body();
   for (const unsigned int i : own_)
     {
       Roller       &roller  = rollers_[i];
@@ -339,14 +342,16 @@ void RollerStrips::finish_forces(World &world, const double dt)
       std::fill(roller.force.begin(), roller.force.end(), 0.);
       double               sum = 0., deepest = 0.;
       dealii::Tensor<1, 3> normal, slip; // sum of normal forces, N; mean velocity, m/s
-      const auto for_each_node = [&](const auto &visit) {
+      const auto           for_each_node = [&](const auto &visit) {
         for (unsigned int a = 0; a < problem.n(); ++a)
           if (problem.force[a] > 0.)
             {
               const Strip       &strip = roller.strips[problem.unknown[a] / n_rings];
               const unsigned int ring  = problem.unknown[a] % n_rings;
               for (unsigned int k = 0; k < n_weights; ++k)
-                visit(strip, strip.weight[k] * problem.force[a], node(world, i, ring, strip.column[k]));
+                visit(strip,
+                      strip.weight[k] * problem.force[a],
+                      node(world, i, ring, strip.column[k]));
             }
       };
       for (unsigned int a = 0; a < problem.n(); ++a)
@@ -367,7 +372,8 @@ void RollerStrips::finish_forces(World &world, const double dt)
           const double along[2] = {slip * roller.touch.along, slip * roller.touch.across};
           ContactEnergies<double> energies{
               world.ledger.contact, world.ledger.contact_damping, world.ledger.friction};
-          update_touch(friction_, KnownForce{sum}, along, dt, friction_.friction > 0., states_[i], energies);
+          update_touch(
+              friction_, KnownForce{sum}, along, dt, friction_.friction > 0., states_[i], energies);
           world.ledger.contact  = energies.stored;
           world.ledger.friction = energies.friction_loss;
           if (sum > 0.)

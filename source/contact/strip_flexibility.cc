@@ -108,10 +108,10 @@ StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
   for (unsigned int i = 0; i < n(); ++i)
     for (unsigned int j = 0; j < n(); ++j)
       for (unsigned int k = 0; k <= n_columns / 2; ++k)
-        value_[std::size_t(i) * n() + j] += harmonic(k, i % m, j % m) *
-                                            mean_over_strip(k, grid_.half_width[i / m]) *
-                                            mean_over_strip(k, grid_.half_width[j / m]) *
-                                            std::cos(k * (grid_.middle[i / m] - grid_.middle[j / m]));
+        value_[std::size_t(i) * n() + j] +=
+            harmonic(k, i % m, j % m) * mean_over_strip(k, grid_.half_width[i / m]) *
+            mean_over_strip(k, grid_.half_width[j / m]) *
+            std::cos(k * (grid_.middle[i / m] - grid_.middle[j / m]));
 
   // a half-space of unit length under a force per length: harmonics of 2 / (pi E' k)
   const double of_half_space = 2. / (PI * material.plane_modulus());
@@ -149,7 +149,8 @@ WallFlexibility::WallFlexibility(const reduction::RoundFlexibility &outside,
     , middle_(grid.middle)
 {
   const unsigned int n_columns = outside.n_columns,
-                     n_bore = static_cast<unsigned int>(outside.to_bore.size() / outside.node.size());
+                     n_bore =
+                         static_cast<unsigned int>(outside.to_bore.size() / outside.node.size());
   const std::vector<double> harmonics = harmonics_of(outside.to_bore, n_columns);
   const std::size_t         all       = std::size_t(outside.n_rings()) * n_bore;
   std::vector<double>       widths;
@@ -179,10 +180,10 @@ WallFlexibility::WallFlexibility(const reduction::RoundFlexibility &outside,
 
 void WallFlexibility::at(const unsigned int i, const double angle, double *value) const
 {
-  const double apart  = std::abs(std::remainder(angle - middle_[i / n_rings_], 2. * PI));
-  const double place  = apart / PI * (n_angles_ - 1);
-  const auto   before = std::min(static_cast<unsigned int>(place), n_angles_ - 2);
-  const double part   = place - before;
+  const double  apart  = std::abs(std::remainder(angle - middle_[i / n_rings_], 2. * PI));
+  const double  place  = apart / PI * (n_angles_ - 1);
+  const auto    before = std::min(static_cast<unsigned int>(place), n_angles_ - 2);
+  const double  part   = place - before;
   const double *row =
       &table_[((std::size_t(width_[i / n_rings_]) * n_rings_ + i % n_rings_) * n_angles_ + before) *
               n_joint_rings_];

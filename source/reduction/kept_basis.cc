@@ -202,7 +202,7 @@ BasisOptions options_of(const parameters::Reduction &reduction,
   BasisOptions options;
   options.modes_up_to = 2. * dealii::numbers::PI * reduction.modes_up_to;
   options.cap         = 2. * dealii::numbers::PI * reduction.highest;
-  options.orders      = {reduction.tube_order, reduction.pin_order, pressed_joints, pressed_outside};
+  options.orders = {reduction.tube_order, reduction.pin_order, pressed_joints, pressed_outside};
   return options;
 }
 

@@ -8,6 +8,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <map>
@@ -84,6 +85,17 @@ std::string law_text(const ContactLaw &law, const bool elastic)
   return text + (elastic ? " (nodes, per area)" : " (each point)");
 }
 
+/// Whether rollers have no penalty on @p teeth: their outside deflects without inertia.
+bool is_exact(const Scene &scene, const ToothFamily &teeth)
+{
+  const auto basis = scene.bases.find(scene.bodies[teeth.slaves.front().body].part());
+  return basis != scene.bases.end() &&
+         scene.bodies[teeth.slaves.front().body].motion == Motion::reduced &&
+         std::any_of(basis->second->joints.begin(),
+                     basis->second->joints.end(),
+                     [&teeth](const auto &side) { return side.surface == teeth.slave_surface; });
+}
+
 /// What meshes of rollers do to their clearance: n columns of nodes about the axis touch a plane,
 /// or the nearly straight flank of a tooth, in a line. A roller of radius R one of whose columns
 /// points there touches at the distance R of its axis, one with two columns on either side at R
@@ -131,7 +143,10 @@ void print_plan(std::ostream &out, const Scene &scene)
     out << "  " << std::setw(4) << teeth.slaves.size() << (teeth.elastic ? " rollers " : " points ")
         << teeth.name
         << " (those near the sprocket are looked at): " << law_text(teeth.law, teeth.elastic)
-        << (teeth.elastic ? columns_text(scene, teeth) : "") << '\n';
+        << (!teeth.elastic         ? "" :
+            is_exact(scene, teeth) ? ", without penalty: in strips about the normal" :
+                                     columns_text(scene, teeth))
+        << '\n';
   for (const GuideFamily &guide : scene.guides)
     out << "  " << std::setw(4) << guide.slaves.size() << " points " << guide.name
         << " (those near it are looked at): " << law_text(guide.law, false) << '\n';

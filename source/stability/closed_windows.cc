@@ -85,8 +85,9 @@ Matrix held_by(const ModalGroup &bodies, const std::vector<Closed> &closed)
     for (const unsigned int column : closed[i].columns())
       for (unsigned int ring = 0; ring < closed[i].window->n_rings; ++ring)
         nodes.push_back({i, closed[i].window, ring, column});
-  const auto n = static_cast<unsigned int>(nodes.size()), n_closed = static_cast<unsigned int>(closed.size());
-  const auto motions = static_cast<unsigned int>(bodies.motions_of(0).size());
+  const auto n        = static_cast<unsigned int>(nodes.size()),
+             n_closed = static_cast<unsigned int>(closed.size());
+  const auto motions  = static_cast<unsigned int>(bodies.motions_of(0).size());
   Matrix     flexibility(n, n), rows(n, motions), held(n, motions), result(motions, motions);
   Matrix     across(2 * (n + n_closed), motions); // by square roots of springs
   const dealii::Tensor<1, 3> axis = dealii::Point<3>(0., 0., 1.);
@@ -95,9 +96,9 @@ Matrix held_by(const ModalGroup &bodies, const std::vector<Closed> &closed)
       const ClosedWindow        &window = *nodes[a].window;
       const unsigned int         middle = 2 * (n + nodes[a].closed);
       const double               root   = std::sqrt(2. * window.across[nodes[a].ring]);
-      const dealii::Tensor<1, 3> normal =
-                                     dealii::Point<3>(std::cos(nodes[a].angle()), std::sin(nodes[a].angle()), 0.),
-                                 round = cross_product_3d(axis, normal);
+      const dealii::Tensor<1, 3> normal = dealii::Point<3>(
+                                     std::cos(nodes[a].angle()), std::sin(nodes[a].angle()), 0.),
+                                 round              = cross_product_3d(axis, normal);
       const std::vector<dealii::Tensor<1, 3>> moved = bodies.motions_of(nodes[a].node());
       const double of_middle = nodes[a].column == closed[nodes[a].closed].middle() ?
                                    std::sqrt(2. * window.across_middle) / window.n_rings :
@@ -135,7 +136,8 @@ public:
     const auto same = [&window](const ClosedWindow *other) {
       return other->surface == window.surface;
     };
-    if (std::none_of(windows_.begin(), windows_.end(), same)) // it meets several kinds of bodies, alike
+    if (std::none_of(
+            windows_.begin(), windows_.end(), same)) // it meets several kinds of bodies, alike
       windows_.push_back(&window);
   }
 
@@ -147,8 +149,8 @@ public:
     });
     if (through != windows_.end() && windows_.size() == 2)
       {
-        // Round outside and inside: how far apart the directions are is all that counts. A roller is
-        // light, so that forces that close wide windows balance on it: they face each other.
+        // Round outside and inside: how far apart the directions are is all that counts. A roller
+        // is light, so that forces that close wide windows balance on it: they face each other.
         const ClosedWindow *inside = windows_[through == windows_.begin() ? 1 : 0];
         ways_.emplace_back();
         for (const unsigned int i : {0u, 1u, n_directions - 1})

@@ -32,19 +32,20 @@ enum class Place
 struct Case
 {
   Place  place     = Place::seat;
-  double stiffness = 0.;  ///< of the tooth, N/m
-  double load      = 0.;  ///< N, by which the link is pressed
-  double phase     = 0.;  ///< of the roller, columns
-  double above     = 0.;  ///< the tooth at first, m
-  double speed     = 0.;  ///< towards it, m/s
+  double stiffness = 0.; ///< of the tooth, N/m
+  double load      = 0.; ///< N, by which the link is pressed
+  double phase     = 0.; ///< of the roller, columns
+  double above     = 0.; ///< the tooth at first, m
+  double speed     = 0.; ///< towards it, m/s
   double friction  = 0.;
   double in_bore   = 0.;
-  double spin      = 0.;  ///< rad/s
-  double mass      = 1.;  ///< of the link, kg
+  double spin      = 0.; ///< rad/s
+  double mass      = 1.; ///< of the link, kg
 };
 
 /// Centre of the roller at the tooth and the normal there, in the sprocket's frame.
-std::pair<Vector3, Vector3> touch(const drive::ToothForm &form, const double radius, const Place place)
+std::pair<Vector3, Vector3>
+touch(const drive::ToothForm &form, const double radius, const Place place)
 {
   const drive::Segment &seat = form.half_profile.front();
   if (place == Place::seat)
@@ -55,12 +56,12 @@ std::pair<Vector3, Vector3> touch(const drive::ToothForm &form, const double rad
     }
   const double r   = 0.5 * form.root_diameter + radius + 3e-3; // 3 mm above the bottom
   double       low = 0., high = dealii::numbers::PI / form.teeth;
-  const auto   at  = [&](const double angle) {
+  const auto   at = [&](const double angle) {
     return dealii::Point<2>(r * std::cos(angle), r * std::sin(angle));
   };
   for (unsigned int i = 0; i < 60; ++i)
     {
-      const double middle                                                  = 0.5 * (low + high);
+      const double middle                                             = 0.5 * (low + high);
       (form.closest_point(at(middle)).distance > radius ? low : high) = middle;
     }
   const auto x = at(low);
@@ -89,9 +90,8 @@ scene::Scene make(const Case &c)
   scene.bodies[1].initial.rotation = turn;
   scene::Body &roller              = scene.bodies[0];
   roller.initial.position          = turn * (centre + c.above * normal);
-  roller.initial.rotation =
-      to_matrix(rotation_about_z(c.phase * 2. * dealii::numbers::PI / 32.));
-  roller.initial.velocity         = vector(0., -c.speed);
+  roller.initial.rotation = to_matrix(rotation_about_z(c.phase * 2. * dealii::numbers::PI / 32.));
+  roller.initial.velocity = vector(0., -c.speed);
   roller.initial.angular_velocity = vector(0., 0., c.spin);
   const Vector3 arm               = vector(0.5 * chain.inner_hole_pitch, 0.);
   const double  clearance         = 0.5 * (chain.roller_bore - chain.bush_diameter);
@@ -112,7 +112,7 @@ scene::Scene make(const Case &c)
     }
 
   // springs of friction as in prm/paper/full.prm
-  teeth.law = {3.7e13, 0., c.friction, 3e13, 0.};
+  teeth.law             = {3.7e13, 0., c.friction, 3e13, 0.};
   teeth.half_angle      = drive::largest_half_angle(radius, play, scene.material);
   teeth.tooth_stiffness = c.stiffness;
   teeth.loaded_half_angle =
@@ -178,29 +178,31 @@ void check_statics()
   const auto       at = [&](const double load) {
     return statics::at_force(
         [&](const unsigned int n) {
-          return library.pressed_roller(chain, sprocket, 7.2e-3, n, statics::seat_end(sprocket.form));
+          return library.pressed_roller(
+              chain, sprocket, 7.2e-3, n, statics::seat_end(sprocket.form));
         },
         load);
   };
   const double tooth = 1412. / at(1412.).given_way.back();
   for (const double load : {300., 1412., 4500.})
     {
-      const auto   other  = at(load);
-      double       worst  = 0., spread = 0.;
-      double       first  = 0.;
+      const auto other = at(load);
+      double     worst = 0., spread = 0.;
+      double     first = 0.;
       for (const double phase : {0., 0.5})
         {
           Case c;
-          c.stiffness  = tooth;
-          c.load       = load;
-          c.phase      = phase;
-          const auto found = approach(c);
+          c.stiffness        = tooth;
+          c.load             = load;
+          c.phase            = phase;
+          const auto   found = approach(c);
           const double all = found[0] + found[1], exact = other.approach[0] + other.approach[1];
           first = phase == 0. ? all : first;
           if (with_numbers)
-            std::cerr << load << " N, phase " << phase << ": to the hub " << found[0] / other.approach[0]
-                      << ", to the roller " << found[1] / other.approach[1] << ", both "
-                      << all / exact << " of " << 1e6 * exact << " um\n";
+            std::cerr << load << " N, phase " << phase << ": to the hub "
+                      << found[0] / other.approach[0] << ", to the roller "
+                      << found[1] / other.approach[1] << ", both " << all / exact << " of "
+                      << 1e6 * exact << " um\n";
           worst  = std::max(worst, std::abs(all / exact - 1.));
           spread = std::max(spread, std::abs(all / first - 1.));
         }
@@ -213,10 +215,10 @@ void check_statics()
       for (const double phase : {0., 0.5})
         {
           Case c;
-          c.place     = Place::flank;
-          c.stiffness = tooth;
-          c.load      = load;
-          c.phase     = phase;
+          c.place          = Place::flank;
+          c.stiffness      = tooth;
+          c.load           = load;
+          c.phase          = phase;
           const auto found = approach(c);
           if (with_numbers)
             std::cerr << "flank, " << load << " N, phase " << phase << ": " << 1e6 * found[0] << ' '
@@ -268,14 +270,17 @@ void check_gradient(const Place place)
   for (const unsigned int body : {0u, 2u})
     for (const unsigned int d : {0u, 1u})
       {
-        const double h = 1e-8, slope = (evaluate(body, d, -h).first - evaluate(body, d, h).first) / (2. * h);
+        const double h     = 1e-8,
+                     slope = (evaluate(body, d, -h).first - evaluate(body, d, h).first) / (2. * h);
         const double force = evaluate(body, d, 0.).second;
         if (with_numbers)
-          std::cerr << "body " << body << ", direction " << d << ": force " << force << ", derivative " << slope << '\n';
+          std::cerr << "body " << body << ", direction " << d << ": force " << force
+                    << ", derivative " << slope << '\n';
         worst   = std::max(worst, std::abs(force - slope));
         largest = std::max(largest, std::abs(force));
       }
-  verdict("on the flank forces are derivatives of the energy to 5e-4", largest > 1000. && worst < 5e-4 * largest);
+  verdict("on the flank forces are derivatives of the energy to 5e-4",
+          largest > 1000. && worst < 5e-4 * largest);
 }
 
 /// An impact: the largest imbalance over all energy; forces that are left over.
@@ -286,10 +291,10 @@ void check_impact(const Place place, const double friction)
   c.above    = 2e-6;
   c.speed    = 1.4;
   c.friction = c.in_bore = friction;
-  c.spin      = 300.;
-  c.phase     = 0.3;
-  c.mass      = 8.9e-3;
-  c.stiffness = 1.2e9;
+  c.spin                 = 300.;
+  c.phase                = 0.3;
+  c.mass                 = 8.9e-3;
+  c.stiffness            = 1.2e9;
   std::array<double, 2> imbalance{};
   double                left_over = 0., moment = 0., largest = 0., peak = 0.;
   for (const bool fine : {false, true})
@@ -300,7 +305,7 @@ void check_impact(const Place place, const double friction)
       const double     dt    = fine ? 2e-7 : 6e-7;
       advance(system, std::lround(150e-6 / dt), dt, [&]() {
         imbalance[fine] = std::max(imbalance[fine], std::abs(world.ledger.imbalance()) / all);
-        peak = std::max(peak, world.ledger.contact / all);
+        peak            = std::max(peak, world.ledger.contact / all);
         if (!fine)
           return;
         World &copy = system.world;
@@ -326,8 +331,9 @@ void check_impact(const Place place, const double friction)
       });
     }
   if (with_numbers)
-    std::cerr << "impact: imbalance " << imbalance[0] << " and " << imbalance[1] << ", stored " << peak << ", force " << left_over
-              << ", moment " << moment << " of " << largest << '\n';
+    std::cerr << "impact: imbalance " << imbalance[0] << " and " << imbalance[1] << ", stored "
+              << peak << ", force " << left_over << ", moment " << moment << " of " << largest
+              << '\n';
   verdict("  forces cancel to 1e-11", largest > 100. && left_over < 1e-11 * largest);
   verdict("  and moments to 1e-9", moment < 1e-9 * 0.04 * largest);
   verdict("  energy closes to 5e-3 at 0.6 us", imbalance[0] < 5e-3);

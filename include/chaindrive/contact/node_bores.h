@@ -39,9 +39,8 @@ public:
   static std::vector<unsigned int> owners_of(const scene::BoreFamily &scene, const World &world);
 
   /// The rank that evaluates the bore of each roller of @p teeth.
-  static std::vector<unsigned int> owners_of_bores(const scene::Scene       &scene,
-                                                   const scene::ToothFamily &teeth,
-                                                   const World              &world);
+  static std::vector<unsigned int>
+  owners_of_bores(const scene::Scene &scene, const scene::ToothFamily &teeth, const World &world);
 
   /// From now on forces of @p strips, which must outlive this, on rollers whose bores are among
   /// these joints are found with those of their joints.

@@ -35,10 +35,10 @@ class RollerStrips : public SurfaceContact, public HasClosedWindows
 public:
   /// Rollers of one part, whose basis has their outside without inertia. @p owner tells the rank
   /// that evaluates the bore of each.
-  RollerStrips(const scene::Scene        &scene,
-               const scene::ToothFamily  &teeth,
-               const World               &world,
-               std::vector<unsigned int>  owner);
+  RollerStrips(const scene::Scene       &scene,
+               const scene::ToothFamily &teeth,
+               const World              &world,
+               std::vector<unsigned int> owner);
 
   /// Whether the rollers of @p teeth have no penalty.
   static bool is_exact(const scene::Scene &scene, const scene::ToothFamily &teeth);
@@ -102,16 +102,17 @@ private:
   /// the direction @p at [rad] in the world.
   bool lay(const World &world, unsigned int i, unsigned int s, double direction, double angle);
 
-  std::size_t node(const World &world, unsigned int i, unsigned int ring, unsigned int column) const;
+  std::size_t
+  node(const World &world, unsigned int i, unsigned int ring, unsigned int column) const;
 
   std::shared_ptr<const Surface>          flanks_;
   const reduction::RoundFlexibility       outside_;
   double                                  radius_; ///< m
   std::unique_ptr<const StripFlexibility> flexibility_;
-  unsigned int                            group_; ///< of the rollers in World::copies
+  unsigned int                            group_;         ///< of the rollers in World::copies
   std::vector<unsigned int>               copy_, bodies_; ///< per pair
-  std::vector<unsigned int>               own_;   ///< those near that this rank evaluates
-  std::vector<unsigned int>               read_;  ///< those announced last
+  std::vector<unsigned int>               own_;           ///< those near that this rank evaluates
+  std::vector<unsigned int>               read_;          ///< those announced last
   std::vector<Roller>                     rollers_;
   ClosedWindow                            window_;
   scene::ContactLaw                       friction_; ///< of a whole roller

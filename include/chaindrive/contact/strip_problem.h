@@ -13,9 +13,9 @@ struct StripProblem
 {
   const StripFlexibility   *flexibility = nullptr;
   double                    normal      = 0.; ///< angle in the world of the middle strip, rad
-  std::vector<unsigned int> unknown;          ///< strips and rings, as StripFlexibility numbers them
-  std::vector<double>       gap;              ///< of each, m, that its force makes no smaller
-  std::vector<double>       force;            ///< of each, N; where the search begins: above 0
+  std::vector<unsigned int> unknown; ///< strips and rings, as StripFlexibility numbers them
+  std::vector<double>       gap;     ///< of each, m, that its force makes no smaller
+  std::vector<double>       force;   ///< of each, N; where the search begins: above 0
 
   unsigned int n() const { return static_cast<unsigned int>(unknown.size()); }
 
