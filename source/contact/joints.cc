@@ -140,6 +140,12 @@ void JointBatch::couple(const int              lane,
   coupled.angle           = angle;
 }
 
+double JointBatch::column_angle(const int lane, const unsigned int place) const
+{
+  return exact_->coupled[lane].angle + 2. * dealii::numbers::PI * (window_.first[lane] + place) /
+                                           grid_.slave_circumferential;
+}
+
 ComplementarityProblem JointBatch::problem_of(const int                       lane,
                                               const JointFlexibility::Matrix &matrix)
 {
@@ -167,10 +173,9 @@ ComplementarityProblem JointBatch::problem_of(const int                       la
       double *row = number + std::size_t(m + a) * stride;
       for (unsigned int place = 0; place * n_rings < m; ++place)
         {
-          const double column = coupled.angle + 2. * dealii::numbers::PI *
-                                                    (window_.first[lane] + place) /
-                                                    grid_.slave_circumferential;
-          coupled.wall->at(strips.unknown[a], column - strips.normal, row + place * n_rings);
+          coupled.wall->at(strips.unknown[a],
+                           column_angle(lane, place) - strips.direction[a],
+                           row + place * n_rings);
         }
       // the bush presses the bore outwards, the tooth the outside inwards
       for (unsigned int i = 0; i < m; ++i)
@@ -201,6 +206,17 @@ double JointBatch::take_strips(const int lane, const unsigned int n)
       stored -= 0.5 * set.pressure.back() * strips->gap[a];
       set.pressure.pop_back();
     }
+  strips->couple.assign(strips->n(), 0.);
+  const unsigned int n_rings = e.flexibility.n_rings();
+  for (unsigned int a = 0; a < strips->n(); ++a)
+    if (strips->force[a] > 0.)
+      for (unsigned int b = 0; b < set.number.size(); ++b)
+        strips->couple[a] +=
+            strips->force[a] * set.pressure[b] *
+            e.coupled[lane].wall->slope(strips->unknown[a],
+                                        column_angle(lane, set.number[b] / n_rings) -
+                                            strips->direction[a],
+                                        set.number[b] % n_rings);
   return stored;
 }
 

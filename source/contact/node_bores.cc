@@ -460,6 +460,8 @@ void NodeBores::couple_lanes(const World &world, Group &group, const unsigned in
           strips = found;
           wall   = coupled.wall.get();
         }
+      if (strips != nullptr)
+        strips->bush = record.slave;
       const auto &rotation = world.frames[record.slave].rotation;
       group.batches[b]->couple(
           static_cast<int>(lane), strips, wall, std::atan2(rotation[1][0], rotation[0][0]));

@@ -67,6 +67,22 @@ std::array<double, 4> cubic_weights(const double t)
            (t + 1.) * t * (t - 1.) / 6.}};
 }
 
+/// Their derivatives.
+std::array<double, 4> cubic_slopes(const double t)
+{
+  return {{-(3. * t * t - 6. * t + 2.) / 6.,
+           (3. * t * t - 4. * t - 1.) / 2.,
+           -(3. * t * t - 2. * t - 2.) / 2.,
+           (3. * t * t - 1.) / 6.}};
+}
+
+/// @p direction turned by a right angle about the @p axis, both unit vectors.
+dealii::Tensor<1, 3> turned(const dealii::Tensor<1, 3> &axis,
+                            const dealii::Tensor<1, 3> &direction)
+{
+  return dealii::cross_product_3d(axis, direction);
+}
+
 /// A normal force that has been found, and whose energy has been booked.
 struct KnownForce
 {
@@ -100,17 +116,21 @@ RollerStrips::RollerStrips(const scene::Scene       &scene,
     , flanks_(pairs_.front().surface)
     , outside_(*outside_of(scene, teeth))
     , radius_(teeth.slaves.front().radius)
+    , form_(teeth.form)
+    , profile_(*teeth.form, radius_)
     , group_(world.elastic_address[teeth.slaves.front().body].group)
     , rollers_(teeth.slaves.size())
 {
   if (dynamic_cast<const ElasticFlanks *>(flanks_.get()) != nullptr)
     throw std::logic_error("RollerStrips: teeth without penalty must be rigid");
+  if (teeth.facets)
+    throw std::logic_error("RollerStrips: teeth without penalty must be arcs");
   const BodyBatches       &copies = world.copies[group_];
   const mesh::CylinderGrid grid(*copies.part, mesh::roller_outside);
   const CoveredRings       rings(grid, teeth.half_width);
   flexibility_ = std::make_unique<const StripFlexibility>(
       outside_,
-      graded_strips(radius_, teeth.half_angle),
+      profile_.grid(),
       rings.number,
       rings.length,
       scene.material,
@@ -216,111 +236,130 @@ std::size_t RollerStrips::node(const World       &world,
          node_offset(window_.node[ring * window_.n_columns + column]) + copies.lane_of(copy_[i]);
 }
 
-bool RollerStrips::project(const World                &world,
-                           const dealii::Tensor<1, 3> &x,
-                           Roller                     &roller,
-                           Touch                      &touch,
-                           double                     &distance) const
+void RollerStrips::lay_strips(const World &world, const unsigned int i)
 {
-  // a sphere that overlaps has a normal
-  const double        beyond = 4. * radius_;
-  Surface::Projection none;
-  touch    = flanks_->project(world, x, beyond, 2. * radius_, roller.hint, none);
-  distance = touch.gap + beyond;
-  return touch.gap < 0.;
+  Roller              &roller = rollers_[i];
+  const Frame         &frame = world.frames[pairs_[i].slave.body], &hub = world.frames[flanks_->body()];
+  const unsigned int   n      = window_.n_columns;
+  const auto           centre = dealii::transpose(hub.rotation) * (frame.position - hub.position);
+  const auto          &turn =
+      (form_->shifted.empty() ? form_->rotations : form_->shifted)[roller.touch.feature];
+  // the centre in the frame of gap 0, and back
+  dealii::Tensor<1, 2> in_gap;
+  in_gap[0]            = turn[0] * centre[0] + turn[1] * centre[1];
+  in_gap[1]            = turn[0] * centre[1] - turn[1] * centre[0];
+  const auto in_world  = [&](const dealii::Tensor<1, 2> &v) {
+    dealii::Tensor<1, 3> in_hub;
+    in_hub[0] = turn[0] * v[0] - turn[1] * v[1];
+    in_hub[1] = turn[1] * v[0] + turn[0] * v[1];
+    return hub.rotation * in_hub;
+  };
+  const auto to_roller = dealii::transpose(frame.rotation);
+  for (unsigned int s = 0; s < roller.strips.size(); ++s)
+    {
+      const ToothStrips::Strip &place = profile_.strips()[s];
+      Strip                    &strip = roller.strips[s];
+      dealii::Tensor<1, 2>      mean;
+      strip.gap = -radius_;
+      for (const dealii::Tensor<1, 2> &point : place.gauss)
+        {
+          const dealii::Tensor<1, 2> arm      = point - in_gap;
+          const double               distance = arm.norm();
+          strip.gap += 0.5 * distance;
+          mean += 0.5 / distance * arm;
+        }
+      if (strip.gap > 2. * reach) // modes do not bring it so near
+        continue;
+      const dealii::Tensor<1, 2> arm = place.middle - in_gap;
+      strip.distance                 = arm.norm();
+      strip.direction                = in_world(arm / strip.distance);
+      strip.mean                     = in_world(mean);
+      const auto   local             = to_roller * strip.direction;
+      const double column            = std::atan2(local[1], local[0]) * n / (2. * PI);
+      const double before            = std::floor(column);
+      strip.weight                   = cubic_weights(column - before);
+      strip.slope                    = cubic_slopes(column - before);
+      for (unsigned int k = 0; k < n_weights; ++k)
+        {
+          strip.slope[k] *= n / (2. * PI);
+          strip.column[k] =
+              static_cast<unsigned int>(static_cast<int>(before) + static_cast<int>(k + n) - 1) % n;
+        }
+    }
 }
 
-bool RollerStrips::lay(const World       &world,
-                       const unsigned int i,
-                       const unsigned int s,
-                       const double       direction,
-                       const double       angle)
+void RollerStrips::list_unknowns(const World &world, const unsigned int i)
 {
-  Roller                    &roller = rollers_[i];
-  Strip                     &strip  = roller.strips[s];
-  const StripGrid           &grid   = flexibility_->grid();
-  const dealii::Tensor<1, 3> centre = world.frames[pairs_[i].slave.body].position;
-  strip.gap                         = 0.;
-  strip.normal                      = dealii::Tensor<1, 3>();
-  for (const double side : {-1., 1.}) // Gauss points
-    {
-      const double at = direction + grid.middle[s] + side * grid.half_width[s] / std::sqrt(3.);
-      dealii::Tensor<1, 3> x = centre;
-      x[0] += radius_ * std::cos(at);
-      x[1] += radius_ * std::sin(at);
-      Touch  touch;
-      double distance = 0.;
-      if (!project(world, x, roller, touch, distance))
-        return false;
-      strip.gap += 0.5 * distance;
-      strip.normal += touch.normal;
-    }
-  strip.normal /= strip.normal.norm();
-  if (strip.gap > 2. * reach) // modes do not bring it so near
-    return false;
-
-  const unsigned int n      = window_.n_columns;
-  const double       place  = (angle + grid.middle[s]) * n / (2. * PI);
-  const double       before = std::floor(place);
-  strip.weight              = cubic_weights(place - before);
-  for (unsigned int k = 0; k < n_weights; ++k)
-    {
-      const int column = (static_cast<int>(before) + static_cast<int>(k) - 1) % static_cast<int>(n);
-      strip.column[k] =
-          static_cast<unsigned int>(column < 0 ? column + static_cast<int>(n) : column);
-    }
-  return true;
-}
-
-void RollerStrips::measure(const World &world, const unsigned int i)
-{
-  Roller       &roller  = rollers_[i];
-  StripProblem &problem = roller.problem;
-  problem.clear();
-  const Frame &frame    = world.frames[pairs_[i].slave.body];
-  double       distance = 0.;
-  records_[i].gap       = std::numeric_limits<double>::max();
-  if (!project(world, frame.position, roller, roller.touch, distance))
-    return;
-  records_[i].gap = distance - radius_;
-  if (distance > radius_ + near_centre)
-    return;
-  const dealii::Tensor<1, 3> down      = -roller.touch.normal,
-                             z         = axis_of(world.frames[flanks_->body()], 2);
-  const dealii::Tensor<1, 3> local     = dealii::transpose(frame.rotation) * down;
-  const double               direction = std::atan2(down[1], down[0]);
-  problem.normal                       = direction;
-  dealii::Tensor<1, 3> tilt            = axis_of(frame, 2); // of a ring's centre per length of axis
+  Roller                    &roller  = rollers_[i];
+  StripProblem              &problem = roller.problem;
+  const Frame               &frame   = world.frames[pairs_[i].slave.body];
+  const dealii::Tensor<1, 3> z       = axis_of(world.frames[flanks_->body()], 2);
+  dealii::Tensor<1, 3>       tilt = axis_of(frame, 2); // of a ring's centre per length of axis
   tilt -= (tilt * z) * z;
 
   const BodyBatches &copies  = world.copies[group_];
   const NodeView     at      = NodeView(copies.position);
-  const unsigned int n_rings = flexibility_->n_rings();
+  const unsigned int n_rings = flexibility_->n_rings(), n = window_.n_columns;
+  displacement_.resize(std::size_t(n_rings) * n);
+  is_displaced_.assign(n, 0);
+  const auto find_displacements = [&](const unsigned int column) {
+    for (unsigned int r = 0; r < n_rings; ++r)
+      {
+        const unsigned int         number = window_.node[r * n + column];
+        const dealii::Tensor<1, 3> rigid =
+            frame.position + frame.rotation * dealii::Tensor<1, 3>(copies.nodes.position[number]);
+        displacement_[r * n + column] = at[node(world, i, r, column)] - rigid;
+      }
+    is_displaced_[column] = 1;
+  };
+  roller.turning.clear();
   for (unsigned int s = 0; s < roller.strips.size(); ++s)
     {
-      if (!lay(world, i, s, direction, std::atan2(local[1], local[0])))
-        continue;
       const Strip &strip = roller.strips[s];
+      if (strip.gap > 2. * reach)
+        continue;
+      for (const unsigned int column : strip.column)
+        if (is_displaced_[column] == 0)
+          find_displacements(column);
+      const dealii::Tensor<1, 3> round = turned(z, strip.direction);
+      const double direction           = std::atan2(strip.direction[1], strip.direction[0]);
       for (unsigned int r = 0; r < n_rings; ++r)
         {
-          double moved = outside_.rings[flexibility_->rings()[r]] * (tilt * strip.normal);
+          dealii::Tensor<1, 3> moved = outside_.rings[flexibility_->rings()[r]] * tilt, more;
           for (unsigned int k = 0; k < n_weights; ++k)
             {
-              const unsigned int number = window_.node[r * window_.n_columns + strip.column[k]];
-              const dealii::Tensor<1, 3> rigid =
-                  frame.position +
-                  frame.rotation * dealii::Tensor<1, 3>(copies.nodes.position[number]);
-              moved += strip.weight[k] *
-                       ((at[node(world, i, r, strip.column[k])] - rigid) * strip.normal);
+              const dealii::Tensor<1, 3> &u = displacement_[r * n + strip.column[k]];
+              moved += strip.weight[k] * u;
+              more += strip.slope[k] * u;
             }
-          const double gap = strip.gap + moved;
+          const double gap = strip.gap - moved * strip.direction;
           if (gap > reach)
             continue;
           problem.unknown.push_back(s * n_rings + r);
+          problem.direction.push_back(direction);
           problem.gap.push_back(gap);
           problem.force.push_back(roller.force[s * n_rings + r]);
+          roller.turning.push_back(more * strip.direction + moved * round);
         }
     }
+}
+
+void RollerStrips::measure(const World &world, const unsigned int i)
+{
+  Roller &roller = rollers_[i];
+  roller.problem.clear();
+  const Frame &frame = world.frames[pairs_[i].slave.body];
+  // a sphere that overlaps has a normal
+  const double        beyond = 4. * radius_;
+  Surface::Projection none;
+  unsigned int        hint = mesh::Projection::no_facet;
+  roller.touch = flanks_->project(world, frame.position, beyond, 2. * radius_, hint, none);
+  records_[i].gap = roller.touch.gap < 0. ? roller.touch.gap + beyond - radius_ :
+                                            std::numeric_limits<double>::max();
+  if (records_[i].gap > near_centre)
+    return;
+  lay_strips(world, i);
+  list_unknowns(world, i);
 }
 
 void RollerStrips::add_forces(World &world, const double /*dt*/)
@@ -329,77 +368,149 @@ void RollerStrips::add_forces(World &world, const double /*dt*/)
     measure(world, i);
 }
 
-void RollerStrips::finish_forces(World &world, const double dt)
+template <typename Visit>
+void RollerStrips::for_each_node(const unsigned int i, const Visit &visit) const
 {
+  const Roller       &roller  = rollers_[i];
+  const StripProblem &problem = roller.problem;
+  const unsigned int  n_rings = flexibility_->n_rings();
+  for (unsigned int a = 0; a < problem.n(); ++a)
+    if (problem.force[a] > 0.)
+      {
+        const Strip &strip = roller.strips[problem.unknown[a] / n_rings];
+        for (unsigned int k = 0; k < n_weights; ++k)
+          visit(strip,
+                strip.weight[k] * problem.force[a],
+                problem.unknown[a] % n_rings,
+                strip.column[k]);
+      }
+}
+
+RollerStrips::Pressed RollerStrips::press(World &world, const unsigned int i)
+{
+  Roller                    &roller  = rollers_[i];
+  const StripProblem        &problem = roller.problem;
+  const unsigned int         body = pairs_[i].slave.body, hub = flanks_->body();
+  const unsigned int         n_rings = flexibility_->n_rings();
+  const dealii::Tensor<1, 3> z = axis_of(world.frames[hub], 2), centre = world.frames[body].position;
+  Pressed                    pressed;
+  double                     through_wall = 0.; // couple on the bush
+  std::fill(roller.force.begin(), roller.force.end(), 0.);
+  for (unsigned int a = 0; a < problem.n(); ++a)
+    if (problem.force[a] > 0.)
+      {
+        const Strip &strip                   = roller.strips[problem.unknown[a] / n_rings];
+        const double force                   = problem.force[a];
+        roller.force[problem.unknown[a]]     = force;
+        pressed.sum += force;
+        pressed.deepest = std::max(pressed.deepest, -problem.gap[a]);
+        // by a turn of the strip about the centre
+        const double of_modes = -force * roller.turning[a], of_wall = problem.couple[a];
+        pressed.couple -= of_modes;
+        through_wall -= of_wall;
+        pressed.force -= force * strip.mean + (of_modes + of_wall) / strip.distance *
+                                                  turned(z, strip.direction);
+      }
+  if (!(pressed.sum > 0.))
+    return pressed;
+
+  const BodyBatches   &copies = world.copies[group_];
+  const NodeView       at = NodeView(copies.position);
+  const NodeView       force_on(world.copies[group_].force);
+  dealii::Tensor<1, 3> of_nodes; // the couple of what acts on them
+  for_each_node(i,
+                [&](const Strip &strip,
+                    const double force,
+                    const unsigned int ring,
+                    const unsigned int column) {
+                  const std::size_t          n = node(world, i, ring, column);
+                  const dealii::Tensor<1, 3> f = -force * strip.direction;
+                  force_on.add(n, f);
+                  of_nodes += dealii::cross_product_3d(at[n] - centre, f);
+                });
+  const double         too_much = of_nodes * z - pressed.couple;
+  dealii::Tensor<1, 3> on_hub   = -of_nodes + too_much * z - through_wall * z;
+  world.add_force(hub, -pressed.force, centre);
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      world.force.local_element(3 * body + d) += pressed.force[d];
+      world.moment.local_element(3 * body + d) -= too_much * z[d];
+      world.moment.local_element(3 * hub + d) += on_hub[d];
+      world.moment.local_element(3 * problem.bush + d) += through_wall * z[d];
+    }
+  return pressed;
+}
+
+void RollerStrips::add_friction(World             &world,
+                                const double       dt,
+                                const unsigned int i,
+                                Pressed           &pressed)
+{
+  if (!(pressed.sum > 0. || states_[i].normal > 0.))
+    return;
   const BodyBatches &copies = world.copies[group_];
   const NodeView     at = NodeView(copies.position), velocity = NodeView(copies.velocity);
-  const unsigned int n_rings = flexibility_->n_rings(), hub = flanks_->body();
+  const unsigned int body = pairs_[i].slave.body, hub = flanks_->body();
+  const dealii::Tensor<1, 3> z = axis_of(world.frames[hub], 2);
+  double                     slip_rate[2] = {0., 0.};
+  for_each_node(i,
+                [&](const Strip &strip,
+                    const double force,
+                    const unsigned int ring,
+                    const unsigned int column) {
+                  const std::size_t          n = node(world, i, ring, column);
+                  const dealii::Tensor<1, 3> v = velocity[n] - world.velocity_at(hub, at[n], 0.5 * dt);
+                  slip_rate[0] -= force / pressed.sum * (v * turned(z, strip.direction));
+                  slip_rate[1] += force / pressed.sum * (v * z);
+                });
+  ContactEnergies<double> energies{
+      world.ledger.contact, world.ledger.contact_damping, world.ledger.friction};
+  TouchState &state = states_[i];
+  update_touch(
+      friction_, KnownForce{pressed.sum}, slip_rate, dt, friction_.friction > 0., state, energies);
+  world.ledger.contact  = energies.stored;
+  world.ledger.friction = energies.friction_loss;
+  if (!(pressed.sum > 0.) || !(friction_.friction > 0.))
+    return;
+  const NodeView       force_on(world.copies[group_].force);
+  dealii::Tensor<1, 3> sum;
+  for_each_node(i,
+                [&](const Strip &strip,
+                    const double force,
+                    const unsigned int ring,
+                    const unsigned int column) {
+                  const std::size_t          n = node(world, i, ring, column);
+                  const dealii::Tensor<1, 3> f =
+                      force / pressed.sum *
+                      (state.tangential[1] * z - state.tangential[0] * turned(z, strip.direction));
+                  force_on.add(n, f);
+                  world.add_force(hub, -f, at[n]);
+                  sum += f;
+                });
+  for (unsigned int d = 0; d < 3; ++d)
+    world.force.local_element(3 * body + d) += sum[d];
+  pressed.force += sum;
+}
+
+void RollerStrips::finish_forces(World &world, const double dt)
+{
   for (const unsigned int i : own_)
     {
-      Roller       &roller  = rollers_[i];
-      StripProblem &problem = roller.problem;
-      Record       &record  = records_[i];
-      std::fill(roller.force.begin(), roller.force.end(), 0.);
-      double               sum = 0., deepest = 0.;
-      dealii::Tensor<1, 3> normal, slip; // sum of normal forces, N; mean velocity, m/s
-      const auto           for_each_node = [&](const auto &visit) {
-        for (unsigned int a = 0; a < problem.n(); ++a)
-          if (problem.force[a] > 0.)
-            {
-              const Strip       &strip = roller.strips[problem.unknown[a] / n_rings];
-              const unsigned int ring  = problem.unknown[a] % n_rings;
-              for (unsigned int k = 0; k < n_weights; ++k)
-                visit(strip,
-                      strip.weight[k] * problem.force[a],
-                      node(world, i, ring, strip.column[k]));
-            }
-      };
-      for (unsigned int a = 0; a < problem.n(); ++a)
-        if (problem.force[a] > 0.)
-          {
-            roller.force[problem.unknown[a]] = problem.force[a];
-            sum += problem.force[a];
-            deepest = std::max(deepest, -problem.gap[a]);
-          }
-      for_each_node([&](const Strip &strip, const double force, const std::size_t n) {
-        normal += force * strip.normal;
-        slip += force / sum * (velocity[n] - world.velocity_at(hub, at[n], 0.5 * dt));
-      });
-
-      dealii::Tensor<1, 3> friction; // over the normal force
-      if (sum > 0. || states_[i].normal > 0.)
-        {
-          const double along[2] = {slip * roller.touch.along, slip * roller.touch.across};
-          ContactEnergies<double> energies{
-              world.ledger.contact, world.ledger.contact_damping, world.ledger.friction};
-          update_touch(
-              friction_, KnownForce{sum}, along, dt, friction_.friction > 0., states_[i], energies);
-          world.ledger.contact  = energies.stored;
-          world.ledger.friction = energies.friction_loss;
-          if (sum > 0.)
-            friction = (states_[i].tangential[0] * roller.touch.along +
-                        states_[i].tangential[1] * roller.touch.across) /
-                       sum;
-        }
-      record.force = dealii::Tensor<1, 3>();
-      const NodeView force_on(world.copies[group_].force);
-      for_each_node([&](const Strip &strip, const double force, const std::size_t n) {
-        const dealii::Tensor<1, 3> f = force * (strip.normal + friction);
-        force_on.add(n, f);
-        world.add_force(hub, -f, at[n]);
-        record.force += f;
-      });
-      for (unsigned int d = 0; d < 3; ++d) // for the motion of the centre of mass
-        world.force.local_element(3 * record.slave + d) += record.force[d];
-      record.force = world.symmetry.whole_force(record.force);
-      if (sum > 0.)
-        {
-          // how bodies have been placed, before they deflect
-          record.gap          = dt == 0. ? -deepest : 0.;
-          record.feature      = roller.touch.feature;
-          record.normal       = normal / normal.norm();
-          record.normal_speed = -(slip * record.normal);
-        }
+      Record             &record  = records_[i];
+      Pressed             pressed = press(world, i);
+      const dealii::Tensor<1, 3> normal = pressed.force;
+      add_friction(world, dt, i, pressed);
+      record.force = world.symmetry.whole_force(pressed.force);
+      if (!(pressed.sum > 0.))
+        continue;
+      // how bodies have been placed, before they deflect
+      record.gap     = dt == 0. ? -pressed.deepest : 0.;
+      record.feature = rollers_[i].touch.feature;
+      record.normal  = normal / normal.norm();
+      record.normal_speed =
+          -(world.frames[record.slave].velocity -
+            world.velocity_at(flanks_->body(), world.frames[record.slave].position, 0.5 * dt)) *
+          record.normal;
     }
 }
 
@@ -414,6 +525,5 @@ void RollerStrips::serialize_pair(const unsigned int i, const Archive &archive)
 {
   SurfaceContact::serialize_pair(i, archive);
   archive.numbers("strips", rollers_[i].force);
-  archive("hint", rollers_[i].hint);
 }
 } // namespace chaindrive::contact

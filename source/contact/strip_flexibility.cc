@@ -5,6 +5,7 @@
 #include <deal.II/base/std_cxx17/cmath.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -36,58 +37,88 @@ std::vector<double> harmonics_of(const std::vector<double> &values, const unsign
   return sums;
 }
 
+/// The sum of cos(k x) / k^3 over all k from a first one on.
+class CubedCosines
+{
+public:
+  explicit CubedCosines(const unsigned int first) : first_(first)
+  {
+    // zeta of even numbers
+    for (unsigned int m = 1; m <= n_terms; ++m)
+      {
+        double zeta = m == 1 ? PI * PI / 6. : m == 2 ? std::pow(PI, 4) / 90. : 0.;
+        for (unsigned int j = 1; m > 2 && j <= 60; ++j)
+          zeta += std::pow(j, -2. * m);
+        term_[m - 1] = 2. * zeta / (2. * m * (2. * m + 1.) * (2. * m + 2.));
+      }
+  }
+
+  double operator()(const double angle) const
+  {
+    constexpr double zeta_3 = 1.2020569031595942;
+    const double     x = std::abs(std::remainder(angle, 2. * PI)), square = x * x;
+    // over all k: the series of the trilogarithm of exp(i x) about x = 0, up to 2 pi
+    double series = 0.;
+    for (unsigned int m = n_terms; m-- > 0;)
+      series = (series + term_[m]) * square / (4. * PI * PI);
+    double sum =
+        zeta_3 + (x > 0. ? square * (0.5 * std::log(x) - 0.75) : 0.) - square * series;
+    for (unsigned int k = 1; k < first_; ++k)
+      sum -= std::cos(k * x) / (double(k) * k * k);
+    return sum;
+  }
+
+private:
+  static constexpr unsigned int n_terms = 20;
+
+  unsigned int                first_;
+  std::array<double, n_terms> term_{};
+};
+
 constexpr unsigned int first_of_tooth = 4; ///< harmonic in which a tooth deflects as a half-space
 } // namespace
 
-StripGrid graded_strips(const double radius, const double half_angle)
+template <typename Value>
+void StripFlexibility::add_in_rings(const std::vector<double> &lengths, const Value &value)
 {
-  constexpr double    width = 0.15e-3, growth = 1.35, widest = 0.8e-3; // m
-  StripGrid           grid;
-  std::vector<double> middles = {0.}, halves = {0.5 * width / radius};
-  double              end = halves[0], next = width;
-  while (end < half_angle)
-    {
-      const double half = 0.5 * next / radius;
-      middles.push_back(end + half);
-      halves.push_back(half);
-      end += 2. * half;
-      next = std::min(growth * next, widest);
-    }
-  for (std::size_t i = middles.size(); i-- > 1;)
-    {
-      grid.middle.push_back(-middles[i]);
-      grid.half_width.push_back(halves[i]);
-    }
-  grid.middle.insert(grid.middle.end(), middles.begin(), middles.end());
-  grid.half_width.insert(grid.half_width.end(), halves.begin(), halves.end());
-  return grid;
+  const unsigned int n_strips = grid_.size(), m = n_rings();
+  for (unsigned int a = 0; a < n_strips; ++a)
+    for (unsigned int b = 0; b < n_strips; ++b)
+      {
+        const double of_length = value(a, b);
+        for (unsigned int r = 0; r < m; ++r)
+          value_[std::size_t(a * m + r) * n() + b * m + r] += of_length / lengths[r];
+      }
 }
 
 template <typename Factor>
 void StripFlexibility::add_harmonics(const unsigned int         first,
+                                     const unsigned int         end,
                                      const std::vector<double> &lengths,
                                      const Factor              &factor)
 {
-  const double narrowest = *std::min_element(grid_.half_width.begin(), grid_.half_width.end());
-  const auto   last      = static_cast<unsigned int>(40. / narrowest); // others change it by 2e-4
-  const unsigned int  n_strips = grid_.size(), m = n_rings();
-  std::vector<double> mean(n_strips), sum(std::size_t(n_strips) * n_strips, 0.);
-  for (unsigned int k = first; k <= last; ++k)
-    {
-      const double f = factor(k);
-      if (!(f > 0.))
-        continue;
-      for (unsigned int a = 0; a < n_strips; ++a)
-        mean[a] = mean_over_strip(k, grid_.half_width[a]);
-      for (unsigned int a = 0; a < n_strips; ++a)
-        for (unsigned int b = 0; b < n_strips; ++b)
-          sum[a * n_strips + b] +=
-              f * mean[a] * mean[b] * std::cos(k * (grid_.middle[a] - grid_.middle[b]));
-    }
-  for (unsigned int a = 0; a < n_strips; ++a)
-    for (unsigned int b = 0; b < n_strips; ++b)
-      for (unsigned int r = 0; r < m; ++r)
-        value_[std::size_t(a * m + r) * n() + b * m + r] += sum[a * n_strips + b] / lengths[r];
+  add_in_rings(lengths, [&](const unsigned int a, const unsigned int b) {
+    double sum = 0.;
+    for (unsigned int k = first; k < end; ++k)
+      sum += factor(k) * mean_over_strip(k, grid_.half_width[a]) *
+             mean_over_strip(k, grid_.half_width[b]) *
+             std::cos(k * (grid_.middle[a] - grid_.middle[b]));
+    return sum;
+  });
+}
+
+void StripFlexibility::add_short_waves(const unsigned int         first,
+                                       const std::vector<double> &lengths,
+                                       const double               factor)
+{
+  // with sin(k v) sin(k w) cos(k d) as cosines of sums of the angles
+  const CubedCosines sum(first);
+  add_in_rings(lengths, [&](const unsigned int a, const unsigned int b) {
+    const double d = grid_.middle[a] - grid_.middle[b], v = grid_.half_width[a],
+                 w = grid_.half_width[b];
+    return 0.25 * factor / (v * w) *
+           (sum(d + v - w) + sum(d - v + w) - sum(d + v + w) - sum(d - v - w));
+  });
 }
 
 StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
@@ -116,17 +147,17 @@ StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
   // a half-space of unit length under a force per length: harmonics of 2 / (pi E' k)
   const double of_half_space = 2. / (PI * material.plane_modulus());
   const double length        = std::accumulate(lengths.begin(), lengths.end(), 0.);
-  add_harmonics(n_columns / 4, lengths, [&](const unsigned int k) {
+  add_harmonics(n_columns / 4, n_columns / 2 + 1, lengths, [&](const unsigned int k) {
     double of_mesh = 0.; // under an even pressure in all rings, as if these were one of unit length
-    if (2 * k <= n_columns)
-      for (unsigned int r = 0; r < m; ++r)
-        for (unsigned int s = 0; s < m; ++s)
-          of_mesh += lengths[r] * harmonic(k, r, s) * lengths[s] / length;
-    return of_half_space / k - of_mesh;
+    for (unsigned int r = 0; r < m; ++r)
+      for (unsigned int s = 0; s < m; ++s)
+        of_mesh += lengths[r] * harmonic(k, r, s) * lengths[s] / length;
+    return std::max(0., of_half_space / k - of_mesh);
   });
+  add_short_waves(n_columns / 2 + 1, lengths, of_half_space);
   if (!(tooth.stiffness > 0.))
     return;
-  add_harmonics(first_of_tooth, lengths, [&](const unsigned int k) { return of_half_space / k; });
+  add_short_waves(first_of_tooth, lengths, of_half_space);
   // what is left of the whole deflection in the seat, whose pressure is half of an ellipse
   double of_dents = 0.;
   for (unsigned int k = first_of_tooth; k < 1000; ++k)
@@ -146,7 +177,6 @@ WallFlexibility::WallFlexibility(const reduction::RoundFlexibility &outside,
     : n_rings_(static_cast<unsigned int>(rings.size()))
     , n_joint_rings_(joint.n_rings())
     , n_angles_(8 * outside.n_columns + 1)
-    , middle_(grid.middle)
 {
   const unsigned int n_columns = outside.n_columns,
                      n_bore =
@@ -178,16 +208,28 @@ WallFlexibility::WallFlexibility(const reduction::RoundFlexibility &outside,
           }
 }
 
+WallFlexibility::Place WallFlexibility::place_of(const unsigned int i, const double angle) const
+{
+  const double apart  = std::remainder(angle, 2. * PI);
+  const double place  = std::abs(apart) / PI * (n_angles_ - 1);
+  const auto   before = std::min(static_cast<unsigned int>(place), n_angles_ - 2);
+  return {
+      &table_[((std::size_t(width_[i / n_rings_]) * n_rings_ + i % n_rings_) * n_angles_ + before) *
+              n_joint_rings_],
+      place - before,
+      apart < 0. ? -1. : 1.};
+}
+
 void WallFlexibility::at(const unsigned int i, const double angle, double *value) const
 {
-  const double  apart  = std::abs(std::remainder(angle - middle_[i / n_rings_], 2. * PI));
-  const double  place  = apart / PI * (n_angles_ - 1);
-  const auto    before = std::min(static_cast<unsigned int>(place), n_angles_ - 2);
-  const double  part   = place - before;
-  const double *row =
-      &table_[((std::size_t(width_[i / n_rings_]) * n_rings_ + i % n_rings_) * n_angles_ + before) *
-              n_joint_rings_];
+  const auto [row, part, side] = place_of(i, angle);
   for (unsigned int q = 0; q < n_joint_rings_; ++q)
     value[q] = (1. - part) * row[q] + part * row[n_joint_rings_ + q];
+}
+
+double WallFlexibility::slope(const unsigned int i, const double angle, const unsigned int q) const
+{
+  const Place place = place_of(i, angle);
+  return place.side * (place.row[n_joint_rings_ + q] - place.row[q]) * (n_angles_ - 1) / PI;
 }
 } // namespace chaindrive::contact

@@ -123,6 +123,9 @@ private:
   /// The problem of @p lane, whose joint has the @p matrix: alone, or with that of its strips.
   ComplementarityProblem problem_of(int lane, const JointFlexibility::Matrix &matrix);
 
+  /// Where the column at a @p place of the window of @p lane with strips is, in the world, rad.
+  double column_angle(int lane, unsigned int place) const;
+
   /// Takes the forces of strips from the solution of @p lane, whose joint has @p n nodes. Returns
   /// what is stored for these, J.
   double take_strips(int lane, unsigned int n);

@@ -5,6 +5,7 @@
 #include <chaindrive/contact/rigid_flanks.h>
 #include <chaindrive/contact/strip_problem.h>
 #include <chaindrive/contact/surface_contact.h>
+#include <chaindrive/contact/tooth_strips.h>
 #include <chaindrive/mesh/surface/facet_surface.h>
 #include <chaindrive/scene/scene.h>
 
@@ -17,16 +18,19 @@ namespace chaindrive::contact
 /// Reduced rollers on the flanks of a rigid sprocket without penalty: no overlap, and what a roller
 /// deflects beside its modes has no inertia. There is one record per roller.
 ///
-/// Where the centre of a roller is nearest to the profile, a normal passes through it. Strips
-/// are laid about this normal anew at every evaluation, so that no grid tells at which angle a
-/// roller comes. The gap of a strip is the mean distance of its circle from the exact profile and
-/// what modes displace it by; on every ring of the roller's nodes it is an unknown of its own.
-/// Modes are known at nodes: cubic polynomials through four columns tell what is between them.
+/// The profile of a tooth lies in strips that turn with the sprocket. The gap of a strip is by how
+/// much farther its points are from the centre of a roller than the outside of this one, which
+/// modes displace, is in their direction; on every ring of the roller's nodes it is an unknown of
+/// its own. So no column of nodes tells at which angle a roller comes, and on each strip the roller
+/// is the same round body. Modes are known at nodes: cubic polynomials through four columns tell
+/// what is between them.
 ///
 /// A wall that a tooth presses from outside is thin enough to move the bore, on which a bush
 /// presses: forces on strips and in the bore are found together. So add_forces() measures gaps
 /// alone; NodeBores::add_forces(), which must come later, finds the forces of problem_of(); and
-/// finish_forces() adds them, along the normals of the profile, to nodes and sprocket.
+/// finish_forces() adds them. They are the derivatives of the energy that they store: with a
+/// pressure p, u being how far modes move the outside at the angle a about the axis of the roller,
+/// it is pressed back along the line from the strip to its centre, and by p du/da about it.
 ///
 /// Friction is one elastic slip per roller, as in a joint, on the sum of its normal forces, by
 /// which it is shared out.
@@ -68,22 +72,32 @@ protected:
 private:
   static constexpr unsigned int n_weights = 4;
 
-  /// Where a strip is now.
+  /// Where a strip is now, seen from the centre of a roller.
   struct Strip
   {
-    double                        gap; ///< of the circle, in the middle plane of the roller, m
-    dealii::Tensor<1, 3>          normal;
-    std::array<unsigned int, 4>   column; ///< of nodes
-    std::array<double, n_weights> weight;
+    double                              gap;       ///< of a round roller, m
+    double                              distance;  ///< of its middle, m
+    dealii::Tensor<1, 3>                direction; ///< of that, unit
+    dealii::Tensor<1, 3>                mean;      ///< of the directions of its points
+    std::array<unsigned int, n_weights> column;    ///< of nodes
+    std::array<double, n_weights>       weight, slope; ///< and by how much more per radian
+  };
+
+  /// What presses a roller.
+  struct Pressed
+  {
+    double               sum = 0., deepest = 0.; ///< N; m
+    double               couple = 0.; ///< on the roller about its centre by what deflects it, N m
+    dealii::Tensor<1, 3> force;       ///< N
   };
 
   struct Roller
   {
     StripProblem        problem;
     std::vector<double> force; ///< of all strips and rings, N: what touched last
-    std::vector<Strip>  strips;
-    Touch               touch; ///< of its centre
-    unsigned int        hint = mesh::Projection::no_facet;
+    std::vector<Strip>  strips; ///< of the gap that its centre is nearest to
+    std::vector<double> turning; ///< of each unknown, by how much modes move it per radian, m
+    Touch               touch;   ///< of its centre
   };
 
   void find_own(unsigned int rank);
@@ -91,16 +105,22 @@ private:
   /// The strips of pair @p i and their gaps, if it is near enough.
   void measure(const World &world, unsigned int i);
 
-  /// The distance of @p x [m, world] from the profile; false if there is none near.
-  bool project(const World                &world,
-               const dealii::Tensor<1, 3> &x,
-               Roller                     &roller,
-               Touch                      &touch,
-               double                     &distance) const;
+  /// Lays the strips of the gap that the centre of pair @p i is nearest to.
+  void lay_strips(const World &world, unsigned int i);
 
-  /// Lays strip @p s of pair @p i, whose middle is @p angle from the x axis of the roller and in
-  /// the direction @p at [rad] in the world.
-  bool lay(const World &world, unsigned int i, unsigned int s, double direction, double angle);
+  /// Lists those that may touch with their gaps.
+  void list_unknowns(const World &world, unsigned int i);
+
+  /// Adds the normal forces of pair @p i.
+  Pressed press(World &world, unsigned int i);
+
+  /// Calls @p visit(strip, force [N], ring, column, weight) for the nodes that carry the forces on
+  /// strips of pair @p i.
+  template <typename Visit>
+  void for_each_node(unsigned int i, const Visit &visit) const;
+
+  /// Adds the forces of friction to those of @p pressed.
+  void add_friction(World &world, double dt, unsigned int i, Pressed &pressed);
 
   std::size_t
   node(const World &world, unsigned int i, unsigned int ring, unsigned int column) const;
@@ -108,12 +128,16 @@ private:
   std::shared_ptr<const Surface>          flanks_;
   const reduction::RoundFlexibility       outside_;
   double                                  radius_; ///< m
+  std::shared_ptr<const drive::ToothForm> form_;
+  const ToothStrips                       profile_;
   std::unique_ptr<const StripFlexibility> flexibility_;
   unsigned int                            group_;         ///< of the rollers in World::copies
   std::vector<unsigned int>               copy_, bodies_; ///< per pair
   std::vector<unsigned int>               own_;           ///< those near that this rank evaluates
   std::vector<unsigned int>               read_;          ///< those announced last
   std::vector<Roller>                     rollers_;
+  std::vector<dealii::Tensor<1, 3>>       displacement_; ///< room, [ring][column], m
+  std::vector<char>                       is_displaced_; ///< what is known of that, [column]
   ClosedWindow                            window_;
   scene::ContactLaw                       friction_; ///< of a whole roller
 };

@@ -10,19 +10,15 @@
 
 namespace chaindrive::contact
 {
-/// Strips along the outside of a roller, side by side about the normal on which its centre is
-/// nearest to a tooth, wherever this is round the roller. Angles are about the roller's axis.
+/// Strips along the outside of a roller, side by side, wherever they are round it. Angles are about
+/// the roller's axis.
 struct StripGrid
 {
-  std::vector<double> middle;     ///< from the normal, ascending, rad
+  std::vector<double> middle;     ///< ascending, rad
   std::vector<double> half_width; ///< rad
 
   unsigned int size() const { return static_cast<unsigned int>(middle.size()); }
 };
-
-/// Strips that reach at least @p half_angle [rad] to both sides, on a roller of @p radius [m]: 0.15
-/// mm wide in the middle, where teeth that are convex touch, and wider and wider outwards.
-StripGrid graded_strips(double radius, double half_angle);
 
 /// By how much gaps between strips of a roller and a tooth grow under even pressures on these
 /// without any inertia, ring by ring of the roller's nodes. It is the same wherever round the
@@ -66,9 +62,21 @@ public:
   }
 
 private:
-  /// Adds a @p factor(k) for the harmonics from @p first on, which act in each ring by itself.
+  /// Adds a @p factor(k) for the harmonics from @p first on and before @p end, which act in each
+  /// ring by itself.
   template <typename Factor>
-  void add_harmonics(unsigned int first, const std::vector<double> &lengths, const Factor &factor);
+  void add_harmonics(unsigned int               first,
+                     unsigned int               end,
+                     const std::vector<double> &lengths,
+                     const Factor              &factor);
+
+  /// Adds @p factor / k for all harmonics from @p first on.
+  void
+  add_short_waves(unsigned int first, const std::vector<double> &lengths, double factor);
+
+  /// Adds sums of a @p value(a, b) for each pair of strips over the length of a ring.
+  template <typename Value>
+  void add_in_rings(const std::vector<double> &lengths, const Value &value);
 
   StripGrid                 grid_;
   std::vector<unsigned int> rings_;
@@ -86,12 +94,23 @@ public:
                   const JointFlexibility            &joint);
 
   /// What a strip and ring, numbered as in StripFlexibility, move away from the axis under one
-  /// newton outwards in each ring of the joint, at the @p angle [rad] from the normal: [ring], m/N.
+  /// newton outwards in each ring of the joint, at the @p angle [rad] from the middle of the strip:
+  /// [ring], m/N.
   void at(unsigned int i, double angle, double *value) const;
 
+  /// By how much more that is for each radian, at ring @p q of the joint, m/N.
+  double slope(unsigned int i, double angle, unsigned int q) const;
+
 private:
+  /// Where an angle is in the table.
+  struct Place
+  {
+    const double *row;
+    double        part, side;
+  };
+  Place place_of(unsigned int i, double angle) const;
+
   unsigned int              n_rings_, n_joint_rings_, n_angles_;
-  std::vector<double>       middle_;
   std::vector<unsigned int> width_; ///< of each strip, number of its table
   std::vector<double>       table_; ///< [width][ring][angle from 0 to pi][ring of the joint]
 };

@@ -12,16 +12,21 @@ namespace chaindrive::contact
 struct StripProblem
 {
   const StripFlexibility   *flexibility = nullptr;
-  double                    normal      = 0.; ///< angle in the world of the middle strip, rad
-  std::vector<unsigned int> unknown; ///< strips and rings, as StripFlexibility numbers them
-  std::vector<double>       gap;     ///< of each, m, that its force makes no smaller
-  std::vector<double>       force;   ///< of each, N; where the search begins: above 0
+  std::vector<unsigned int> unknown;   ///< strips and rings, as StripFlexibility numbers them
+  std::vector<double>       direction; ///< of each from the roller's centre, in the world, rad
+  std::vector<double>       gap;       ///< of each, m, that its force makes no smaller
+  std::vector<double>       force;     ///< of each, N; where the search begins: above 0
+
+  unsigned int        bush = 0; ///< body of the bush in the roller, if there is a coupling
+  std::vector<double> couple;   ///< by how much the energy falls as the tooth turns it, N m
 
   unsigned int n() const { return static_cast<unsigned int>(unknown.size()); }
 
   void clear()
   {
     unknown.clear();
+    direction.clear();
+    couple.clear();
     gap.clear();
     force.clear();
   }

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/contact/strip_flexibility.h>
+#include <chaindrive/drive/tooth_form.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <vector>
+
+namespace chaindrive::contact
+{
+/// The profile about a gap between two teeth in strips side by side, from a little beyond the
+/// middle of one tooth to beyond that of the other, in the frame of gap 0. They are narrow where
+/// the profile is convex or straight, so that rollers of @p radius [m] touch it in a line, and wide
+/// in the seat.
+class ToothStrips
+{
+public:
+  ToothStrips(const drive::ToothForm &form, double radius);
+
+  struct Strip
+  {
+    dealii::Tensor<1, 2>                middle; ///< m
+    std::array<dealii::Tensor<1, 2>, 2> gauss;  ///< points of the rule of Gauss, m
+  };
+
+  const std::vector<Strip> &strips() const { return strips_; }
+
+  /// Where they are round a roller that rolls along the profile, from the bottom of the gap.
+  const StripGrid &grid() const { return grid_; }
+
+private:
+  std::vector<Strip> strips_;
+  StripGrid          grid_;
+};
+} // namespace chaindrive::contact
