@@ -162,8 +162,9 @@ ComplementarityProblem JointBatch::problem_of(const int                       la
   const unsigned int  m = matrix.n, k = strips.n(), n_rings = e.flexibility.n_rings();
   const unsigned int  stride = ComplementaritySolver::padded(m + k);
   coupled.matrix.resize_fast(std::size_t(m + k) * stride);
-  coupled.matrix.fill(0.);
   double *number = coupled.matrix.data();
+  for (unsigned int i = 0; i < m + k; ++i)
+    std::fill(number + std::size_t(i) * stride + m + k, number + std::size_t(i + 1) * stride, 0.);
   for (unsigned int i = 0; i < m; ++i)
     std::copy_n(
         matrix.number.data() + std::size_t(i) * matrix.stride, m, number + std::size_t(i) * stride);

@@ -63,8 +63,14 @@ public:
       series = (series + term_[m]) * square / (4. * PI * PI);
     double sum =
         zeta_3 + (x > 0. ? square * (0.5 * std::log(x) - 0.75) : 0.) - square * series;
+    double before = 1., cosine = std::cos(x);
     for (unsigned int k = 1; k < first_; ++k)
-      sum -= std::cos(k * x) / (double(k) * k * k);
+      {
+        sum -= cosine / (double(k) * k * k);
+        const double next = 2. * std::cos(x) * cosine - before;
+        before            = cosine;
+        cosine            = next;
+      }
     return sum;
   }
 
@@ -136,13 +142,17 @@ StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
   const auto harmonic = [&](const unsigned int k, const unsigned int r, const unsigned int s) {
     return harmonics[(std::size_t(k) * all + rings_[r]) * all + rings_[s]];
   };
-  for (unsigned int i = 0; i < n(); ++i)
-    for (unsigned int j = 0; j < n(); ++j)
+  for (unsigned int a = 0; a < grid.size(); ++a)
+    for (unsigned int b = 0; b < grid.size(); ++b)
       for (unsigned int k = 0; k <= n_columns / 2; ++k)
-        value_[std::size_t(i) * n() + j] +=
-            harmonic(k, i % m, j % m) * mean_over_strip(k, grid_.half_width[i / m]) *
-            mean_over_strip(k, grid_.half_width[j / m]) *
-            std::cos(k * (grid_.middle[i / m] - grid_.middle[j / m]));
+        {
+          const double part = mean_over_strip(k, grid_.half_width[a]) *
+                              mean_over_strip(k, grid_.half_width[b]) *
+                              std::cos(k * (grid_.middle[a] - grid_.middle[b]));
+          for (unsigned int r = 0; r < m; ++r)
+            for (unsigned int s = 0; s < m; ++s)
+              value_[std::size_t(a * m + r) * n() + b * m + s] += part * harmonic(k, r, s);
+        }
 
   // a half-space of unit length under a force per length: harmonics of 2 / (pi E' k)
   const double of_half_space = 2. / (PI * material.plane_modulus());
@@ -195,23 +205,29 @@ WallFlexibility::WallFlexibility(const reduction::RoundFlexibility &outside,
   for (const double w : widths)
     for (const unsigned int r : rings)
       for (unsigned int a = 0; a < n_angles_; ++a)
-        for (const JointFlexibility::Place &place : joint.places())
-          {
-            double sum = 0.;
-            for (unsigned int k = 0; k <= n_columns / 2; ++k)
-              {
-                const double *of_ring = &harmonics[k * all + std::size_t(r) * n_bore + place.first];
-                sum += ((1. - place.part) * of_ring[0] + place.part * of_ring[1]) *
-                       mean_over_strip(k, w) * std::cos(k * PI * a / (n_angles_ - 1));
-              }
-            table_.push_back(sum);
-          }
+        {
+          const std::size_t first = table_.size();
+          table_.resize(first + n_joint_rings_, 0.);
+          for (unsigned int k = 0; k <= n_columns / 2; ++k)
+            {
+              const double part =
+                  mean_over_strip(k, w) * std::cos(k * PI * a / (n_angles_ - 1));
+              for (unsigned int q = 0; q < n_joint_rings_; ++q)
+                {
+                  const JointFlexibility::Place &place = joint.places()[q];
+                  const double *of_ring = &harmonics[k * all + std::size_t(r) * n_bore + place.first];
+                  table_[first + q] +=
+                      part * ((1. - place.part) * of_ring[0] + place.part * of_ring[1]);
+                }
+            }
+        }
 }
 
 WallFlexibility::Place WallFlexibility::place_of(const unsigned int i, const double angle) const
 {
-  const double apart  = std::remainder(angle, 2. * PI);
-  const double place  = std::abs(apart) / PI * (n_angles_ - 1);
+  const double turns  = angle / (2. * PI);
+  const double apart  = turns - std::floor(turns + 0.5);
+  const double place  = 2. * std::abs(apart) * (n_angles_ - 1);
   const auto   before = std::min(static_cast<unsigned int>(place), n_angles_ - 2);
   return {
       &table_[((std::size_t(width_[i / n_rings_]) * n_rings_ + i % n_rings_) * n_angles_ + before) *

@@ -351,10 +351,16 @@ void check_enforcement(const Parameters &p, const Effects &effects, Findings &fi
                                " is off; choose on, or Enforcement = penalty.");
   if (enforcement == parameters::Enforcement::exact)
     for (unsigned int i = 0; i < p.drive.sprockets.list.size(); ++i)
-      findings.contradiction(
-          effects.is_on(Effect::elastic_sprocket, i),
-          entry + " is for rigid teeth, but those of the " + p.drive.sprockets.list[i].in_words() +
-              " are elastic; choose Model/Elastic sprockets = off, or Enforcement = exact joints.");
+      {
+        const Sprocket &sprocket = p.drive.sprockets.list[i];
+        const Decision &elastic  = effects.of(Effect::elastic_sprocket, i);
+        findings.contradiction(elastic.on,
+                               entry + " is" + for_rigid_teeth(sprocket, elastic) +
+                                   ", or Enforcement = exact joints.");
+        findings.contradiction(!sprocket.mesh.empty(),
+                               entry + " is for teeth of arcs, but the " + sprocket.in_words() +
+                                   " has the flanks of its mesh; choose Enforcement = exact joints.");
+      }
   constexpr double least = 110e3; // Hz
   findings.contradiction(
       p.reduction.modes_up_to < least,

@@ -206,9 +206,11 @@ def models():
     yield ("but Model/Elastic links = region of interest; choose all, or Enforcement = penalty",
            {**REDUCED, exact: "exact joints", modes: 120, M + "Elastic links": "region of interest", END: 3, WINDOW: 1},
            [{M + "Elastic links": "all"}, {exact: "penalty"}])
-    yield ("is for rigid teeth, but those of the .* are elastic; choose Model/Elastic sprockets = off, or Enforcement = exact joints",
+    yield (r"is for rigid teeth, but those of the .* are elastic \(.*\); choose Model/Elastic sprockets = off, or Enforcement = exact joints",
            {**REDUCED, exact: "exact", modes: 120, M + "Elastic sprockets": "on"},
            [{M + "Elastic sprockets": "off"}, {exact: "exact joints"}])
+    yield ("has the flanks of its mesh; choose Enforcement = exact joints",
+           {**REDUCED, exact: "exact", modes: 120, S + "Driver mesh": MESH}, [{exact: "exact joints"}])
     yield ("Plate faces = on is for elastic bodies: .* has none; choose off", {K + "Plate faces": "on"}, [{K + "Plate faces": "off"}])
     yield (none, {M + "Elastic sprockets": "on"}, [{M + "Elastic sprockets": "auto"}, {M + "Elastic sprockets": "off"}])
     yield ("in which no link is elastic; choose all, or Fidelity = full", {**SMALL, M + "Elastic links": "region of interest", END: 3, WINDOW: 1},
