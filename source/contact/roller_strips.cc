@@ -15,7 +15,8 @@ namespace
 {
 using dealii::numbers::PI;
 
-constexpr double reach       = 20e-6; // m: strips with a wider gap cannot touch now
+constexpr double reach       = 20e-6; // m: modes do not bring strips nearer than that
+constexpr double margin      = 8e-6;  // m: beyond the largest overlap, to what deflections close
 constexpr double near_centre = 1e-4;  // m: nor does a roller whose circle is so far away
 
 /// What the rollers of @p teeth deflect outside without inertia; null if none of them does.
@@ -268,7 +269,7 @@ void RollerStrips::lay_strips(const World &world, const unsigned int i)
           strip.gap += 0.5 * distance;
           mean += 0.5 / distance * arm;
         }
-      if (strip.gap > 2. * reach) // modes do not bring it so near
+      if (strip.gap > 2. * reach)
         continue;
       const dealii::Tensor<1, 2> arm = place.middle - in_gap;
       strip.distance                 = arm.norm();
@@ -313,6 +314,7 @@ void RollerStrips::list_unknowns(const World &world, const unsigned int i)
     is_displaced_[column] = 1;
   };
   roller.turning.clear();
+  candidates_.clear();
   for (unsigned int s = 0; s < roller.strips.size(); ++s)
     {
       const Strip &strip = roller.strips[s];
@@ -332,16 +334,24 @@ void RollerStrips::list_unknowns(const World &world, const unsigned int i)
               moved += strip.weight[k] * u;
               more += strip.slope[k] * u;
             }
-          const double gap = strip.gap - moved * strip.direction;
-          if (gap > reach)
-            continue;
-          problem.unknown.push_back(s * n_rings + r);
-          problem.direction.push_back(direction);
-          problem.gap.push_back(gap);
-          problem.force.push_back(roller.force[s * n_rings + r]);
-          roller.turning.push_back(more * strip.direction + moved * round);
+          candidates_.push_back({s * n_rings + r,
+                                 direction,
+                                 strip.gap - moved * strip.direction,
+                                 more * strip.direction + moved * round});
         }
     }
+  double overlap = 0.;
+  for (const Candidate &candidate : candidates_)
+    overlap = std::max(overlap, -candidate.gap);
+  for (const Candidate &candidate : candidates_)
+    if (candidate.gap < margin + overlap)
+      {
+        problem.unknown.push_back(candidate.unknown);
+        problem.direction.push_back(candidate.direction);
+        problem.gap.push_back(candidate.gap);
+        problem.force.push_back(roller.force[candidate.unknown]);
+        roller.turning.push_back(candidate.turning);
+      }
 }
 
 void RollerStrips::measure(const World &world, const unsigned int i)

@@ -12,7 +12,7 @@ using dealii::Tensor;
 using drive::ToothForm;
 
 // over the radius of a roller
-constexpr double narrow = 0.025, wide = 0.09, growth = 0.25;
+constexpr double narrow = 0.0125, wide = 0.09, growth = 0.25;
 constexpr double beyond = 0.2; ///< the middle of a tooth
 
 /// The point of the half profile @p length [m] from the bottom of the gap; it goes on beyond the

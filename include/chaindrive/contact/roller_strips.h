@@ -83,6 +83,14 @@ private:
     std::array<double, n_weights>       weight, slope; ///< and by how much more per radian
   };
 
+  /// A strip and ring that may touch.
+  struct Candidate
+  {
+    unsigned int unknown;
+    double       direction, gap; ///< as in StripProblem
+    double       turning;        ///< by how much modes move it per radian, m
+  };
+
   /// What presses a roller.
   struct Pressed
   {
@@ -138,6 +146,7 @@ private:
   std::vector<Roller>                     rollers_;
   std::vector<dealii::Tensor<1, 3>>       displacement_; ///< room, [ring][column], m
   std::vector<char>                       is_displaced_; ///< what is known of that, [column]
+  std::vector<Candidate>                  candidates_;   ///< room
   ClosedWindow                            window_;
   scene::ContactLaw                       friction_; ///< of a whole roller
 };
