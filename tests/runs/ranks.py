@@ -46,6 +46,11 @@ CASES = {
         "Contact/Enforcement": "exact joints",
         "Reduction/Modes up to in kHz": 120,
     },
+    "exact": {
+        "Model/Fidelity": "reduced",
+        "Contact/Enforcement": "exact",
+        "Reduction/Modes up to in kHz": 120,
+    },
     "mixed": {"Model/Elastic links": "region of interest", "Model/Other links": "reduced", "Model/Symmetry model": "true"},
     "settled-reduced": {"Model/Fidelity": "reduced", "Drive/Layout/Start": "settled", "Loads/Resisting torque in N m": 30},
     "settled": {

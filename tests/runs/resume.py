@@ -2,8 +2,9 @@
 """resume.py CASE PROGRAM REPOSITORY: runs that are interrupted and go on. Every case ends by comparing all
 results with those of a run that nobody disturbed: histories, pictures, lists and summary, byte by byte.
 
-  same FIDELITY     A to C is A to B to C, by a greater end time; simple, layered, reduced, full, full2 on two ranks, or
-                    mixed, elastic rollers on rigid links; from a settled start with the word `settled`
+  same FIDELITY     A to C is A to B to C, by a greater end time; simple, layered, reduced, exact, reduced and without
+                    penalty, full, full2 on two ranks, or mixed, elastic rollers on rigid links; from a settled start with
+                    the word `settled`
   ranks             a checkpoint of two ranks is read by one and the other way round: equal to round-off
   stop              SIGTERM, SIGINT and the wall-clock limit: a checkpoint, status 4, and what to do next; a signal before the
                     first step
@@ -63,16 +64,16 @@ FULL = {
 
 
 MIXED = {"Effects/Elastic driver": "off", "Effects/Elastic driven": "off", "Effects/Elastic links": "off"}
-ELASTIC = ("full", "reduced", "mixed")
+EXACT = {"Contact/Enforcement": "exact", "Reduction/Modes up to in kHz": 120}
+ELASTIC = ("full", "reduced", "mixed", "exact")
 
 
 def drive(fidelity, **more):
     """Entries of a small drive."""
     entries = dict(DRIVE)
     entries.update(FULL if fidelity in ELASTIC else RIGID)
-    entries["Model/Fidelity"] = "full" if fidelity == "mixed" else fidelity
-    if fidelity == "mixed":
-        entries.update(MIXED)
+    entries["Model/Fidelity"] = {"mixed": "full", "exact": "reduced"}.get(fidelity, fidelity)
+    entries.update({"mixed": MIXED, "exact": EXACT}.get(fidelity, {}))
     entries.update(more)
     return entries
 
