@@ -105,18 +105,17 @@ part_bases(const Parameters &parameters, const MPI_Comm comm, const Announce &an
     if (!basis)
       {
         statics::Cache cache(statics::Cache::usual_folder());
-        basis = std::make_shared<const reduction::Basis>(
-            reduction::kept_basis(part,
-                                  parameters.material,
-                                  parameters.elements,
-                                  reduction::options_of(parameters.reduction,
-                                                        parameters.contact.enforcement ==
-                                                            parameters::Enforcement::penalty,
-                                                        parameters.contact.enforcement !=
-                                                            parameters::Enforcement::exact),
-                                  cache,
-                                  comm,
-                                  announce));
+        basis = std::make_shared<const reduction::Basis>(reduction::kept_basis(
+            part,
+            parameters.material,
+            parameters.elements,
+            reduction::options_of(parameters.reduction,
+                                  parameters.contact.enforcement ==
+                                      parameters::Enforcement::penalty,
+                                  parameters.contact.enforcement != parameters::Enforcement::exact),
+            cache,
+            comm,
+            announce));
       }
     return basis;
   };

@@ -142,8 +142,8 @@ void JointBatch::couple(const int              lane,
 
 double JointBatch::column_angle(const int lane, const unsigned int place) const
 {
-  return exact_->coupled[lane].angle + 2. * dealii::numbers::PI * (window_.first[lane] + place) /
-                                           grid_.slave_circumferential;
+  return exact_->coupled[lane].angle +
+         2. * dealii::numbers::PI * (window_.first[lane] + place) / grid_.slave_circumferential;
 }
 
 ComplementarityProblem JointBatch::problem_of(const int                       lane,
@@ -212,12 +212,11 @@ double JointBatch::take_strips(const int lane, const unsigned int n)
   for (unsigned int a = 0; a < strips->n(); ++a)
     if (strips->force[a] > 0.)
       for (unsigned int b = 0; b < set.number.size(); ++b)
-        strips->couple[a] +=
-            strips->force[a] * set.pressure[b] *
-            e.coupled[lane].wall->slope(strips->unknown[a],
-                                        column_angle(lane, set.number[b] / n_rings) -
-                                            strips->direction[a],
-                                        set.number[b] % n_rings);
+        strips->couple[a] += strips->force[a] * set.pressure[b] *
+                             e.coupled[lane].wall->slope(
+                                 strips->unknown[a],
+                                 column_angle(lane, set.number[b] / n_rings) - strips->direction[a],
+                                 set.number[b] % n_rings);
   return stored;
 }
 

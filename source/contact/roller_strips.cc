@@ -16,7 +16,7 @@ namespace
 using dealii::numbers::PI;
 
 constexpr double reach       = 20e-6; // m: modes do not bring strips nearer than that
-constexpr double margin      = 8e-6;  // m: beyond the largest overlap, to what deflections close
+constexpr double margin      = 8e-6;  // m: beyond the largest penetration, what deflections close
 constexpr double near_centre = 1e-4;  // m: nor does a roller whose circle is so far away
 
 /// What the rollers of @p teeth deflect outside without inertia; null if none of them does.
@@ -78,8 +78,7 @@ std::array<double, 4> cubic_slopes(const double t)
 }
 
 /// @p direction turned by a right angle about the @p axis, both unit vectors.
-dealii::Tensor<1, 3> turned(const dealii::Tensor<1, 3> &axis,
-                            const dealii::Tensor<1, 3> &direction)
+dealii::Tensor<1, 3> turned(const dealii::Tensor<1, 3> &axis, const dealii::Tensor<1, 3> &direction)
 {
   return dealii::cross_product_3d(axis, direction);
 }
@@ -239,17 +238,17 @@ std::size_t RollerStrips::node(const World       &world,
 
 void RollerStrips::lay_strips(const World &world, const unsigned int i)
 {
-  Roller              &roller = rollers_[i];
-  const Frame         &frame = world.frames[pairs_[i].slave.body], &hub = world.frames[flanks_->body()];
-  const unsigned int   n      = window_.n_columns;
-  const auto           centre = dealii::transpose(hub.rotation) * (frame.position - hub.position);
-  const auto          &turn =
+  Roller      &roller = rollers_[i];
+  const Frame &frame = world.frames[pairs_[i].slave.body], &hub = world.frames[flanks_->body()];
+  const unsigned int n      = window_.n_columns;
+  const auto         centre = dealii::transpose(hub.rotation) * (frame.position - hub.position);
+  const auto        &turn =
       (form_->shifted.empty() ? form_->rotations : form_->shifted)[roller.touch.feature];
   // the centre in the frame of gap 0, and back
   dealii::Tensor<1, 2> in_gap;
-  in_gap[0]            = turn[0] * centre[0] + turn[1] * centre[1];
-  in_gap[1]            = turn[0] * centre[1] - turn[1] * centre[0];
-  const auto in_world  = [&](const dealii::Tensor<1, 2> &v) {
+  in_gap[0]           = turn[0] * centre[0] + turn[1] * centre[1];
+  in_gap[1]           = turn[0] * centre[1] - turn[1] * centre[0];
+  const auto in_world = [&](const dealii::Tensor<1, 2> &v) {
     dealii::Tensor<1, 3> in_hub;
     in_hub[0] = turn[0] * v[0] - turn[1] * v[1];
     in_hub[1] = turn[1] * v[0] + turn[0] * v[1];
@@ -295,7 +294,7 @@ void RollerStrips::list_unknowns(const World &world, const unsigned int i)
   StripProblem              &problem = roller.problem;
   const Frame               &frame   = world.frames[pairs_[i].slave.body];
   const dealii::Tensor<1, 3> z       = axis_of(world.frames[flanks_->body()], 2);
-  dealii::Tensor<1, 3>       tilt = axis_of(frame, 2); // of a ring's centre per length of axis
+  dealii::Tensor<1, 3>       tilt    = axis_of(frame, 2); // of a ring's centre per length of axis
   tilt -= (tilt * z) * z;
 
   const BodyBatches &copies  = world.copies[group_];
@@ -323,8 +322,8 @@ void RollerStrips::list_unknowns(const World &world, const unsigned int i)
       for (const unsigned int column : strip.column)
         if (is_displaced_[column] == 0)
           find_displacements(column);
-      const dealii::Tensor<1, 3> round = turned(z, strip.direction);
-      const double direction           = std::atan2(strip.direction[1], strip.direction[0]);
+      const dealii::Tensor<1, 3> round     = turned(z, strip.direction);
+      const double               direction = std::atan2(strip.direction[1], strip.direction[0]);
       for (unsigned int r = 0; r < n_rings; ++r)
         {
           dealii::Tensor<1, 3> moved = outside_.rings[flexibility_->rings()[r]] * tilt, more;
@@ -340,11 +339,11 @@ void RollerStrips::list_unknowns(const World &world, const unsigned int i)
                                  more * strip.direction + moved * round});
         }
     }
-  double overlap = 0.;
+  double penetration = 0.;
   for (const Candidate &candidate : candidates_)
-    overlap = std::max(overlap, -candidate.gap);
+    penetration = std::max(penetration, -candidate.gap);
   for (const Candidate &candidate : candidates_)
-    if (candidate.gap < margin + overlap)
+    if (candidate.gap < margin + penetration)
       {
         problem.unknown.push_back(candidate.unknown);
         problem.direction.push_back(candidate.direction);
@@ -363,7 +362,7 @@ void RollerStrips::measure(const World &world, const unsigned int i)
   const double        beyond = 4. * radius_;
   Surface::Projection none;
   unsigned int        hint = mesh::Projection::no_facet;
-  roller.touch = flanks_->project(world, frame.position, beyond, 2. * radius_, hint, none);
+  roller.touch    = flanks_->project(world, frame.position, beyond, 2. * radius_, hint, none);
   records_[i].gap = roller.touch.gap < 0. ? roller.touch.gap + beyond - radius_ :
                                             std::numeric_limits<double>::max();
   if (records_[i].gap > near_centre)
@@ -402,35 +401,36 @@ RollerStrips::Pressed RollerStrips::press(World &world, const unsigned int i)
   const StripProblem        &problem = roller.problem;
   const unsigned int         body = pairs_[i].slave.body, hub = flanks_->body();
   const unsigned int         n_rings = flexibility_->n_rings();
-  const dealii::Tensor<1, 3> z = axis_of(world.frames[hub], 2), centre = world.frames[body].position;
-  Pressed                    pressed;
-  double                     through_wall = 0.; // couple on the bush
+  const dealii::Tensor<1, 3> z       = axis_of(world.frames[hub], 2),
+                             centre  = world.frames[body].position;
+  Pressed pressed;
+  double  through_wall = 0.; // couple on the bush
   std::fill(roller.force.begin(), roller.force.end(), 0.);
   for (unsigned int a = 0; a < problem.n(); ++a)
     if (problem.force[a] > 0.)
       {
-        const Strip &strip                   = roller.strips[problem.unknown[a] / n_rings];
-        const double force                   = problem.force[a];
-        roller.force[problem.unknown[a]]     = force;
+        const Strip &strip               = roller.strips[problem.unknown[a] / n_rings];
+        const double force               = problem.force[a];
+        roller.force[problem.unknown[a]] = force;
         pressed.sum += force;
         pressed.deepest = std::max(pressed.deepest, -problem.gap[a]);
         // by a turn of the strip about the centre
         const double of_modes = -force * roller.turning[a], of_wall = problem.couple[a];
         pressed.couple -= of_modes;
         through_wall -= of_wall;
-        pressed.force -= force * strip.mean + (of_modes + of_wall) / strip.distance *
-                                                  turned(z, strip.direction);
+        pressed.force -=
+            force * strip.mean + (of_modes + of_wall) / strip.distance * turned(z, strip.direction);
       }
   if (!(pressed.sum > 0.))
     return pressed;
 
   const BodyBatches   &copies = world.copies[group_];
-  const NodeView       at = NodeView(copies.position);
+  const NodeView       at     = NodeView(copies.position);
   const NodeView       force_on(world.copies[group_].force);
   dealii::Tensor<1, 3> of_nodes; // the couple of what acts on them
   for_each_node(i,
-                [&](const Strip &strip,
-                    const double force,
+                [&](const Strip       &strip,
+                    const double       force,
                     const unsigned int ring,
                     const unsigned int column) {
                   const std::size_t          n = node(world, i, ring, column);
@@ -458,18 +458,19 @@ void RollerStrips::add_friction(World             &world,
 {
   if (!(pressed.sum > 0. || states_[i].normal > 0.))
     return;
-  const BodyBatches &copies = world.copies[group_];
-  const NodeView     at = NodeView(copies.position), velocity = NodeView(copies.velocity);
-  const unsigned int body = pairs_[i].slave.body, hub = flanks_->body();
-  const dealii::Tensor<1, 3> z = axis_of(world.frames[hub], 2);
+  const BodyBatches         &copies = world.copies[group_];
+  const NodeView             at = NodeView(copies.position), velocity = NodeView(copies.velocity);
+  const unsigned int         body = pairs_[i].slave.body, hub = flanks_->body();
+  const dealii::Tensor<1, 3> z            = axis_of(world.frames[hub], 2);
   double                     slip_rate[2] = {0., 0.};
   for_each_node(i,
-                [&](const Strip &strip,
-                    const double force,
+                [&](const Strip       &strip,
+                    const double       force,
                     const unsigned int ring,
                     const unsigned int column) {
                   const std::size_t          n = node(world, i, ring, column);
-                  const dealii::Tensor<1, 3> v = velocity[n] - world.velocity_at(hub, at[n], 0.5 * dt);
+                  const dealii::Tensor<1, 3> v =
+                      velocity[n] - world.velocity_at(hub, at[n], 0.5 * dt);
                   slip_rate[0] -= force / pressed.sum * (v * turned(z, strip.direction));
                   slip_rate[1] += force / pressed.sum * (v * z);
                 });
@@ -485,8 +486,8 @@ void RollerStrips::add_friction(World             &world,
   const NodeView       force_on(world.copies[group_].force);
   dealii::Tensor<1, 3> sum;
   for_each_node(i,
-                [&](const Strip &strip,
-                    const double force,
+                [&](const Strip       &strip,
+                    const double       force,
                     const unsigned int ring,
                     const unsigned int column) {
                   const std::size_t          n = node(world, i, ring, column);
@@ -506,9 +507,9 @@ void RollerStrips::finish_forces(World &world, const double dt)
 {
   for (const unsigned int i : own_)
     {
-      Record             &record  = records_[i];
-      Pressed             pressed = press(world, i);
-      const dealii::Tensor<1, 3> normal = pressed.force;
+      Record                    &record  = records_[i];
+      Pressed                    pressed = press(world, i);
+      const dealii::Tensor<1, 3> normal  = pressed.force;
       add_friction(world, dt, i, pressed);
       record.force = world.symmetry.whole_force(pressed.force);
       if (!(pressed.sum > 0.))

@@ -61,8 +61,7 @@ public:
     double series = 0.;
     for (unsigned int m = n_terms; m-- > 0;)
       series = (series + term_[m]) * square / (4. * PI * PI);
-    double sum =
-        zeta_3 + (x > 0. ? square * (0.5 * std::log(x) - 0.75) : 0.) - square * series;
+    double sum    = zeta_3 + (x > 0. ? square * (0.5 * std::log(x) - 0.75) : 0.) - square * series;
     double before = 1., cosine = std::cos(x);
     for (unsigned int k = 1; k < first_; ++k)
       {
@@ -210,12 +209,12 @@ WallFlexibility::WallFlexibility(const reduction::RoundFlexibility &outside,
           table_.resize(first + n_joint_rings_, 0.);
           for (unsigned int k = 0; k <= n_columns / 2; ++k)
             {
-              const double part =
-                  mean_over_strip(k, w) * std::cos(k * PI * a / (n_angles_ - 1));
+              const double part = mean_over_strip(k, w) * std::cos(k * PI * a / (n_angles_ - 1));
               for (unsigned int q = 0; q < n_joint_rings_; ++q)
                 {
                   const JointFlexibility::Place &place = joint.places()[q];
-                  const double *of_ring = &harmonics[k * all + std::size_t(r) * n_bore + place.first];
+                  const double                  *of_ring =
+                      &harmonics[k * all + std::size_t(r) * n_bore + place.first];
                   table_[first + q] +=
                       part * ((1. - place.part) * of_ring[0] + place.part * of_ring[1]);
                 }

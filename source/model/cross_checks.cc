@@ -357,9 +357,10 @@ void check_enforcement(const Parameters &p, const Effects &effects, Findings &fi
         findings.contradiction(elastic.on,
                                entry + " is" + for_rigid_teeth(sprocket, elastic) +
                                    ", or Enforcement = exact joints.");
-        findings.contradiction(!sprocket.mesh.empty(),
-                               entry + " is for teeth of arcs, but the " + sprocket.in_words() +
-                                   " has the flanks of its mesh; choose Enforcement = exact joints.");
+        findings.contradiction(
+            !sprocket.mesh.empty(),
+            entry + " is for teeth of arcs, but the " + sprocket.in_words() +
+                " has the flanks of its mesh; choose Enforcement = exact joints.");
       }
   constexpr double least = 110e3; // Hz
   findings.contradiction(

@@ -82,9 +82,8 @@ void Contact::declare(Declarations &declarations)
       "at all, and their walls deflect as their meshes do, so that links stretch as in static "
       "solutions. What natural modes (Reduction/Modes up to in kHz, at least 110) lack of that "
       "flexibility has no inertia; joints have no contact damping. Rollers and teeth touch by "
-      "penalty. exact: rollers and rigid teeth do not overlap either; they touch in strips about "
-      "the "
-      "normal through the roller's centre, wherever the nodes of its mesh are.");
+      "penalty. exact: rollers and rigid teeth of arcs do not overlap either; they touch in narrow "
+      "strips of the teeth, wherever the nodes of the rollers' meshes are.");
   add(declarations,
       "Penalty factor",
       penalty_factor,

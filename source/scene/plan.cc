@@ -144,7 +144,7 @@ void print_plan(std::ostream &out, const Scene &scene)
         << teeth.name
         << " (those near the sprocket are looked at): " << law_text(teeth.law, teeth.elastic)
         << (!teeth.elastic         ? "" :
-            is_exact(scene, teeth) ? ", without penalty: in strips about the normal" :
+            is_exact(scene, teeth) ? ", without penalty: in strips of the profile" :
                                      columns_text(scene, teeth))
         << '\n';
   for (const GuideFamily &guide : scene.guides)

@@ -149,11 +149,10 @@ public:
     });
     if (through != windows_.end() && windows_.size() == 2)
       {
-        // Round outside and inside: how far apart the directions are is all that counts. A roller
-        // is light, so that forces that close wide windows balance on it: they face each other.
+        // round outside and inside: how far apart the directions are is all that counts
         const ClosedWindow *inside = windows_[through == windows_.begin() ? 1 : 0];
         ways_.emplace_back();
-        for (const unsigned int i : {0u, 1u, n_directions - 1})
+        for (unsigned int i = 0; i < n_directions; ++i)
           ways_.back().push_back(held_by(bodies_, {{*through, 0}, {inside, i}}));
         return;
       }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A reduced roller between a tooth and the bush of a link, none of which have a penalty. In seat, on
-// flank and at the transition forces are the derivatives of the energy, and no work is done round
-// closed paths. Pressed by 300 to 4500 N near the end of the seat the bush comes as near to the hub
-// as room statics says, which has other elements, meshes and a solution of its own, within 4 %,
-// wherever nodes are round the roller; on the flank it is alike at any such phase. Forces on all
-// bodies cancel in sum and moment. Impacts of a roller that spins keep their energy, with friction
-// and without.
+// A reduced roller between a tooth and the bush of a link, none of which have a penalty. In seat,
+// on flank and at the transition forces are the derivatives of the energy, and no work is done
+// round closed paths. Pressed by 300 to 4500 N near the end of the seat the bush comes as near to
+// the hub as room statics says, which has other elements, meshes and a solution of its own, within
+// 4 %, wherever nodes are round the roller; on the flank it is alike at any such phase. Forces on
+// all bodies cancel in sum and moment. Impacts of a roller that spins keep their energy, with
+// friction and without.
 #include "../support/blow_up.h"
 #include "../support/tooth.h"
 
@@ -61,7 +61,7 @@ touch(const drive::ToothForm &form, const double radius, const Place place)
     {
       const double angle =
           dealii::numbers::PI - (place == Place::seat ? statics::seat_end(form) : 0.);
-      const auto   out   = vector(std::cos(angle), std::sin(angle));
+      const auto out = vector(std::cos(angle), std::sin(angle));
       return {vector(seat.centre[0], seat.centre[1]) + (seat.radius - radius) * out, -out};
     }
   const double r   = 0.5 * form.root_diameter + radius + 3e-3; // 3 mm above the bottom
@@ -300,9 +300,9 @@ std::array<double, 2> gradient_errors(const Place place)
       for (const unsigned int body : {0u, 1u, 2u})
         for (const unsigned int d : {0u, 1u, 2u})
           {
-            const double h     = d < 2 ? 1e-8 : 2e-7,
-                         slope = (evaluate(body, d, -h).first - evaluate(body, d, h).first) /
-                                 (2. * h);
+            const double h = d < 2 ? 1e-8 : 2e-7,
+                         slope =
+                             (evaluate(body, d, -h).first - evaluate(body, d, h).first) / (2. * h);
             const double force = evaluate(body, d, 0.).second;
             if (with_numbers)
               std::cerr << 1e6 * across << " um, body " << body << ", direction " << d << ": "

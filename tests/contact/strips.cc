@@ -5,11 +5,11 @@
 // On flats and convex flanks it is Hertz' line contact: with the load q per length, E' = E / (1 -
 // nu^2), the relative radius R and the half width b = sqrt(8 q R / (pi E')), an ellipse of pressure
 // of the half angle h = b / r about the axis has harmonics of 2 J1(k h) / (k h), so that disc and
-// tooth deflect at its middle by the sums of their harmonics with these. In the seat, 1 % wider than
-// the disc, peaks of pressure are those of a pin in a hole [Persson 1964], from where three strips
-// touch on; a tooth has no waves that are longer than a quarter of the round, and a hole has. It is
-// so wherever on the strips the middle of the contact is. A strip whose middle the disc misses by
-// half of its width h meets it later by h^2 / 8 R.
+// tooth deflect at its middle by the sums of their harmonics with these. In the seat, 1 % wider
+// than the disc, peaks of pressure are those of a pin in a hole [Persson 1964], from where three
+// strips touch on; a tooth has no waves that are longer than a quarter of the round, and a hole
+// has. It is so wherever on the strips the middle of the contact is. A strip whose middle the disc
+// misses by half of its width h meets it later by h^2 / 8 R.
 #include "../support/scenes.h"
 
 #include <chaindrive/contact/tooth_strips.h>
@@ -105,7 +105,7 @@ std::pair<double, double> at_load(const contact::StripFlexibility &strips,
   double low = 0., high = 1e-3;
   for (unsigned int i = 0; i < 50; ++i)
     {
-      const double approach = 0.5 * (low + high);
+      const double approach                                                 = 0.5 * (low + high);
       (press(strips, middle, curvature, approach).load < load ? low : high) = approach;
     }
   return {high, press(strips, middle, curvature, high).peak};
@@ -121,9 +121,10 @@ double approach_of_hertz(const Material &steel, const double curvature, const do
     {
       const double x = k * half, mean = 2. * dealii::std_cxx17::cyl_bessel_j(1., x) / x;
       // beyond the mesh's waves a disc is a half-space
-      const double of_roller = k <= n_columns / 2 ?
-                                   std::max(of_disc(steel, k), k >= n_columns / 4 ? of_half_space(steel, k) : 0.) :
-                                   of_half_space(steel, k);
+      const double of_roller =
+          k <= n_columns / 2 ?
+              std::max(of_disc(steel, k), k >= n_columns / 4 ? of_half_space(steel, k) : 0.) :
+              of_half_space(steel, k);
       sum += q * mean * (of_roller + (k < first_of_tooth ? 0. : of_half_space(steel, k)));
     }
   return sum;
@@ -140,19 +141,18 @@ void check(const std::string &where, const bool within, const double error)
 int main(int argc, char ** /*argv*/)
 {
   with_numbers = argc > 1;
-  const Material steel;
-  const auto     chain = drive::make_chain(parameters::Chain());
+  const Material        steel;
+  const auto            chain = drive::make_chain(parameters::Chain());
   parameters::Sprockets sprockets;
-  sprockets.driver().outside_diameter = 81.8e-3;
+  sprockets.driver().outside_diameter  = 81.8e-3;
   const drive::ToothForm          form = drive::make_tooth_form(15, chain, sprockets, 0);
   const contact::ToothStrips      profile(form, R);
   const contact::StripGrid       &grid = profile.grid();
-  const contact::StripFlexibility strips(
-      disc(steel), grid, {0}, {length}, steel, {1e20, 0.2});
+  const contact::StripFlexibility strips(disc(steel), grid, {0}, {length}, steel, {1e20, 0.2});
 
   // on the flank, in the middle of a strip and where two meet
-  const unsigned int   on_flank = grid.size() * 4 / 5;
-  const double         middle = grid.middle[on_flank], end = middle + grid.half_width[on_flank];
+  const unsigned int on_flank = grid.size() * 4 / 5;
+  const double       middle = grid.middle[on_flank], end = middle + grid.half_width[on_flank];
   for (const double radius : {1e3, form.flank_radius})
     {
       std::cout << (radius > 1. ? "a flat" : "a convex flank") << '\n';
@@ -177,14 +177,16 @@ int main(int argc, char ** /*argv*/)
   const double play = form.seat_radius - R, curvature = 1. / R - 1. / form.seat_radius;
   for (const double load : {100., 500., 1412., 5000.})
     {
-      const auto   hole  = drive::conforming_contact(R, play, load / length, steel);
-      double       worst = 0., least = 1., most = 0.;
-      for (const double at : {0., grid.half_width[grid.size() / 2], 2. * grid.half_width[grid.size() / 2], 0.5, 0.57})
+      const auto hole  = drive::conforming_contact(R, play, load / length, steel);
+      double     worst = 0., least = 1., most = 0.;
+      for (const double at :
+           {0., grid.half_width[grid.size() / 2], 2. * grid.half_width[grid.size() / 2], 0.5, 0.57})
         {
           const auto found = at_load(strips, at, curvature, load);
           if (with_numbers)
-            std::cerr << load << " N at " << at << " rad, half angle " << hole.half_angle << ": peak "
-                      << found.second / hole.peak_pressure << ", approach " << 1e6 * found.first << '\n';
+            std::cerr << load << " N at " << at << " rad, half angle " << hole.half_angle
+                      << ": peak " << found.second / hole.peak_pressure << ", approach "
+                      << 1e6 * found.first << '\n';
           worst = std::max(worst, std::abs(found.second / hole.peak_pressure - 1.));
           least = std::min(least, found.first);
           most  = std::max(most, found.first);

@@ -75,11 +75,11 @@ private:
   /// Where a strip is now, seen from the centre of a roller.
   struct Strip
   {
-    double                              gap;       ///< of a round roller, m
-    double                              distance;  ///< of its middle, m
-    dealii::Tensor<1, 3>                direction; ///< of that, unit
-    dealii::Tensor<1, 3>                mean;      ///< of the directions of its points
-    std::array<unsigned int, n_weights> column;    ///< of nodes
+    double                              gap;           ///< of a round roller, m
+    double                              distance;      ///< of its middle, m
+    dealii::Tensor<1, 3>                direction;     ///< of that, unit
+    dealii::Tensor<1, 3>                mean;          ///< of the directions of its points
+    std::array<unsigned int, n_weights> column;        ///< of nodes
     std::array<double, n_weights>       weight, slope; ///< and by how much more per radian
   };
 
@@ -102,8 +102,8 @@ private:
   struct Roller
   {
     StripProblem        problem;
-    std::vector<double> force; ///< of all strips and rings, N: what touched last
-    std::vector<Strip>  strips; ///< of the gap that its centre is nearest to
+    std::vector<double> force;   ///< of all strips and rings, N: what touched last
+    std::vector<Strip>  strips;  ///< of the gap that its centre is nearest to
     std::vector<double> turning; ///< of each unknown, by how much modes move it per radian, m
     Touch               touch;   ///< of its centre
   };

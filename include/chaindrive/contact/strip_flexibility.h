@@ -71,8 +71,7 @@ private:
                      const Factor              &factor);
 
   /// Adds @p factor / k for all harmonics from @p first on.
-  void
-  add_short_waves(unsigned int first, const std::vector<double> &lengths, double factor);
+  void add_short_waves(unsigned int first, const std::vector<double> &lengths, double factor);
 
   /// Adds sums of a @p value(a, b) for each pair of strips over the length of a ring.
   template <typename Value>

@@ -143,8 +143,8 @@ struct ToothFamily
   bool                                      elastic = false; ///< the slaves are elastic bodies
   unsigned int slave_surface = 0; ///< of elastic slaves: the side of their mesh that touches
   std::vector<SlavePoint> slaves;
-  double tooth_stiffness = 0.; ///< of a rigid sprocket's tooth and rim behind the contact with an
-                               ///< elastic slave, N/m; 0: they do not deflect
+  double tooth_stiffness = 0.;   ///< of a rigid sprocket's tooth and rim behind the contact with an
+                                 ///< elastic slave, N/m; 0: they do not deflect
   double loaded_half_angle = 0.; ///< of the contact in the seat where it is that, rad
   double half_angle = right_angle; ///< up to which round slaves touch under the largest forces, rad
 };
