@@ -9,11 +9,13 @@
 
 namespace test
 {
-/// The smallest of the tried shares of the limit with which the disturbed vibration of @p scene
-/// grows a thousandfold, 2 if none. Before, @p settling steps bring it to rest; with the first
-/// share it makes @p steps, with others 1000.
-inline double
-blow_up(const scene::Scene &scene, const unsigned long settling, const unsigned long steps)
+/// The smallest of the tried shares of the limit, up to a @p last one, with which the disturbed
+/// vibration of @p scene grows a thousandfold, 2 if none. Before, @p settling steps bring it to
+/// rest; with the first share it makes @p steps, with others 1000.
+inline double blow_up(const scene::Scene &scene,
+                      const unsigned long settling,
+                      const unsigned long steps,
+                      const double        last = 2.)
 {
   dynamics::System                       system(scene, false);
   const double                           limit = system.critical_time_step();
@@ -22,7 +24,7 @@ blow_up(const scene::Scene &scene, const unsigned long settling, const unsigned 
   advance(system, settling, 0.8 * limit, []() {});
   const double at_rest = system.world.ledger.kinetic;
   double       first   = 0.; // energy of the disturbance
-  for (double share = 0.98; share < 2.; share += 0.02)
+  for (double share = 0.98; share < last; share += 0.02)
     {
       for (const auto &group : system.world.groups.all())
         if (auto *reduced = dynamic_cast<ReducedBodies *>(group))
