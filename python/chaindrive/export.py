@@ -42,7 +42,8 @@ def as_csv(run: Run, folder: str | os.PathLike[str] | None = None) -> list[pathl
     n_samples = len(run.time)
     groups: dict[str, list[str]] = {}
     for path in run.histories.index:
-        if "/" in path and len(run.dataset(path)) >= n_samples and run.dataset(path).ndim <= 2:
+        history = run.dataset(path)
+        if "/" in path and history.ndim in (1, 2) and len(history) >= n_samples and np.issubdtype(history.dtype, np.floating):
             groups.setdefault(path.split("/")[0], []).append(path)
     if not groups:
         raise RunError(f"The run in '{run.folder}' has no histories; Output/Quantities asks for them.")
@@ -144,7 +145,8 @@ def loop(time: Array, pressure: Array, periods: int, highest: float, seconds: fl
 
     `time`, s, evenly spaced, and `pressure` are the record of so many `periods`. Its end would not go over into its
     beginning without a click. The loop has one pitch time less, and in the first tenth of its first one the beginning
-    of the one that is left out fades out while it fades in itself (a single pitch time is repeated as it is). Frequencies above `highest`, Hz, are left out.
+    of the one that is left out fades out while it fades in itself (a single pitch time is repeated as it is).
+    Frequencies above `highest`, Hz, are left out.
     RunError for a record without two samples in a pitch time.
     """
     period = len(pressure) // periods
@@ -185,14 +187,14 @@ def main() -> int:
     words = parser.parse_args()
     try:
         files, line = _export(words)
+        if not words.quiet:
+            print(line, *files, sep="\n", flush=True)
     except RunError as error:
         print(f"chaindrive: {error}", file=sys.stderr)
         return 2
     except OSError as error:
-        print(f"chaindrive: The files cannot be written: {error}.", file=sys.stderr)
+        print(f"chaindrive: The files, or their names, cannot be written: {error}.", file=sys.stderr)
         return 3
-    if not words.quiet:
-        print(line, *files, sep="\n")
     return 0
 
 

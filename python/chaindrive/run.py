@@ -172,8 +172,11 @@ class Run:
                 index, values = file[over][:], file[name][:]
         except (OSError, KeyError) as error:
             raise RunError(f"'{path}' is damaged: {error}.") from None
-        columns = [observer["name"] for observer in self.acoustics["observers"]]
-        frame = pd.DataFrame(values.reshape(len(index), -1), index=pd.Index(index, name=over), columns=columns)
+        try:
+            columns = [observer["name"] for observer in self.acoustics["observers"]]
+            frame = pd.DataFrame(values.reshape(len(index), -1), index=pd.Index(index, name=over), columns=columns)
+        except (KeyError, TypeError, ValueError):
+            raise RunError(f"'{self.folder / 'acoustics.json'}' is damaged, or is not of '{path}': its observers are others.") from None
         frame.attrs = {"unit": "Pa" if name == "pressure" else "Pa2"}
         return frame
 

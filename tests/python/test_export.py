@@ -118,6 +118,9 @@ def test_titles_are_no_formulas():
     ({"periods": "many"}, ["no periods"]),
     ({"periods": 10 ** 6}, ["too short"]),
     ({"highest_frequency": None}, ["no highest_frequency"]),
+    ({"observers": None}, ["acoustics.json", "damaged"]),
+    ({"observers": [1]}, ["acoustics.json", "damaged"]),
+    ({"observers": [{"name": "near"}, {"name": "far"}]}, ["observers are others"]),
 ])
 def test_damaged_noise_is_refused(change, words):
     run = heard("one", {"near": tone(2)}, 2)
@@ -125,6 +128,14 @@ def test_damaged_noise_is_refused(change, words):
     file.write_text(json.dumps({**json.loads(file.read_text()), **change}))
     refused(words, lambda: export.as_wav([run]))
     assert not list(run.folder.glob("*.wav*"))
+
+
+def test_what_is_no_history_is_left_out():
+    run = folder("one", np.linspace(0, 1, 5), {"hubs/angle": (np.ones(5), "rad")})
+    run.close()
+    with h5py.File(run.folder / "histories.h5", "a") as file:
+        file.update({"hubs/scalar": 1.0, "hubs/text": np.array([b"a"] * 5), "hubs/short": np.ones(2)})
+    assert export.as_csv(run)[0].read_text().splitlines()[0] == "time [s],angle [rad]"
 
 
 def test_silence_and_numbers_that_are_none_are_refused():
