@@ -13,13 +13,14 @@ import pathlib
 import re
 import sys
 import wave
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import h5py
 import numpy as np
 
 from chaindrive import comparison
 from chaindrive.errors import RunError
+from chaindrive.files import replacing
 from chaindrive.report.foreign import ForeignRun
 from chaindrive.run import Array, Run
 
@@ -58,15 +59,13 @@ def _group_as_csv(run: Run, file: pathlib.Path, paths: Sequence[str]) -> pathlib
         labels = [name] if run.dataset(path).ndim == 1 else [f"{name} {label}" for label in run.labels(path)]
         titles += [_title(f"{label} [{unit}]") for label in labels]
         columns.append(values)
-
-    def write(part: pathlib.Path) -> None:
-        with open(part, "w", newline="", encoding="utf-8") as out:
-            writer = csv.writer(out, lineterminator="\n")
-            writer.writerow(titles)
-            for row in range(len(run.time)):
-                writer.writerow([_shortest(value) for values in columns for value in values[row]])
-
-    return _replace(file, write)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    with replacing(file) as part, open(part, "w", newline="", encoding="utf-8") as out:
+        writer = csv.writer(out, lineterminator="\n")
+        writer.writerow(titles)
+        for row in range(len(run.time)):
+            writer.writerow([_shortest(value) for values in columns for value in values[row]])
+    return file
 
 
 def _shortest(value: np.floating) -> str:  # type: ignore[type-arg]
@@ -84,18 +83,6 @@ def _title(text: str) -> str:
     """A title that a spreadsheet does not take for a formula."""
     text = re.sub(r"[\x00-\x1f]", " ", text)
     return f"'{text}" if text[:1] in ("=", "+", "-", "@") else text
-
-
-def _replace(file: pathlib.Path, write: Callable[[pathlib.Path], None]) -> pathlib.Path:
-    """Has `write` write FILE.part, which then replaces the file; returns its path."""
-    file.parent.mkdir(parents=True, exist_ok=True)
-    part = file.with_name(file.name + ".part")
-    try:
-        write(part)
-        os.replace(part, file)
-    finally:
-        part.unlink(missing_ok=True)
-    return file
 
 
 def as_wav(runs: Sequence[Run], folder: str | os.PathLike[str] | None = None) -> tuple[list[pathlib.Path], float]:
@@ -122,7 +109,11 @@ def as_wav(runs: Sequence[Run], folder: str | os.PathLike[str] | None = None) ->
     full = max(float(np.abs(sound).max()) for _, sound in sounds) / HEADROOM
     if not math.isfinite(full) or full <= 0:
         raise RunError("There is nothing to be heard: the pressure is zero or not a number.")
-    return [_replace(file, lambda part, sound=sound: _write_wav(part, sound / full)) for file, sound in sounds], full  # type: ignore[misc]
+    for file, sound in sounds:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        with replacing(file) as part:
+            _write_wav(part, sound / full)
+    return [file for file, _ in sounds], full
 
 
 def _number(run: Run, name: str) -> float:

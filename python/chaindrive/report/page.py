@@ -6,14 +6,13 @@ import base64
 import gzip
 import importlib.util
 import json
-import os
 import pathlib
-import tempfile
 from collections.abc import Iterable, Sequence
 from typing import Any, Union
 
 from chaindrive.report import motion, svg
 from chaindrive.errors import RunError
+from chaindrive.files import replacing
 from chaindrive.report.figure import Figure, as_data
 from chaindrive.report.parts import DAMAGE, of_other_files
 from chaindrive.report.text import escape, number, sentences
@@ -128,17 +127,8 @@ def replace(file: pathlib.Path, page: str) -> None:
         raise RunError(f"'{file}' is no file that a report could replace: --output takes the name of a new file, such as report.html.")
     if file.exists() and MADE_BY.encode() not in file.read_bytes():
         raise RunError(f"'{file}' is not a page of chaindrive and stays as it is: --output takes the name of a new file, such as report.html.")
-    descriptor, part = tempfile.mkstemp(prefix=file.name + ".", suffix=".part", dir=file.parent)
-    try:
-        with os.fdopen(descriptor, "w", encoding="utf-8", errors="replace") as out:
-            out.write(page)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(part, 0o666 & ~mask)
-        os.replace(part, file)
-    except BaseException:
-        pathlib.Path(part).unlink(missing_ok=True)
-        raise
+    with replacing(file) as part:
+        part.write_text(page, encoding="utf-8", errors="replace")
 
 
 def _look(color: int, dash: int, kind: str) -> str:
