@@ -21,11 +21,14 @@ SMALL = {
 }
 
 
-# Full models with side plates and bushes of solid-shells, and as prm/paper/full-shell.prm has them.
-WALLS = {
-    "h": {"Elements/Plates": "solid-shell", "Elements/Bushes": "solid-shell"},
-    "m": {"Elements/Plates": "membrane", "Elements/Bushes": "solid-shell", "Effects/Plate bending": "off"},
+# Full models with side plates and bushes of solid-shells, and as prm/paper/full-shell.prm has them; reduced ones without
+# penalty.
+VARIANTS = {
+    "h": {"Model/Fidelity": "full", "Elements/Plates": "solid-shell", "Elements/Bushes": "solid-shell"},
+    "m": {"Model/Fidelity": "full", "Elements/Plates": "membrane", "Elements/Bushes": "solid-shell", "Effects/Plate bending": "off"},
+    "e": {"Model/Fidelity": "reduced", "Contact/Enforcement": "exact", "Reduction/Modes up to in kHz": 120},
 }
+ELASTIC = "fhmre"
 
 
 # With --quick: an end before which all cases have begun to be hard.
@@ -44,7 +47,7 @@ def for_long(ms):
 
 class Case(NamedTuple):
     name: str
-    models: str  # s: simple, l: layered, f: full, and with the same changes full of solid-shells or membranes, and reduced
+    models: str  # s: simple, l: layered, f: full, and with the same changes full of solid-shells or membranes, and reduced, with and without penalty
     changes: dict  # of hard.prm, for all models
     of_model: dict = {}  # {model letter: further changes}
     refusal: str = ""  # a regular expression in what the program must say instead of running

@@ -404,11 +404,11 @@ void check_belonging(const CommandLine &c)
         std::string("The option ") + (c.overrides.empty() ? "--resume" : "--set") +
         " belongs to runs: " + (c.command == Command::report ? "a report" : "an export") +
         " does not change them.");
+  if (c.command == Command::export_files && c.kind.empty())
+    throw InputError("The command export needs the option --as: csv for histories, wav for sound.");
   if (c.command == Command::export_files && c.kind != "csv" && c.kind != "wav")
-    throw InputError((c.kind.empty() ? std::string("The command export needs the option --as") :
-                                       "The option --as = " + c.kind + " must be") +
-                     (c.kind.empty() ? ": csv for histories, wav for sound." :
-                                       " csv for histories or wav for sound."));
+    throw InputError("The option --as = " + c.kind +
+                     " must be csv for histories or wav for sound.");
   if (c.cores > most_cores)
     throw InputError("The option --cores takes 1 to " + std::to_string(most_cores) + ".");
   if (is_study && !c.resume.empty())

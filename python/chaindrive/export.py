@@ -19,7 +19,7 @@ import h5py
 import numpy as np
 
 from chaindrive import comparison
-from chaindrive.errors import RunError
+from chaindrive.errors import RunError, exit_status
 from chaindrive.files import replacing
 from chaindrive.report.foreign import ForeignRun
 from chaindrive.run import Array, Run
@@ -176,20 +176,16 @@ def main() -> int:
     parser.add_argument("--output", metavar="FOLDER", help="folder of the files; by default the directory of each run")
     parser.add_argument("--quiet", action="store_true", help="do not print the paths")
     words = parser.parse_args()
-    try:
-        files, line = _export(words)
-        if not words.quiet:
-            print(line, *files, sep="\n", flush=True)
-    except RunError as error:
-        print(f"chaindrive: {error}", file=sys.stderr)
-        return 2
-    except OSError as error:
-        print(f"chaindrive: The files, or their names, cannot be written: {error}.", file=sys.stderr)
-        return 3
-    return 0
+    return exit_status(lambda: _export(words), "The files, or their names,")
 
 
-def _export(words: argparse.Namespace) -> tuple[list[pathlib.Path], str]:
+def _export(words: argparse.Namespace) -> None:
+    files, line = _write(words)
+    if not words.quiet:
+        print(line, *files, sep="\n", flush=True)
+
+
+def _write(words: argparse.Namespace) -> tuple[list[pathlib.Path], str]:
     runs = [ForeignRun(folder, partial=words.kind == "csv") for folder in words.folders]
     if words.kind == "wav":
         files, full = as_wav(runs, words.output)

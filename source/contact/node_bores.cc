@@ -437,7 +437,7 @@ void NodeBores::couple(RollerStrips &strips)
              std::make_unique<const WallFlexibility>(strips.outside(),
                                                      strips.flexibility().grid(),
                                                      strips.flexibility().rings(),
-                                                     *group.flexibility)});
+                                                     group.flexibility->places())});
     }
 }
 

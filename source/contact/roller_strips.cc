@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/mobility.h>
 #include <chaindrive/contact/elastic_flanks.h>
 #include <chaindrive/contact/roller_strips.h>
+#include <chaindrive/drive/stiffness.h>
 #include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/reduction/basis.h>
 #include <chaindrive/utilities/ranks.h>
@@ -76,6 +78,25 @@ std::array<double, 4> cubic_slopes(const double t)
            -(3. * t * t - 2. * t - 2.) / 2.,
            (3. * t * t - 1.) / 6.}};
 }
+
+/// Four columns of @p n about an @p angle [rad], and how much each counts there.
+struct Columns
+{
+  Columns(const double angle, const unsigned int n)
+  {
+    const double column = angle * n / (2. * PI), before = std::floor(column);
+    weight = cubic_weights(column - before);
+    slope  = cubic_slopes(column - before);
+    for (double &per_column : slope)
+      per_column *= n / (2. * PI);
+    for (unsigned int k = 0; k < number.size(); ++k)
+      number[k] =
+          static_cast<unsigned int>(static_cast<int>(before) + static_cast<int>(k + n) - 1) % n;
+  }
+
+  std::array<unsigned int, 4> number;
+  std::array<double, 4>       weight, slope; ///< slope: by how much more per radian
+};
 
 /// @p direction turned by a right angle about the @p axis, both unit vectors.
 dealii::Tensor<1, 3> turned(const dealii::Tensor<1, 3> &axis, const dealii::Tensor<1, 3> &direction)
@@ -158,26 +179,15 @@ RollerStrips::RollerStrips(const scene::Scene       &scene,
                law_.tangential_stiffness * 2. * teeth.half_angle * radius_ * rings.all,
                0.};
 
-  window_.group      = group_;
-  window_.surface    = outside_.surface;
-  window_.n_columns  = outside_.n_columns;
-  window_.n_rings    = static_cast<unsigned int>(rings.number.size());
-  window_.half_angle = teeth.half_angle;
-  window_.across.assign(window_.n_rings, 0.);
-  window_.across_middle = law_.friction > 0. ? friction_.tangential_stiffness : 0.;
-  const unsigned int n_bore =
-      static_cast<unsigned int>(outside_.to_bore.size() / outside_.node.size());
-  window_.n_rings_of_through = n_bore;
   for (const unsigned int r : rings.number)
-    {
-      for (unsigned int c = 0; c < outside_.n_columns; ++c)
-        window_.node.push_back(outside_.node[r * outside_.n_columns + c]);
-      for (const unsigned int s : rings.number)
-        for (unsigned int d = 0; d < outside_.n_columns; ++d)
-          window_.flexibility.push_back(outside_.at(r, s, d));
-      const auto first = outside_.to_bore.begin() + std::size_t(r) * n_bore * outside_.n_columns;
-      window_.through.insert(window_.through.end(), first, first + n_bore * outside_.n_columns);
-    }
+    for (unsigned int c = 0; c < outside_.n_columns; ++c)
+      node_.push_back(outside_.node[r * outside_.n_columns + c]);
+  half_angle_ = teeth.half_angle;
+  // on a flat: as in a hole so much wider that r^2 / clearance, all that counts then, is r
+  half_line_                     = drive::largest_half_angle(radius_, radius_, scene.material);
+  const dealii::Tensor<1, 3> tip = world.frames[flanks_->body()].position +
+                                   dealii::Point<3>(0.5 * form_->outside_diameter, 0., 0.);
+  mobility_ = form_->teeth * dealii::trace(Mobility(world).of_point(flanks_->body(), tip));
   find_own(rank_in(world.communicator()));
 }
 
@@ -212,9 +222,9 @@ void RollerStrips::announce(World &world, std::optional<double> /*dt*/)
   if (!copies.counts_readers() || own_ == read_)
     return;
   for (const unsigned int i : read_)
-    copies.add_readers(copies.batch_of(copy_[i]), window_.node, -1);
+    copies.add_readers(copies.batch_of(copy_[i]), node_, -1);
   for (const unsigned int i : own_)
-    copies.add_readers(copies.batch_of(copy_[i]), window_.node, 1);
+    copies.add_readers(copies.batch_of(copy_[i]), node_, 1);
   read_ = own_;
 }
 
@@ -233,14 +243,84 @@ std::size_t RollerStrips::node(const World       &world,
 {
   const BodyBatches &copies = world.copies[group_];
   return copies.start_of(copies.batch_of(copy_[i])) +
-         node_offset(window_.node[ring * window_.n_columns + column]) + copies.lane_of(copy_[i]);
+         node_offset(node_[ring * outside_.n_columns + column]) + copies.lane_of(copy_[i]);
+}
+
+ClosedStrips RollerStrips::close(const std::vector<double> &middles,
+                                 const double               half_width,
+                                 const WallFlexibility     &wall,
+                                 const unsigned int         n_bore_rings) const
+{
+  const StripGrid          &grid = flexibility_->grid();
+  const unsigned int        m = flexibility_->n_rings(), n = outside_.n_columns;
+  ClosedStrips              closed;
+  std::vector<unsigned int> unknown;
+  for (unsigned int s = 0; s < grid.size(); ++s)
+    if (std::any_of(middles.begin(), middles.end(), [&](const double middle) {
+          return std::abs(grid.middle[s] - middle) < half_width + grid.half_width[s];
+        }))
+      for (unsigned int r = 0; r < m; ++r)
+        {
+          const Columns columns(grid.middle[s], n);
+          unknown.push_back(s * m + r);
+          closed.places.push_back({grid.middle[s], {}, columns.weight});
+          for (unsigned int k = 0; k < n_weights; ++k)
+            closed.places.back().node[k] = node_[r * n + columns.number[k]];
+        }
+  std::vector<double> of_bore(n_bore_rings);
+  closed.through.resize(unknown.size() * n_bore_rings * n);
+  for (unsigned int a = 0; a < unknown.size(); ++a)
+    {
+      for (const unsigned int b : unknown)
+        closed.flexibility.push_back(flexibility_->at(unknown[a], b));
+      for (unsigned int c = 0; c < n; ++c)
+        {
+          wall.at(unknown[a], 2. * PI * c / n - closed.places[a].angle, of_bore.data());
+          for (unsigned int q = 0; q < n_bore_rings; ++q)
+            closed.through[(std::size_t(a) * n_bore_rings + q) * n + c] = of_bore[q];
+        }
+    }
+  return closed;
+}
+
+std::vector<ClosedWindow> RollerStrips::closed_windows() const
+{
+  ClosedWindow window;
+  window.group         = group_;
+  window.surface       = outside_.surface;
+  window.n_columns     = outside_.n_columns;
+  window.n_rings       = flexibility_->n_rings();
+  window.across_middle = law_.friction > 0. ? friction_.tangential_stiffness : 0.;
+  window.mobility      = mobility_;
+  window.n_rings_of_through =
+      static_cast<unsigned int>(outside_.to_bore.size() / outside_.node.size());
+
+  std::vector<JointFlexibility::Place> places; // the rings of the bore themselves
+  for (unsigned int q = 0; q < window.n_rings_of_through; ++q)
+    places.push_back(q == 0 ? JointFlexibility::Place{0, 0.} : JointFlexibility::Place{q - 1, 1.});
+  const WallFlexibility wall(outside_, flexibility_->grid(), flexibility_->rings(), places);
+  const auto            add = [&](const std::vector<double> &middles, const double half_width) {
+    window.strips.push_back(close(middles, half_width, wall, window.n_rings_of_through));
+  };
+  double all = 0.;
+  for (const drive::Segment &segment : form_->half_profile)
+    all += segment.length() / radius_;
+  const double seat = form_->half_profile.front().length() / radius_, end = seat + half_line_,
+               flank = std::max(end, 0.5 * (seat + all));
+  // about the bottom and the end of the seat; on a flank; jammed between two
+  add({0.}, std::min(half_angle_, end));
+  add({std::max(0., end - half_angle_)}, std::min(half_angle_, end));
+  add({flank}, half_line_);
+  add({-end, end}, half_line_);
+  add({-flank, flank}, half_line_);
+  return {window};
 }
 
 void RollerStrips::lay_strips(const World &world, const unsigned int i)
 {
   Roller      &roller = rollers_[i];
   const Frame &frame = world.frames[pairs_[i].slave.body], &hub = world.frames[flanks_->body()];
-  const unsigned int n      = window_.n_columns;
+  const unsigned int n      = outside_.n_columns;
   const auto         centre = dealii::transpose(hub.rotation) * (frame.position - hub.position);
   const auto        &turn =
       (form_->shifted.empty() ? form_->rotations : form_->shifted)[roller.touch.feature];
@@ -274,17 +354,11 @@ void RollerStrips::lay_strips(const World &world, const unsigned int i)
       strip.distance                 = arm.norm();
       strip.direction                = in_world(arm / strip.distance);
       strip.mean                     = in_world(mean);
-      const auto   local             = to_roller * strip.direction;
-      const double column            = std::atan2(local[1], local[0]) * n / (2. * PI);
-      const double before            = std::floor(column);
-      strip.weight                   = cubic_weights(column - before);
-      strip.slope                    = cubic_slopes(column - before);
-      for (unsigned int k = 0; k < n_weights; ++k)
-        {
-          strip.slope[k] *= n / (2. * PI);
-          strip.column[k] =
-              static_cast<unsigned int>(static_cast<int>(before) + static_cast<int>(k + n) - 1) % n;
-        }
+      const auto    local            = to_roller * strip.direction;
+      const Columns columns(std::atan2(local[1], local[0]), n);
+      strip.column = columns.number;
+      strip.weight = columns.weight;
+      strip.slope  = columns.slope;
     }
 }
 
@@ -299,13 +373,13 @@ void RollerStrips::list_unknowns(const World &world, const unsigned int i)
 
   const BodyBatches &copies  = world.copies[group_];
   const NodeView     at      = NodeView(copies.position);
-  const unsigned int n_rings = flexibility_->n_rings(), n = window_.n_columns;
+  const unsigned int n_rings = flexibility_->n_rings(), n = outside_.n_columns;
   displacement_.resize(std::size_t(n_rings) * n);
   is_displaced_.assign(n, 0);
   const auto find_displacements = [&](const unsigned int column) {
     for (unsigned int r = 0; r < n_rings; ++r)
       {
-        const unsigned int         number = window_.node[r * n + column];
+        const unsigned int         number = node_[r * n + column];
         const dealii::Tensor<1, 3> rigid =
             frame.position + frame.rotation * dealii::Tensor<1, 3>(copies.nodes.position[number]);
         displacement_[r * n + column] = at[node(world, i, r, column)] - rigid;
@@ -377,24 +451,6 @@ void RollerStrips::add_forces(World &world, const double /*dt*/)
     measure(world, i);
 }
 
-template <typename Visit>
-void RollerStrips::for_each_node(const unsigned int i, const Visit &visit) const
-{
-  const Roller       &roller  = rollers_[i];
-  const StripProblem &problem = roller.problem;
-  const unsigned int  n_rings = flexibility_->n_rings();
-  for (unsigned int a = 0; a < problem.n(); ++a)
-    if (problem.force[a] > 0.)
-      {
-        const Strip &strip = roller.strips[problem.unknown[a] / n_rings];
-        for (unsigned int k = 0; k < n_weights; ++k)
-          visit(strip,
-                strip.weight[k] * problem.force[a],
-                problem.unknown[a] % n_rings,
-                strip.column[k]);
-      }
-}
-
 RollerStrips::Pressed RollerStrips::press(World &world, const unsigned int i)
 {
   Roller                    &roller  = rollers_[i];
@@ -405,6 +461,7 @@ RollerStrips::Pressed RollerStrips::press(World &world, const unsigned int i)
                              centre  = world.frames[body].position;
   Pressed pressed;
   double  through_wall = 0.; // couple on the bush
+  loads_.clear();
   std::fill(roller.force.begin(), roller.force.end(), 0.);
   for (unsigned int a = 0; a < problem.n(); ++a)
     if (problem.force[a] > 0.)
@@ -420,6 +477,10 @@ RollerStrips::Pressed RollerStrips::press(World &world, const unsigned int i)
         through_wall -= of_wall;
         pressed.force -=
             force * strip.mean + (of_modes + of_wall) / strip.distance * turned(z, strip.direction);
+        for (unsigned int k = 0; k < n_weights; ++k)
+          loads_.push_back({node(world, i, problem.unknown[a] % n_rings, strip.column[k]),
+                            strip.weight[k] * force,
+                            strip.direction});
       }
   if (!(pressed.sum > 0.))
     return pressed;
@@ -428,16 +489,12 @@ RollerStrips::Pressed RollerStrips::press(World &world, const unsigned int i)
   const NodeView       at     = NodeView(copies.position);
   const NodeView       force_on(world.copies[group_].force);
   dealii::Tensor<1, 3> of_nodes; // the couple of what acts on them
-  for_each_node(i,
-                [&](const Strip       &strip,
-                    const double       force,
-                    const unsigned int ring,
-                    const unsigned int column) {
-                  const std::size_t          n = node(world, i, ring, column);
-                  const dealii::Tensor<1, 3> f = -force * strip.direction;
-                  force_on.add(n, f);
-                  of_nodes += dealii::cross_product_3d(at[n] - centre, f);
-                });
+  for (const Load &load : loads_)
+    {
+      const dealii::Tensor<1, 3> f = -load.force * load.direction;
+      force_on.add(load.node, f);
+      of_nodes += dealii::cross_product_3d(at[load.node] - centre, f);
+    }
   const double         too_much = of_nodes * z - pressed.couple;
   dealii::Tensor<1, 3> on_hub   = -of_nodes + too_much * z - through_wall * z;
   world.add_force(hub, -pressed.force, centre);
@@ -463,17 +520,13 @@ void RollerStrips::add_friction(World             &world,
   const unsigned int         body = pairs_[i].slave.body, hub = flanks_->body();
   const dealii::Tensor<1, 3> z            = axis_of(world.frames[hub], 2);
   double                     slip_rate[2] = {0., 0.};
-  for_each_node(i,
-                [&](const Strip       &strip,
-                    const double       force,
-                    const unsigned int ring,
-                    const unsigned int column) {
-                  const std::size_t          n = node(world, i, ring, column);
-                  const dealii::Tensor<1, 3> v =
-                      velocity[n] - world.velocity_at(hub, at[n], 0.5 * dt);
-                  slip_rate[0] -= force / pressed.sum * (v * turned(z, strip.direction));
-                  slip_rate[1] += force / pressed.sum * (v * z);
-                });
+  for (const Load &load : loads_)
+    {
+      const dealii::Tensor<1, 3> v =
+          velocity[load.node] - world.velocity_at(hub, at[load.node], 0.5 * dt);
+      slip_rate[0] -= load.force / pressed.sum * (v * turned(z, load.direction));
+      slip_rate[1] += load.force / pressed.sum * (v * z);
+    }
   ContactEnergies<double> energies{
       world.ledger.contact, world.ledger.contact_damping, world.ledger.friction};
   TouchState &state = states_[i];
@@ -485,19 +538,15 @@ void RollerStrips::add_friction(World             &world,
     return;
   const NodeView       force_on(world.copies[group_].force);
   dealii::Tensor<1, 3> sum;
-  for_each_node(i,
-                [&](const Strip       &strip,
-                    const double       force,
-                    const unsigned int ring,
-                    const unsigned int column) {
-                  const std::size_t          n = node(world, i, ring, column);
-                  const dealii::Tensor<1, 3> f =
-                      force / pressed.sum *
-                      (state.tangential[1] * z - state.tangential[0] * turned(z, strip.direction));
-                  force_on.add(n, f);
-                  world.add_force(hub, -f, at[n]);
-                  sum += f;
-                });
+  for (const Load &load : loads_)
+    {
+      const dealii::Tensor<1, 3> f =
+          load.force / pressed.sum *
+          (state.tangential[1] * z - state.tangential[0] * turned(z, load.direction));
+      force_on.add(load.node, f);
+      world.add_force(hub, -f, at[load.node]);
+      sum += f;
+    }
   for (unsigned int d = 0; d < 3; ++d)
     world.force.local_element(3 * body + d) += sum[d];
   pressed.force += sum;

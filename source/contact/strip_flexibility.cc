@@ -179,12 +179,12 @@ StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
     value += rest;
 }
 
-WallFlexibility::WallFlexibility(const reduction::RoundFlexibility &outside,
-                                 const StripGrid                   &grid,
-                                 const std::vector<unsigned int>   &rings,
-                                 const JointFlexibility            &joint)
+WallFlexibility::WallFlexibility(const reduction::RoundFlexibility          &outside,
+                                 const StripGrid                            &grid,
+                                 const std::vector<unsigned int>            &rings,
+                                 const std::vector<JointFlexibility::Place> &places)
     : n_rings_(static_cast<unsigned int>(rings.size()))
-    , n_joint_rings_(joint.n_rings())
+    , n_places_(static_cast<unsigned int>(places.size()))
     , n_angles_(8 * outside.n_columns + 1)
 {
   const unsigned int n_columns = outside.n_columns,
@@ -200,19 +200,19 @@ WallFlexibility::WallFlexibility(const reduction::RoundFlexibility &outside,
       if (found == widths.end())
         widths.push_back(w);
     }
-  table_.reserve(widths.size() * n_rings_ * n_angles_ * n_joint_rings_);
+  table_.reserve(widths.size() * n_rings_ * n_angles_ * n_places_);
   for (const double w : widths)
     for (const unsigned int r : rings)
       for (unsigned int a = 0; a < n_angles_; ++a)
         {
           const std::size_t first = table_.size();
-          table_.resize(first + n_joint_rings_, 0.);
+          table_.resize(first + n_places_, 0.);
           for (unsigned int k = 0; k <= n_columns / 2; ++k)
             {
               const double part = mean_over_strip(k, w) * std::cos(k * PI * a / (n_angles_ - 1));
-              for (unsigned int q = 0; q < n_joint_rings_; ++q)
+              for (unsigned int q = 0; q < n_places_; ++q)
                 {
-                  const JointFlexibility::Place &place = joint.places()[q];
+                  const JointFlexibility::Place &place = places[q];
                   const double                  *of_ring =
                       &harmonics[k * all + std::size_t(r) * n_bore + place.first];
                   table_[first + q] +=
@@ -230,7 +230,7 @@ WallFlexibility::Place WallFlexibility::place_of(const unsigned int i, const dou
   const auto   before = std::min(static_cast<unsigned int>(place), n_angles_ - 2);
   return {
       &table_[((std::size_t(width_[i / n_rings_]) * n_rings_ + i % n_rings_) * n_angles_ + before) *
-              n_joint_rings_],
+              n_places_],
       place - before,
       apart < 0. ? -1. : 1.};
 }
@@ -238,13 +238,13 @@ WallFlexibility::Place WallFlexibility::place_of(const unsigned int i, const dou
 void WallFlexibility::at(const unsigned int i, const double angle, double *value) const
 {
   const auto [row, part, side] = place_of(i, angle);
-  for (unsigned int q = 0; q < n_joint_rings_; ++q)
-    value[q] = (1. - part) * row[q] + part * row[n_joint_rings_ + q];
+  for (unsigned int q = 0; q < n_places_; ++q)
+    value[q] = (1. - part) * row[q] + part * row[n_places_ + q];
 }
 
 double WallFlexibility::slope(const unsigned int i, const double angle, const unsigned int q) const
 {
   const Place place = place_of(i, angle);
-  return place.side * (place.row[n_joint_rings_ + q] - place.row[q]) * (n_angles_ - 1) / PI;
+  return place.side * (place.row[n_places_ + q] - place.row[q]) * (n_angles_ - 1) / PI;
 }
 } // namespace chaindrive::contact

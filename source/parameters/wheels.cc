@@ -164,7 +164,7 @@ void Sprockets::set_order(const std::vector<std::string> &names)
           std::find_if(defaults.list.begin(),
                        defaults.list.end(),
                        [&name](const Sprocket &sprocket) { return sprocket.name == name; });
-      wheels.push_back(known != defaults.list.end() ? *known : Sprocket{name, Role::idler, 17});
+      wheels.push_back(known != defaults.list.end() ? *known : Sprocket{name});
     }
   list = std::move(wheels);
 }

@@ -13,14 +13,20 @@ namespace chaindrive::stability
 {
 namespace
 {
+using contact::ClosedStrips;
 using contact::ClosedWindow;
 using dealii::numbers::PI;
 
-/// A window that is closed about a direction.
+/// A window that is closed: about a direction, or in one of its sets of strips.
 struct Closed
 {
   const ClosedWindow *window;
-  unsigned int        direction;
+  unsigned int        number; ///< of that
+
+  const ClosedStrips *strips() const
+  {
+    return window->strips.empty() ? nullptr : &window->strips[number];
+  }
 
   /// A column counts that is nearer than half a column beyond the window's end.
   std::vector<unsigned int> columns() const
@@ -32,96 +38,151 @@ struct Closed
     return found;
   }
 
-  /// The column nearest to the direction.
-  unsigned int middle() const
-  {
-    unsigned int nearest = 0;
-    for (unsigned int c = 1; c < window->n_columns; ++c)
-      if (from_middle(c) < from_middle(nearest))
-        nearest = c;
-    return nearest;
-  }
-
 private:
   double from_middle(const unsigned int c) const
   {
     return std::abs(std::remainder(
-        2. * PI * (double(c) / window->n_columns - double(direction) / n_directions), 2. * PI));
+        2. * PI * (double(c) / window->n_columns - double(number) / n_directions), 2. * PI));
   }
 };
 
-/// A closed node of a window.
-struct ClosedNode
+/// What is closed in a window: a node, or a place in strips.
+struct ClosedPlace
 {
-  unsigned int        closed; ///< which of those
-  const ClosedWindow *window;
-  unsigned int        ring, column;
+  unsigned int closed; ///< the window, by its place among all that are closed
+  unsigned int place;  ///< or ring * n_columns + column
+  double       angle;
+  double       across; ///< springs of friction, N/m
+  double       shared; ///< its part of the slip of the window's one spring of friction
 
-  unsigned int node() const { return window->node[ring * window->n_columns + column]; }
-  double       angle() const { return 2. * PI * column / window->n_columns; }
+  unsigned int                n_nodes;
+  std::array<unsigned int, 4> node;
+  std::array<double, 4>       weight;
 
-  /// What it moves away from the axis under one newton on another one, m/N.
-  double flexibility(const ClosedNode &other) const
+  /// What it moves by the motions of @p bodies.
+  std::vector<dealii::Tensor<1, 3>> moved(const ModalGroup &bodies) const
   {
-    const unsigned int n = window->n_columns, apart = (other.column + n - column) % n;
-    if (closed == other.closed)
-      return window->flexibility[(std::size_t(ring) * window->n_rings + other.ring) * n + apart];
-    if (window->through.empty())
-      return other.window->through.empty() ? 0. : other.flexibility(*this);
-    return window->through[(std::size_t(ring) * window->n_rings_of_through +
-                            other.window->first_ring + other.ring) *
-                               n +
-                           apart];
+    std::vector<dealii::Tensor<1, 3>> sum = bodies.motions_of(node[0]);
+    for (dealii::Tensor<1, 3> &motion : sum)
+      motion *= weight[0];
+    for (unsigned int k = 1; k < n_nodes; ++k)
+      {
+        const std::vector<dealii::Tensor<1, 3>> of_node = bodies.motions_of(node[k]);
+        for (unsigned int j = 0; j < sum.size(); ++j)
+          sum[j] += weight[k] * of_node[j];
+      }
+    return sum;
   }
 };
 
-/// What @p bodies are held by where these windows are @p closed, 1/s2. Of two bodies that stick to
-/// each other by springs across each one feels at most twice these, with its other end at rest:
-/// (u - v)^2 <= 2 u^2 + 2 v^2.
-Matrix held_by(const ModalGroup &bodies, const std::vector<Closed> &closed)
+/// All places of @p closed.
+std::vector<ClosedPlace> places_of(const std::vector<Closed> &closed)
 {
-  std::vector<ClosedNode> nodes;
+  std::vector<ClosedPlace> places;
   for (unsigned int i = 0; i < closed.size(); ++i)
-    for (const unsigned int column : closed[i].columns())
-      for (unsigned int ring = 0; ring < closed[i].window->n_rings; ++ring)
-        nodes.push_back({i, closed[i].window, ring, column});
-  const auto n        = static_cast<unsigned int>(nodes.size()),
-             n_closed = static_cast<unsigned int>(closed.size());
-  const auto motions  = static_cast<unsigned int>(bodies.motions_of(0).size());
-  Matrix     flexibility(n, n), rows(n, motions), held(n, motions), result(motions, motions);
-  Matrix     across(2 * (n + n_closed), motions); // by square roots of springs
+    {
+      const ClosedWindow &window = *closed[i].window;
+      if (const ClosedStrips *strips = closed[i].strips())
+        for (unsigned int p = 0; p < strips->places.size(); ++p)
+          {
+            const ClosedStrips::Place &place = strips->places[p];
+            const bool in_middle = p / window.n_rings == strips->places.size() / window.n_rings / 2;
+            places.push_back({i,
+                              p,
+                              place.angle,
+                              0.,
+                              in_middle ? 1. / window.n_rings : 0.,
+                              4,
+                              place.node,
+                              place.weight});
+          }
+      else
+        for (const unsigned int column : closed[i].columns())
+          for (unsigned int ring = 0; ring < window.n_rings; ++ring)
+            {
+              const unsigned int number = ring * window.n_columns + column;
+              places.push_back({i,
+                                number,
+                                2. * PI * column / window.n_columns,
+                                window.across[ring],
+                                0.,
+                                1,
+                                {{window.node[number]}},
+                                {{1.}}});
+            }
+    }
+  return places;
+}
+
+/// What one of @p places moves away from the axis under one newton on another one, m/N.
+double flexibility_of(const std::vector<Closed> &closed, const ClosedPlace &a, const ClosedPlace &b)
+{
+  const ClosedWindow &window = *closed[a.closed].window, &other = *closed[b.closed].window;
+  const ClosedStrips *strips = closed[a.closed].strips();
+  const unsigned int  n      = window.n_columns;
+  if (a.closed == b.closed)
+    return strips != nullptr ? strips->flexibility[a.place * strips->places.size() + b.place] :
+                               window.flexibility[(a.place / n * window.n_rings + b.place / n) * n +
+                                                  (b.place % n + n - a.place % n) % n];
+  if (strips == nullptr)
+    return closed[b.closed].strips() == nullptr ? 0. : flexibility_of(closed, b, a);
+  return strips
+      ->through[(a.place * window.n_rings_of_through + other.first_ring + b.place / n) * n +
+                b.place % n];
+}
+
+/// What bodies are held by, 1/s2, and how stiff that is in any direction of the plane at most, N/m.
+struct Hold
+{
+  Matrix matrix;
+  double stiffness = 0.;
+};
+
+/// What @p bodies are held by where these windows are @p closed. Of two bodies that stick to each
+/// other by springs across each one feels at most twice these, with its other end at rest: (u -
+/// v)^2 <= 2 u^2 + 2 v^2.
+Hold held_by(const ModalGroup &bodies, const std::vector<Closed> &closed)
+{
+  const std::vector<ClosedPlace> places  = places_of(closed);
+  const auto                     n       = static_cast<unsigned int>(places.size());
+  const auto                     motions = static_cast<unsigned int>(bodies.motions_of(0).size());
+  Hold                           hold{Matrix(motions, motions)};
+  if (n == 0)
+    return hold;
+  Matrix                     flexibility(n, n), rows(n, motions), held(n, motions);
+  Matrix                     across(2 * (n + closed.size()), motions); // by square roots of springs
   const dealii::Tensor<1, 3> axis = dealii::Point<3>(0., 0., 1.);
   for (unsigned int a = 0; a < n; ++a)
     {
-      const ClosedWindow        &window = *nodes[a].window;
-      const unsigned int         middle = 2 * (n + nodes[a].closed);
-      const double               root   = std::sqrt(2. * window.across[nodes[a].ring]);
       const dealii::Tensor<1, 3> normal = dealii::Point<3>(
-                                     std::cos(nodes[a].angle()), std::sin(nodes[a].angle()), 0.),
-                                 round              = cross_product_3d(axis, normal);
-      const std::vector<dealii::Tensor<1, 3>> moved = bodies.motions_of(nodes[a].node());
-      const double of_middle = nodes[a].column == closed[nodes[a].closed].middle() ?
-                                   std::sqrt(2. * window.across_middle) / window.n_rings :
-                                   0.;
+                                     std::cos(places[a].angle), std::sin(places[a].angle), 0.),
+                                 round = cross_product_3d(axis, normal);
+      const unsigned int one           = 2 * (n + places[a].closed);
+      const double       root          = std::sqrt(2. * places[a].across),
+                   of_one              = places[a].shared *
+                            std::sqrt(2. * closed[places[a].closed].window->across_middle);
+      const std::vector<dealii::Tensor<1, 3>> moved = places[a].moved(bodies);
       for (unsigned int j = 0; j < motions; ++j)
         {
           rows(a, j)           = normal * moved[j];
           across(2 * a, j)     = root * (round * moved[j]);
           across(2 * a + 1, j) = root * (axis * moved[j]);
-          across(middle, j) += of_middle * (round * moved[j]);
-          across(middle + 1, j) += of_middle * (axis * moved[j]);
+          across(one, j) += of_one * (round * moved[j]);
+          across(one + 1, j) += of_one * (axis * moved[j]);
         }
       for (unsigned int b = 0; b < n; ++b)
-        flexibility(a, b) = nodes[a].flexibility(nodes[b]);
+        flexibility(a, b) = flexibility_of(closed, places[a], places[b]);
     }
-  if (n > 0)
-    {
-      flexibility.gauss_jordan();
-      flexibility.mmult(held, rows);
-      rows.Tmmult(result, held);
-      across.Tmmult(result, across, true);
-    }
-  return result;
+  flexibility.gauss_jordan();
+  for (unsigned int a = 0; a < n; ++a)
+    for (unsigned int b = 0; b < n; ++b)
+      if (closed[places[a].closed].strips() != nullptr &&
+          closed[places[b].closed].strips() != nullptr)
+        hold.stiffness += flexibility(a, b) * std::cos(places[a].angle - places[b].angle);
+  flexibility.mmult(held, rows);
+  rows.Tmmult(hold.matrix, held);
+  across.Tmmult(hold.matrix, across, true);
+  return hold;
 }
 
 /// One body of a group with all that holds it.
@@ -130,39 +191,36 @@ class HeldBody
 public:
   explicit HeldBody(const ModalGroup &bodies) : bodies_(bodies), free_(bodies.modal_matrix({})) {}
 
-  /// Windows must outlive this.
+  /// Windows must outlive this. What a side of nodes meets, of several kinds of bodies, is alike.
   void add(const ClosedWindow &window)
   {
-    const auto same = [&window](const ClosedWindow *other) {
-      return other->surface == window.surface;
-    };
-    if (std::none_of(
-            windows_.begin(), windows_.end(), same)) // it meets several kinds of bodies, alike
-      windows_.push_back(&window);
+    std::vector<const ClosedWindow *> &windows = window.strips.empty() ? windows_ : in_strips_;
+    if (!window.strips.empty() ||
+        std::none_of(windows.begin(), windows.end(), [&window](const ClosedWindow *other) {
+          return other->surface == window.surface;
+        }))
+      windows.push_back(&window);
   }
 
   /// After all windows.
   void close()
   {
-    const auto through = std::find_if(windows_.begin(), windows_.end(), [](const auto *window) {
-      return !window->through.empty();
-    });
-    if (through != windows_.end() && windows_.size() == 2)
-      {
-        // round outside and inside: how far apart the directions are is all that counts
-        const ClosedWindow *inside = windows_[through == windows_.begin() ? 1 : 0];
-        ways_.emplace_back();
-        for (unsigned int i = 0; i < n_directions; ++i)
-          ways_.back().push_back(held_by(bodies_, {{*through, 0}, {inside, i}}));
-        return;
-      }
+    // outside and inside of a roller: how far apart the directions are is all that counts
+    const bool with_inside = !in_strips_.empty() && windows_.size() == 1;
+    if (!in_strips_.empty())
+      ways_.emplace_back();
+    for (const ClosedWindow *outside : in_strips_)
+      for (unsigned int set = 0; set < outside->strips.size(); ++set)
+        for (unsigned int i = 0; i < (with_inside ? n_directions : 1); ++i)
+          with_inside ? add_way({{outside, set}, {windows_.front(), i}}) :
+                        add_way({{outside, set}});
     for (const ClosedWindow *window : windows_)
-      {
-        ways_.emplace_back();
-        const bool all = window->half_angle >= PI;
-        for (unsigned int i = 0; i < (all ? 1 : n_directions); ++i)
-          ways_.back().push_back(held_by(bodies_, {{window, i}}));
-      }
+      if (!with_inside)
+        {
+          ways_.emplace_back();
+          for (unsigned int i = 0; i < (window->half_angle >= PI ? 1 : n_directions); ++i)
+            add_way({{window, i}});
+        }
   }
 
   void add(const contact::ClosedSide &side, const ClosedKind &kind)
@@ -180,7 +238,7 @@ public:
       {
         std::vector<unsigned int> chosen(ways_.size(), first);
         for (unsigned int w = 0; w < ways_.size(); ++w)
-          chosen[w] = std::min<unsigned int>(first, ways_[w].size() - 1);
+          chosen[w] = first * static_cast<unsigned int>(ways_[w].size()) / n_directions;
         double best = step_with(chosen);
         for (bool changed = true; changed;)
           {
@@ -201,7 +259,7 @@ public:
           }
         step = std::min(step, best);
       }
-    return step;
+    return 2. / std::sqrt(4. / (step * step) + of_others_);
   }
 
 private:
@@ -215,11 +273,20 @@ private:
     return modal.sides.empty() ? 2. / std::sqrt(largest(modal.free)) : modal.critical_time_step();
   }
 
+  void add_way(const std::vector<Closed> &closed)
+  {
+    const Hold hold = held_by(bodies_, closed);
+    ways_.back().push_back(hold.matrix);
+    for (const Closed &window : closed)
+      of_others_ = std::max(of_others_, hold.stiffness * window.window->mobility);
+  }
+
   const ModalGroup                         &bodies_;
   Matrix                                    free_;
-  std::vector<const ClosedWindow *>         windows_;
+  std::vector<const ClosedWindow *>         windows_, in_strips_;
   std::vector<std::vector<Matrix>>          ways_; ///< [side][direction]
   std::map<unsigned int, ModalBodies::Side> springs_;
+  double of_others_ = 0.; ///< squared frequency of the rigid bodies that strips meet, 1/s2
 };
 } // namespace
 

@@ -254,13 +254,37 @@ void check_limit()
   verdict("1412 N: bounded up to 1.2 of the limit of the step", share > 1.21);
 }
 
-/// Modes that make the roller unequal to both sides.
-void deform_roller(World &world)
+/// Roller and link that can be placed by hand, with modes that make the roller unequal to both
+/// sides.
+struct Bench
 {
-  ReducedBodies &rollers = reduced_group(world, world.elastic_address[0].group);
-  for (unsigned int m = 0; m < 4; ++m)
-    rollers.amplitude(world, 0, m) = 1.5e-8 * (m + 1.);
-}
+  explicit Bench(const Place place)
+      : scene(make(case_of(place))), world(make_world(scene)), contacts(scene, world, true)
+  {
+    ReducedBodies &rollers = reduced_group(world, world.elastic_address[0].group);
+    for (unsigned int m = 0; m < 4; ++m)
+      rollers.amplitude(world, 0, m) = 1.5e-8 * (m + 1.);
+  }
+
+  static Case case_of(const Place place)
+  {
+    Case c;
+    c.place     = place;
+    c.phase     = 0.3;
+    c.stiffness = 1.2e9;
+    return c;
+  }
+
+  void find_forces()
+  {
+    world.clear_forces();
+    contacts.add_forces(world, 1e-9);
+  }
+
+  const scene::Scene scene;
+  World              world;
+  contact::Contacts  contacts;
+};
 
 /// Forces and moments on roller, sprocket and link are the derivatives of the energy, with modes
 /// that make the roller unequal to both sides and wherever it is beside the normal: the largest
@@ -268,14 +292,8 @@ void deform_roller(World &world)
 /// sprocket, where strips alone act, then that of all.
 std::array<double, 2> gradient_errors(const Place place)
 {
-  Case c;
-  c.place                  = place;
-  c.phase                  = 0.3;
-  c.stiffness              = 1.2e9;
-  const scene::Scene scene = make(c);
-  World              world = make_world(scene);
-  contact::Contacts  contacts(scene, world, true);
-  deform_roller(world);
+  Bench      bench(place);
+  World     &world       = bench.world;
   const auto start       = world.frames;
   double     of_sprocket = 0., worst = 0., largest = 0.;
   for (const double across : {-20e-6, -7e-6, 0.4e-6, 5e-6, 12e-6})
@@ -291,8 +309,7 @@ std::array<double, 2> gradient_errors(const Place place)
         else
           world.frames[body].rotation =
               to_matrix(rotation_about_z(h)) * world.frames[body].rotation;
-        world.clear_forces();
-        contacts.add_forces(world, 1e-9);
+        bench.find_forces();
         return std::make_pair(
             world.ledger.contact,
             double((d < 2 ? world.force : world.moment).local_element(3 * body + d)));
@@ -325,14 +342,8 @@ std::array<double, 2> gradient_errors(const Place place)
 /// 0.35 rad to and fro in the seat, over the largest energy that it stores.
 double work_round(const Place place)
 {
-  Case c;
-  c.place                  = place;
-  c.phase                  = 0.3;
-  c.stiffness              = 1.2e9;
-  const scene::Scene scene = make(c);
-  World              world = make_world(scene);
-  contact::Contacts  contacts(scene, world, true);
-  deform_roller(world);
+  Bench                        bench(place);
+  World                       &world = bench.world;
   const std::array<Vector3, 2> start = {{world.frames[0].position, world.frames[2].position}};
   const unsigned int           n     = 1000;
   double                       work = 0., stored = 0.;
@@ -343,8 +354,7 @@ double work_round(const Place place)
       for (const unsigned int b : {0u, 1u})
         world.frames[2 * b].position = start[b] + vector(17.5e-6 * std::cos(angle) - 2e-6 * b,
                                                          5e-6 * std::sin(angle) - 10e-6 - 8e-6 * b);
-      world.clear_forces();
-      contacts.add_forces(world, 1e-9);
+      bench.find_forces();
       stored = std::max(stored, world.ledger.contact);
       for (const unsigned int b : {0u, 1u})
         {

@@ -29,10 +29,16 @@ def until(condition, what, seconds=20):
     sys.exit(f"{what} has not come in {seconds} s")
 
 
+def answers(path):
+    """Whether a server listens on a socket: its file is there a moment before."""
+    with socket.socket(socket.AF_UNIX, socket.SOCK_SEQPACKET) as connection:
+        return path.exists() and connection.connect_ex(str(path)) == 0
+
+
 def ready():
     """The socket of the server that has just been started."""
     path = pathlib.Path(os.environ[served.VARIABLE].rpartition(":")[0])
-    until(path.exists, "the socket")
+    until(lambda: answers(path), "the socket")
     return path
 
 

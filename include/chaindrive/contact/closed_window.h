@@ -3,10 +3,27 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <array>
 #include <vector>
 
 namespace chaindrive::contact
 {
+/// Strips and rings of the outside of modal rollers that close together, each carried by nodes.
+struct ClosedStrips
+{
+  struct Place
+  {
+    double                      angle; ///< rad
+    std::array<unsigned int, 4> node;
+    std::array<double, 4>       weight;
+  };
+  std::vector<Place>  places;
+  std::vector<double> flexibility; ///< [place][place], m/N
+  /// Between the outside and a node of the bore, through the wall: [place][ring of the whole
+  /// bore][column], m/N.
+  std::vector<double> through;
+};
+
 /// A round side of modal bodies in contact without penalty. Where a window of it is closed and what
 /// it meets stands still, it holds the modes by the inverse of its own flexibility.
 struct ClosedWindow
@@ -19,14 +36,15 @@ struct ClosedWindow
   std::vector<double> across; ///< [ring]: springs of friction across the normal of a node, N/m
   double              half_angle = dealii::numbers::PI; ///< of the window, rad
 
-  double across_middle = 0.; ///< one spring of friction across the window's middle, N/m
-
   unsigned int first_ring = 0; ///< of the side, if not all of them are in the window
 
-  /// Of the outside of a roller, whose wall couples it with the bore: the flexibility between the
-  /// two, [ring][ring of the whole bore][columns between], m/N. Else empty.
-  std::vector<double> through            = {};
-  unsigned int        n_rings_of_through = 0;
+  /// If there are any, the side closes in one of these instead of at nodes.
+  std::vector<ClosedStrips> strips             = {};
+  unsigned int              n_rings_of_through = 0;
+  double                    across_middle = 0.; ///< one spring of friction for all of them, N/m
+  /// So much one newton moves what strips meet, a rigid body, wherever they meet it, and so many
+  /// other sides meet it, too: 1/kg.
+  double mobility = 0.;
 };
 
 /// What families of contact without penalty are besides.

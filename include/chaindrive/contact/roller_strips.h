@@ -54,7 +54,7 @@ public:
   void add_springs(const World &, std::vector<Spring> &) const override {}
 
   std::vector<unsigned int> own(const World &) const override { return own_; }
-  std::vector<ClosedWindow> closed_windows() const override { return {window_}; }
+  std::vector<ClosedWindow> closed_windows() const override;
 
   void serialize(const Archive &archive, unsigned int rank) override;
 
@@ -91,6 +91,14 @@ private:
     double       turning;        ///< by how much modes move it per radian, m
   };
 
+  /// Part of the force on a strip, as a node carries it.
+  struct Load
+  {
+    std::size_t          node;
+    double               force;     ///< N
+    dealii::Tensor<1, 3> direction; ///< of the strip
+  };
+
   /// What presses a roller.
   struct Pressed
   {
@@ -119,16 +127,18 @@ private:
   /// Lists those that may touch with their gaps.
   void list_unknowns(const World &world, unsigned int i);
 
-  /// Adds the normal forces of pair @p i.
+  /// Adds the normal forces of pair @p i, and lists them in loads_.
   Pressed press(World &world, unsigned int i);
 
-  /// Calls @p visit(strip, force [N], ring, column, weight) for the nodes that carry the forces on
-  /// strips of pair @p i.
-  template <typename Visit>
-  void for_each_node(unsigned int i, const Visit &visit) const;
-
-  /// Adds the forces of friction to those of @p pressed.
+  /// Adds the forces of friction on the nodes of loads_, also to those of @p pressed.
   void add_friction(World &world, double dt, unsigned int i, Pressed &pressed);
+
+  /// Strips of the profile within @p half_width [rad] about each of @p middles, as they are round a
+  /// roller that rolls along it, closed together.
+  ClosedStrips close(const std::vector<double> &middles,
+                     double                     half_width,
+                     const WallFlexibility     &wall,
+                     unsigned int               n_bore_rings) const;
 
   std::size_t
   node(const World &world, unsigned int i, unsigned int ring, unsigned int column) const;
@@ -147,7 +157,11 @@ private:
   std::vector<dealii::Tensor<1, 3>>       displacement_; ///< room, [ring][column], m
   std::vector<char>                       is_displaced_; ///< what is known of that, [column]
   std::vector<Candidate>                  candidates_;   ///< room
-  ClosedWindow                            window_;
-  scene::ContactLaw                       friction_; ///< of a whole roller
+  std::vector<Load>                       loads_;        ///< on the roller at hand
+  std::vector<unsigned int>               node_;         ///< of their outside, [ring][column]
+  double                                  half_angle_;   ///< of the largest contact in a seat, rad
+  double                                  half_line_;    ///< and on a flank, rad
+  double                                  mobility_;     ///< as in ClosedWindow
+  scene::ContactLaw                       friction_;     ///< of a whole roller
 };
 } // namespace chaindrive::contact

@@ -87,17 +87,18 @@ private:
 class WallFlexibility
 {
 public:
-  WallFlexibility(const reduction::RoundFlexibility &outside,
-                  const StripGrid                   &grid,
-                  const std::vector<unsigned int>   &rings,
-                  const JointFlexibility            &joint);
+  /// With the nodes at these @p places between rings of the bore.
+  WallFlexibility(const reduction::RoundFlexibility          &outside,
+                  const StripGrid                            &grid,
+                  const std::vector<unsigned int>            &rings,
+                  const std::vector<JointFlexibility::Place> &places);
 
   /// What a strip and ring, numbered as in StripFlexibility, move away from the axis under one
-  /// newton outwards in each ring of the joint, at the @p angle [rad] from the middle of the strip:
-  /// [ring], m/N.
+  /// newton outwards at each of the places, at the @p angle [rad] from the middle of the strip:
+  /// [place], m/N.
   void at(unsigned int i, double angle, double *value) const;
 
-  /// By how much more that is for each radian, at ring @p q of the joint, m/N.
+  /// By how much more that is for each radian, at place @p q, m/N.
   double slope(unsigned int i, double angle, unsigned int q) const;
 
 private:
@@ -109,8 +110,8 @@ private:
   };
   Place place_of(unsigned int i, double angle) const;
 
-  unsigned int              n_rings_, n_joint_rings_, n_angles_;
+  unsigned int              n_rings_, n_places_, n_angles_;
   std::vector<unsigned int> width_; ///< of each strip, number of its table
-  std::vector<double>       table_; ///< [width][ring][angle from 0 to pi][ring of the joint]
+  std::vector<double>       table_; ///< [width][ring][angle from 0 to pi][place]
 };
 } // namespace chaindrive::contact

@@ -155,8 +155,8 @@ inline constexpr Texts<Side, 2> texts_of<Side>{
 struct Sprocket
 {
   std::string           name; ///< of histories and entries, in small letters
-  Role                  role;
-  unsigned int          teeth;
+  Role                  role             = Role::idler;
+  unsigned int          teeth            = 17;
   std::optional<double> outside_diameter = {};       ///< m
   std::optional<double> bottom_diameter  = {};       ///< m, for SeatCentre::bottom_diameter
   std::optional<double> bore             = {};       ///< m

@@ -17,7 +17,10 @@ namespace chaindrive::stability
 /// closed in such sets is faster than the fastest of its bodies so held: its elastic energy is the
 /// least over all deflections that close the gaps, and one that returns all patches of each body to
 /// where they were closes them all. Springs of other contacts on the same bodies are added, dampers
-/// with them.
+/// with them. A rigid body that strips meet cannot return them: with all of these bodies at rest it
+/// vibrates against the springs K of its strips with a square of frequency that is added to those
+/// of the modal bodies, since the largest eigenvalue of a sum, K^1/2 (B M^-1 B^T) K^1/2 over all
+/// bodies, is at most the sum of their largest ones.
 ///
 /// Each side closes in a window about one of n_directions. Of several sides of a body the worst
 /// directions are searched for one after the other, from some that all sides have in common, until

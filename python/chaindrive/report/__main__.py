@@ -4,6 +4,7 @@ import argparse
 import sys
 
 from chaindrive import RunError, report
+from chaindrive.errors import exit_status
 
 
 def main() -> int:
@@ -14,24 +15,16 @@ def main() -> int:
     parser.add_argument("--quiet", action="store_true", help="do not print the path")
     parser.add_argument("--after-run", action="store_true", help=argparse.SUPPRESS)  # which has ended well, whatever becomes of the page
     words = parser.parse_args()
-    status = _write(words)
+    status = exit_status(lambda: _write(words), "The report")
     return 0 if words.after_run else status
 
 
-def _write(words: argparse.Namespace) -> int:
-    try:
-        if len(words.folders) > report.MOST_RUNS:
-            raise RunError(f"A report compares up to {report.MOST_RUNS} runs, not {len(words.folders)}.")
-        file = report.write(words.folders, words.output)
-    except RunError as error:
-        print(f"chaindrive: {error}", file=sys.stderr)
-        return 2
-    except OSError as error:
-        print(f"chaindrive: The report cannot be written: {error}.", file=sys.stderr)
-        return 3
+def _write(words: argparse.Namespace) -> None:
+    if len(words.folders) > report.MOST_RUNS:
+        raise RunError(f"A report compares up to {report.MOST_RUNS} runs, not {len(words.folders)}.")
+    file = report.write(words.folders, words.output)
     if not words.quiet:
-        print(f"Report: {file}")
-    return 0
+        print(f"Report: {file}", flush=True)
 
 
 if __name__ == "__main__":
