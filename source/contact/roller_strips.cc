@@ -17,9 +17,8 @@ namespace
 {
 using dealii::numbers::PI;
 
-constexpr double reach       = 20e-6; // m: modes do not bring strips nearer than that
-constexpr double margin      = 8e-6;  // m: beyond the largest penetration, what deflections close
-constexpr double near_centre = 1e-4;  // m: nor does a roller whose circle is so far away
+constexpr double margin      = 8e-6; // m: beyond the largest penetration, what deflections close
+constexpr double near_centre = 0.05; // over the radius: no modes let a circle so far away touch
 
 /// What the rollers of @p teeth deflect outside without inertia; null if none of them does.
 const reduction::RoundFlexibility *outside_of(const scene::Scene       &scene,
@@ -316,7 +315,7 @@ std::vector<ClosedWindow> RollerStrips::closed_windows() const
   return {window};
 }
 
-void RollerStrips::lay_strips(const World &world, const unsigned int i)
+void RollerStrips::lay_strips(const World &world, const unsigned int i, const double reach)
 {
   Roller      &roller = rollers_[i];
   const Frame &frame = world.frames[pairs_[i].slave.body], &hub = world.frames[flanks_->body()];
@@ -348,7 +347,7 @@ void RollerStrips::lay_strips(const World &world, const unsigned int i)
           strip.gap += 0.5 * distance;
           mean += 0.5 / distance * arm;
         }
-      if (strip.gap > 2. * reach)
+      if (strip.gap > reach)
         continue;
       const dealii::Tensor<1, 2> arm = place.middle - in_gap;
       strip.distance                 = arm.norm();
@@ -362,45 +361,48 @@ void RollerStrips::lay_strips(const World &world, const unsigned int i)
     }
 }
 
-void RollerStrips::list_unknowns(const World &world, const unsigned int i)
+double RollerStrips::find_displacements(const World &world, const unsigned int i)
+{
+  const Frame               &frame   = world.frames[pairs_[i].slave.body];
+  const BodyBatches         &copies  = world.copies[group_];
+  const NodeView             at      = NodeView(copies.position);
+  const unsigned int         n_rings = flexibility_->n_rings(), n = outside_.n_columns;
+  const dealii::Tensor<1, 3> z    = axis_of(world.frames[flanks_->body()], 2);
+  dealii::Tensor<1, 3>       tilt = axis_of(frame, 2); // of a ring's centre per length of axis
+  tilt -= (tilt * z) * z;
+  displacement_.resize(std::size_t(n_rings) * n);
+  double largest = 0.;
+  for (unsigned int r = 0; r < n_rings; ++r)
+    for (unsigned int c = 0; c < n; ++c)
+      {
+        const unsigned int         number = node_[r * n + c];
+        const dealii::Tensor<1, 3> rigid =
+            frame.position + frame.rotation * dealii::Tensor<1, 3>(copies.nodes.position[number]);
+        displacement_[r * n + c] =
+            at[node(world, i, r, c)] - rigid + outside_.rings[flexibility_->rings()[r]] * tilt;
+        largest = std::max(largest, displacement_[r * n + c].norm_square());
+      }
+  return std::sqrt(largest);
+}
+
+void RollerStrips::list_unknowns(const World &world, const unsigned int i, const double reach)
 {
   Roller                    &roller  = rollers_[i];
   StripProblem              &problem = roller.problem;
-  const Frame               &frame   = world.frames[pairs_[i].slave.body];
   const dealii::Tensor<1, 3> z       = axis_of(world.frames[flanks_->body()], 2);
-  dealii::Tensor<1, 3>       tilt    = axis_of(frame, 2); // of a ring's centre per length of axis
-  tilt -= (tilt * z) * z;
-
-  const BodyBatches &copies  = world.copies[group_];
-  const NodeView     at      = NodeView(copies.position);
-  const unsigned int n_rings = flexibility_->n_rings(), n = outside_.n_columns;
-  displacement_.resize(std::size_t(n_rings) * n);
-  is_displaced_.assign(n, 0);
-  const auto find_displacements = [&](const unsigned int column) {
-    for (unsigned int r = 0; r < n_rings; ++r)
-      {
-        const unsigned int         number = node_[r * n + column];
-        const dealii::Tensor<1, 3> rigid =
-            frame.position + frame.rotation * dealii::Tensor<1, 3>(copies.nodes.position[number]);
-        displacement_[r * n + column] = at[node(world, i, r, column)] - rigid;
-      }
-    is_displaced_[column] = 1;
-  };
+  const unsigned int         n_rings = flexibility_->n_rings(), n = outside_.n_columns;
   roller.turning.clear();
   candidates_.clear();
   for (unsigned int s = 0; s < roller.strips.size(); ++s)
     {
       const Strip &strip = roller.strips[s];
-      if (strip.gap > 2. * reach)
+      if (strip.gap > reach)
         continue;
-      for (const unsigned int column : strip.column)
-        if (is_displaced_[column] == 0)
-          find_displacements(column);
       const dealii::Tensor<1, 3> round     = turned(z, strip.direction);
       const double               direction = std::atan2(strip.direction[1], strip.direction[0]);
       for (unsigned int r = 0; r < n_rings; ++r)
         {
-          dealii::Tensor<1, 3> moved = outside_.rings[flexibility_->rings()[r]] * tilt, more;
+          dealii::Tensor<1, 3> moved, more;
           for (unsigned int k = 0; k < n_weights; ++k)
             {
               const dealii::Tensor<1, 3> &u = displacement_[r * n + strip.column[k]];
@@ -439,10 +441,15 @@ void RollerStrips::measure(const World &world, const unsigned int i)
   roller.touch    = flanks_->project(world, frame.position, beyond, 2. * radius_, hint, none);
   records_[i].gap = roller.touch.gap < 0. ? roller.touch.gap + beyond - radius_ :
                                             std::numeric_limits<double>::max();
-  if (records_[i].gap > near_centre)
+  if (records_[i].gap > near_centre * radius_)
     return;
-  lay_strips(world, i);
-  list_unknowns(world, i);
+  // how near modes bring strips, between nodes a little nearer than these; and the deepest overlap
+  const double by_modes = 1.25 * find_displacements(world, i),
+               reach    = by_modes + margin + std::max(0., by_modes - records_[i].gap);
+  if (records_[i].gap > by_modes + margin)
+    return;
+  lay_strips(world, i, reach);
+  list_unknowns(world, i, reach);
 }
 
 void RollerStrips::add_forces(World &world, const double /*dt*/)

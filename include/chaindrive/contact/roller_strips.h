@@ -121,11 +121,15 @@ private:
   /// The strips of pair @p i and their gaps, if it is near enough.
   void measure(const World &world, unsigned int i);
 
-  /// Lays the strips of the gap that the centre of pair @p i is nearest to.
-  void lay_strips(const World &world, unsigned int i);
+  /// By how much modes and tilt move the outside of pair @p i, into displacement_; the most, m.
+  double find_displacements(const World &world, unsigned int i);
+
+  /// Lays the strips of the gap that the centre of pair @p i is nearest to; of those farther than
+  /// @p reach [m] from the round roller nothing but their gaps.
+  void lay_strips(const World &world, unsigned int i, double reach);
 
   /// Lists those that may touch with their gaps.
-  void list_unknowns(const World &world, unsigned int i);
+  void list_unknowns(const World &world, unsigned int i, double reach);
 
   /// Adds the normal forces of pair @p i, and lists them in loads_.
   Pressed press(World &world, unsigned int i);
@@ -155,7 +159,6 @@ private:
   std::vector<unsigned int>               read_;          ///< those announced last
   std::vector<Roller>                     rollers_;
   std::vector<dealii::Tensor<1, 3>>       displacement_; ///< room, [ring][column], m
-  std::vector<char>                       is_displaced_; ///< what is known of that, [column]
   std::vector<Candidate>                  candidates_;   ///< room
   std::vector<Load>                       loads_;        ///< on the roller at hand
   std::vector<unsigned int>               node_;         ///< of their outside, [ring][column]
