@@ -161,6 +161,7 @@ ComplementarityProblem JointBatch::problem_of(const int                       la
   const StripProblem &strips = *coupled.strips;
   const unsigned int  m = matrix.n, k = strips.n(), n_rings = e.flexibility.n_rings();
   const unsigned int  stride = ComplementaritySolver::padded(m + k);
+  const double        column = 2. * dealii::numbers::PI / grid_.slave_circumferential;
   coupled.matrix.resize_fast(std::size_t(m + k) * stride);
   double *number = coupled.matrix.data();
   for (unsigned int i = 0; i < m + k; ++i)
@@ -172,12 +173,8 @@ ComplementarityProblem JointBatch::problem_of(const int                       la
   for (unsigned int a = 0; a < k; ++a)
     {
       double *row = number + std::size_t(m + a) * stride;
-      for (unsigned int place = 0; place * n_rings < m; ++place)
-        {
-          coupled.wall->at(strips.unknown[a],
-                           column_angle(lane, place) - strips.direction[a],
-                           row + place * n_rings);
-        }
+      coupled.wall->at(
+          strips.unknown[a], column_angle(lane, 0) - strips.direction[a], column, m / n_rings, row);
       // the bush presses the bore outwards, the tooth the outside inwards
       for (unsigned int i = 0; i < m; ++i)
         number[std::size_t(i) * stride + m + a] = row[i] = -row[i];

@@ -222,29 +222,41 @@ WallFlexibility::WallFlexibility(const reduction::RoundFlexibility          &out
         }
 }
 
-WallFlexibility::Place WallFlexibility::place_of(const unsigned int i, const double angle) const
+const double *WallFlexibility::table_of(const unsigned int i) const
 {
-  const double turns  = angle / (2. * PI);
-  const double apart  = turns - std::floor(turns + 0.5);
-  const double place  = 2. * std::abs(apart) * (n_angles_ - 1);
-  const auto   before = std::min(static_cast<unsigned int>(place), n_angles_ - 2);
-  return {
-      &table_[((std::size_t(width_[i / n_rings_]) * n_rings_ + i % n_rings_) * n_angles_ + before) *
-              n_places_],
-      place - before,
-      apart < 0. ? -1. : 1.};
+  return &table_[(std::size_t(width_[i / n_rings_]) * n_rings_ + i % n_rings_) * n_angles_ *
+                 n_places_];
 }
 
-void WallFlexibility::at(const unsigned int i, const double angle, double *value) const
+WallFlexibility::Place WallFlexibility::place_of(const double turns) const
 {
-  const auto [row, part, side] = place_of(i, angle);
-  for (unsigned int q = 0; q < n_places_; ++q)
-    value[q] = (1. - part) * row[q] + part * row[n_places_ + q];
+  const double apart  = turns - static_cast<int>(turns + (turns < 0. ? -0.5 : 0.5));
+  const double place  = 2. * std::abs(apart) * (n_angles_ - 1);
+  const auto   before = std::min(static_cast<unsigned int>(place), n_angles_ - 2);
+  return {before, place - before, apart < 0. ? -1. : 1.};
+}
+
+void WallFlexibility::at(const unsigned int i,
+                         const double       angle,
+                         const double       step,
+                         const unsigned int n,
+                         double            *value) const
+{
+  const double *table = table_of(i);
+  const double  first = angle / (2. * PI), turns = step / (2. * PI);
+  for (unsigned int k = 0; k < n; ++k, value += n_places_)
+    {
+      const Place   place = place_of(first + k * turns);
+      const double *row   = table + std::size_t(place.row) * n_places_;
+      for (unsigned int q = 0; q < n_places_; ++q)
+        value[q] = (1. - place.part) * row[q] + place.part * row[n_places_ + q];
+    }
 }
 
 double WallFlexibility::slope(const unsigned int i, const double angle, const unsigned int q) const
 {
-  const Place place = place_of(i, angle);
-  return place.side * (place.row[n_places_ + q] - place.row[q]) * (n_angles_ - 1) / PI;
+  const Place   place = place_of(angle / (2. * PI));
+  const double *row   = table_of(i) + std::size_t(place.row) * n_places_;
+  return place.side * (row[n_places_ + q] - row[q]) * (n_angles_ - 1) / PI;
 }
 } // namespace chaindrive::contact

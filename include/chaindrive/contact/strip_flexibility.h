@@ -94,21 +94,23 @@ public:
                   const std::vector<JointFlexibility::Place> &places);
 
   /// What a strip and ring, numbered as in StripFlexibility, move away from the axis under one
-  /// newton outwards at each of the places, at the @p angle [rad] from the middle of the strip:
-  /// [place], m/N.
-  void at(unsigned int i, double angle, double *value) const;
+  /// newton outwards at each of the places, @p n times: at the @p angle [rad] from the middle of
+  /// the strip, and so far, @p step, from one time to the next: [time][place], m/N.
+  void at(unsigned int i, double angle, double step, unsigned int n, double *value) const;
 
   /// By how much more that is for each radian, at place @p q, m/N.
   double slope(unsigned int i, double angle, unsigned int q) const;
 
 private:
-  /// Where an angle is in the table.
+  /// Where an angle is in the part of the table for one strip and ring: after a row, by a part of
+  /// the way to the next one.
   struct Place
   {
-    const double *row;
-    double        part, side;
+    unsigned int row;
+    double       part, side;
   };
-  Place place_of(unsigned int i, double angle) const;
+  Place         place_of(double turns) const;
+  const double *table_of(unsigned int i) const;
 
   unsigned int              n_rings_, n_places_, n_angles_;
   std::vector<unsigned int> width_; ///< of each strip, number of its table
