@@ -107,26 +107,12 @@ JointBody ghost_body(BodyBatches                     &copies,
   return body_at(copies, lane, nodes);
 }
 
-/// What the body @p number of @p scene deflects on a @p surface in joints without inertia; null if
-/// it has none of that.
-const reduction::RoundFlexibility *
-flexibility_of(const scene::Scene &scene, const unsigned int number, const unsigned int surface)
-{
-  const scene::Body &body  = scene.bodies[number];
-  const auto         basis = scene.bases.find(body.part());
-  if (body.motion == scene::Motion::reduced && basis != scene.bases.end())
-    for (const reduction::RoundFlexibility &side : basis->second->joints)
-      if (side.surface == surface)
-        return &side;
-  return nullptr;
-}
-
 /// Whether the @p bores of @p scene have no penalty.
 bool is_exact(const scene::Scene &scene, const scene::BoreFamily &bores)
 {
   const auto n = std::count_if(bores.pairs.begin(), bores.pairs.end(), [&](const auto &pair) {
-    return flexibility_of(scene, pair.master, pair.master_surface) != nullptr &&
-           flexibility_of(scene, pair.slave.body, pair.slave_surface) != nullptr;
+    return scene::round_flexibility(scene, pair.master, pair.master_surface) != nullptr &&
+           scene::round_flexibility(scene, pair.slave.body, pair.slave_surface) != nullptr;
   });
   if (n != 0 && n != std::ptrdiff_t(bores.pairs.size()))
     throw std::logic_error("NodeBores: some of the joints have a penalty, others have not");
@@ -305,9 +291,9 @@ NodeBores::NodeBores(const scene::Scene      &scene,
           side.half_angle = bores.half_angle;
       if (exact)
         {
-          const reduction::RoundFlexibility &of_bore = *flexibility_of(
+          const reduction::RoundFlexibility &of_bore = *scene::round_flexibility(
                                                 scene, masters.bodies.front(), master_surface),
-                                            &of_cylinder = *flexibility_of(
+                                            &of_cylinder = *scene::round_flexibility(
                                                 scene, slaves.bodies.front(), slave_surface);
           group.flexibility = std::make_unique<const JointFlexibility>(of_bore, of_cylinder);
           const JointFlexibility &joint = *group.flexibility;

@@ -24,15 +24,9 @@ constexpr double near_centre = 0.05; // over the radius: no modes let a circle s
 const reduction::RoundFlexibility *outside_of(const scene::Scene       &scene,
                                               const scene::ToothFamily &teeth)
 {
-  if (teeth.slaves.empty())
-    return nullptr;
-  const scene::Body &body  = scene.bodies[teeth.slaves.front().body];
-  const auto         basis = scene.bases.find(body.part());
-  if (body.motion == scene::Motion::reduced && basis != scene.bases.end())
-    for (const reduction::RoundFlexibility &side : basis->second->joints)
-      if (side.surface == teeth.slave_surface)
-        return &side;
-  return nullptr;
+  return teeth.slaves.empty() ?
+             nullptr :
+             scene::round_flexibility(scene, teeth.slaves.front().body, teeth.slave_surface);
 }
 
 /// The rings of a roller that are over teeth, by more than half of what they stand for.

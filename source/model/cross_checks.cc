@@ -349,6 +349,10 @@ void check_enforcement(const Parameters &p, const Effects &effects, Findings &fi
     findings.contradiction(!effects.is_on(effect),
                            entry + " needs elastic links and rollers, but Effects/" + name +
                                " is off; choose on, or Enforcement = penalty.");
+  findings.contradiction(enforcement == parameters::Enforcement::exact &&
+                             p.effects.contact_damping == Switch::on,
+                         entry + " lets nothing overlap that could be damped, but Effects/Contact "
+                                 "damping is on; choose auto, or Enforcement = penalty.");
   if (enforcement == parameters::Enforcement::exact)
     for (unsigned int i = 0; i < p.drive.sprockets.list.size(); ++i)
       {
@@ -541,8 +545,11 @@ void check_effects(const Parameters &p, const Effects &effects, Findings &findin
          is_common  ? "Contact/Friction coefficient" :
          clearances ? "Contact/Roller-tooth friction, Roller-bush friction and Bush-pin friction" :
                       "Contact/Roller-tooth friction");
-  insist(
-      "Contact damping", entries.contact_damping, Effect::contact_damping, "Contact/Damping ratio");
+  if (contact.enforcement != parameters::Enforcement::exact)
+    insist("Contact damping",
+           entries.contact_damping,
+           Effect::contact_damping,
+           "Contact/Damping ratio");
   insist("Gravity", entries.gravity, Effect::gravity, "Loads/Gravity in m/s2");
   insist("Drag", entries.drag, Effect::drag, "Loads/Drag in 1/s");
   if (!clearances)

@@ -305,11 +305,21 @@ Decision chain_damping(const Parameters &p)
 {
   const double ratio = p.model.chain_damping_ratio;
   if (p.model.capabilities().has_clearances)
-    return {Effect::chain_damping, false, "there are no bars: the joints' contact damping acts"};
+    return {Effect::chain_damping, false, "there are no bars; joints have contact damping or none"};
   return decide(Effect::chain_damping,
                 p.effects.chain_damping,
                 ratio,
                 "chain damping ratio " + to_text(ratio));
+}
+
+Decision contact_damping(const Parameters &p)
+{
+  if (p.model.capabilities().is_reduced && p.contact.enforcement == parameters::Enforcement::exact)
+    return {Effect::contact_damping, false, "nothing overlaps: Contact/Enforcement = exact"};
+  return decide(Effect::contact_damping,
+                p.effects.contact_damping,
+                p.contact.damping_ratio,
+                "damping ratio " + to_text(p.contact.damping_ratio));
 }
 
 Decision start_up(const Parameters &p)
@@ -349,10 +359,7 @@ Effects decide_effects(const Parameters &p)
              p.effects.friction,
              friction,
              "friction coefficient " + to_text(friction)),
-      decide(Effect::contact_damping,
-             p.effects.contact_damping,
-             p.contact.damping_ratio,
-             "damping ratio " + to_text(p.contact.damping_ratio)),
+      contact_damping(p),
       chain_damping(p),
       decide(Effect::gravity,
              p.effects.gravity,

@@ -66,4 +66,16 @@ void weigh_reduced_bodies(Scene &scene)
         body.inertia[d] = found->second.inertia[d][d];
     }
 }
+
+const reduction::RoundFlexibility *
+round_flexibility(const Scene &scene, const unsigned int number, const unsigned int surface)
+{
+  const Body &body  = scene.bodies[number];
+  const auto  basis = scene.bases.find(body.part());
+  if (body.motion == Motion::reduced && basis != scene.bases.end())
+    for (const reduction::RoundFlexibility &side : basis->second->joints)
+      if (side.surface == surface)
+        return &side;
+  return nullptr;
+}
 } // namespace chaindrive::scene

@@ -109,9 +109,10 @@ void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene 
       0.5 * chain.bush_diameter, chain.roller_clearance(), scene.material);
   pins.half_angle =
       drive::largest_half_angle(0.5 * chain.pin_diameter, chain.pin_clearance(), scene.material);
-  scene.notes.push_back("Penalty per area (N/m3): roller-bush " +
-                        to_text(rollers.law.stiffness, 4) + ", bush-pin " +
-                        to_text(pins.law.stiffness, 4));
+  if (!model.contact.exact_joints)
+    scene.notes.push_back("Penalty per area (N/m3): roller-bush " +
+                          to_text(rollers.law.stiffness, 4) + ", bush-pin " +
+                          to_text(pins.law.stiffness, 4));
 
   const auto is_elastic = [&scene](const unsigned int body) {
     return deforms(scene.bodies[body].motion);

@@ -76,24 +76,25 @@ std::pair<unsigned int, unsigned int> size_of(const Scene &scene, const Body &bo
   return {n * part.mesh->n_active_cells(), n * part.mesh->n_used_vertices()};
 }
 
+std::string friction_text(const ContactLaw &law)
+{
+  return law.friction > 0. ? ", mu " + to_text(law.friction) : ", frictionless";
+}
+
 std::string law_text(const ContactLaw &law, const bool elastic)
 {
   const std::string per  = elastic ? "3" : ""; // per area
   std::string       text = "k " + to_text(law.stiffness, 4) + " N/m" + per;
   text += law.damping > 0. ? ", c " + to_text(law.damping, 4) + " N s/m" + per : ", undamped";
-  text += law.friction > 0. ? ", mu " + to_text(law.friction) : ", frictionless";
-  return text + (elastic ? " (nodes, per area)" : " (each point)");
+  return text + friction_text(law) + (elastic ? " (nodes, per area)" : " (each point)");
 }
 
-/// Whether rollers have no penalty on @p teeth: their outside deflects without inertia.
-bool is_exact(const Scene &scene, const ToothFamily &teeth)
+/// Whether @p bores have no penalty.
+bool is_exact(const Scene &scene, const BoreFamily &bores)
 {
-  const auto basis = scene.bases.find(scene.bodies[teeth.slaves.front().body].part());
-  return basis != scene.bases.end() &&
-         scene.bodies[teeth.slaves.front().body].motion == Motion::reduced &&
-         std::any_of(basis->second->joints.begin(),
-                     basis->second->joints.end(),
-                     [&teeth](const auto &side) { return side.surface == teeth.slave_surface; });
+  return !bores.pairs.empty() &&
+         round_flexibility(scene, bores.pairs.front().master, bores.pairs.front().master_surface) !=
+             nullptr;
 }
 
 /// What meshes of rollers do to their clearance: n columns of nodes about the axis touch a plane,
@@ -135,17 +136,20 @@ void print_plan(std::ostream &out, const Scene &scene)
   out << "Interfaces\n";
   for (const BoreFamily &bores : scene.bores)
     out << "  " << std::setw(4) << bores.pairs.size() << (bores.elastic ? " pairs " : " points ")
-        << bores.name << ": " << law_text(bores.law, bores.elastic) << '\n';
+        << bores.name << ": "
+        << (is_exact(scene, bores) ? "without penalty" + friction_text(bores.law) :
+                                     law_text(bores.law, bores.elastic))
+        << '\n';
   for (const FaceFamily &faces : scene.faces)
     out << "  " << std::setw(4) << faces.pairs.size() << " pairs " << faces.name << ": "
         << law_text(faces.law, true) << '\n';
   for (const ToothFamily &teeth : scene.teeth)
     out << "  " << std::setw(4) << teeth.slaves.size() << (teeth.elastic ? " rollers " : " points ")
-        << teeth.name
-        << " (those near the sprocket are looked at): " << law_text(teeth.law, teeth.elastic)
-        << (!teeth.elastic         ? "" :
-            is_exact(scene, teeth) ? ", without penalty: in strips of the profile" :
-                                     columns_text(scene, teeth))
+        << teeth.name << " (those near the sprocket are looked at): "
+        << (round_flexibility(scene, teeth.slaves.front().body, teeth.slave_surface) != nullptr ?
+                "without penalty" + friction_text(teeth.law) + ", in strips of the profile" :
+                law_text(teeth.law, teeth.elastic) +
+                    (teeth.elastic ? columns_text(scene, teeth) : ""))
         << '\n';
   for (const GuideFamily &guide : scene.guides)
     out << "  " << std::setw(4) << guide.slaves.size() << " points " << guide.name

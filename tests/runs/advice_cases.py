@@ -211,6 +211,8 @@ def models():
            [{M + "Elastic sprockets": "off"}, {exact: "exact joints"}])
     yield ("has the flanks of its mesh; choose Enforcement = exact joints",
            {**REDUCED, exact: "exact", modes: 120, S + "Driver mesh": MESH}, [{exact: "exact joints"}])
+    yield ("lets nothing overlap that could be damped, but Effects/Contact damping is on; choose auto, or Enforcement = penalty",
+           {**REDUCED, exact: "exact", modes: 120, E + "Contact damping": "on"}, [{E + "Contact damping": "auto"}, {exact: "penalty"}])
     yield ("Plate faces = on is for elastic bodies: .* has none; choose off", {K + "Plate faces": "on"}, [{K + "Plate faces": "off"}])
     yield (none, {M + "Elastic sprockets": "on"}, [{M + "Elastic sprockets": "auto"}, {M + "Elastic sprockets": "off"}])
     yield ("in which no link is elastic; choose all, or Fidelity = full", {**SMALL, M + "Elastic links": "region of interest", END: 3, WINDOW: 1},

@@ -26,7 +26,8 @@ struct Sector;
 namespace chaindrive::reduction
 {
 struct Basis;
-}
+struct RoundFlexibility;
+} // namespace chaindrive::reduction
 
 namespace chaindrive
 {
@@ -191,4 +192,9 @@ struct Scene
   /// Kinetic energy of the chain at the full speed of the drive, J: the scale of all energies.
   double nominal_energy() const;
 };
+
+/// What the body @p number of @p scene deflects on a round @p surface of its mesh without inertia;
+/// null if nothing: then it touches others there by penalty.
+const reduction::RoundFlexibility *
+round_flexibility(const Scene &scene, unsigned int number, unsigned int surface);
 } // namespace chaindrive::scene
