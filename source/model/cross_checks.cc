@@ -354,18 +354,10 @@ void check_enforcement(const Parameters &p, const Effects &effects, Findings &fi
                          entry + " lets nothing overlap that could be damped, but Effects/Contact "
                                  "damping is on; choose auto, or Enforcement = penalty.");
   if (enforcement == parameters::Enforcement::exact)
-    for (unsigned int i = 0; i < p.drive.sprockets.list.size(); ++i)
-      {
-        const Sprocket &sprocket = p.drive.sprockets.list[i];
-        const Decision &elastic  = effects.of(Effect::elastic_sprocket, i);
-        findings.contradiction(elastic.on,
-                               entry + " is" + for_rigid_teeth(sprocket, elastic) +
-                                   ", or Enforcement = exact joints.");
-        findings.contradiction(
-            !sprocket.mesh.empty(),
-            entry + " is for teeth of arcs, but the " + sprocket.in_words() +
-                " has the flanks of its mesh; choose Enforcement = exact joints.");
-      }
+    for (const Sprocket &sprocket : p.drive.sprockets.list)
+      findings.contradiction(!sprocket.mesh.empty(),
+                             entry + " is for teeth of arcs, but the " + sprocket.in_words() +
+                                 " has the flanks of its mesh; choose Enforcement = exact joints.");
   constexpr double least = 110e3; // Hz
   findings.contradiction(
       p.reduction.modes_up_to < least,

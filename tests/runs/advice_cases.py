@@ -206,11 +206,10 @@ def models():
     yield ("but Model/Elastic links = region of interest; choose all, or Enforcement = penalty",
            {**REDUCED, exact: "exact joints", modes: 120, M + "Elastic links": "region of interest", END: 3, WINDOW: 1},
            [{M + "Elastic links": "all"}, {exact: "penalty"}])
-    yield (r"is for rigid teeth, but those of the .* are elastic \(.*\); choose Model/Elastic sprockets = off, or Enforcement = exact joints",
-           {**REDUCED, exact: "exact", modes: 120, M + "Elastic sprockets": "on"},
-           [{M + "Elastic sprockets": "off"}, {exact: "exact joints"}])
     yield ("has the flanks of its mesh; choose Enforcement = exact joints",
-           {**REDUCED, exact: "exact", modes: 120, S + "Driver mesh": MESH}, [{exact: "exact joints"}])
+           {**REDUCED, exact: "exact", modes: 120, D + "Driver teeth": 15, D + "Number of links": 34, S + "Driver mesh": MESH,
+            S + "Driver outside diameter in mm": 81.8, S + "Driver hub diameter in mm": 33, S + "Driver bore in mm": 25},
+           [{exact: "exact joints"}])
     yield ("lets nothing overlap that could be damped, but Effects/Contact damping is on; choose auto, or Enforcement = penalty",
            {**REDUCED, exact: "exact", modes: 120, E + "Contact damping": "on"}, [{E + "Contact damping": "auto"}, {exact: "penalty"}])
     yield ("Plate faces = on is for elastic bodies: .* has none; choose off", {K + "Plate faces": "on"}, [{K + "Plate faces": "off"}])
