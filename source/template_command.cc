@@ -134,9 +134,9 @@ void template_command(const CommandLine::Design &design,
       << "  # CHECK: of all that turns with the driven sprocket; auto is the sprocket alone\n"
       << "  set Driven inertia in kg m2 = auto\nend\n\n";
   if (exact)
-    out << "subsection Contact\n  # nothing overlaps, so that all is as soft as static solutions "
-           "say; "
-           "penalty\n  # is for elastic or imported sprockets\n  "
+    out << "subsection Contact\n"
+           "  # nothing overlaps, so that all is as soft as static solutions say; penalty is for\n"
+           "  # imported sprockets\n  "
         << set("Contact/Enforcement") << "end\n\nsubsection Reduction\n  "
         << set("Reduction/Modes up to in kHz") << "end\n\n";
   out << "subsection Loads\n  " << set("Loads/Driver speed in rpm") << "  "
