@@ -260,17 +260,13 @@ ClosedStrips RollerStrips::close(const std::vector<double> &middles,
           for (unsigned int k = 0; k < n_weights; ++k)
             closed.places.back().node[k] = node_[r * n + columns.number[k]];
         }
-  std::vector<double> of_bore(std::size_t(n_bore_rings) * n);
-  closed.through.resize(unknown.size() * n_bore_rings * n);
+  const std::size_t n_bore = std::size_t(n_bore_rings) * n;
+  closed.through.resize(unknown.size() * n_bore);
   for (unsigned int a = 0; a < unknown.size(); ++a)
     {
       for (const unsigned int b : unknown)
         closed.flexibility.push_back(flexibility_->at(unknown[a], b));
-      wall.at(unknown[a], -closed.places[a].angle, 2. * PI / n, n, of_bore.data());
-      for (unsigned int c = 0; c < n; ++c)
-        for (unsigned int q = 0; q < n_bore_rings; ++q)
-          closed.through[(std::size_t(a) * n_bore_rings + q) * n + c] =
-              of_bore[c * n_bore_rings + q];
+      wall.at(unknown[a], -closed.places[a].angle, 2. * PI / n, n, &closed.through[a * n_bore]);
     }
   return closed;
 }

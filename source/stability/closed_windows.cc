@@ -126,9 +126,8 @@ double flexibility_of(const std::vector<Closed> &closed, const ClosedPlace &a, c
                                                   (b.place % n + n - a.place % n) % n];
   if (strips == nullptr)
     return closed[b.closed].strips() == nullptr ? 0. : flexibility_of(closed, b, a);
-  return strips
-      ->through[(a.place * window.n_rings_of_through + other.first_ring + b.place / n) * n +
-                b.place % n];
+  return strips->through[(std::size_t(a.place) * n + b.place % n) * window.n_rings_of_through +
+                         other.first_ring + b.place / n];
 }
 
 /// What bodies are held by, 1/s2, and how stiff that is in any direction of the plane at most, N/m.

@@ -19,8 +19,8 @@ struct ClosedStrips
   };
   std::vector<Place>  places;
   std::vector<double> flexibility; ///< [place][place], m/N
-  /// Between the outside and a node of the bore, through the wall: [place][ring of the whole
-  /// bore][column], m/N.
+  /// Between the outside and a node of the bore, through the wall: [place][column][ring of
+  /// the whole bore], m/N.
   std::vector<double> through;
 };
 
@@ -42,8 +42,8 @@ struct ClosedWindow
   std::vector<ClosedStrips> strips             = {};
   unsigned int              n_rings_of_through = 0;
   double                    across_middle = 0.; ///< one spring of friction for all of them, N/m
-  /// So much one newton moves what strips meet, a rigid body, wherever they meet it, and so many
-  /// other sides meet it, too: 1/kg.
+  /// Of the rigid body that strips meet, 1/kg: acceleration per newton at its teeth, times their
+  /// number.
   double mobility = 0.;
 };
 
