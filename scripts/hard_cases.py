@@ -26,7 +26,8 @@ SMALL = {
 VARIANTS = {
     "h": {"Model/Fidelity": "full", "Elements/Plates": "solid-shell", "Elements/Bushes": "solid-shell"},
     "m": {"Model/Fidelity": "full", "Elements/Plates": "membrane", "Elements/Bushes": "solid-shell", "Effects/Plate bending": "off"},
-    "e": {"Model/Fidelity": "reduced", "Contact/Enforcement": "exact", "Reduction/Modes up to in kHz": 120},
+    "r": {"Model/Fidelity": "reduced", "Contact/Enforcement": "penalty"},
+    "e": {"Model/Fidelity": "reduced"},
 }
 ELASTIC = "fhmre"
 

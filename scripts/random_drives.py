@@ -67,8 +67,10 @@ def draw(rng, fidelity):
         entries["Effects/Tooth compliance"] = rng.choice(("auto", "on", "off"))
         entries["Time/End time in ms"] = 0.05
         entries["Model/Stiffness from"] = "parts"
+    if fidelity == "reduced":
+        entries["Contact/Enforcement"] = "penalty"
     if fidelity == "exact":
-        entries |= {"Contact/Enforcement": "exact", "Reduction/Modes up to in kHz": 120, "Time/End time in ms": 0.3}
+        entries["Time/End time in ms"] = 0.3
     if fidelity == "full":
         for body in ("links", "rollers", "driver", "driven"):
             entries[f"Effects/Elastic {body}"] = rng.choice(("auto", "off"))

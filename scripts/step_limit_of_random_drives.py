@@ -37,6 +37,7 @@ def draw(rng):
         "Contact/Friction coefficient": rng.choice((0, 0.1, 0.3)),
         "Contact/Damping ratio": rng.choice((0, 0.1, 0.5, 1)),
         "Contact/Tangential ratio": round(rng.uniform(0.2, 1), 3),
+        "Contact/Enforcement": "penalty",
         "Contact/Penalty factor": round(10 ** rng.uniform(-1, 1), 3),
         "Effects/Tooth compliance": rng.choice(("on", "off")),
     }

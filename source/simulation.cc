@@ -3,6 +3,7 @@
 #include <chaindrive/dynamics/relaxation.h>
 #include <chaindrive/dynamics/time_loop.h>
 #include <chaindrive/model/decide.h>
+#include <chaindrive/observe/elastic_bodies.h>
 #include <chaindrive/reduction/kept_basis.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/simulation.h>
@@ -100,22 +101,25 @@ scene::BasisOf
 part_bases(const Parameters &parameters, const MPI_Comm comm, const Announce &announce)
 {
   using Known = std::map<std::string, std::shared_ptr<const reduction::Basis>>;
-  return [&parameters, comm, announce, known = std::make_shared<Known>()](const mesh::Part &part) {
+  return [&parameters,
+          effects = model::decide_effects(parameters),
+          comm,
+          announce,
+          known = std::make_shared<Known>()](const mesh::Part &part) {
     auto &basis = (*known)[part.name];
     if (!basis)
       {
         statics::Cache cache(statics::Cache::usual_folder());
-        basis = std::make_shared<const reduction::Basis>(reduction::kept_basis(
-            part,
-            parameters.material,
-            parameters.elements,
-            reduction::options_of(parameters.reduction,
-                                  parameters.contact.enforcement ==
-                                      parameters::Enforcement::penalty,
-                                  parameters.contact.enforcement != parameters::Enforcement::exact),
-            cache,
-            comm,
-            announce));
+        basis = std::make_shared<const reduction::Basis>(
+            reduction::kept_basis(part,
+                                  parameters.material,
+                                  parameters.elements,
+                                  reduction::options_of(parameters.reduction,
+                                                        !effects.is_on(model::Effect::exact_joints),
+                                                        !effects.is_on(model::Effect::exact_teeth)),
+                                  cache,
+                                  comm,
+                                  announce));
       }
     return basis;
   };
@@ -142,15 +146,18 @@ std::pair<drive::Drive, model::Model> decide(const Parameters               &par
   drive::JointShifts        shifts{std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
   std::vector<ShiftOfJoint> pins(n, ShiftOfJoint{2. * drive.stiffness_per_pitch}),
       seats(n, ShiftOfJoint{seat_stiffness});
+  std::optional<double> critical_time_step;
   for (unsigned int i = 0; i < 6; ++i)
     {
       if (announce)
         announce("Straining the elastic bodies for a settled start, round " +
                  std::to_string(i + 1) + " of at most 6 ...");
-      const scene::Scene scene  = scene::build_scene(model, drive, folders, basis_of);
-      const auto         forces = dynamics::Relaxation(scene, comm).joint_forces();
-      const double       much   = 0.2 * drive.layout.prestress;
-      double             worst  = 0.;
+      const scene::Scene   scene = scene::build_scene(model, drive, folders, basis_of);
+      dynamics::Relaxation relaxation(scene, comm, 2e-3, critical_time_step);
+      const auto           forces = relaxation.joint_forces();
+      critical_time_step          = relaxation.critical_time_step();
+      const double much           = 0.2 * drive.layout.prestress;
+      double       worst          = 0.;
       for (unsigned int k = 0; k < n; ++k)
         {
           const drive::Layout::Joint &joint = drive.layout.joints[k];
@@ -174,6 +181,19 @@ std::string overload(const Parameters &parameters, const drive::Facts &facts)
     if (check.name == "strength" || check.name == "start")
       sentences += (sentences.empty() ? "" : " ") + check.sentence;
   return sentences;
+}
+
+/// With what observers measure in every step.
+scene::Scene make_scene(const model::Model             &model,
+                        const drive::Drive             &drive,
+                        const std::vector<std::string> &folders,
+                        const scene::BasisOf           &basis_of,
+                        const MPI_Comm                  comm)
+{
+  scene::Scene scene = scene::build_scene(model, drive, folders, basis_of);
+  if (model.output.asks_for(parameters::QuantityGroup::plate_stress))
+    observe::measure_waists(scene, comm);
+  return scene;
 }
 
 /// A refusal names the meshes whose flanks may be to blame.
@@ -230,7 +250,7 @@ Simulation::Simulation(const Parameters                            &parameters,
     , drive(decided.first)
     , facts(drive::make_facts(parameters, drive))
     , model(decided.second)
-    , scene(scene::build_scene(model, drive, folders, basis_of))
+    , scene(make_scene(model, drive, folders, basis_of, comm))
 {
   if (!scene.has_elastic_bodies() && rank_in(comm) != 0)
     return;

@@ -98,12 +98,6 @@ void template_command(const CommandLine::Design &design,
                                 {"Model/Fidelity", fidelity},
                                 {"Time/End time in ms", pitches(40.)},
                                 {"Output/Window start in ms", pitches(20.)}};
-  const bool        exact    = fidelity == "reduced"; // right at the price of a penalty
-  if (exact)
-    {
-      values["Contact/Enforcement"]          = "exact";
-      values["Reduction/Modes up to in kHz"] = "120";
-    }
   // means are to hold three periods of the slowest resonance that everything takes part in
   const Parameters   parameters = read(values);
   const drive::Drive laid       = drive::make_drive(parameters);
@@ -133,12 +127,6 @@ void template_command(const CommandLine::Design &design,
       << "  " << set("Model/Fidelity")
       << "  # CHECK: of all that turns with the driven sprocket; auto is the sprocket alone\n"
       << "  set Driven inertia in kg m2 = auto\nend\n\n";
-  if (exact)
-    out << "subsection Contact\n"
-           "  # nothing overlaps, so that all is as soft as static solutions say; penalty is for\n"
-           "  # imported sprockets\n  "
-        << set("Contact/Enforcement") << "end\n\nsubsection Reduction\n  "
-        << set("Reduction/Modes up to in kHz") << "end\n\n";
   out << "subsection Loads\n  " << set("Loads/Driver speed in rpm") << "  "
       << set("Loads/Power in kW") << "end\n\nsubsection Time\n  # " << 20 + window << " pitches\n  "
       << set("Time/End time in ms") << "end\n\nsubsection Output\n  # means over the last "

@@ -8,47 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <stdexcept>
 #include <string>
 
 namespace chaindrive
 {
-namespace
-{
-/// The sides on which reduced bodies of one part touch others with their nodes.
-std::set<unsigned int> sides_that_touch(const scene::Scene &scene, const scene::PartOf &of)
-{
-  std::set<unsigned int> sides;
-  const auto             add = [&](const unsigned int body, const unsigned int side) {
-    const scene::Body  &b    = scene.bodies[body];
-    const scene::PartOf part = b.part();
-    if (b.motion == scene::Motion::reduced && !(part < of) && !(of < part))
-      sides.insert(side);
-  };
-  for (const scene::BoreFamily &bores : scene.bores)
-    for (const scene::BorePair &pair : bores.elastic ? bores.pairs : std::vector<scene::BorePair>())
-      {
-        add(pair.master, pair.master_surface);
-        add(pair.slave.body, pair.slave_surface);
-      }
-  for (const scene::FaceFamily &faces : scene.faces)
-    for (const scene::FacePair &pair : faces.pairs)
-      {
-        add(pair.master, pair.master_surface);
-        add(pair.slave, pair.slave_surface);
-      }
-  const auto add_slaves = [&](const auto &family) {
-    for (const scene::SlavePoint &slave : family.slaves)
-      if (family.elastic)
-        add(slave.body, family.slave_surface);
-  };
-  std::for_each(scene.teeth.begin(), scene.teeth.end(), add_slaves);
-  std::for_each(scene.surfaces.begin(), scene.surfaces.end(), add_slaves);
-  return sides;
-}
-} // namespace
-
 ReducedBodies::ReducedBodies(const scene::Scene &scene,
                              const World        &world,
                              const unsigned int  group)
@@ -66,7 +30,7 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene,
   for (unsigned int i = 0; i < 3 * copies.n_nodes(); ++i)
     reference_[i] = copies.nodes.position[i / 3][i % 3];
   std::vector<char> touches(copies.n_nodes(), 0);
-  for (const unsigned int side : sides_that_touch(scene, of))
+  for (const unsigned int side : scene::sides_that_touch(scene, of))
     for (const unsigned int node :
          mesh::SurfaceNodes(*copies.part, copies.nodes, static_cast<mesh::Surface>(side)).node)
       touches[node] = 1;
@@ -76,6 +40,8 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene,
     numbers->resize(copies.n_batches() * per_batch(), 0.);
   in_body_.resize(node_offset(node_.size()));
   found_.resize(n_touching_);
+  if (const auto measures = scene.measures.find(of); measures != scene.measures.end())
+    measures_ = ForceMeasures(measures->second, copies);
   ReadNodes nobody;
   nobody.node.resize(node_.size(), ModalNodes::none);
   nobody.placed.resize(node_.size(), 0);
@@ -300,6 +266,8 @@ void ReducedBodies::gather_forces(World &world)
         }
       take_frames(world, batch);
       const ReadNodes &nodes = read_[batch];
+      if (measures_.asks()) // before they become zero
+        measures_.measure(world, copies, batch, nodes.node);
       kernels_.gather({modal_nodes(nodes.known, nodes),
                        copies.position.begin() + copies.start_of(batch),
                        copies.force.begin() + copies.start_of(batch),
@@ -546,6 +514,21 @@ std::vector<double> ReducedBodies::amplitudes_of(const World &world, const unsig
   for (unsigned int m = 0; m < n_modes(); ++m)
     amplitudes[m] = amplitude_[place_of(world.copies[group_], copy, m)];
   return amplitudes;
+}
+
+std::vector<double> ReducedBodies::accelerations_of(const World       &world,
+                                                    const unsigned int copy) const
+{
+  std::vector<double> accelerations(n_modes());
+  for (unsigned int m = 0; m < n_modes(); ++m)
+    accelerations[m] = acceleration_[place_of(world.copies[group_], copy, m)];
+  return accelerations;
+}
+
+std::vector<double> ReducedBodies::measures_of(const World &world, const unsigned int copy) const
+{
+  const BodyBatches &copies = world.copies[group_];
+  return measures_.of(copies.batch_of(copy), copies.lane_of(copy));
 }
 
 void ReducedBodies::rest_at(const World               &world,

@@ -59,7 +59,7 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
       };
   for (const scene::ToothFamily &teeth : scene.teeth)
     {
-      if (RollerStrips::is_exact(scene, teeth))
+      if (!has_penalty(scene, teeth))
         {
           add_strips(scene, teeth, world);
           continue;

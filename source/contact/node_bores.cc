@@ -107,18 +107,6 @@ JointBody ghost_body(BodyBatches                     &copies,
   return body_at(copies, lane, nodes);
 }
 
-/// Whether the @p bores of @p scene have no penalty.
-bool is_exact(const scene::Scene &scene, const scene::BoreFamily &bores)
-{
-  const auto n = std::count_if(bores.pairs.begin(), bores.pairs.end(), [&](const auto &pair) {
-    return scene::round_flexibility(scene, pair.master, pair.master_surface) != nullptr &&
-           scene::round_flexibility(scene, pair.slave.body, pair.slave_surface) != nullptr;
-  });
-  if (n != 0 && n != std::ptrdiff_t(bores.pairs.size()))
-    throw std::logic_error("NodeBores: some of the joints have a penalty, others have not");
-  return n != 0;
-}
-
 /// The rings of @p side from @p first to @p last, of the mesh's @p grid.
 ClosedWindow window_of(const reduction::RoundFlexibility &side,
                        const mesh::CylinderGrid          &grid,
@@ -244,7 +232,7 @@ NodeBores::NodeBores(const scene::Scene      &scene,
                      const bool               search_every_step)
     : Family(bores.name, bores.interface, bores.law), every_step_(search_every_step)
 {
-  const bool exact = is_exact(scene, bores);
+  const bool exact = !has_penalty(scene, bores);
   if (exact)
     {
       law_.damping = law_.tangential_damping = 0.;

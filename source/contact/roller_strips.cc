@@ -20,15 +20,6 @@ using dealii::numbers::PI;
 constexpr double margin      = 8e-6; // m: beyond the largest penetration, what deflections close
 constexpr double near_centre = 0.05; // over the radius: no modes let a circle so far away touch
 
-/// What the rollers of @p teeth deflect outside without inertia; null if none of them does.
-const reduction::RoundFlexibility *outside_of(const scene::Scene       &scene,
-                                              const scene::ToothFamily &teeth)
-{
-  return teeth.slaves.empty() ?
-             nullptr :
-             scene::round_flexibility(scene, teeth.slaves.front().body, teeth.slave_surface);
-}
-
 /// The rings of a roller that are over teeth, by more than half of what they stand for.
 struct CoveredRings
 {
@@ -114,11 +105,6 @@ struct KnownForce
 };
 } // namespace
 
-bool RollerStrips::is_exact(const scene::Scene &scene, const scene::ToothFamily &teeth)
-{
-  return teeth.elastic && outside_of(scene, teeth) != nullptr;
-}
-
 RollerStrips::RollerStrips(const scene::Scene       &scene,
                            const scene::ToothFamily &teeth,
                            const World              &world,
@@ -128,7 +114,7 @@ RollerStrips::RollerStrips(const scene::Scene       &scene,
                      teeth.law,
                      pairs_on(make_flanks(teeth, world), teeth.slaves))
     , flanks_(pairs_.front().surface)
-    , outside_(*outside_of(scene, teeth))
+    , outside_(*scene::round_flexibility(scene, teeth.slaves.front().body, teeth.slave_surface))
     , radius_(teeth.slaves.front().radius)
     , form_(teeth.form)
     , profile_(*teeth.form, radius_)
@@ -518,8 +504,9 @@ void RollerStrips::add_friction(World             &world,
   double                     slip_rate[2] = {0., 0.};
   for (const Load &load : loads_)
     {
-      const dealii::Tensor<1, 3> v =
+      dealii::Tensor<1, 3> v =
           velocity[load.node] - world.velocity_at(hub, at[load.node], 0.5 * dt);
+      world.symmetry.cancel_across(v); // the other half slips to the other side
       slip_rate[0] -= load.force / pressed.sum * (v * turned(z, load.direction));
       slip_rate[1] += load.force / pressed.sum * (v * z);
     }
@@ -558,7 +545,13 @@ void RollerStrips::finish_forces(World &world, const double dt)
       add_friction(world, dt, i, pressed);
       record.force = world.symmetry.whole_force(pressed.force);
       if (!(pressed.sum > 0.))
-        continue;
+        {
+          // strips that do not touch are at least as far away as nothing; round it might overlap
+          const std::vector<double> &gaps = rollers_[i].problem.gap;
+          record.gap =
+              std::max(0., gaps.empty() ? record.gap : *std::min_element(gaps.begin(), gaps.end()));
+          continue;
+        }
       // how bodies have been placed, before they deflect
       record.gap     = dt == 0. ? -pressed.deepest : 0.;
       record.feature = rollers_[i].touch.feature;

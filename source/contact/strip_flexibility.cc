@@ -23,6 +23,33 @@ double mean_over_strip(const double k, const double w)
   return x < 1e-6 ? 1. : std::sin(x) / x;
 }
 
+/// The means of cos(k t) and sin(k t) over each strip of a @p grid, of the harmonics up to a last
+/// one.
+class StripHarmonics
+{
+public:
+  StripHarmonics(const StripGrid &grid, const unsigned int last) : n_(grid.size())
+  {
+    for (unsigned int k = 0; k <= last; ++k)
+      for (unsigned int a = 0; a < n_; ++a)
+        {
+          const double mean = mean_over_strip(k, grid.half_width[a]);
+          cosine_.push_back(mean * std::cos(k * grid.middle[a]));
+          sine_.push_back(mean * std::sin(k * grid.middle[a]));
+        }
+  }
+
+  /// The mean of cos(k (t - u)) over t in strip @p a and u in @p b.
+  double between(const unsigned int k, const unsigned int a, const unsigned int b) const
+  {
+    return cosine_[k * n_ + a] * cosine_[k * n_ + b] + sine_[k * n_ + a] * sine_[k * n_ + b];
+  }
+
+private:
+  unsigned int        n_;
+  std::vector<double> cosine_, sine_; ///< [k][strip]
+};
+
 /// Harmonics [k][ring][ring] of @p values [ring][ring][columns between], those of a unit force at a
 /// point.
 std::vector<double> harmonics_of(const std::vector<double> &values, const unsigned int n)
@@ -88,28 +115,12 @@ void StripFlexibility::add_in_rings(const std::vector<double> &lengths, const Va
 {
   const unsigned int n_strips = grid_.size(), m = n_rings();
   for (unsigned int a = 0; a < n_strips; ++a)
-    for (unsigned int b = 0; b < n_strips; ++b)
+    for (unsigned int b = 0; b <= a; ++b)
       {
         const double of_length = value(a, b);
         for (unsigned int r = 0; r < m; ++r)
           value_[std::size_t(a * m + r) * n() + b * m + r] += of_length / lengths[r];
       }
-}
-
-template <typename Factor>
-void StripFlexibility::add_harmonics(const unsigned int         first,
-                                     const unsigned int         end,
-                                     const std::vector<double> &lengths,
-                                     const Factor              &factor)
-{
-  add_in_rings(lengths, [&](const unsigned int a, const unsigned int b) {
-    double sum = 0.;
-    for (unsigned int k = first; k < end; ++k)
-      sum += factor(k) * mean_over_strip(k, grid_.half_width[a]) *
-             mean_over_strip(k, grid_.half_width[b]) *
-             std::cos(k * (grid_.middle[a] - grid_.middle[b]));
-    return sum;
-  });
 }
 
 void StripFlexibility::add_short_waves(const unsigned int         first,
@@ -141,38 +152,55 @@ StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
   const auto harmonic = [&](const unsigned int k, const unsigned int r, const unsigned int s) {
     return harmonics[(std::size_t(k) * all + rings_[r]) * all + rings_[s]];
   };
+  const StripHarmonics on_strips(grid_, n_columns / 2);
   for (unsigned int a = 0; a < grid.size(); ++a)
-    for (unsigned int b = 0; b < grid.size(); ++b)
+    for (unsigned int b = 0; b <= a; ++b)
       for (unsigned int k = 0; k <= n_columns / 2; ++k)
         {
-          const double part = mean_over_strip(k, grid_.half_width[a]) *
-                              mean_over_strip(k, grid_.half_width[b]) *
-                              std::cos(k * (grid_.middle[a] - grid_.middle[b]));
+          const double part = on_strips.between(k, a, b);
           for (unsigned int r = 0; r < m; ++r)
             for (unsigned int s = 0; s < m; ++s)
               value_[std::size_t(a * m + r) * n() + b * m + s] += part * harmonic(k, r, s);
         }
 
   // a half-space of unit length under a force per length: harmonics of 2 / (pi E' k)
-  const double of_half_space = 2. / (PI * material.plane_modulus());
-  const double length        = std::accumulate(lengths.begin(), lengths.end(), 0.);
-  add_harmonics(n_columns / 4, n_columns / 2 + 1, lengths, [&](const unsigned int k) {
-    double of_mesh = 0.; // under an even pressure in all rings, as if these were one of unit length
-    for (unsigned int r = 0; r < m; ++r)
-      for (unsigned int s = 0; s < m; ++s)
-        of_mesh += lengths[r] * harmonic(k, r, s) * lengths[s] / length;
-    return std::max(0., of_half_space / k - of_mesh);
+  const double        of_half_space = 2. / (PI * material.plane_modulus());
+  const double        length        = std::accumulate(lengths.begin(), lengths.end(), 0.);
+  std::vector<double> lacking; // what makes the harmonics of the mesh up to it
+  for (unsigned int k = n_columns / 4; k <= n_columns / 2; ++k)
+    {
+      double of_mesh = 0.; // under an even pressure in all rings, as of one of unit length
+      for (unsigned int r = 0; r < m; ++r)
+        for (unsigned int s = 0; s < m; ++s)
+          of_mesh += lengths[r] * harmonic(k, r, s) * lengths[s] / length;
+      lacking.push_back(std::max(0., of_half_space / k - of_mesh));
+    }
+  add_in_rings(lengths, [&](const unsigned int a, const unsigned int b) {
+    double sum = 0.;
+    for (unsigned int i = 0; i < lacking.size(); ++i)
+      sum += lacking[i] * on_strips.between(n_columns / 4 + i, a, b);
+    return sum;
   });
   add_short_waves(n_columns / 2 + 1, lengths, of_half_space);
-  if (!(tooth.stiffness > 0.))
-    return;
+  if (tooth.stiffness > 0.)
+    add_tooth(tooth, lengths, of_half_space);
+  for (unsigned int i = 0; i < n(); ++i) // strips above are as those below, rings of one as well
+    for (unsigned int j = 0; j < i; ++j)
+      value_[std::size_t(j) * n() + i] = value_[std::size_t(i) * n() + j];
+}
+
+void StripFlexibility::add_tooth(const Tooth               &tooth,
+                                 const std::vector<double> &lengths,
+                                 const double               of_half_space)
+{
   add_short_waves(first_of_tooth, lengths, of_half_space);
   // what is left of the whole deflection in the seat, whose pressure is half of an ellipse
   double of_dents = 0.;
   for (unsigned int k = first_of_tooth; k < 1000; ++k)
     {
       const double x = k * tooth.half_angle, mean = 2. * dealii::std_cxx17::cyl_bessel_j(1., x) / x;
-      of_dents += of_half_space / (k * length) * mean * mean;
+      of_dents +=
+          of_half_space * mean * mean / (k * std::accumulate(lengths.begin(), lengths.end(), 0.));
     }
   const double rest = std::max(0., 1. / tooth.stiffness - of_dents);
   for (double &value : value_)

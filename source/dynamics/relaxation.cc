@@ -275,8 +275,13 @@ private:
 };
 } // namespace
 
-Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm, const double change)
-    : scene_(scene), system_(at_rest(scene), false, comm)
+Relaxation::Relaxation(const scene::Scene         &scene,
+                       const MPI_Comm              comm,
+                       const double                change,
+                       const std::optional<double> known)
+    : scene_(scene)
+    , system_(at_rest(scene), false, comm)
+    , critical_time_step_(known ? *known : system_.critical_time_step())
 {
   World                       &world = system_.world;
   const std::vector<HeldBatch> links = links_of(scene, world);
@@ -284,7 +289,7 @@ Relaxation::Relaxation(const scene::Scene &scene, const MPI_Comm comm, const dou
 
   constexpr unsigned int most  = 100; // intervals
   const Material        &steel = scene.material;
-  const double           dt    = (modal.has_modal() ? 0.5 : 0.65) * system_.critical_time_step();
+  const double           dt    = (modal.has_modal() ? 0.5 : 0.65) * critical_time_step_;
   const double           wave = scene.drive.pitch / std::sqrt(steel.youngs_modulus / steel.density);
   const unsigned int     steps  = static_cast<unsigned int>(5. * wave / dt) + 1;
   double                 before = 0., stored = 0.;

@@ -299,7 +299,8 @@ void check_model(const Parameters &p, Findings &findings)
       elastic && (p.contact.roller_tooth_stiffness || p.contact.roller_bush_stiffness),
       "Contact/Roller-tooth stiffness in N/m and Roller-bush stiffness in N/m follow from the "
       "elastic parts in " +
-          chosen + ": leave them auto and choose Penalty factor.");
+          chosen + ": leave them auto" +
+          (p.model.capabilities().is_reduced ? "." : " and choose Penalty factor."));
   findings.contradiction(!elastic && p.contact.plate_faces == Switch::on,
                          "Contact/Plate faces = on is for elastic bodies: " + chosen +
                              " has none; choose off.");
@@ -328,7 +329,8 @@ void check_model(const Parameters &p, Findings &findings)
 void check_enforcement(const Parameters &p, const Effects &effects, Findings &findings)
 {
   const parameters::Enforcement enforcement = p.contact.enforcement;
-  if (enforcement == parameters::Enforcement::penalty)
+  if (enforcement == parameters::Enforcement::automatic ||
+      enforcement == parameters::Enforcement::penalty)
     return;
   const std::string entry = "Contact/Enforcement = " + parameters::text_of(enforcement);
   if (!p.model.capabilities().is_reduced)
@@ -350,7 +352,8 @@ void check_enforcement(const Parameters &p, const Effects &effects, Findings &fi
                            entry + " needs elastic links and rollers, but Effects/" + name +
                                " is off; choose on, or Enforcement = penalty.");
   findings.contradiction(enforcement == parameters::Enforcement::exact &&
-                             p.effects.contact_damping == Switch::on,
+                             p.effects.contact_damping == Switch::on &&
+                             !effects.is_on(Effect::plate_faces),
                          entry + " lets nothing overlap that could be damped, but Effects/Contact "
                                  "damping is on; choose auto, or Enforcement = penalty.");
   if (enforcement == parameters::Enforcement::exact)
@@ -358,14 +361,14 @@ void check_enforcement(const Parameters &p, const Effects &effects, Findings &fi
       findings.contradiction(!sprocket.mesh.empty(),
                              entry + " is for teeth of arcs, but the " + sprocket.in_words() +
                                  " has the flanks of its mesh; choose Enforcement = exact joints.");
-  constexpr double least = 110e3; // Hz
-  findings.contradiction(
-      p.reduction.modes_up_to < least,
-      "Reduction/Modes up to in kHz = " + to_entry_text(p.reduction.modes_up_to, unit::kilo) +
-          " is too low for " + entry +
-          ", in which only modes tell one end of a link what happens at the "
-          "other; choose at least " +
-          to_entry_text(least, unit::kilo) + ".");
+  if (p.reduction.modes_up_to)
+    findings.contradiction(
+        *p.reduction.modes_up_to < least_modes_of_exact_joints,
+        "Reduction/Modes up to in kHz = " + to_entry_text(*p.reduction.modes_up_to, unit::kilo) +
+            " is too low for " + entry +
+            ", in which only modes tell one end of a link what happens at the "
+            "other; choose at least " +
+            to_entry_text(least_modes_of_exact_joints, unit::kilo) + ", or auto.");
 }
 
 /// What is asked of an idler.
@@ -537,7 +540,7 @@ void check_effects(const Parameters &p, const Effects &effects, Findings &findin
          is_common  ? "Contact/Friction coefficient" :
          clearances ? "Contact/Roller-tooth friction, Roller-bush friction and Bush-pin friction" :
                       "Contact/Roller-tooth friction");
-  if (contact.enforcement != parameters::Enforcement::exact)
+  if (!effects.is_on(Effect::exact_teeth) || effects.is_on(Effect::plate_faces))
     insist("Contact damping",
            entries.contact_damping,
            Effect::contact_damping,

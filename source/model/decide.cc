@@ -171,6 +171,44 @@ Decision reduced_bodies(const Parameters &p, const bool links, const bool roller
   return {effect, others, "Model/Other links = " + text_of(p.model.other_links)};
 }
 
+Decision exact_joints(const Parameters &p, const bool links, const bool rollers)
+{
+  constexpr Effect              effect      = Effect::exact_joints;
+  const parameters::Enforcement enforcement = p.contact.enforcement;
+  if (!p.model.capabilities().is_reduced)
+    return {effect, false, "fidelity " + p.model.fidelity + " has bodies that are not reduced"};
+  if (enforcement != parameters::Enforcement::automatic)
+    return {effect,
+            enforcement != parameters::Enforcement::penalty,
+            "Contact/Enforcement = " + text_of(enforcement)};
+  if (has_region_of_interest(p))
+    return {effect, false, "links outside the region of interest are not reduced"};
+  if (!links || !rollers)
+    return {effect, false, "links or rollers are rigid"};
+  if (p.reduction.modes_up_to && *p.reduction.modes_up_to < least_modes_of_exact_joints)
+    return {effect,
+            false,
+            "Reduction/Modes up to in kHz = " +
+                parameters::to_entry_text(*p.reduction.modes_up_to, parameters::unit::kilo) +
+                " is below " +
+                parameters::to_entry_text(least_modes_of_exact_joints, parameters::unit::kilo)};
+  return {effect, true, "links and rollers are reduced"};
+}
+
+Decision exact_teeth(const Parameters &p, const Decision &joints, const bool faces)
+{
+  constexpr Effect              effect      = Effect::exact_teeth;
+  const parameters::Enforcement enforcement = p.contact.enforcement;
+  if (!joints.on || enforcement != parameters::Enforcement::automatic)
+    return {effect, joints.on && enforcement == parameters::Enforcement::exact, joints.reason};
+  if (p.effects.contact_damping == Switch::on && !faces)
+    return {effect, false, "Effects/Contact damping = on damps what overlaps"};
+  for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
+    if (!sprocket.mesh.empty())
+      return {effect, false, "the " + sprocket.in_words() + " has the flanks of its mesh"};
+  return {effect, true, "rollers are reduced, teeth are rigid arcs"};
+}
+
 Decision selective_mass_scaling(const Parameters &p, const bool rollers)
 {
   constexpr Effect effect = Effect::selective_mass_scaling;
@@ -312,10 +350,10 @@ Decision chain_damping(const Parameters &p)
                 "chain damping ratio " + to_text(ratio));
 }
 
-Decision contact_damping(const Parameters &p)
+Decision contact_damping(const Parameters &p, const bool exact, const bool faces)
 {
-  if (p.model.capabilities().is_reduced && p.contact.enforcement == parameters::Enforcement::exact)
-    return {Effect::contact_damping, false, "nothing overlaps: Contact/Enforcement = exact"};
+  if (exact && !faces)
+    return {Effect::contact_damping, false, "nothing overlaps that could be damped"};
   return decide(Effect::contact_damping,
                 p.effects.contact_damping,
                 p.contact.damping_ratio,
@@ -348,8 +386,10 @@ Effects decide_effects(const Parameters &p)
   std::vector<Decision> rims;
   for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
     rims.push_back(elastic_sprocket(p, sprocket, rollers.on));
-  const Decision faces = plate_faces(p, links.on), pictures = fields(p);
-  const double   friction = largest_friction(p, faces.on);
+  const Decision faces = plate_faces(p, links.on), pictures = fields(p),
+                 joints = exact_joints(p, links.on, rollers.on),
+                 teeth  = exact_teeth(p, joints, faces.on);
+  const double friction = largest_friction(p, faces.on);
 
   std::vector<Decision> all{
       clearance(Effect::roller_bush_clearance, p, p.effects.roller_bush_clearance),
@@ -359,7 +399,7 @@ Effects decide_effects(const Parameters &p)
              p.effects.friction,
              friction,
              "friction coefficient " + to_text(friction)),
-      contact_damping(p),
+      contact_damping(p, teeth.on, faces.on),
       chain_damping(p),
       decide(Effect::gravity,
              p.effects.gravity,
@@ -376,6 +416,8 @@ Effects decide_effects(const Parameters &p)
              {tooth_compliance(p, rollers.on, rims),
               plate_bending(p, links.on),
               reduced_bodies(p, links.on, rollers.on),
+              joints,
+              teeth,
               selective_mass_scaling(p, rollers.on),
               faces,
               symmetry_model(p, links.on, rollers.on, faces.on, pictures.on),

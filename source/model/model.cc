@@ -41,8 +41,6 @@ Contact contact_of(const parameters::Contact &contact, const Effects &effects)
     }
   result.tangential_ratio  = contact.tangential_ratio;
   result.penalty_factor    = contact.penalty_factor;
-  result.exact_joints      = contact.enforcement != parameters::Enforcement::penalty;
-  result.exact_teeth       = contact.enforcement == parameters::Enforcement::exact;
   result.search_every_step = contact.search == parameters::Search::every_step;
   return result;
 }

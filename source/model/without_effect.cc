@@ -27,7 +27,7 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
   const std::string        layout                     = "Drive/Layout/";
   const Decision          &reduced                    = effects.of(Effect::reduced_bodies),
                  &teeth                               = effects.of(Effect::tooth_compliance),
-                 &pictures                            = effects.of(Effect::fields);
+                 &exact = effects.of(Effect::exact_teeth), &pictures = effects.of(Effect::fields);
 
   std::vector<Rule> rules = {
       {p.drive.chain.elongation == 0.,
@@ -63,6 +63,12 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
         "Effects/Tooth compliance"},
        chosen + " has no elastic bodies"},
       {is_elastic && !reduced.on, {"Reduction/"}, "no body is reduced: " + reduced.reason},
+      {exact.on && !effects.is_on(Effect::plate_faces),
+       {"Contact/Penalty factor", "Contact/Damping ratio"},
+       "nothing overlaps: " + exact.reason},
+      {exact.on,
+       {"Reduction/Harmonics of rollers and bushes", "Reduction/Harmonics of pins"},
+       "pressures have no attachment modes: " + exact.reason},
       {!teeth.on,
        {"Contact/Tooth stiffness in N/m"},
        "Effects/Tooth compliance is off: " + teeth.reason},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/observe/elastic_bodies.h>
+#include <chaindrive/reduction/basis.h>
+#include <chaindrive/reduction/static_responses.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +28,10 @@ unsigned int farthest_node(const BodyBatches &copies, const dealii::Tensor<1, 3>
   return best;
 }
 
+/// A small step by which nodes are moved for derivatives, m: squares of strains are lost in
+/// round-off.
+constexpr double small_step = 1e-8;
+
 void add(WaistComponents &sum, const double factor, const WaistComponents &components)
 {
   sum.axial += factor * components.axial;
@@ -35,7 +41,7 @@ void add(WaistComponents &sum, const double factor, const WaistComponents &compo
 }
 
 /// What a unit of each amplitude of @p group does to @p plates: central differences about the
-/// part at rest, over a step so small that squares of strains are lost in round-off.
+/// part at rest.
 std::vector<WaistComponents>
 components_of_modes(const PlateStress &plates, const BodyBatches &copies, const ModalGroup &group)
 {
@@ -52,7 +58,7 @@ components_of_modes(const PlateStress &plates, const BodyBatches &copies, const 
       double largest = 0.;
       for (const auto &of_node : motions)
         largest = std::max(largest, of_node[m].norm());
-      const double h = 1e-8 / largest; // m over the motion of a unit
+      const double h = small_step / largest; // over the motion of a unit
       for (const double sign : {1., -1.})
         {
           std::vector<dealii::Tensor<1, 3>> position = rest;
@@ -62,6 +68,31 @@ components_of_modes(const PlateStress &plates, const BodyBatches &copies, const 
         }
     }
   return of_modes;
+}
+
+/// The derivatives of the components of @p plates with respect to displacements of @p nodes, Pa/m:
+/// central differences about the part at rest.
+std::vector<reduction::Vector> derivatives_of(const PlateStress &plates, const mesh::Nodes &nodes)
+{
+  std::vector<dealii::Tensor<1, 3>> position;
+  for (const unsigned int node : plates.nodes())
+    position.emplace_back(nodes.position[node]);
+  std::vector<reduction::Vector> derivatives(n_waist_components,
+                                             reduction::Vector(3 * nodes.size()));
+  for (std::size_t i = 0; i < position.size(); ++i)
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        WaistComponents change{};
+        for (const double sign : {1., -1.})
+          {
+            std::vector<dealii::Tensor<1, 3>> moved = position;
+            moved[i][d] += sign * small_step;
+            add(change, sign / (2. * small_step), plates.components(moved));
+          }
+        for (unsigned int c = 0; c < n_waist_components; ++c)
+          derivatives[c][3 * plates.nodes()[i] + d] = entry(change, c);
+      }
+  return derivatives;
 }
 
 /// What the elastic bodies of @p group are.
@@ -154,36 +185,72 @@ Waists::Waists(const scene::Scene &scene, const dynamics::System &system)
       if (kind != scene::Kind::inner_link && kind != scene::Kind::outer_link)
         continue;
       PlateStress plates(*copies.part, copies.nodes, scene.material, scene.elements.plates);
-      plates_.emplace(g, Plates{std::move(plates), nullptr, {}});
+      plates_.emplace(g, Plates{std::move(plates), nullptr, {}, {}});
     }
   for (const ModalGroup *group : system.world.groups.modal())
     if (const auto found = plates_.find(group->copies()); found != plates_.end())
       {
-        Plates &plates = found->second;
-        plates.modal   = group;
-        plates.of_modes =
-            components_of_modes(plates.from_nodes, system.world.copies[group->copies()], *group);
+        Plates &plates            = found->second;
+        plates.modal              = group;
+        const BodyBatches &copies = system.world.copies[group->copies()];
+        plates.of_modes           = components_of_modes(plates.from_nodes, copies, *group);
+        if (scene.measures.count(scene.bodies[copies.bodies.front()].part()) == 0)
+          continue;
+        const dealii::FullMatrix<double> squares = group->modal_matrix({}); // of frequencies
+        plates.of_accelerations.resize(plates.of_modes.size());
+        for (unsigned int m = 0; m < plates.of_modes.size(); ++m)
+          add(plates.of_accelerations[m], -1. / squares(m, m), plates.of_modes[m]);
       }
 }
 
-WaistStress Waists::stress(const dynamics::System &system, const unsigned int body) const
+void measure_waists(scene::Scene &scene, const MPI_Comm comm)
 {
-  const World::Address &place  = system.world.elastic_address[body];
+  for (const auto &[part, basis] : scene.bases)
+    {
+      if (basis->joints.empty() ||
+          (part.kind != scene::Kind::inner_link && part.kind != scene::Kind::outer_link))
+        continue;
+      const mesh::Part &mesh = *scene.parts.at(part);
+      const mesh::Nodes nodes(mesh);
+      const PlateStress plates(mesh, nodes, scene.material, scene.elements.plates);
+      statics::Cache    cache(statics::Cache::usual_folder());
+      scene.measures[part] = reduction::kept_static_responses(
+          mesh, scene.material, scene.elements, derivatives_of(plates, nodes), cache, comm);
+    }
+}
+
+WaistComponents Waists::components(const dynamics::System &system, const unsigned int body) const
+{
+  const World          &world  = system.world;
+  const World::Address &place  = world.elastic_address[body];
   const Plates         &plates = plates_.at(place.group);
-  const ElasticGroup   &group  = system.world.group_of(place.group);
+  const ElasticGroup   &group  = world.group_of(place.group);
+  WaistComponents       sum{};
   if (plates.modal != nullptr)
     {
-      const std::vector<double> amplitudes = plates.modal->amplitudes_of(system.world, place.copy);
-      WaistComponents           sum{};
-      for (std::size_t m = 0; m < amplitudes.size(); ++m)
-        add(sum, amplitudes[m], plates.of_modes[m]);
-      return stress_of(sum);
+      const bool measured = !plates.of_accelerations.empty();
+      if (measured)
+        {
+          const std::vector<double> measures = plates.modal->measures_of(world, place.copy);
+          for (unsigned int c = 0; c < n_waist_components; ++c)
+            entry(sum, c) += measures[c];
+        }
+      if (!world.owns(body))
+        return sum;
+      const std::vector<double> of_modes = measured ?
+                                               plates.modal->accelerations_of(world, place.copy) :
+                                               plates.modal->amplitudes_of(world, place.copy);
+      for (std::size_t m = 0; m < of_modes.size(); ++m)
+        add(sum, of_modes[m], measured ? plates.of_accelerations[m] : plates.of_modes[m]);
+      return sum;
     }
+  if (!world.owns(body))
+    return sum;
   std::vector<dealii::Tensor<1, 3>> position;
   position.reserve(plates.from_nodes.nodes().size());
   for (const unsigned int node : plates.from_nodes.nodes())
     position.push_back(group.position_now(system.world, place.copy, node));
-  return plates.from_nodes(position);
+  return plates.from_nodes.components(position);
 }
 
 RollerSurfaces::RollerSurfaces(const scene::Scene &scene, const dynamics::System &system)

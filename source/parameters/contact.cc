@@ -77,7 +77,8 @@ void Contact::declare(Declarations &declarations)
   add(declarations,
       "Enforcement",
       enforcement,
-      "How elastic bodies are kept from overlapping. penalty: by stiff springs, see Penalty "
+      "How elastic bodies are kept from overlapping. auto: exact where it can be, in reduced "
+      "fidelity with all links elastic; the plan says so. penalty: by stiff springs, see Penalty "
       "factor. exact joints: in reduced fidelity roller and bush, and bush and pin, do not overlap "
       "at all, and their walls deflect as their meshes do, so that links stretch as in static "
       "solutions. What natural modes (Reduction/Modes up to in kHz, at least 110) lack of that "

@@ -151,7 +151,8 @@ void Reduction::declare(Declarations &declarations)
       modes_up_to,
       unit::kilo,
       between(0., 1e9),
-      "Reduced bodies have all natural modes of their parts up to this frequency.");
+      "Reduced bodies have all natural modes of their parts up to this frequency. auto: 120 where "
+      "joints have no penalty, else 60.");
   add(declarations,
       "Highest frequency in kHz",
       highest,

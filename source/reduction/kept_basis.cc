@@ -200,8 +200,9 @@ BasisOptions options_of(const parameters::Reduction &reduction,
                         const bool                   pressed_outside)
 {
   BasisOptions options;
-  options.modes_up_to = 2. * dealii::numbers::PI * reduction.modes_up_to;
-  options.cap         = 2. * dealii::numbers::PI * reduction.highest;
+  options.modes_up_to =
+      2. * dealii::numbers::PI * reduction.modes_up_to.value_or(pressed_joints ? 60e3 : 120e3);
+  options.cap    = 2. * dealii::numbers::PI * reduction.highest;
   options.orders = {reduction.tube_order, reduction.pin_order, pressed_joints, pressed_outside};
   return options;
 }

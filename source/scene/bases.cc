@@ -7,6 +7,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace chaindrive::scene
 {
@@ -77,5 +78,53 @@ round_flexibility(const Scene &scene, const unsigned int number, const unsigned 
       if (side.surface == surface)
         return &side;
   return nullptr;
+}
+
+std::set<unsigned int> sides_that_touch(const Scene &scene, const PartOf &of)
+{
+  std::set<unsigned int> sides;
+  const auto             add = [&](const unsigned int body, const unsigned int side) {
+    const Body  &b    = scene.bodies[body];
+    const PartOf part = b.part();
+    if (b.motion == Motion::reduced && !(part < of) && !(of < part))
+      sides.insert(side);
+  };
+  for (const BoreFamily &bores : scene.bores)
+    for (const BorePair &pair : bores.elastic ? bores.pairs : std::vector<BorePair>())
+      {
+        add(pair.master, pair.master_surface);
+        add(pair.slave.body, pair.slave_surface);
+      }
+  for (const FaceFamily &faces : scene.faces)
+    for (const FacePair &pair : faces.pairs)
+      {
+        add(pair.master, pair.master_surface);
+        add(pair.slave, pair.slave_surface);
+      }
+  const auto add_slaves = [&](const auto &family) {
+    for (const SlavePoint &slave : family.slaves)
+      if (family.elastic)
+        add(slave.body, family.slave_surface);
+  };
+  std::for_each(scene.teeth.begin(), scene.teeth.end(), add_slaves);
+  std::for_each(scene.surfaces.begin(), scene.surfaces.end(), add_slaves);
+  return sides;
+}
+
+bool has_penalty(const Scene &scene, const BoreFamily &bores)
+{
+  const auto n = std::count_if(bores.pairs.begin(), bores.pairs.end(), [&](const BorePair &pair) {
+    return round_flexibility(scene, pair.master, pair.master_surface) == nullptr ||
+           round_flexibility(scene, pair.slave.body, pair.slave_surface) == nullptr;
+  });
+  if (n != 0 && n != std::ptrdiff_t(bores.pairs.size()))
+    throw std::logic_error("some of the pairs " + bores.name + " have a penalty, others have not");
+  return n != 0;
+}
+
+bool has_penalty(const Scene &scene, const ToothFamily &teeth)
+{
+  return !teeth.elastic || teeth.slaves.empty() ||
+         round_flexibility(scene, teeth.slaves.front().body, teeth.slave_surface) == nullptr;
 }
 } // namespace chaindrive::scene

@@ -109,7 +109,7 @@ void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene 
       0.5 * chain.bush_diameter, chain.roller_clearance(), scene.material);
   pins.half_angle =
       drive::largest_half_angle(0.5 * chain.pin_diameter, chain.pin_clearance(), scene.material);
-  if (!model.contact.exact_joints)
+  if (!model.effects.is_on(Effect::exact_joints))
     scene.notes.push_back("Penalty per area (N/m3): roller-bush " +
                           to_text(rollers.law.stiffness, 4) + ", bush-pin " +
                           to_text(pins.law.stiffness, 4));

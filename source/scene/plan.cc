@@ -89,14 +89,6 @@ std::string law_text(const ContactLaw &law, const bool elastic)
   return text + friction_text(law) + (elastic ? " (nodes, per area)" : " (each point)");
 }
 
-/// Whether @p bores have no penalty.
-bool is_exact(const Scene &scene, const BoreFamily &bores)
-{
-  return !bores.pairs.empty() &&
-         round_flexibility(scene, bores.pairs.front().master, bores.pairs.front().master_surface) !=
-             nullptr;
-}
-
 /// What meshes of rollers do to their clearance: n columns of nodes about the axis touch a plane,
 /// or the nearly straight flank of a tooth, in a line. A roller of radius R one of whose columns
 /// points there touches at the distance R of its axis, one with two columns on either side at R
@@ -137,8 +129,8 @@ void print_plan(std::ostream &out, const Scene &scene)
   for (const BoreFamily &bores : scene.bores)
     out << "  " << std::setw(4) << bores.pairs.size() << (bores.elastic ? " pairs " : " points ")
         << bores.name << ": "
-        << (is_exact(scene, bores) ? "without penalty" + friction_text(bores.law) :
-                                     law_text(bores.law, bores.elastic))
+        << (has_penalty(scene, bores) ? law_text(bores.law, bores.elastic) :
+                                        "without penalty" + friction_text(bores.law))
         << '\n';
   for (const FaceFamily &faces : scene.faces)
     out << "  " << std::setw(4) << faces.pairs.size() << " pairs " << faces.name << ": "
@@ -146,10 +138,10 @@ void print_plan(std::ostream &out, const Scene &scene)
   for (const ToothFamily &teeth : scene.teeth)
     out << "  " << std::setw(4) << teeth.slaves.size() << (teeth.elastic ? " rollers " : " points ")
         << teeth.name << " (those near the sprocket are looked at): "
-        << (round_flexibility(scene, teeth.slaves.front().body, teeth.slave_surface) != nullptr ?
-                "without penalty" + friction_text(teeth.law) + ", in strips of the profile" :
+        << (has_penalty(scene, teeth) ?
                 law_text(teeth.law, teeth.elastic) +
-                    (teeth.elastic ? columns_text(scene, teeth) : ""))
+                    (teeth.elastic ? columns_text(scene, teeth) : "") :
+                "without penalty" + friction_text(teeth.law) + ", in strips of the profile")
         << '\n';
   for (const GuideFamily &guide : scene.guides)
     out << "  " << std::setw(4) << guide.slaves.size() << " points " << guide.name

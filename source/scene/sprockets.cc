@@ -169,7 +169,7 @@ ToothFamily with_elastic_rollers(const model::Model &model,
       drive::largest_half_angle(radius, teeth.form->seat_radius - radius, scene.material);
   const bool deflects =
       model.effects.is_on(Effect::tooth_compliance) && sector == scene.sectors.end();
-  if (deflects && model.contact.exact_teeth)
+  if (deflects && model.effects.is_on(Effect::exact_teeth))
     {
       // strips have what a tooth dents by themselves
       const double length     = std::min(drive.chain.roller_length, drive.sprocket_width);

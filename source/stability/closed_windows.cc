@@ -4,6 +4,8 @@
 #include <chaindrive/stability/closed_windows.h>
 #include <chaindrive/stability/coupled_modes.h>
 
+#include <deal.II/lac/lapack_full_matrix.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -148,7 +150,9 @@ Hold held_by(const ModalGroup &bodies, const std::vector<Closed> &closed)
   Hold                           hold{Matrix(motions, motions)};
   if (n == 0)
     return hold;
-  Matrix                     flexibility(n, n), rows(n, motions), held(n, motions);
+  dealii::LAPACKFullMatrix<double> flexibility(n, n);
+  dealii::LAPACKFullMatrix<double> held(n, motions + 2); // and strips by a shift in the plane
+  Matrix                           rows(n, motions);
   Matrix                     across(2 * (n + closed.size()), motions); // by square roots of springs
   const dealii::Tensor<1, 3> axis = dealii::Point<3>(0., 0., 1.);
   for (unsigned int a = 0; a < n; ++a)
@@ -169,17 +173,25 @@ Hold held_by(const ModalGroup &bodies, const std::vector<Closed> &closed)
           across(one, j) += of_one * (round * moved[j]);
           across(one + 1, j) += of_one * (axis * moved[j]);
         }
+      for (unsigned int j = 0; j < motions; ++j)
+        held(a, j) = rows(a, j);
+      for (unsigned int d = 0; d < 2 && closed[places[a].closed].strips() != nullptr; ++d)
+        held(a, motions + d) = normal[d];
       for (unsigned int b = 0; b < n; ++b)
         flexibility(a, b) = flexibility_of(closed, places[a], places[b]);
     }
-  flexibility.gauss_jordan();
+  flexibility.set_property(dealii::LAPACKSupport::symmetric);
+  flexibility.compute_cholesky_factorization();
+  flexibility.solve(held);
   for (unsigned int a = 0; a < n; ++a)
-    for (unsigned int b = 0; b < n; ++b)
-      if (closed[places[a].closed].strips() != nullptr &&
-          closed[places[b].closed].strips() != nullptr)
-        hold.stiffness += flexibility(a, b) * std::cos(places[a].angle - places[b].angle);
-  flexibility.mmult(held, rows);
-  rows.Tmmult(hold.matrix, held);
+    {
+      for (unsigned int i = 0; i < motions; ++i)
+        for (unsigned int j = 0; j < motions; ++j)
+          hold.matrix(i, j) += rows(a, i) * held(a, j);
+      if (closed[places[a].closed].strips() != nullptr)
+        hold.stiffness += std::cos(places[a].angle) * held(a, motions) +
+                          std::sin(places[a].angle) * held(a, motions + 1);
+    }
   across.Tmmult(hold.matrix, across, true);
   return hold;
 }

@@ -122,6 +122,40 @@ void show(const std::string &what, const Parameters &p, const std::vector<Effect
                   << decision.reason << '\n';
 }
 
+/// Which contacts have no penalty.
+void show_exact_contact()
+{
+  const std::vector<Effect> exact{
+      Effect::exact_joints, Effect::exact_teeth, Effect::contact_damping};
+  const Parameters reduced = of("reduced");
+  show("reduced, its contact", reduced, exact);
+  show("full, its contact", of("full"), exact);
+  Parameters p            = reduced;
+  p.reduction.modes_up_to = 60e3;
+  show("reduced with modes up to 60 kHz", p, exact);
+  p                         = reduced;
+  p.effects.contact_damping = Switch::on;
+  show("reduced, damped", p, exact);
+  p.contact.plate_faces = Switch::on;
+  show("reduced, damped plate faces", p, exact);
+  p                               = reduced;
+  p.drive.sprockets.driven().mesh = "driven.msh";
+  show("reduced, an imported sprocket", p, exact);
+  p                     = reduced;
+  p.model.elastic_links = parameters::ElasticLinks::region_of_interest;
+  show("reduced in a region", p, exact);
+  p                         = reduced;
+  p.effects.elastic_rollers = Switch::off;
+  show("reduced, rigid rollers", p, exact);
+  for (const auto &[enforcement, text] : parameters::texts_of<parameters::Enforcement>)
+    if (enforcement != parameters::Enforcement::automatic)
+      {
+        p                     = reduced;
+        p.contact.enforcement = enforcement;
+        show(std::string("reduced, asked for: ") + text, p, exact);
+      }
+}
+
 void show_reasons()
 {
   const std::vector<Effect> elastic{Effect::elastic_links,
@@ -269,6 +303,7 @@ int main()
   check_needs();
   check_that_all_are_decided_once();
   show_reasons();
+  show_exact_contact();
   check_values();
   check_arriving();
   check_stiffnesses();

@@ -195,23 +195,24 @@ def models():
            [{M + "Mass per pitch in g": "auto"}])
     yield (r"\(Drive/Layout/Start = settled\): leave it auto", {**REDUCED, M + "Stiffness per pitch in N/m": 3e8},
            [{M + "Stiffness per pitch in N/m": "auto"}, {L + "Start": "settled"}])
-    yield ("leave them auto and choose Penalty factor", {**REDUCED, K + "Roller-tooth stiffness in N/m": 3e8},
+    yield ("leave them auto and choose Penalty factor", {**FULL, K + "Roller-tooth stiffness in N/m": 3e8},
            [{K + "Roller-tooth stiffness in N/m": "auto", K + "Penalty factor": 1}])
     exact, modes = K + "Enforcement", "Reduction/Modes up to in kHz"
     yield ("is for bodies that deform in modes, which .* has not; choose penalty, or Model/Fidelity = reduced",
-           {**LAYERED, exact: "exact joints", modes: 120}, [{exact: "penalty"}, {FIDELITY: "reduced"}])
-    yield (rf"is too low for .* joints, .*; choose at least {NUMBER}", {**REDUCED, exact: "exact joints"}, [{modes: r"\1"}])
+           {**LAYERED, exact: "exact joints"}, [{exact: "penalty"}, {FIDELITY: "reduced"}])
+    yield (rf"is too low for .* joints, .*; choose at least {NUMBER}, or auto", {**REDUCED, exact: "exact joints", modes: 60},
+           [{modes: r"\1"}, {modes: "auto"}])
     yield ("but Effects/Elastic links is off; choose on, or Enforcement = penalty",
-           {**REDUCED, exact: "exact joints", modes: 120, E + "Elastic links": "off"}, [{E + "Elastic links": "on"}, {exact: "penalty"}])
+           {**REDUCED, exact: "exact joints", E + "Elastic links": "off"}, [{E + "Elastic links": "on"}, {exact: "penalty"}])
     yield ("but Model/Elastic links = region of interest; choose all, or Enforcement = penalty",
-           {**REDUCED, exact: "exact joints", modes: 120, M + "Elastic links": "region of interest", END: 3, WINDOW: 1},
+           {**REDUCED, exact: "exact joints", M + "Elastic links": "region of interest", END: 3, WINDOW: 1},
            [{M + "Elastic links": "all"}, {exact: "penalty"}])
     yield ("has the flanks of its mesh; choose Enforcement = exact joints",
-           {**REDUCED, exact: "exact", modes: 120, D + "Driver teeth": 15, D + "Number of links": 34, S + "Driver mesh": MESH,
+           {**REDUCED, exact: "exact", D + "Driver teeth": 15, D + "Number of links": 34, S + "Driver mesh": MESH,
             S + "Driver outside diameter in mm": 81.8, S + "Driver hub diameter in mm": 33, S + "Driver bore in mm": 25},
            [{exact: "exact joints"}])
     yield ("lets nothing overlap that could be damped, but Effects/Contact damping is on; choose auto, or Enforcement = penalty",
-           {**REDUCED, exact: "exact", modes: 120, E + "Contact damping": "on"}, [{E + "Contact damping": "auto"}, {exact: "penalty"}])
+           {**REDUCED, exact: "exact", E + "Contact damping": "on"}, [{E + "Contact damping": "auto"}, {exact: "penalty"}])
     yield ("Plate faces = on is for elastic bodies: .* has none; choose off", {K + "Plate faces": "on"}, [{K + "Plate faces": "off"}])
     yield (none, {M + "Elastic sprockets": "on"}, [{M + "Elastic sprockets": "auto"}, {M + "Elastic sprockets": "off"}])
     yield ("in which no link is elastic; choose all, or Fidelity = full", {**SMALL, M + "Elastic links": "region of interest", END: 3, WINDOW: 1},

@@ -40,17 +40,9 @@ CASES = {
     "imported": IMPORTED,
     "half": {**IMPORTED, "Model/Symmetry model": "true"},
     "arriving": {"Model/Elastic links": "region of interest"},
-    "reduced": {"Model/Fidelity": "reduced"},
-    "exact-joints": {
-        "Model/Fidelity": "reduced",
-        "Contact/Enforcement": "exact joints",
-        "Reduction/Modes up to in kHz": 120,
-    },
-    "exact": {
-        "Model/Fidelity": "reduced",
-        "Contact/Enforcement": "exact",
-        "Reduction/Modes up to in kHz": 120,
-    },
+    "reduced": {"Model/Fidelity": "reduced", "Contact/Enforcement": "penalty"},
+    "exact-joints": {"Model/Fidelity": "reduced", "Contact/Enforcement": "exact joints"},
+    "exact": {"Model/Fidelity": "reduced"},
     "mixed": {"Model/Elastic links": "region of interest", "Model/Other links": "reduced", "Model/Symmetry model": "true"},
     "settled-reduced": {"Model/Fidelity": "reduced", "Drive/Layout/Start": "settled", "Loads/Resisting torque in N m": 30},
     "settled": {

@@ -64,7 +64,7 @@ FULL = {
 
 
 MIXED = {"Effects/Elastic driver": "off", "Effects/Elastic driven": "off", "Effects/Elastic links": "off"}
-EXACT = {"Contact/Enforcement": "exact", "Reduction/Modes up to in kHz": 120}
+PENALTY = {"Contact/Enforcement": "penalty"}
 ELASTIC = ("full", "reduced", "mixed", "exact")
 
 
@@ -73,7 +73,7 @@ def drive(fidelity, **more):
     entries = dict(DRIVE)
     entries.update(FULL if fidelity in ELASTIC else RIGID)
     entries["Model/Fidelity"] = {"mixed": "full", "exact": "reduced"}.get(fidelity, fidelity)
-    entries.update({"mixed": MIXED, "exact": EXACT}.get(fidelity, {}))
+    entries.update({"mixed": MIXED, "reduced": PENALTY}.get(fidelity, {}))
     entries.update(more)
     return entries
 

@@ -96,6 +96,8 @@ void check_teeth()
   Parameters p              = drive_of("reduced");
   p.contact.tooth_stiffness = 3e8;
   p.model.half              = parameters::SymmetryModel::no;
+  show_teeth("reduced, without penalty", p); // a penalty has half of the compliance
+  p.contact.enforcement = parameters::Enforcement::penalty;
   show_teeth("reduced", p);
   p.model.half = parameters::SymmetryModel::yes;
   show_teeth("halves", p);

@@ -107,6 +107,13 @@ public:
   virtual void
   rest_at(const World &world, unsigned int copy, const std::vector<double> &amplitudes) = 0;
 
+  /// The accelerations of the modes of a copy that this rank moves, m sqrt(kg)/s2, in that order.
+  virtual std::vector<double> accelerations_of(const World &world, unsigned int copy) const = 0;
+
+  /// The measures of a copy, see scene::Scene::measures: the part of the forces that this rank has
+  /// put on its nodes.
+  virtual std::vector<double> measures_of(const World &world, unsigned int copy) const = 0;
+
   /// Kinetic energy [J] of the modes that this rank owns at the last advance().
   virtual double modal_energy(const World &world) const = 0;
 

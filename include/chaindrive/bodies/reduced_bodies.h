@@ -3,6 +3,7 @@
 
 #include <chaindrive/bodies/body_batches.h>
 #include <chaindrive/bodies/elastic_group.h>
+#include <chaindrive/bodies/force_measures.h>
 #include <chaindrive/bodies/ledger.h>
 #include <chaindrive/bodies/modal_kernels.h>
 
@@ -67,6 +68,8 @@ public:
   modal_matrix(const std::vector<dealii::SymmetricTensor<2, 3>> &springs) const override;
   std::vector<dealii::Tensor<1, 3>> motions_of(unsigned int node) const override;
   std::vector<double> amplitudes_of(const World &world, unsigned int copy) const override;
+  std::vector<double> accelerations_of(const World &world, unsigned int copy) const override;
+  std::vector<double> measures_of(const World &world, unsigned int copy) const override;
   void
   rest_at(const World &world, unsigned int copy, const std::vector<double> &amplitudes) override;
   std::vector<std::unique_ptr<const element::StressRecovery>>
@@ -158,6 +161,7 @@ private:
 
   Numbers                   rigid_;            ///< the frames of a batch, see ModalNodes
   Numbers                   in_body_, moment_; ///< room for the kernels
+  ForceMeasures             measures_;
   std::vector<unsigned int> found_;
 };
 } // namespace chaindrive

@@ -44,9 +44,6 @@ public:
                const World              &world,
                std::vector<unsigned int> owner);
 
-  /// Whether the rollers of @p teeth have no penalty.
-  static bool is_exact(const scene::Scene &scene, const scene::ToothFamily &teeth);
-
   void search(const World &world, double reach) override;
   void announce(World &world, std::optional<double> dt) override;
   void add_forces(World &world, double dt) override;

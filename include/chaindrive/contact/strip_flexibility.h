@@ -62,16 +62,13 @@ public:
   }
 
 private:
-  /// Adds a @p factor(k) for the harmonics from @p first on and before @p end, which act in each
-  /// ring by itself.
-  template <typename Factor>
-  void add_harmonics(unsigned int               first,
-                     unsigned int               end,
-                     const std::vector<double> &lengths,
-                     const Factor              &factor);
+  // The constructor adds to pairs of strips the first of which is not below the second one.
 
   /// Adds @p factor / k for all harmonics from @p first on.
   void add_short_waves(unsigned int first, const std::vector<double> &lengths, double factor);
+
+  /// Adds what a @p tooth deflects; @p of_half_space: one of unit length, in the first harmonic.
+  void add_tooth(const Tooth &tooth, const std::vector<double> &lengths, double of_half_space);
 
   /// Adds sums of a @p value(a, b) for each pair of strips over the length of a ring.
   template <typename Value>

@@ -3,6 +3,8 @@
 
 #include <chaindrive/dynamics/system.h>
 
+#include <optional>
+
 namespace chaindrive::dynamics
 {
 /// The strain of elastic bodies that are placed without strain where their surfaces overlap, in
@@ -22,8 +24,14 @@ class Relaxation
 {
 public:
   /// Collective. It ends when the stored energy changes by less than the share @p change of itself
-  /// while waves run along a link five times. RunError if no balance is found.
-  Relaxation(const scene::Scene &scene, MPI_Comm comm, double change = 2e-3);
+  /// while waves run along a link five times. RunError if no balance is found. @p known: the
+  /// critical time step [s] of a scene that differs from this one in places of bodies only.
+  Relaxation(const scene::Scene   &scene,
+             MPI_Comm              comm,
+             double                change = 2e-3,
+             std::optional<double> known  = {});
+
+  double critical_time_step() const { return critical_time_step_; } ///< at rest, s
 
   /// Strains the bodies of @p world, which is made of the same scene and distributed alike; nodes
   /// move as their bodies do at the start.
@@ -42,5 +50,6 @@ public:
 private:
   const scene::Scene &scene_;
   System              system_;
+  double              critical_time_step_;
 };
 } // namespace chaindrive::dynamics

@@ -11,6 +11,10 @@ namespace chaindrive::model
 /// reads entries checks them against these decisions, and a Model keeps them.
 Effects decide_effects(const Parameters &parameters);
 
+/// The least Reduction/Modes up to [Hz] with which joints have no penalty: modes alone tell one end
+/// of a link what happens at the other (theory.md, section 3).
+inline constexpr double least_modes_of_exact_joints = 110e3;
+
 /// Time between two field outputs if there are any, s; 0: none. auto is a tenth of the pitch time
 /// of the driver, or a millisecond of one that stands still.
 double field_interval(const Parameters &parameters);

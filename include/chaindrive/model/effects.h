@@ -26,6 +26,8 @@ enum class Effect
   tooth_compliance,
   plate_bending,
   reduced_bodies,
+  exact_joints, ///< roller and bush, bush and pin touch without penalty
+  exact_teeth,  ///< rollers and teeth touch without penalty
   selective_mass_scaling,
   plate_faces,
   symmetry_model,
@@ -39,7 +41,7 @@ enum class Effect
 namespace chaindrive::parameters
 {
 template <>
-inline constexpr Texts<model::Effect, 21> texts_of<model::Effect>{
+inline constexpr Texts<model::Effect, 23> texts_of<model::Effect>{
     {{model::Effect::roller_bush_clearance, "roller-bush clearance"},
      {model::Effect::bush_pin_clearance, "bush-pin clearance"},
      {model::Effect::chain_bars, "chain bars"},
@@ -54,6 +56,8 @@ inline constexpr Texts<model::Effect, 21> texts_of<model::Effect>{
      {model::Effect::tooth_compliance, "tooth compliance"},
      {model::Effect::plate_bending, "plate bending"},
      {model::Effect::reduced_bodies, "reduced bodies"},
+     {model::Effect::exact_joints, "joints without penalty"},
+     {model::Effect::exact_teeth, "teeth without penalty"},
      {model::Effect::selective_mass_scaling, "selective mass scaling"},
      {model::Effect::plate_faces, "plate faces"},
      {model::Effect::symmetry_model, "symmetry model"},

@@ -27,8 +27,6 @@ struct Contact
          plate_friction    = 0.;
   double tangential_ratio  = 0.;    ///< sticking over normal stiffness
   double penalty_factor    = 0.;    ///< of elastic bodies
-  bool   exact_joints      = false; ///< of reduced bodies, without penalty
-  bool   exact_teeth       = false; ///< rollers touch them without penalty
   bool   search_every_step = false; ///< else after anything has moved far enough
 };
 

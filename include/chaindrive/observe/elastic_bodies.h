@@ -44,22 +44,36 @@ private:
   std::map<unsigned int, std::vector<std::unique_ptr<const element::StressRecovery>>> cells_;
 };
 
+/// Makes reduced links whose joints have no penalty measure the stresses of their waists in
+/// statics (scene::Scene::measures): their modes lack up to a quarter of them. Collective.
+void measure_waists(scene::Scene &scene, MPI_Comm comm);
+
 /// The waists of the side plates of elastic links. Modal bodies strain in proportion
 /// to them: each mode has its stresses, which are added, and the squares of strains are left out.
+/// After measure_waists() they have those of their forces in statics, less what their modes take
+/// for their acceleration (reduction::kept_static_responses()).
 class Waists
 {
 public:
   Waists(const scene::Scene &scene, const dynamics::System &system);
 
-  /// Stresses in an elastic link @p body that this rank owns.
-  WaistStress stress(const dynamics::System &system, unsigned int body) const;
+  /// What this rank knows of the stresses in an elastic link @p body: the sum over all ranks is
+  /// all.
+  WaistComponents components(const dynamics::System &system, unsigned int body) const;
+
+  /// Stresses in an elastic link @p body all of whose nodes this rank has.
+  WaistStress stress(const dynamics::System &system, const unsigned int body) const
+  {
+    return stress_of(components(system, body));
+  }
 
 private:
   struct Plates
   {
     PlateStress                  from_nodes;
-    const ModalGroup            *modal = nullptr; ///< null: nodal bodies
-    std::vector<WaistComponents> of_modes;        ///< per amplitude of a mode
+    const ModalGroup            *modal = nullptr;  ///< null: nodal bodies
+    std::vector<WaistComponents> of_modes;         ///< per amplitude of a mode
+    std::vector<WaistComponents> of_accelerations; ///< of a mode; none without measures
   };
 
   std::map<unsigned int, Plates> plates_; ///< by group of copies

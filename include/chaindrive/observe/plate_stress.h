@@ -30,6 +30,28 @@ struct WaistComponents
   dealii::SymmetricTensor<2, 2> middle; ///< in-plane stress, mean of both faces, Pa
 };
 
+/// How many they are, and each by its number.
+inline constexpr unsigned int n_waist_components = 6;
+
+inline double &entry(WaistComponents &components, const unsigned int number)
+{
+  switch (number)
+    {
+    case 0:
+      return components.axial;
+    case 1:
+      return components.in_plane;
+    case 2:
+      return components.out_of_plane;
+    case 3:
+      return components.middle[0][0];
+    case 4:
+      return components.middle[1][1];
+    default:
+      return components.middle[0][1];
+    }
+}
+
 /// The stresses of @p components.
 WaistStress stress_of(const WaistComponents &components);
 

@@ -23,14 +23,16 @@ inline constexpr Texts<Search, 2> texts_of<Search>{
 /// How elastic bodies are kept from overlapping.
 enum class Enforcement
 {
+  automatic,    ///< exactly where it can be
   penalty,      ///< by springs between nodes and surfaces
   exact_joints, ///< in joints of reduced bodies exactly, elsewhere by springs
   exact         ///< in joints and on teeth
 };
 
 template <>
-inline constexpr Texts<Enforcement, 3> texts_of<Enforcement>{
-    {{Enforcement::penalty, "penalty"},
+inline constexpr Texts<Enforcement, 4> texts_of<Enforcement>{
+    {{Enforcement::automatic, "auto"},
+     {Enforcement::penalty, "penalty"},
      {Enforcement::exact_joints, "exact joints"},
      {Enforcement::exact, "exact"}}};
 
@@ -44,7 +46,7 @@ struct Contact
   double                friction_coefficient = 0.1; ///< of every interface not named below
   std::optional<double> roller_tooth_friction, roller_bush_friction, bush_pin_friction;
   double                tangential_ratio = 0.8; ///< sticking over normal stiffness
-  Enforcement           enforcement      = Enforcement::penalty;
+  Enforcement           enforcement      = Enforcement::automatic;
   double                penalty_factor   = 0.5; ///< of elastic bodies
   Switch                plate_faces      = Switch::automatic;
   Search                search           = Search::displacement;

@@ -125,10 +125,10 @@ struct Elements
 /// Section `Reduction`: the modes of reduced bodies, see reduction::BasisOptions.
 struct Reduction
 {
-  double       modes_up_to = 60e3;  ///< Hz
-  double       highest     = 300e3; ///< frequency of the other shapes, Hz
-  unsigned int tube_order  = 8;     ///< harmonics about rollers and bushes
-  unsigned int pin_order   = 6;
+  std::optional<double> modes_up_to;        ///< Hz; auto: what contact asks for
+  double                highest    = 300e3; ///< frequency of the other shapes, Hz
+  unsigned int          tube_order = 8;     ///< harmonics about rollers and bushes
+  unsigned int          pin_order  = 6;
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.

@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -172,9 +173,12 @@ struct Scene
   std::map<PartOf, std::shared_ptr<const mesh::Part>>       parts;   ///< those that somebody needs
   std::map<PartOf, std::shared_ptr<const mesh::Sector>>     sectors; ///< of elastic sprockets
   std::map<PartOf, std::shared_ptr<const reduction::Basis>> bases;   ///< of reduced bodies
-  Material                                                  material;
-  parameters::Elements                                      elements;
-  model::Effects                                            effects;
+  /// Of reduced bodies of a part, what observers ask for of forces f on their nodes: g f, the sum
+  /// over all nodes, with each of these g in body axes, see reduction::kept_static_responses().
+  std::map<PartOf, std::vector<dealii::Vector<double>>> measures;
+  Material                                              material;
+  parameters::Elements                                  elements;
+  model::Effects                                        effects;
   std::vector<std::string> notes; ///< what the log must say about choices made
 
   DriveView drive; ///< empty in a scene without a chain
@@ -197,4 +201,15 @@ struct Scene
 /// null if nothing: then it touches others there by penalty.
 const reduction::RoundFlexibility *
 round_flexibility(const Scene &scene, unsigned int number, unsigned int surface);
+
+/// The sides on which reduced bodies of one part touch others with their nodes.
+std::set<unsigned int> sides_that_touch(const Scene &scene, const PartOf &of);
+
+/// Whether @p bores are kept from overlapping by a penalty, since not all of their sides deflect
+/// without inertia. Throws std::logic_error if some of the pairs have a penalty and others have
+/// not.
+bool has_penalty(const Scene &scene, const BoreFamily &bores);
+
+/// Whether rollers and @p teeth are kept from overlapping by a penalty.
+bool has_penalty(const Scene &scene, const ToothFamily &teeth);
 } // namespace chaindrive::scene

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
 #include <limits>
 
 // Stresses at the waists of the side plates of elastic links.
@@ -13,13 +14,6 @@ namespace chaindrive::observe
 {
 namespace
 {
-constexpr double WaistStress::*components[] = {&WaistStress::axial,
-                                               &WaistStress::in_plane,
-                                               &WaistStress::out_of_plane,
-                                               &WaistStress::principal_1,
-                                               &WaistStress::principal_2};
-constexpr unsigned int         n_components = 5;
-
 class PlateStressQuantity : public Quantity
 {
 public:
@@ -72,28 +66,33 @@ public:
     add("principal_2", &WaistStress::principal_2);
   }
 
-  /// Every rank looks at its own links and leaves zeros where others do.
+  /// Every rank looks at what it knows and leaves zeros where others do.
   void gather() override
   {
     constexpr double    nan   = std::numeric_limits<double>::quiet_NaN();
     const World        &world = now_.system.world;
-    std::vector<double> numbers(n_components * stress_.size(), 0.);
+    constexpr auto      n     = n_waist_components;
+    std::vector<double> numbers(n * stress_.size(), 0.);
     for (unsigned int b = 0; b < now_.scene.bodies.size(); ++b)
       {
         const scene::Body &body = now_.scene.bodies[b];
-        if (!world.owns(b) ||
-            (body.kind != scene::Kind::inner_link && body.kind != scene::Kind::outer_link))
+        if (body.kind != scene::Kind::inner_link && body.kind != scene::Kind::outer_link)
           continue;
-        const bool        is_elastic = world.elastic_address[b].group != World::Address::none;
-        const WaistStress stress =
-            is_elastic ? waists_.stress(now_.system, b) : WaistStress{nan, nan, nan, nan, nan};
-        for (unsigned int c = 0; c < n_components; ++c)
-          numbers[n_components * body.number + c] = stress.*components[c];
+        const bool      is_elastic = world.elastic_address[b].group != World::Address::none;
+        WaistComponents components =
+            is_elastic ? waists_.components(now_.system, b) : WaistComponents{};
+        for (unsigned int c = 0; c < n; ++c)
+          numbers[n * body.number + c] = is_elastic ? entry(components, c) : nan;
       }
     dealii::Utilities::MPI::sum(numbers, world.communicator(), numbers);
     for (unsigned int k = 0; k < stress_.size(); ++k)
-      for (unsigned int c = 0; c < n_components; ++c)
-        stress_[k].*components[c] = numbers[n_components * k + c];
+      {
+        WaistComponents components{};
+        for (unsigned int c = 0; c < n; ++c)
+          entry(components, c) = numbers[n * k + c];
+        stress_[k] = std::isnan(components.axial) ? WaistStress{nan, nan, nan, nan, nan} :
+                                                    stress_of(components);
+      }
   }
 
 private:
