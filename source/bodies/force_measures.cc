@@ -3,9 +3,26 @@
 #include <chaindrive/bodies/modal_kernels.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace chaindrive
 {
+namespace
+{
+/// Whether one of the components [component][lane] of a force is not zero.
+bool any(const double *force)
+{
+  double size[n_lanes];
+  for (unsigned int lane = 0; lane < n_lanes; ++lane)
+    size[lane] = std::abs(force[lane]) + std::abs(force[n_lanes + lane]) +
+                 std::abs(force[2 * n_lanes + lane]);
+  for (unsigned int half = n_lanes / 2; half > 0; half /= 2)
+    for (unsigned int lane = 0; lane < half; ++lane)
+      size[lane] += size[lane + half];
+  return size[0] > 0.;
+}
+} // namespace
+
 ForceMeasures::ForceMeasures(const std::vector<dealii::Vector<double>> &measures,
                              const BodyBatches                         &copies)
     : n_(static_cast<unsigned int>(measures.size()))
@@ -21,6 +38,12 @@ void ForceMeasures::measure(const World                     &world,
                             const unsigned int               batch,
                             const std::vector<unsigned int> &nodes)
 {
+  double turn[3][3][n_lanes] = {}; // into body axes
+  copies.for_each_copy_of(batch, [&](const unsigned int copy, const unsigned int lane) {
+    for (unsigned int d = 0; d < 3; ++d)
+      for (unsigned int e = 0; e < 3; ++e)
+        turn[d][e][lane] = world.frames[copies.bodies[copy]].rotation[e][d];
+  });
   double *sum = sum_.data() + std::size_t(batch) * n_ * n_lanes;
   std::fill_n(sum, n_ * n_lanes, 0.);
   for (const unsigned int node : nodes)
@@ -28,20 +51,19 @@ void ForceMeasures::measure(const World                     &world,
       if (node == ModalNodes::none)
         continue;
       const double *force = copies.force.begin() + copies.start_of(batch) + node_offset(node);
-      if (std::all_of(force, force + 3 * n_lanes, [](const double f) { return f == 0.; }))
+      if (!any(force))
         continue;
-      copies.for_each_copy_of(batch, [&](const unsigned int copy, const unsigned int lane) {
-        dealii::Tensor<1, 3> f;
-        for (unsigned int d = 0; d < 3; ++d)
-          f[d] = force[d * n_lanes + lane];
-        if (f.norm_square() == 0.)
-          return;
-        f                     = transpose(world.frames[copies.bodies[copy]].rotation) * f;
-        const double *measure = &measure_[std::size_t(node) * n_ * 3];
-        for (unsigned int k = 0; k < n_; ++k)
-          for (unsigned int d = 0; d < 3; ++d)
-            sum[k * n_lanes + lane] += measure[3 * k + d] * f[d];
-      });
+      double in_body[3][n_lanes];
+      for (unsigned int d = 0; d < 3; ++d)
+        for (unsigned int lane = 0; lane < n_lanes; ++lane)
+          in_body[d][lane] = turn[d][0][lane] * force[lane] +
+                             turn[d][1][lane] * force[n_lanes + lane] +
+                             turn[d][2][lane] * force[2 * n_lanes + lane];
+      const double *measure = &measure_[std::size_t(node) * n_ * 3];
+      for (unsigned int k = 0; k < n_; ++k, measure += 3)
+        for (unsigned int lane = 0; lane < n_lanes; ++lane)
+          sum[k * n_lanes + lane] += measure[0] * in_body[0][lane] + measure[1] * in_body[1][lane] +
+                                     measure[2] * in_body[2][lane];
     }
 }
 

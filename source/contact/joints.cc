@@ -159,33 +159,52 @@ ComplementarityProblem JointBatch::problem_of(const int                       la
     }
 
   const StripProblem &strips = *coupled.strips;
-  const unsigned int  m = matrix.n, k = strips.n(), n_rings = e.flexibility.n_rings();
-  const unsigned int  stride = ComplementaritySolver::padded(m + k);
-  const double        column = 2. * dealii::numbers::PI / grid_.slave_circumferential;
-  coupled.matrix.resize_fast(std::size_t(m + k) * stride);
-  double *number = coupled.matrix.data();
-  for (unsigned int i = 0; i < m + k; ++i)
-    std::fill(number + std::size_t(i) * stride + m + k, number + std::size_t(i + 1) * stride, 0.);
-  for (unsigned int i = 0; i < m; ++i)
-    std::copy_n(
-        matrix.number.data() + std::size_t(i) * matrix.stride, m, number + std::size_t(i) * stride);
-  e.gap[lane].resize(stride, 0.);
+  const unsigned int  m = matrix.n, k = strips.n();
+  coupled.joint   = &matrix;
+  coupled.first   = column_angle(lane, 0);
+  coupled.column  = 2. * dealii::numbers::PI / grid_.slave_circumferential;
+  coupled.n_rings = e.flexibility.n_rings();
+  coupled.stride  = ComplementaritySolver::padded(m + k);
+  coupled.matrix.resize_fast(std::size_t(m + k) * coupled.stride);
+  coupled.is_there.assign(m + k, 0);
+  e.gap[lane].resize(coupled.stride, 0.);
   for (unsigned int a = 0; a < k; ++a)
     {
-      double *row = number + std::size_t(m + a) * stride;
-      coupled.wall->at(
-          strips.unknown[a], column_angle(lane, 0) - strips.direction[a], column, m / n_rings, row);
-      // the bush presses the bore outwards, the tooth the outside inwards
-      for (unsigned int i = 0; i < m; ++i)
-        number[std::size_t(i) * stride + m + a] = row[i] = -row[i];
-      for (unsigned int b = 0; b < k; ++b)
-        row[m + b] = strips.flexibility->at(strips.unknown[a], strips.unknown[b]);
       e.gap[lane][m + a] = strips.gap[a];
       if (strips.force[a] > 0.)
         e.sets[lane].number.push_back(m + a);
     }
   e.matrix[lane] = nullptr;
-  return {m + k, number, stride, e.gap[lane].data(), false};
+  return {m + k, coupled.matrix.data(), coupled.stride, e.gap[lane].data(), false, &coupled};
+}
+
+void JointBatch::Exact::Coupled::need(const unsigned int row)
+{
+  if (is_there[row] != 0)
+    return;
+  is_there[row]        = 1;
+  const unsigned int m = joint->n, k = strips->n();
+  double            *number = matrix.data() + std::size_t(row) * stride;
+  std::fill(number + m + k, number + stride, 0.);
+  // the bush presses the bore outwards, the tooth the outside inwards
+  if (row < m)
+    {
+      std::copy_n(joint->number.data() + std::size_t(row) * joint->stride, m, number);
+      of_place.resize(n_rings);
+      const double angle = first + row / n_rings * column;
+      for (unsigned int a = 0; a < k; ++a)
+        {
+          wall->at(strips->unknown[a], angle - strips->direction[a], column, 1, of_place.data());
+          number[m + a] = -of_place[row % n_rings];
+        }
+      return;
+    }
+  const unsigned int a = row - m;
+  wall->at(strips->unknown[a], first - strips->direction[a], column, m / n_rings, number);
+  for (unsigned int i = 0; i < m; ++i)
+    number[i] = -number[i];
+  for (unsigned int b = 0; b < k; ++b)
+    number[m + b] = strips->flexibility->at(strips->unknown[a], strips->unknown[b]);
 }
 
 double JointBatch::take_strips(const int lane, const unsigned int n)

@@ -88,7 +88,10 @@ void ComplementaritySolver::factor(const std::array<ComplementarityProblem, n_la
 
       const ComplementarityProblem    &problem = problems[lane];
       const std::vector<unsigned int> &set     = factored_[lane];
-      double                          *to = matrix_.begin() + triangle_row(from) * n_lanes + lane;
+      if (problem.rows != nullptr)
+        for (const unsigned int row : set)
+          problem.rows->need(row);
+      double *to = matrix_.begin() + triangle_row(from) * n_lanes + lane;
       for (unsigned int i = from; i < n_rows_; ++i)
         {
           const double *row =

@@ -11,9 +11,11 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <random>
 
@@ -48,6 +50,27 @@ struct Problem
   {
     return {n, matrix.begin(), ComplementaritySolver::padded(n), gap.begin(), false};
   }
+};
+
+/// Rows of a problem that are made when they are needed; before they hold nothing that could be
+/// used.
+struct MadeRows : LazyRows
+{
+  explicit MadeRows(const Problem &of) : problem(of), made(of), is_made(of.n, 0)
+  {
+    made.matrix.fill(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  void need(const unsigned int row) override
+  {
+    is_made[row] = 1;
+    for (unsigned int j = 0; j < ComplementaritySolver::padded(problem.n); ++j)
+      made.at(row, j) = problem.at(row, j);
+  }
+
+  const Problem    &problem;
+  Problem           made;
+  std::vector<char> is_made;
 };
 
 std::vector<double> pressures(const ClosedSet &set, const unsigned int n)
@@ -326,6 +349,25 @@ int main()
   std::cout << "any start gives the same numbers: " << yes(same)
             << ", alone and beside others to 1e-9: " << yes(lanes < 1e-9)
             << ", all widths to 1e-9: " << yes(widths < 1e-9) << '\n';
+
+  // rows that are made when they are needed
+  bool         alike = true;
+  unsigned int rows = 0, made = 0;
+  for (unsigned int k = 0; k < 300; ++k)
+    {
+      const Problem problem = random_problem(random, 5 + k % 20, 1., false);
+      MadeRows      lazy(problem);
+      std::array<ComplementarityProblem, n_lanes> problems;
+      std::array<ClosedSet, n_lanes>              sets;
+      problems[3]      = lazy.made.view();
+      problems[3].rows = &lazy;
+      solver.solve(problems, 1e-11, sets);
+      alike = alike && pressures(sets[3], problem.n) == solve(solver, problem, 1e-11);
+      rows += problem.n;
+      made += static_cast<unsigned int>(std::count(lazy.is_made.begin(), lazy.is_made.end(), 1));
+    }
+  std::cout << "rows made when needed: the same numbers " << yes(alike) << ", fewer of them "
+            << yes(made < rows) << '\n';
 
   // the same set again needs no factors, another one, matrix or lane does
   {

@@ -159,12 +159,22 @@ private:
     std::vector<char>              is_pressed;         ///< nodes of any lane, see WindowNodes
     std::vector<unsigned int>      pressed;
 
-    struct Coupled
+    /// Joint and strips of a lane, and the rows of their matrix that close: a few of a hundred.
+    struct Coupled : LazyRows
     {
-      StripProblem                 *strips = nullptr;
-      const WallFlexibility        *wall   = nullptr;
-      double                        angle  = 0.;
-      dealii::AlignedVector<double> matrix; ///< of joint and strips
+      void need(unsigned int row) override;
+
+      StripProblem                   *strips  = nullptr;
+      const WallFlexibility          *wall    = nullptr;
+      const JointFlexibility::Matrix *joint   = nullptr;
+      double                          angle   = 0.; ///< of the bush
+      double                          first   = 0.; ///< of the first column of the window
+      double                          column  = 0.; ///< between columns, rad
+      unsigned int                    n_rings = 0;  ///< of the joint
+      unsigned int                    stride  = 0;
+      dealii::AlignedVector<double>   matrix;
+      std::vector<char>               is_there; ///< of its rows
+      std::vector<double>             of_place; ///< room for the rings of one column
     };
     std::array<Coupled, n_lanes> coupled;
 

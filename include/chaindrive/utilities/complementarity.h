@@ -11,6 +11,16 @@
 
 namespace chaindrive
 {
+/// A matrix whose rows are made when a search first needs them: those of unknowns that close.
+class LazyRows
+{
+public:
+  virtual ~LazyRows() = default;
+
+  /// Makes @p row, unless it is there.
+  virtual void need(unsigned int row) = 0;
+};
+
 /// A linear complementarity problem: p >= 0, g = g0 + C p >= 0, p . g = 0. With gaps and the
 /// flexibility of what touches it is contact without friction: p are the forces, at most one of
 /// force and gap is not zero, and p C p / 2 is the least energy that keeps all gaps open or closed.
@@ -21,6 +31,7 @@ struct ComplementarityProblem
   unsigned int  stride = 0;       ///< numbers in a row of the matrix, see padded()
   const double *gap    = nullptr; ///< g0, stride numbers
   bool          same   = false;   ///< the matrix is the same as at the last solution
+  LazyRows     *rows   = nullptr; ///< who makes rows of the matrix; null: all are there
 };
 
 /// The unknowns whose p is not zero: solved for, and kept for the next problem, which begins with
