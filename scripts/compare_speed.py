@@ -20,7 +20,7 @@ QUIET = {
 CASES = {
     "simple": ("prm/paper/simple.prm", {"Time/End time in ms": 12}),
     "layered": ("prm/paper/layered.prm", {"Time/End time in ms": 6}),
-    "reduced": ("prm/paper/reduced-half.prm", {"Time/End time in ms": 0.4, "Output/History interval in us": 20}),
+    "reduced": ("prm/paper/reduced-half.prm", {"Reduction/Modes up to in kHz": 60, "Time/End time in ms": 0.4, "Output/History interval in us": 20}),
     "full": ("prm/paper/full-coarse.prm", {"Time/End time in ms": 0.25, "Output/History interval in us": 20}),
 }
 
