@@ -23,13 +23,13 @@ bool any(const double *force)
 }
 } // namespace
 
-ForceMeasures::ForceMeasures(const std::vector<dealii::Vector<double>> &measures,
-                             const BodyBatches                         &copies)
+ForceMeasures::ForceMeasures(const std::vector<std::vector<double>> &measures,
+                             const BodyBatches                      &copies)
     : n_(static_cast<unsigned int>(measures.size()))
     , sum_(std::size_t(copies.n_batches()) * n_ * n_lanes, 0.)
 {
   for (unsigned int node = 0; node < copies.n_nodes(); ++node)
-    for (const dealii::Vector<double> &measure : measures)
+    for (const std::vector<double> &measure : measures)
       measure_.insert(measure_.end(), measure.begin() + 3 * node, measure.begin() + 3 * node + 3);
 }
 

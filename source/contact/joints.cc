@@ -191,7 +191,8 @@ void JointBatch::Exact::Coupled::need(const unsigned int row)
     {
       std::copy_n(joint->number.data() + std::size_t(row) * joint->stride, m, number);
       of_place.resize(n_rings);
-      const double angle = first + row / n_rings * column;
+      const unsigned int place = row / n_rings;
+      const double       angle = first + place * column;
       for (unsigned int a = 0; a < k; ++a)
         {
           wall->at(strips->unknown[a], angle - strips->direction[a], column, 1, of_place.data());

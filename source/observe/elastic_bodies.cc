@@ -214,8 +214,9 @@ void measure_waists(scene::Scene &scene, const MPI_Comm comm)
       const mesh::Nodes nodes(mesh);
       const PlateStress plates(mesh, nodes, scene.material, scene.elements.plates);
       statics::Cache    cache(statics::Cache::usual_folder());
-      scene.measures[part] = reduction::kept_static_responses(
-          mesh, scene.material, scene.elements, derivatives_of(plates, nodes), cache, comm);
+      for (const reduction::Vector &response : reduction::kept_static_responses(
+               mesh, scene.material, scene.elements, derivatives_of(plates, nodes), cache, comm))
+        scene.measures[part].emplace_back(response.begin(), response.end());
     }
 }
 

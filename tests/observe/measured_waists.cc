@@ -60,7 +60,8 @@ void check(const std::string                       &what,
   const reduction::Basis basis                       = basis_of(scene, part, options);
   scene.bases[{kind}] = std::make_shared<const reduction::Basis>(basis);
   observe::measure_waists(scene, MPI_COMM_SELF);
-  const reduction::Vector &of_force = scene.measures.at({kind})[0];
+  const std::vector<double> &measure = scene.measures.at({kind})[0];
+  const reduction::Vector    of_force(measure.begin(), measure.end());
 
   const mesh::Nodes          nodes(part);
   const observe::PlateStress plates(part, nodes, scene.material);

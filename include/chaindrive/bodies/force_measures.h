@@ -3,8 +3,6 @@
 
 #include <chaindrive/bodies/world.h>
 
-#include <deal.II/lac/vector.h>
-
 #include <vector>
 
 namespace chaindrive
@@ -17,7 +15,7 @@ public:
   ForceMeasures() = default; ///< nobody asks
 
   /// Of @p copies, each of the @p measures with three components for each node.
-  ForceMeasures(const std::vector<dealii::Vector<double>> &measures, const BodyBatches &copies);
+  ForceMeasures(const std::vector<std::vector<double>> &measures, const BodyBatches &copies);
 
   /// Measures the forces on @p nodes of the bodies in a @p batch; some may be
   /// ModalNodes::none.
