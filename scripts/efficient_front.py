@@ -68,9 +68,9 @@ def main():
     for axis, output in zip(axes.flat, outputs):
         print(f"{output}: {', '.join(draw(axis, output, found[output]))}")
     for axis in axes[-1]:
-        axis.set_xlabel("CPU time over that of full")
+        axis.set_xlabel("CPU time over that of the reference")
     for axis in axes[:, 0]:
-        axis.set_ylabel("error against full (%)")
+        axis.set_ylabel("error (%)")
     figure.tight_layout()
     figure.savefig(options.picture, dpi=100)
 

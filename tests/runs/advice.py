@@ -33,7 +33,7 @@ def accuracy():
         return next(line for line in done.stdout.splitlines() if line.startswith("Accuracy"))
 
     line = first("tight_tension_mean=5")
-    program.check(re.search(r"within 5 %: simple\S* of study fidelity, against full \+0\.\d+ %.* s here; Model/Fidelity=simple", line),
+    program.check(re.search(r"within 5 %: simple\S* of study fidelity, against exact \+1\.\d+ %.* s here; Model/Fidelity=simple", line),
                   f"no answer in: {line}")
     line = first("tight_tension_mean=0.001")
     program.check("within 0.001 %: no model; the best is" in line, line)
