@@ -29,7 +29,7 @@ CHAINDRIVE_ALWAYS_INLINE bool visit_window(const JointArguments &arg,
 {
   const JointGrid   &grid   = *arg.grid;
   const JointWindow &window = *arg.window;
-  unsigned int       cell[width], column[width];
+  unsigned int       column[width];
   bool               any = false;
   for (int l = 0; l < width; ++l)
     {
@@ -37,14 +37,11 @@ CHAINDRIVE_ALWAYS_INLINE bool visit_window(const JointArguments &arg,
       active[l] = joints.present[l] && place < window.count[lane + l];
       any |= active[l];
       index[l] = s * grid.slave_circumferential + column[l];
-      cell[l]  = arg.cell[column[l] * n_lanes + lane + l];
     }
   if (!any)
     return false;
   take_slave(joints, index, m);
-  meet(grid, joints, cell, arg.ring + s * n_lanes + lane, m);
-  for (int l = 0; l < width; ++l)
-    arg.cell[column[l] * n_lanes + lane + l] = cell[l];
+  meet_and_remember(arg, lane, joints, s, column, active, m);
   return true;
 }
 

@@ -271,7 +271,7 @@ template <int width>
 CHAINDRIVE_ALWAYS_INLINE void meet(const JointGrid     &grid,
                                    const Joints<width> &joints,
                                    unsigned int (&cell)[width],
-                                   unsigned int   *ring,
+                                   unsigned int (&ring)[width],
                                    Meeting<width> &m)
 {
   using P                      = Pack<double, width>;

@@ -155,6 +155,33 @@ struct Visit
   P              gap; ///< m
 };
 
+/// Where slave nodes of ring @p s meet the bore. From here the search begins next time in the lanes
+/// that it @p is_for; of others nobody knows where their nodes are, since they are not announced.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void meet_and_remember(const JointArguments &arg,
+                                                const int             lane,
+                                                const Joints<width>  &joints,
+                                                const unsigned int    s,
+                                                const unsigned int (&column)[width],
+                                                const bool (&is_for)[width],
+                                                Meeting<width> &m)
+{
+  unsigned int *const rings = arg.ring + s * n_lanes + lane;
+  unsigned int        cell[width], ring[width];
+  for (int l = 0; l < width; ++l)
+    {
+      cell[l] = arg.cell[column[l] * n_lanes + lane + l];
+      ring[l] = rings[l];
+    }
+  meet(*arg.grid, joints, cell, ring, m);
+  for (int l = 0; l < width; ++l)
+    if (is_for[l])
+      {
+        arg.cell[column[l] * n_lanes + lane + l] = cell[l];
+        rings[l]                                 = ring[l];
+      }
+}
+
 /// Visits the slave nodes of ring @p s that are @p place columns after the first of the windows.
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE void visit(const JointArguments &arg,
@@ -167,7 +194,7 @@ CHAINDRIVE_ALWAYS_INLINE void visit(const JointArguments &arg,
   using P                   = Pack<double, width>;
   const JointGrid   &grid   = *arg.grid;
   const JointWindow &window = *arg.window;
-  unsigned int       index[width], cell[width];
+  unsigned int       index[width];
   const double      *penetration[width];
   alignas(64) double exists[width], active[width];
   for (int l = 0; l < width; ++l)
@@ -179,7 +206,6 @@ CHAINDRIVE_ALWAYS_INLINE void visit(const JointArguments &arg,
       index[l] = s * grid.slave_circumferential + v.column[l];
       penetration[l] =
           arg.state + (index[l] * n_touch_entries + touch_penetration) * n_lanes + lane + l;
-      cell[l]   = arg.cell[v.column[l] * n_lanes + lane + l];
       active[l] = place < count ? 1. : 0.;
       exists[l] = place < count || count == grid.slave_circumferential ? 1. : 0.;
     }
@@ -195,9 +221,10 @@ CHAINDRIVE_ALWAYS_INLINE void visit(const JointArguments &arg,
   const P counts = if_less(P(-0.1), depth, P::load(exists), P(0.)) + v.penetration_before;
   if (!any_less(P(0.), counts))
     return;
-  meet(grid, joints, cell, arg.ring + s * n_lanes + lane, v.meeting);
+  bool counts_here[width];
   for (int l = 0; l < width; ++l)
-    arg.cell[v.column[l] * n_lanes + lane + l] = cell[l];
+    counts_here[l] = counts[l] > 0.;
+  meet_and_remember(arg, lane, joints, s, v.column, counts_here, v.meeting);
   v.gap = if_less(P(0.), counts, v.meeting.gap, P(1.));
 }
 
@@ -373,16 +400,14 @@ measure_gaps_of(const JointArguments &arg, GapArguments &gaps, const int lane)
     for (unsigned int c = 0; c < grid.slave_circumferential; ++c)
       {
         Meeting<width> m;
-        unsigned int   index[width], cell[width];
+        unsigned int   index[width], column[width];
         for (int l = 0; l < width; ++l)
           {
-            index[l] = s * grid.slave_circumferential + c;
-            cell[l]  = arg.cell[c * n_lanes + lane + l];
+            index[l]  = s * grid.slave_circumferential + c;
+            column[l] = c;
           }
         take_slave(joints, index, m);
-        meet(grid, joints, cell, arg.ring + s * n_lanes + lane, m);
-        for (int l = 0; l < width; ++l)
-          arg.cell[c * n_lanes + lane + l] = cell[l];
+        meet_and_remember(arg, lane, joints, s, column, joints.present, m);
         m.gap.store(gaps.gap + index[0] * n_lanes + lane);
         covered(depth_inside(grid, joints, m, grid.cover[s]))
             .store(gaps.covered + index[0] * n_lanes + lane);
