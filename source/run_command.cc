@@ -341,7 +341,9 @@ void try_noise(Prepared &prepared)
 /// Writes summary.json and the end of the log. Collective.
 void end_files(Prepared &prepared)
 {
-  observe::Summary summary = prepared.simulation.summary();
+  observe::Summary  summary  = prepared.simulation.summary();
+  const auto       &system   = prepared.simulation.system();
+  const std::string overload = system.contacts.overload_sentence(system.world);
   if (!prepared.simulation.system().world.is_first_rank())
     return;
   files::Log &log = prepared.log;
@@ -355,6 +357,7 @@ void end_files(Prepared &prepared)
   warn(log, window_sentence(prepared.simulation));
   warn_of_events(log, summary.values);
   warn(log, hourglass_sentence(summary.values));
+  warn(log, overload);
   observe::print_summary(log, summary.values);
   PhaseTimer::print(log, summary.phases);
   if (prepared.simulation.parameters.acoustics.noise)

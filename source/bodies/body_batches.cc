@@ -170,6 +170,7 @@ void BodyBatches::count_readers()
 {
   readers_.assign(std::size_t(n_batches()) * n_nodes(), 0);
   reader_changes_.assign(n_batches(), 0);
+  moved_by_modes.assign(n_copies(), 0.);
 }
 
 void BodyBatches::add_readers(const unsigned int               batch,

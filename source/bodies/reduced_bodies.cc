@@ -41,7 +41,7 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene,
   in_body_.resize(node_offset(node_.size()));
   found_.resize(n_touching_);
   if (const auto measures = scene.measures.find(of); measures != scene.measures.end())
-    measures_ = ForceMeasures(measures->second, copies);
+    measures_ = ForceMeasures(measures->second, copies, symmetry_, node_);
   ReadNodes nobody;
   nobody.node.resize(node_.size(), ModalNodes::none);
   nobody.placed.resize(node_.size(), 0);
@@ -94,6 +94,13 @@ void ReducedBodies::take_basis(const mesh::Nodes       &nodes,
           for (unsigned int d = 0; d < 3; ++d)
             mode_shape_.push_back(basis.modes[m][3 * node + d]);
       }
+  farthest_.assign(n_modes(), 0.);
+  for (unsigned int i = 0; i < n_touching_ * n_modes(); ++i)
+    {
+      const double *phi     = mode_shape_.data() + 3 * std::size_t(i);
+      double       &of_mode = farthest_[i % n_modes()];
+      of_mode               = std::max(of_mode, std::hypot(phi[0], phi[1], phi[2]));
+    }
   node_.assign(n_touching_ * n_images, ModalNodes::none);
   for (unsigned int node = 0; node < nodes.size(); ++node)
     if (touches[node] != 0)
@@ -212,14 +219,22 @@ void ReducedBodies::kick(World &world, const double /*h*/)
 
 void ReducedBodies::drift(World &world, const Step &step)
 {
-  const BodyBatches &copies = world.copies[group_];
+  BodyBatches &copies = world.copies[group_];
   for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
     if (copies.owns_batch(batch) || copies.is_shared(batch))
-      for (std::size_t i = batch * per_batch(); i < (batch + 1) * per_batch(); ++i)
-        {
-          rate_[i] += 0.5 * step.dt * acceleration_[i];
-          amplitude_[i] += step.dt * rate_[i];
-        }
+      {
+        double            moved[n_lanes] = {};
+        const std::size_t first          = batch * per_batch();
+        for (std::size_t i = first; i < first + per_batch(); ++i)
+          {
+            rate_[i] += 0.5 * step.dt * acceleration_[i];
+            amplitude_[i] += step.dt * rate_[i];
+            moved[i % n_lanes] += farthest_[(i - first) / n_lanes] * std::abs(step.dt * rate_[i]);
+          }
+        copies.for_each_copy_of(batch, [&](const unsigned int copy, const unsigned int lane) {
+          copies.moved_by_modes[copy] = moved[lane];
+        });
+      }
 }
 
 void ReducedBodies::place_surface(World &world, const double earlier)
@@ -266,13 +281,14 @@ void ReducedBodies::gather_forces(World &world)
         }
       take_frames(world, batch);
       const ReadNodes &nodes = read_[batch];
-      if (measures_.asks()) // before they become zero
-        measures_.measure(world, copies, batch, nodes.node);
       kernels_.gather({modal_nodes(nodes.known, nodes),
                        copies.position.begin() + copies.start_of(batch),
                        copies.force.begin() + copies.start_of(batch),
                        modal_force,
                        moment_.data(),
+                       measures_.size(),
+                       measures_.table(),
+                       measures_.of_batch(batch),
                        in_body_.data(),
                        found_.data()});
       copies.for_each_copy_of(batch, [&](const unsigned int copy, const unsigned int lane) {

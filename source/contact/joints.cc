@@ -182,25 +182,33 @@ void JointBatch::Exact::Coupled::need(const unsigned int row)
 {
   if (is_there[row] != 0)
     return;
-  is_there[row]        = 1;
   const unsigned int m = joint->n, k = strips->n();
-  double            *number = matrix.data() + std::size_t(row) * stride;
-  std::fill(number + m + k, number + stride, 0.);
   // the bush presses the bore outwards, the tooth the outside inwards
-  if (row < m)
+  if (row < m) // of a column that touches all rings will
     {
-      std::copy_n(joint->number.data() + std::size_t(row) * joint->stride, m, number);
-      of_place.resize(n_rings);
-      const unsigned int place = row / n_rings;
+      const unsigned int place = row / n_rings, begin = place * n_rings;
       const double       angle = first + place * column;
+      of_place.resize(n_rings);
+      for (unsigned int r = begin; r < begin + n_rings; ++r)
+        {
+          double *number = matrix.data() + std::size_t(r) * stride;
+          std::copy_n(joint->number.data() + std::size_t(r) * joint->stride, m, number);
+          std::fill(number + m + k, number + stride, 0.);
+          is_there[r] = 1;
+        }
+      double *number = matrix.data() + std::size_t(begin) * stride + m;
       for (unsigned int a = 0; a < k; ++a)
         {
           wall->at(strips->unknown[a], angle - strips->direction[a], column, 1, of_place.data());
-          number[m + a] = -of_place[row % n_rings];
+          for (unsigned int q = 0; q < n_rings; ++q)
+            number[q * stride + a] = -of_place[q];
         }
       return;
     }
-  const unsigned int a = row - m;
+  is_there[row]             = 1;
+  double            *number = matrix.data() + std::size_t(row) * stride;
+  const unsigned int a      = row - m;
+  std::fill(number + m + k, number + stride, 0.);
   wall->at(strips->unknown[a], first - strips->direction[a], column, m / n_rings, number);
   for (unsigned int i = 0; i < m; ++i)
     number[i] = -number[i];
@@ -326,9 +334,10 @@ const dealii::AlignedVector<double> &JointBatch::measure_gaps()
   return gap_;
 }
 
-unsigned int JointBatch::search(const double reach, const double unforeseen)
+unsigned int
+JointBatch::search(const double reach, const std::optional<double> unforeseen, const double margin)
 {
-  if (!(reach >= 0.) || !(unforeseen > 0.))
+  if (!(reach >= 0.) || (unforeseen && !(*unforeseen > 0.)))
     throw std::logic_error("JointBatch: a search needs a reach and a speed");
   measure_gaps();
   double       fastest = 0.;
@@ -336,21 +345,21 @@ unsigned int JointBatch::search(const double reach, const double unforeseen)
   for (int lane = 0; lane < n_lanes; ++lane)
     if (arguments_.master_position[lane] != nullptr)
       {
-        missed += search_lane(lane, reach);
+        missed += search_lane(lane, reach + margin);
         fastest = std::max(fastest, closing_[lane]);
       }
   fresh_         = true;
   searched_cell_ = cell_;
   if (exact_)
     exact_->new_windows = true;
-  cadence_.restart(holding_time(reach, fastest, unforeseen));
+  cadence_.restart(unforeseen ? holding_time(reach, fastest, *unforeseen) : reach);
   return missed;
 }
 
-unsigned int JointBatch::search_lane(const int lane, const double reach)
+unsigned int JointBatch::search_lane(const int lane, const double near_gap)
 {
   // A window is one run of columns, round and round.
-  // Columns are near where any of their nodes, in any ring, overlaps, is closer than the reach,
+  // Columns are near where any of their nodes, in any ring, overlaps, is nearer than that,
   // or has touched last time.
   const unsigned int n     = grid_.slave_circumferential;
   const unsigned int first = window_.first[lane], count = window_.count[lane];
@@ -369,7 +378,7 @@ unsigned int JointBatch::search_lane(const int lane, const double reach)
         if (penetration && cadence_.left_alone() && count < n && !(place > 0 && place + 1 < count))
           ++missed;
         // what touched last time has a spring to let go
-        if (penetration || gap < reach ||
+        if (penetration || gap < near_gap ||
             state_[(node * n_touch_entries + touch_penetration) * n_lanes + lane] > 0.)
           near[c] = any = true;
       }
@@ -408,7 +417,7 @@ void JointBatch::mark_circumferential(const int          lane,
     }
 }
 
-void JointBatch::add_forces(const double dt)
+void JointBatch::add_forces(const double dt, const double use)
 {
   connect();
   arguments_.dt = dt;
@@ -417,7 +426,7 @@ void JointBatch::add_forces(const double dt)
   else
     kernels_.add_forces(arguments_);
   if (!fresh_)
-    cadence_.use(dt);
+    cadence_.use(use);
   fresh_ = false;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/closed_joint.h>
 #include <chaindrive/contact/closed_springs.h>
 #include <chaindrive/contact/node_bores.h>
 #include <chaindrive/contact/tributary_area.h>
@@ -20,61 +21,15 @@ namespace chaindrive::contact
 {
 namespace
 {
+constexpr double least_reach = 8e-6; // m
+
 /// How far [m] a search looks: larger, and searches were fewer but windows wider. Steps of elements
 /// have many to a search either way; at those of reduced bodies, which are longer, a search is to
 /// hold for some, even if gaps close with the speed @p unforeseen [m/s].
 double search_reach(const double dt, const double unforeseen)
 {
-  constexpr double least = 8e-6, steps = 10.;
-  return std::max(least, steps * unforeseen * dt);
-}
-
-/// One side of a joint with all of its nodes closed: each node carries the springs of its share of
-/// the surface, @p area(ring) [m2]. The nodes of a rigid body have all of it to move: at the
-/// distance r from its centre a spring k adds at most k (1/m + r^2/I), I the smallest moment of
-/// inertia.
-template <typename Area>
-ClosedSide closed_side(const mesh::CylinderGrid &grid,
-                       const unsigned int        surface,
-                       const Area               &area,
-                       const double              stiffness,
-                       const World              &world,
-                       const unsigned int        group)
-{
-  const BodyBatches &copies  = world.copies[group];
-  double             inertia = std::numeric_limits<double>::max();
-  for (const World::Rotation &rotation : world.rotations)
-    if (world.node_address[rotation.body].group == group)
-      for (unsigned int d = 0; d < 3; ++d)
-        inertia = std::min(inertia, rotation.inertia[d]);
-
-  ClosedSide side;
-  side.group   = group;
-  side.surface = surface;
-  if (group < world.n_elastic_groups())
-    {
-      side.stiffness.resize(copies.n_nodes());
-      side.normal.resize(copies.n_nodes());
-    }
-  for (unsigned int s = 0; s < grid.n_rings(); ++s)
-    {
-      const double k = stiffness * area(s);
-      for (unsigned int c = 0; c < grid.n_circumferential(); ++c)
-        {
-          const unsigned int node = copies.nodes.of_vertex[grid.vertex_at(s, c)];
-          if (side.stiffness.empty())
-            side.eigenvalue +=
-                k * (1. / world.mass[copies.bodies.front()] +
-                     dealii::Tensor<1, 3>(copies.nodes.position[node]).norm_square() / inertia);
-          else
-            {
-              side.add_spring(node, k, copies.nodes.mass[node]);
-              side.normal[node][0] = std::cos(grid.angles[c]);
-              side.normal[node][1] = std::sin(grid.angles[c]);
-            }
-        }
-    }
-  return side;
+  constexpr double steps = 10.;
+  return std::max(least_reach, steps * unforeseen * dt);
 }
 
 JointBody
@@ -107,29 +62,6 @@ JointBody ghost_body(BodyBatches                     &copies,
   return body_at(copies, lane, nodes);
 }
 
-/// The rings of @p side from @p first to @p last, of the mesh's @p grid.
-ClosedWindow window_of(const reduction::RoundFlexibility &side,
-                       const mesh::CylinderGrid          &grid,
-                       const unsigned int                 first,
-                       const unsigned int                 last,
-                       const scene::ContactLaw           &law)
-{
-  ClosedWindow window;
-  window.surface    = side.surface;
-  window.n_columns  = side.n_columns;
-  window.n_rings    = last + 1 - first;
-  window.first_ring = first;
-  for (unsigned int r = first; r <= last; ++r)
-    {
-      window.across.push_back(law.friction > 0. ? law.tangential_stiffness * grid.area(r, 0) : 0.);
-      for (unsigned int c = 0; c < side.n_columns; ++c)
-        window.node.push_back(side.node[r * side.n_columns + c]);
-      for (unsigned int s = first; s <= last; ++s)
-        for (unsigned int d = 0; d < side.n_columns; ++d)
-          window.flexibility.push_back(side.at(r, s, d));
-    }
-  return window;
-}
 } // namespace
 
 NodeBores::Kinds NodeBores::kinds_of(const scene::BoreFamily &scene, const World &world)
@@ -238,12 +170,16 @@ NodeBores::NodeBores(const scene::Scene      &scene,
       law_.damping = law_.tangential_damping = 0.;
       law_.tangential_stiffness *= 0.1;
     }
+  largest_force_ = bores.largest_force;
+  pairs_         = bores.pairs;
   for (const scene::BorePair &pair : bores.pairs)
     {
       add_radius(pair.slave.radius);
       add_record(pair.master, pair.slave.body, pair.slave.joint);
     }
   states_.resize(records_.size());
+  for (unsigned int i = 0; i < records_.size(); ++i)
+    stances_.push_back(stance(world, i));
   owner_                  = owners_of(bores, world);
   const unsigned int rank = rank_in(world.communicator());
 
@@ -322,6 +258,10 @@ NodeBores::NodeBores(const scene::Scene      &scene,
         }
       for (Group::Side &side : group.sides)
         side.read.resize(n_batches_of(pairs.size()));
+      group.half_length =
+          std::max(std::abs(cylinder.rings.front()), std::abs(cylinder.rings.back()));
+      group.by_distance = masters.counts_readers() && slaves.counts_readers();
+      group.use.resize(n_batches_of(pairs.size()), 0.);
       groups_.push_back(std::move(group));
       Group &placed = groups_.back();
       for (unsigned int i = 0; i < pairs.size(); ++i)
@@ -354,8 +294,48 @@ void NodeBores::announce(World &world, const std::optional<double> dt)
     for (unsigned int b = 0; b < group.batches.size(); ++b)
       if (!dt)
         announce_joints(world, group, b, every_step_);
-      else if (every_step_ || group.batches[b]->search_due(*dt))
-        announce_joints(world, group, b, true);
+      else
+        {
+          group.use[b] = group.by_distance ? moved(world, group, b, least_reach) : *dt;
+          if (every_step_ || group.batches[b]->search_due(group.use[b]))
+            announce_joints(world, group, b, true);
+        }
+}
+
+NodeBores::Stance NodeBores::stance(const World &world, const unsigned int pair) const
+{
+  const scene::BorePair &p    = pairs_[pair];
+  const Frame           &bore = world.frames[p.master], &cylinder = world.frames[p.slave.body];
+  const auto             x = axis_of(bore, 0), along = axis_of(cylinder, 0);
+  return {cylinder.position + cylinder.rotation * dealii::Tensor<1, 3>(p.slave.point) -
+              bore.position - bore.rotation * dealii::Tensor<1, 3>(p.axis),
+          axis_of(cylinder, 2) - axis_of(bore, 2),
+          along * x,
+          along * axis_of(bore, 1)};
+}
+
+double
+NodeBores::moved(const World &world, const Group &group, const unsigned int b, const double reach)
+{
+  const JointGrid &grid = group.batches[b]->grid();
+  const double     columns =
+      std::max(grid.master_circumferential, grid.slave_circumferential) / dealii::numbers::PI;
+  double most = 0.;
+  for (std::size_t i = b * n_lanes;
+       i < std::min<std::size_t>((b + 1) * n_lanes, group.pairs.size());
+       ++i)
+    {
+      const unsigned int pair = group.pairs[i];
+      const Stance       now = stance(world, pair), &before = stances_[pair];
+      double             sum = (now.offset - before.offset).norm() +
+                   group.half_length * (now.tilt - before.tilt).norm() +
+                   reach * columns * std::hypot(now.cosine - before.cosine, now.sine - before.sine);
+      for (const Group::Side &side : group.sides)
+        sum += world.copies[side.group].moved_by_modes[side.copy[i]];
+      most           = std::max(most, sum);
+      stances_[pair] = now;
+    }
+  return most;
 }
 
 void NodeBores::announce_joints(World             &world,
@@ -442,6 +422,18 @@ void NodeBores::couple_lanes(const World &world, Group &group, const unsigned in
     }
 }
 
+void NodeBores::search(Group &group, const unsigned int b, const double dt, const double unforeseen)
+{
+  // Without a penalty forces deflect surfaces beside where bodies and modes have moved them; teeth
+  // do so through the walls of rollers.
+  const double margin = !group.flexibility ? 0. : group.coupled.empty() ? 1e-6 : 1e-5;
+  JointBatch  &batch  = *group.batches[b];
+  n_missed_ += every_step_ ? batch.search(0., unforeseen, margin) :
+               group.by_distance ?
+                             batch.search(std::max(least_reach, 4. * group.use[b]), {}, margin) :
+                             batch.search(search_reach(dt, unforeseen), unforeseen, margin);
+}
+
 void NodeBores::add_forces(World &world, const double dt)
 {
   const double unforeseen = unforeseen_speed(world);
@@ -449,17 +441,14 @@ void NodeBores::add_forces(World &world, const double dt)
     for (unsigned int b = 0; b < group.batches.size(); ++b)
       {
         JointBatch &batch = *group.batches[b];
-        if (every_step_ || batch.search_due(dt))
+        if (every_step_ || batch.search_due(group.use[b]))
           {
-            // teeth press nodes nearer through walls
-            const double walls = group.coupled.empty() ? 0. : 1e-5;
-            n_missed_ += batch.search(every_step_ ? walls : search_reach(dt, unforeseen) + walls,
-                                      unforeseen);
+            search(group, b, dt, unforeseen);
             announce_joints(world, group, b, every_step_);
           }
         if (!group.coupled.empty())
           couple_lanes(world, group, b);
-        batch.add_forces(dt);
+        batch.add_forces(dt, group.use[b]);
 
         const JointSums &sums = batch.sums();
         for (unsigned int lane = 0; lane < n_lanes; ++lane)
@@ -480,6 +469,7 @@ void NodeBores::add_forces(World &world, const double dt)
               }
             record.force                   = world.symmetry.whole_force(record.force);
             const double size              = record.force.norm();
+            most_pressed_                  = std::max(most_pressed_, size / largest_force_);
             states_[group.pairs[i]].normal = size;
             if (size > 0.)
               record.normal = record.force / size;
@@ -496,8 +486,38 @@ void NodeBores::serialize(const Archive &archive, const unsigned int rank)
   Family::serialize(archive, rank);
   for (Group &group : groups_)
     for (unsigned int i = 0; i < group.pairs.size(); ++i)
-      group.batches[i / n_lanes]->serialize(
-          i % n_lanes, archive.of_this_rank() / ("joint " + std::to_string(group.pairs[i])));
+      {
+        const unsigned int pair = group.pairs[i];
+        const Archive      own  = archive.of_this_rank() / ("joint " + std::to_string(pair));
+        group.batches[i / n_lanes]->serialize(i % n_lanes, own);
+        own("stance", stances_[pair]);
+      }
+}
+
+void NodeBores::raise_pressures(std::vector<double> &largest) const
+{
+  for (const Group &group : groups_)
+    for (unsigned int i = 0; i < group.pairs.size(); ++i)
+      {
+        double &of_joint = largest[records_[group.pairs[i]].joint];
+        group.batches[i / n_lanes]->for_each_pressure(
+            i % n_lanes, [&of_joint](const unsigned int, const double pressure) {
+              of_joint = std::max(of_joint, pressure);
+            });
+      }
+}
+
+void NodeBores::add_pressures(const World & /*world*/, std::vector<NodePressure> &pressures) const
+{
+  for (const Group &group : groups_)
+    for (unsigned int i = 0; i < group.pairs.size(); ++i)
+      {
+        const unsigned int body = records_[group.pairs[i]].slave;
+        group.batches[i / n_lanes]->for_each_pressure(
+            i % n_lanes, [&](const unsigned int node, const double pressure) {
+              pressures.push_back({body, group.sides[1].node[node], pressure});
+            });
+      }
 }
 
 std::vector<ClosedPair> NodeBores::closed_pairs(const World &) const

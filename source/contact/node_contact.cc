@@ -221,6 +221,21 @@ void NodeContact::add_node_force(World                     &world,
   sum.power -= node.touch.normal * (v * touch.normal);
 }
 
+void NodeContact::raise_pressures(std::vector<double> &largest) const
+{
+  for_each_pressure([&](const unsigned int i, const unsigned int, const double pressure) {
+    double &of_joint = largest[records_[i].joint];
+    of_joint         = std::max(of_joint, pressure);
+  });
+}
+
+void NodeContact::add_pressures(const World & /*world*/, std::vector<NodePressure> &pressures) const
+{
+  for_each_pressure([&](const unsigned int i, const unsigned int s, const double pressure) {
+    pressures.push_back({records_[i].slave, slaves_.node(s), pressure});
+  });
+}
+
 std::vector<ClosedPair> NodeContact::closed_pairs(const World &world) const
 {
   const BodyBatches &batches = slaves_.batches(world);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/bodies/mobility.h>
+#include <chaindrive/contact/columns.h>
 #include <chaindrive/contact/elastic_flanks.h>
 #include <chaindrive/contact/roller_strips.h>
-#include <chaindrive/drive/stiffness.h>
 #include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/reduction/basis.h>
 #include <chaindrive/utilities/ranks.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace chaindrive::contact
@@ -17,8 +18,11 @@ namespace
 {
 using dealii::numbers::PI;
 
-constexpr double margin      = 8e-6; // m: beyond the largest penetration, what deflections close
-constexpr double near_centre = 0.05; // over the radius: no modes let a circle so far away touch
+// m: beyond what overlaps, and as much again as the deepest does, gaps are listed that forces may
+// close. What closes gaps is the bush, through the wall: less than the tooth's own force deflects.
+constexpr double margin        = 3e-6;
+constexpr double strip_sagitta = 1e-6; // m: more than points of a strip lie off its middle's circle
+constexpr double near_centre   = 0.05; // over the radius: no modes let a circle so far away touch
 
 /// The rings of a roller that are over teeth, by more than half of what they stand for.
 struct CoveredRings
@@ -42,44 +46,6 @@ struct CoveredRings
   std::vector<unsigned int> number;
   std::vector<double>       length; ///< m
   double                    all = 0.;
-};
-
-/// Weights of the cubic polynomial through four equidistant points, at the part @p t of the way
-/// from the second to the third one.
-std::array<double, 4> cubic_weights(const double t)
-{
-  return {{-t * (t - 1.) * (t - 2.) / 6.,
-           (t + 1.) * (t - 1.) * (t - 2.) / 2.,
-           -(t + 1.) * t * (t - 2.) / 2.,
-           (t + 1.) * t * (t - 1.) / 6.}};
-}
-
-/// Their derivatives.
-std::array<double, 4> cubic_slopes(const double t)
-{
-  return {{-(3. * t * t - 6. * t + 2.) / 6.,
-           (3. * t * t - 4. * t - 1.) / 2.,
-           -(3. * t * t - 2. * t - 2.) / 2.,
-           (3. * t * t - 1.) / 6.}};
-}
-
-/// Four columns of @p n about an @p angle [rad], and how much each counts there.
-struct Columns
-{
-  Columns(const double angle, const unsigned int n)
-  {
-    const double column = angle * n / (2. * PI), before = std::floor(column);
-    weight = cubic_weights(column - before);
-    slope  = cubic_slopes(column - before);
-    for (double &per_column : slope)
-      per_column *= n / (2. * PI);
-    for (unsigned int k = 0; k < number.size(); ++k)
-      number[k] =
-          static_cast<unsigned int>(static_cast<int>(before) + static_cast<int>(k + n) - 1) % n;
-  }
-
-  std::array<unsigned int, 4> number;
-  std::array<double, 4>       weight, slope; ///< slope: by how much more per radian
 };
 
 /// @p direction turned by a right angle about the @p axis, both unit vectors.
@@ -158,12 +124,13 @@ RollerStrips::RollerStrips(const scene::Scene       &scene,
                law_.tangential_stiffness * 2. * teeth.half_angle * radius_ * rings.all,
                0.};
 
+  length_ = rings.length;
   for (const unsigned int r : rings.number)
     for (unsigned int c = 0; c < outside_.n_columns; ++c)
       node_.push_back(outside_.node[r * outside_.n_columns + c]);
-  half_angle_ = teeth.half_angle;
-  // on a flat: as in a hole so much wider that r^2 / clearance, all that counts then, is r
-  half_line_                     = drive::largest_half_angle(radius_, radius_, scene.material);
+  half_angle_                    = teeth.half_angle;
+  half_line_                     = teeth.half_line;
+  largest_force_                 = teeth.largest_force;
   const dealii::Tensor<1, 3> tip = world.frames[flanks_->body()].position +
                                    dealii::Point<3>(0.5 * form_->outside_diameter, 0., 0.);
   mobility_ = form_->teeth * dealii::trace(Mobility(world).of_point(flanks_->body(), tip));
@@ -215,14 +182,10 @@ StripProblem *RollerStrips::problem_of(const unsigned int body)
   return nullptr;
 }
 
-std::size_t RollerStrips::node(const World       &world,
-                               const unsigned int i,
-                               const unsigned int ring,
-                               const unsigned int column) const
+std::size_t RollerStrips::first_number(const World &world, const unsigned int i) const
 {
   const BodyBatches &copies = world.copies[group_];
-  return copies.start_of(copies.batch_of(copy_[i])) +
-         node_offset(node_[ring * outside_.n_columns + column]) + copies.lane_of(copy_[i]);
+  return copies.start_of(copies.batch_of(copy_[i])) + copies.lane_of(copy_[i]);
 }
 
 ClosedStrips RollerStrips::close(const std::vector<double> &middles,
@@ -308,28 +271,37 @@ void RollerStrips::lay_strips(const World &world, const unsigned int i, const do
     in_hub[1] = turn[1] * v[0] + turn[0] * v[1];
     return hub.rotation * in_hub;
   };
-  const auto to_roller = dealii::transpose(frame.rotation);
+  const auto   to_roller = dealii::transpose(frame.rotation);
+  const double turned_by = std::atan2(frame.rotation[1][0], frame.rotation[0][0]);
+  const double near      = radius_ + reach + strip_sagitta;
   for (unsigned int s = 0; s < roller.strips.size(); ++s)
     {
-      const ToothStrips::Strip &place = profile_.strips()[s];
-      Strip                    &strip = roller.strips[s];
-      dealii::Tensor<1, 2>      mean;
+      const ToothStrips::Strip  &place = profile_.strips()[s];
+      Strip                     &strip = roller.strips[s];
+      const dealii::Tensor<1, 2> arm   = place.middle - in_gap;
+      if (arm.norm_square() > near * near)
+        {
+          strip.gap = std::numeric_limits<double>::max();
+          continue;
+        }
+      dealii::Tensor<1, 2> mean;
       strip.gap = -radius_;
       for (const dealii::Tensor<1, 2> &point : place.gauss)
         {
-          const dealii::Tensor<1, 2> arm      = point - in_gap;
-          const double               distance = arm.norm();
+          const dealii::Tensor<1, 2> to_point = point - in_gap;
+          const double               distance = to_point.norm();
           strip.gap += 0.5 * distance;
-          mean += 0.5 / distance * arm;
+          mean += 0.5 / distance * to_point;
         }
       if (strip.gap > reach)
         continue;
-      const dealii::Tensor<1, 2> arm = place.middle - in_gap;
-      strip.distance                 = arm.norm();
-      strip.direction                = in_world(arm / strip.distance);
-      strip.mean                     = in_world(mean);
-      const auto    local            = to_roller * strip.direction;
-      const Columns columns(std::atan2(local[1], local[0]), n);
+      strip.distance     = arm.norm();
+      strip.direction    = in_world(arm / strip.distance);
+      strip.mean         = in_world(mean);
+      const auto   local = to_roller * strip.direction;
+      const double angle = std::atan2(local[1], local[0]);
+      strip.angle        = angle + turned_by;
+      const Columns columns(angle, n);
       strip.column = columns.number;
       strip.weight = columns.weight;
       strip.slope  = columns.slope;
@@ -345,6 +317,7 @@ double RollerStrips::find_displacements(const World &world, const unsigned int i
   const dealii::Tensor<1, 3> z    = axis_of(world.frames[flanks_->body()], 2);
   dealii::Tensor<1, 3>       tilt = axis_of(frame, 2); // of a ring's centre per length of axis
   tilt -= (tilt * z) * z;
+  const std::size_t first = first_number(world, i);
   displacement_.resize(std::size_t(n_rings) * n);
   double largest = 0.;
   for (unsigned int r = 0; r < n_rings; ++r)
@@ -353,8 +326,8 @@ double RollerStrips::find_displacements(const World &world, const unsigned int i
         const unsigned int         number = node_[r * n + c];
         const dealii::Tensor<1, 3> rigid =
             frame.position + frame.rotation * dealii::Tensor<1, 3>(copies.nodes.position[number]);
-        displacement_[r * n + c] =
-            at[node(world, i, r, c)] - rigid + outside_.rings[flexibility_->rings()[r]] * tilt;
+        displacement_[r * n + c] = at[first + node_offset(number)] - rigid +
+                                   outside_.rings[flexibility_->rings()[r]] * tilt;
         largest = std::max(largest, displacement_[r * n + c].norm_square());
       }
   return std::sqrt(largest);
@@ -373,8 +346,7 @@ void RollerStrips::list_unknowns(const World &world, const unsigned int i, const
       const Strip &strip = roller.strips[s];
       if (strip.gap > reach)
         continue;
-      const dealii::Tensor<1, 3> round     = turned(z, strip.direction);
-      const double               direction = std::atan2(strip.direction[1], strip.direction[0]);
+      const dealii::Tensor<1, 3> round = turned(z, strip.direction);
       for (unsigned int r = 0; r < n_rings; ++r)
         {
           dealii::Tensor<1, 3> moved, more;
@@ -385,7 +357,7 @@ void RollerStrips::list_unknowns(const World &world, const unsigned int i, const
               more += strip.slope[k] * u;
             }
           candidates_.push_back({s * n_rings + r,
-                                 direction,
+                                 strip.angle,
                                  strip.gap - moved * strip.direction,
                                  more * strip.direction + moved * round});
         }
@@ -394,7 +366,7 @@ void RollerStrips::list_unknowns(const World &world, const unsigned int i, const
   for (const Candidate &candidate : candidates_)
     penetration = std::max(penetration, -candidate.gap);
   for (const Candidate &candidate : candidates_)
-    if (candidate.gap < margin + penetration)
+    if (candidate.gap < margin + 2. * penetration)
       {
         problem.unknown.push_back(candidate.unknown);
         problem.direction.push_back(candidate.direction);
@@ -420,7 +392,7 @@ void RollerStrips::measure(const World &world, const unsigned int i)
     return;
   // how near modes bring strips, between nodes a little nearer than these; and the deepest overlap
   const double by_modes = 1.25 * find_displacements(world, i),
-               reach    = by_modes + margin + std::max(0., by_modes - records_[i].gap);
+               reach    = by_modes + margin + 2. * std::max(0., by_modes - records_[i].gap);
   if (records_[i].gap > by_modes + margin)
     return;
   lay_strips(world, i, reach);
@@ -441,15 +413,17 @@ RollerStrips::Pressed RollerStrips::press(World &world, const unsigned int i)
   const unsigned int         n_rings = flexibility_->n_rings();
   const dealii::Tensor<1, 3> z       = axis_of(world.frames[hub], 2),
                              centre  = world.frames[body].position;
-  Pressed pressed;
-  double  through_wall = 0.; // couple on the bush
+  const std::size_t first            = first_number(world, i);
+  Pressed           pressed;
+  double            through_wall = 0.; // couple on the bush
   loads_.clear();
   std::fill(roller.force.begin(), roller.force.end(), 0.);
   for (unsigned int a = 0; a < problem.n(); ++a)
     if (problem.force[a] > 0.)
       {
-        const Strip &strip               = roller.strips[problem.unknown[a] / n_rings];
-        const double force               = problem.force[a];
+        const Strip        &strip = roller.strips[problem.unknown[a] / n_rings];
+        const double        force = problem.force[a];
+        const unsigned int *ring  = &node_[problem.unknown[a] % n_rings * outside_.n_columns];
         roller.force[problem.unknown[a]] = force;
         pressed.sum += force;
         pressed.deepest = std::max(pressed.deepest, -problem.gap[a]);
@@ -460,7 +434,7 @@ RollerStrips::Pressed RollerStrips::press(World &world, const unsigned int i)
         pressed.force -=
             force * strip.mean + (of_modes + of_wall) / strip.distance * turned(z, strip.direction);
         for (unsigned int k = 0; k < n_weights; ++k)
-          loads_.push_back({node(world, i, problem.unknown[a] % n_rings, strip.column[k]),
+          loads_.push_back({first + node_offset(ring[strip.column[k]]),
                             strip.weight[k] * force,
                             strip.direction});
       }
@@ -543,7 +517,8 @@ void RollerStrips::finish_forces(World &world, const double dt)
       Pressed                    pressed = press(world, i);
       const dealii::Tensor<1, 3> normal  = pressed.force;
       add_friction(world, dt, i, pressed);
-      record.force = world.symmetry.whole_force(pressed.force);
+      record.force  = world.symmetry.whole_force(pressed.force);
+      most_pressed_ = std::max(most_pressed_, record.force.norm() / largest_force_);
       if (!(pressed.sum > 0.))
         {
           // strips that do not touch are at least as far away as nothing; round it might overlap
@@ -561,6 +536,38 @@ void RollerStrips::finish_forces(World &world, const double dt)
             world.velocity_at(flanks_->body(), world.frames[record.slave].position, 0.5 * dt)) *
           record.normal;
     }
+}
+
+void RollerStrips::raise_pressures(std::vector<double> &largest) const
+{
+  const unsigned int n_rings = flexibility_->n_rings();
+  for (const unsigned int i : own_)
+    {
+      double &of_joint = largest[records_[i].joint];
+      for (unsigned int a = 0; a < flexibility_->n(); ++a)
+        of_joint =
+            std::max(of_joint,
+                     rollers_[i].force[a] / (2. * flexibility_->grid().half_width[a / n_rings] *
+                                             radius_ * length_[a % n_rings]));
+    }
+}
+
+void RollerStrips::add_pressures(const World & /*world*/,
+                                 std::vector<NodePressure> &pressures) const
+{
+  const unsigned int n_rings = flexibility_->n_rings(), n = outside_.n_columns;
+  const double       width = 2. * PI * radius_ / n;
+  for (const unsigned int i : own_)
+    for (unsigned int a = 0; a < flexibility_->n(); ++a)
+      if (const double force = rollers_[i].force[a]; force > 0.)
+        {
+          const Strip       &strip = rollers_[i].strips[a / n_rings];
+          const unsigned int ring  = a % n_rings;
+          for (unsigned int k = 0; k < n_weights; ++k)
+            pressures.push_back({records_[i].slave,
+                                 node_[ring * n + strip.column[k]],
+                                 strip.weight[k] * force / (width * length_[ring])});
+        }
 }
 
 void RollerStrips::serialize(const Archive &archive, const unsigned int rank)

@@ -75,9 +75,18 @@ ConformingContact conforming_contact(const double    radius,
   return contact;
 }
 
-double largest_half_angle(const double radius, const double clearance, const Material &steel)
+double working_pressure(const ChainDimensions &chain, const double load)
 {
-  constexpr double pressure = 500e6; // Pa
+  return std::min(
+      breaking_pressure,
+      std::max(0.25 * breaking_pressure, 4. * load / (chain.pin_diameter * chain.bush_length)));
+}
+
+double largest_half_angle(const double    radius,
+                          const double    clearance,
+                          const double    pressure,
+                          const Material &steel)
+{
   return clearance > 0. ?
              conforming_contact(radius, clearance, pressure * 2. * radius, steel).half_angle :
              0.5 * PI;

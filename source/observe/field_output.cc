@@ -138,6 +138,32 @@ void add_loads(BodySnapshot &snapshot, const scene::Body &body, const Loads &loa
     snapshot.tension = loads.tension[body.number];
 }
 
+/// Gives @p bodies of this rank the contact pressure on their vertices, where it is known.
+/// Collective.
+void add_pressures(const dynamics::System &system, std::vector<ElasticSnapshot> &bodies)
+{
+  const World                       &world = system.world;
+  std::vector<contact::NodePressure> own;
+  bool                               known = false;
+  for (const auto &family : system.contacts.families())
+    {
+      known = known || family->knows_pressure();
+      if (family->is_distributed() || world.is_first_rank())
+        family->add_pressures(world, own);
+    }
+  if (!known)
+    return;
+  for (unsigned int b = 0; b < bodies.size(); ++b)
+    bodies[b].pressure.assign(bodies[b].displacement.size(), 0.);
+  for (const auto &of_rank : dealii::Utilities::MPI::all_gather(world.communicator(), own))
+    for (const contact::NodePressure &at : of_rank)
+      if (world.owns(at.body) && !bodies[at.body].pressure.empty())
+        {
+          const auto &nodes = world.copies[world.elastic_address[at.body].group].nodes;
+          bodies[at.body].pressure[nodes.vertex[at.node]] += at.pressure;
+        }
+}
+
 std::vector<BarSnapshot> snapshots_of_bars(const dynamics::System &system)
 {
   const World             &world = system.world;
@@ -175,6 +201,8 @@ void FieldOutput::write(const dynamics::System &system)
     if (world.elastic_address[b].group != World::Address::none && world.owns(b))
       elastic[b] = drawing_->elastic.of(system, world.elastic_address[b]);
 
+  add_pressures(system, elastic);
+
   std::vector<BodySnapshot> bodies;
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     if (const auto part = drawing_->parts.find(scene_.bodies[b].part());
@@ -190,6 +218,7 @@ void FieldOutput::write(const dynamics::System &system)
                           make_array_view(elastic[b].velocity),
                           {elastic[b].stress.data(), elastic[b].stress.size()},
                           {elastic[b].faces.data(), elastic[b].faces.size()}});
+        bodies.back().pressure = {elastic[b].pressure.data(), elastic[b].pressure.size()};
         add_loads(bodies.back(), scene_.bodies[b], loads);
       }
 

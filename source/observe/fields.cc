@@ -88,19 +88,21 @@ std::vector<files::VtuGrid::FloatData> faces_of(const std::vector<BodySnapshot> 
 /// What an output shows of stresses; all its pieces show the same.
 struct Shown
 {
-  bool stress, faces;
+  bool stress, faces, pressure;
 };
 
 Shown shown_of(const std::vector<BodySnapshot> &bodies, MPI_Comm comm)
 {
-  int stress = 0, faces = 0;
+  int stress = 0, faces = 0, pressure = 0;
   for (const BodySnapshot &body : bodies)
     {
       stress |= static_cast<int>(body.stress.size() > 0);
       faces |= static_cast<int>(body.faces.size() > 0);
+      pressure |= static_cast<int>(body.pressure.size() > 0);
     }
   return {dealii::Utilities::MPI::max(stress, comm) != 0,
-          dealii::Utilities::MPI::max(faces, comm) != 0};
+          dealii::Utilities::MPI::max(faces, comm) != 0,
+          dealii::Utilities::MPI::max(pressure, comm) != 0};
 }
 
 /// Normal force [N] in the gap of a sprocket that is nearest to cell @p cell of @p body.
@@ -128,7 +130,7 @@ files::VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const Shown &sho
       n_cells += body.part->cells.size();
     }
 
-  std::vector<float>        displacement, velocity, contact_force, tension, tooth_load;
+  std::vector<float>        displacement, velocity, pressure, contact_force, tension, tooth_load;
   std::vector<std::int32_t> id, kind, deforms;
   files::VtuGrid            grid;
   for (auto *values : {&displacement, &velocity, &grid.points})
@@ -155,6 +157,9 @@ files::VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const Shown &sho
           const dealii::Tensor<1, 3> arm = body.now.rotation * vertices[v];
           const dealii::Tensor<1, 3> u =
               elastic ? body.displacement[v] : body.now.position + arm - start;
+          if (shown.pressure)
+            pressure.push_back(body.pressure.size() > 0 ? static_cast<float>(body.pressure[v]) :
+                                                          0.F);
           append(grid.points, start + u);
           append(displacement, u);
           append(velocity,
@@ -178,9 +183,11 @@ files::VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const Shown &sho
 
   grid.point_data = {{"displacement", 3, std::move(displacement)},
                      {"velocity", 3, std::move(velocity)}};
-  grid.cell_data  = {{"contact_force", 3, std::move(contact_force)},
-                     {"tension", 1, std::move(tension)},
-                     {"tooth_load", 1, std::move(tooth_load)}};
+  if (shown.pressure)
+    grid.point_data.push_back({"contact_pressure", 1, std::move(pressure)});
+  grid.cell_data = {{"contact_force", 3, std::move(contact_force)},
+                    {"tension", 1, std::move(tension)},
+                    {"tooth_load", 1, std::move(tooth_load)}};
   if (shown.stress)
     for (files::VtuGrid::FloatData &data : stresses_of(bodies))
       grid.cell_data.push_back(std::move(data));

@@ -105,11 +105,19 @@ void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene 
                  mesh::pin_outside_first,
                  model.contact.bush_pin_friction);
   const drive::ChainDimensions &chain = drive.chain;
-  rollers.half_angle                  = drive::largest_half_angle(
-      0.5 * chain.bush_diameter, chain.roller_clearance(), scene.material);
-  pins.half_angle =
-      drive::largest_half_angle(0.5 * chain.pin_diameter, chain.pin_clearance(), scene.material);
-  if (!model.effects.is_on(Effect::exact_joints))
+  const bool                    exact = model.effects.is_on(Effect::exact_joints);
+  const double                  pressure =
+      exact ? drive::working_pressure(chain, drive.reference_load) : drive::breaking_pressure;
+  rollers.half_angle = drive::largest_half_angle(
+      0.5 * chain.bush_diameter, chain.roller_clearance(), pressure, scene.material);
+  pins.half_angle = drive::largest_half_angle(
+      0.5 * chain.pin_diameter, chain.pin_clearance(), pressure, scene.material);
+  if (exact)
+    {
+      rollers.largest_force = pressure * chain.bush_diameter * chain.roller_length;
+      pins.largest_force    = pressure * chain.pin_diameter * chain.bush_length;
+    }
+  else
     scene.notes.push_back("Penalty per area (N/m3): roller-bush " +
                           to_text(rollers.law.stiffness, 4) + ", bush-pin " +
                           to_text(pins.law.stiffness, 4));

@@ -163,16 +163,23 @@ ToothFamily with_elastic_rollers(const model::Model &model,
     }
   teeth.law =
       make_area_law(model.contact, model.material, thickness, model.contact.roller_tooth_friction);
-  teeth.elastic       = true;
-  const double radius = 0.5 * drive.chain.roller_diameter;
+  teeth.elastic         = true;
+  const bool   exact    = model.effects.is_on(Effect::exact_teeth);
+  const double pressure = exact ? drive::working_pressure(drive.chain, drive.reference_load) :
+                                  drive::breaking_pressure,
+               radius   = 0.5 * drive.chain.roller_diameter,
+               length   = std::min(drive.chain.roller_length, drive.sprocket_width);
   teeth.half_angle =
-      drive::largest_half_angle(radius, teeth.form->seat_radius - radius, scene.material);
+      drive::largest_half_angle(radius, teeth.form->seat_radius - radius, pressure, scene.material);
+  // on a flat: as in a hole so much wider that r^2 / clearance, all that counts then, is r
+  teeth.half_line = drive::largest_half_angle(radius, radius, pressure, scene.material);
+  if (exact)
+    teeth.largest_force = pressure * 2. * radius * length;
   const bool deflects =
       model.effects.is_on(Effect::tooth_compliance) && sector == scene.sectors.end();
-  if (deflects && model.effects.is_on(Effect::exact_teeth))
+  if (deflects && exact)
     {
       // strips have what a tooth dents by themselves
-      const double length     = std::min(drive.chain.roller_length, drive.sprocket_width);
       teeth.tooth_stiffness   = scene.symmetry().share(tooth_stiffness);
       teeth.loaded_half_angle = drive::conforming_contact(radius,
                                                           teeth.form->seat_radius - radius,

@@ -135,14 +135,14 @@ void measure(
       for (auto &batch : batches)
         {
           batch->search(2e-6, 1.);
-          batch->add_forces(1e-9);
+          batch->add_forces(1e-9, 1e-9);
           visited += batch->n_visited();
           for (const unsigned int n : batch->sums().touching)
             touching += n;
         }
       const double call   = time_of([&] {
         for (auto &batch : batches)
-          batch->add_forces(1e-9);
+          batch->add_forces(1e-9, 1e-9);
       });
       const double search = time_of([&] {
         for (auto &batch : batches)

@@ -102,6 +102,9 @@ int main(int argc, char **argv)
                          force.data(),
                          modal_force.data(),
                          moment.data(),
+                         0,
+                         nullptr,
+                         nullptr,
                          in_body.data(),
                          found.data()});
       });

@@ -59,8 +59,10 @@ scene::Scene pulled(const Parameters &p, const drive::Drive &drive, const double
   pins.law.stiffness = 0.5 * p.material.bulk_modulus() /
                        std::max(thickness(scene::Kind::inner_link, mesh::bush_bore_first),
                                 thickness(scene::Kind::outer_link, mesh::pin_outside_first));
-  pins.half_angle = drive::largest_half_angle(
-      0.5 * drive.chain.pin_diameter, drive.chain.pin_clearance(), p.material);
+  pins.half_angle = drive::largest_half_angle(0.5 * drive.chain.pin_diameter,
+                                              drive.chain.pin_clearance(),
+                                              drive::working_pressure(drive.chain, 3000.),
+                                              p.material);
   for (unsigned int joint = 0; joint + 1 < n_links; ++joint)
     {
       const bool         inner_first = joint % 2 == 0;

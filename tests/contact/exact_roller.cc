@@ -123,7 +123,9 @@ scene::Scene make(const Case &c)
 
   // springs of friction as in prm/paper/full.prm
   teeth.law             = {3.7e13, 0., c.friction, 3e13, 0.};
-  teeth.half_angle      = drive::largest_half_angle(radius, play, scene.material);
+  const double pressure = drive::working_pressure(chain, 1412.);
+  teeth.half_angle      = drive::largest_half_angle(radius, play, pressure, scene.material);
+  teeth.half_line       = drive::largest_half_angle(radius, radius, pressure, scene.material);
   teeth.tooth_stiffness = c.stiffness;
   teeth.loaded_half_angle =
       drive::conforming_contact(radius, play, 1412. / 7e-3, scene.material).half_angle;
@@ -132,7 +134,7 @@ scene::Scene make(const Case &c)
   joint.elastic = true;
   joint.law     = {9.8e13, 0., c.in_bore, 8e13, 0.};
   joint.half_angle =
-      drive::largest_half_angle(0.5 * chain.bush_diameter, clearance, scene.material);
+      drive::largest_half_angle(0.5 * chain.bush_diameter, clearance, pressure, scene.material);
   joint.pairs.push_back({0,
                          dealii::Point<3>(),
                          0.5 * chain.roller_bore,
@@ -241,17 +243,22 @@ void check_statics()
     }
 }
 
-/// At working load it is bounded beyond the limit, which is for a load that breaks chains.
+/// It is bounded below the limit of the step, also under four times the working load, which that is
+/// for; and not far above, where the fastest mode of the link alone is not.
 void check_limit()
 {
-  Case c;
-  c.load      = 1412.;
-  c.stiffness = 3.5e8;
-  c.friction = c.in_bore = 0.1;
-  const double share     = blow_up(make(c), 2000, 2000, 1.21);
-  if (with_numbers)
-    std::cerr << "bounded below " << share << " of the limit\n";
-  verdict("1412 N: bounded up to 1.2 of the limit of the step", share > 1.21);
+  for (const double load : {1412., 4. * 1412.})
+    {
+      Case c;
+      c.load      = load;
+      c.stiffness = 3.5e8;
+      c.friction = c.in_bore = 0.1;
+      const double share     = blow_up(make(c), 2000, 2000, 1.21);
+      if (with_numbers)
+        std::cerr << "bounded below " << share << " of the limit\n";
+      verdict(std::to_string(int(load)) + " N: bounded at the limit of the step, not at 1.1 of it",
+              share > 1. && share < 1.1);
+    }
 }
 
 /// Roller and link that can be placed by hand, with modes that make the roller unequal to both

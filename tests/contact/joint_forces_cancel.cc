@@ -42,7 +42,7 @@ int main()
             }
         }
       joints.search(1e-6, 1.);
-      joints.add_forces(1e-6);
+      joints.add_forces(1e-6, 1e-6);
 
       double forces = 0., moments = 0., reported = 0.;
       for (int lane = 0; lane < n_lanes; ++lane)

@@ -70,7 +70,7 @@ int main()
             }
           ring.batch.add_internal_forces();
           bush.batch.add_internal_forces();
-          joints.add_forces(n > 0 ? dt : 0.);
+          joints.add_forces(n > 0 ? dt : 0., dt);
           hold(bush.batch);
           ring.batch.update(dt);
           bush.batch.update(dt);

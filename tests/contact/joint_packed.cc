@@ -101,7 +101,7 @@ struct Case
     for (unsigned int n = 0; n < 5; ++n)
       {
         joints.search(1e-6, 1.);
-        joints.add_forces(1e-7);
+        joints.add_forces(1e-7, 1e-7);
         for (Tubes *tubes : {&ring, &bush})
           for (unsigned int i = 0; i < tubes->batch.position.size(); ++i)
             tubes->batch.position[i] += 1e-7 * tubes->batch.velocity[i];

@@ -49,7 +49,7 @@ int main()
             joints.set_joint(lane, ring.body(lane), bush.body(lane));
           }
         joints.search(1e-6, 1.);
-        joints.add_forces(step);
+        joints.add_forces(step, step);
         for (int lane = 0; lane < n_lanes; ++lane)
           {
             const double fx = joints.sums().force[0][lane], fy = joints.sums().force[1][lane];

@@ -85,7 +85,7 @@ int main()
             }
           if (n % 100 == 0)
             joints.search(1e-6, 1.);
-          joints.add_forces(n > 0 ? dt : 0.);
+          joints.add_forces(n > 0 ? dt : 0., dt);
           if (n == 2)
             {
               first.assign(joints.state().begin(), joints.state().end());
@@ -131,7 +131,7 @@ int main()
         bush.batch.force.fill(0.);
         if (n % 10 == 0)
           joints.search(1e-6, 1.);
-        joints.add_forces(n > 0 ? dt : 0.);
+        joints.add_forces(n > 0 ? dt : 0., dt);
 
         double moment = 0., own_moment = 0., normal = 0.; // about the bore's axis, about the bush's
         for (unsigned int node = 0; node < bush.reference.n_nodes(); ++node)

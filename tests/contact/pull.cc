@@ -101,7 +101,7 @@ int main()
       const double part = t < rise ? 0.5 - 0.5 * std::cos(PI * t / rise) : 1.;
       for (Link *link : {&inner, &outer})
         link->tubes.batch.add_internal_forces();
-      joints.add_forces(t > 0. ? dt : 0.);
+      joints.add_forces(t > 0. ? dt : 0., dt);
       for (Link *link : {&inner, &outer})
         {
           Batch &batch = link->tubes.batch;

@@ -215,8 +215,8 @@ scene::Scene pressed(const Pressing &p)
   scene.teeth[0].law = {p.factor * scene.material.bulk_modulus() / thickness, 3.6e6, 0., 0., 0.};
   if (p.stiffness > 0.)
     make_compliant(scene.teeth[0], p.stiffness, radius, 7e-3, 1412., scene.material);
-  scene.teeth[0].half_angle =
-      drive::largest_half_angle(radius, seat.radius - radius, scene.material);
+  scene.teeth[0].half_angle = drive::largest_half_angle(
+      radius, seat.radius - radius, drive::breaking_pressure, scene.material);
   scene::BoreFamily joint;
   joint.name    = "roller-bush";
   joint.elastic = true;
@@ -233,8 +233,8 @@ scene::Scene pressed(const Pressing &p)
         law->friction             = 0.1;
         law->tangential_stiffness = 0.8 * law->stiffness;
       }
-  joint.half_angle =
-      drive::largest_half_angle(0.5 * chain.bush_diameter, clearance, scene.material);
+  joint.half_angle = drive::largest_half_angle(
+      0.5 * chain.bush_diameter, clearance, drive::breaking_pressure, scene.material);
   scene.bores.push_back(joint);
   if (!p.elastic)
     reduce(scene, p.basis);

@@ -54,10 +54,13 @@ int main()
   std::cout << "== the largest forces\n";
   // 500 MPa on 7.43 mm by 7 mm are 26005 N
   compare("half angle, deg",
-          drive::largest_half_angle(3.715e-3, 0.045e-3, steel) / degree,
+          drive::largest_half_angle(3.715e-3, 0.045e-3, drive::breaking_pressure, steel) / degree,
           at(26005.).half_angle / degree,
           4);
-  compare("without clearance, deg", drive::largest_half_angle(3e-3, 0., steel) / degree, 90., 4);
+  compare("without clearance, deg",
+          drive::largest_half_angle(3e-3, 0., drive::breaking_pressure, steel) / degree,
+          90.,
+          4);
 
   // under a light load Hertz' ellipse of half width a: a foundation K deflects by p / K, on the
   // average weighted by p by (8 / 3 pi) (2 q / pi a) / K

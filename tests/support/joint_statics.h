@@ -46,7 +46,7 @@ public:
         body->batch.force.fill(0.);
       for (unsigned int i = 0; i < statics.size; ++i)
         entry(i, &Batch::position) = start_[i] + u[i];
-      joints_.add_forces(0.);
+      joints_.add_forces(0., 0.);
       for (unsigned int i = 0; i < statics.size; ++i)
         c[i] = entry(i, &Batch::force);
     };

@@ -191,6 +191,10 @@ public:
   Vector velocity; ///< m/s
   Vector force;    ///< of contacts, N
 
+  /// Of reduced bodies, per copy: the most that modes can have moved a node that touches something
+  /// in the last drift, m.
+  std::vector<double> moved_by_modes;
+
   /// By how much positions are ahead of the present instant, s: they have moved on from it with the
   /// velocities.
   double ahead = 0.;

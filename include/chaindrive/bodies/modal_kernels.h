@@ -54,8 +54,8 @@ struct PlaceArguments
   double       *velocity;  ///< m/s
 };
 
-/// What forces on these nodes are to the body: its generalised forces Q = sum Phi^T R^T f, and
-/// their couple about its centre of mass. The forces become zero.
+/// What forces on these nodes are to the body: its generalised forces Q = sum Phi^T R^T f, their
+/// couple about its centre of mass, and other sums over nodes of this kind. The forces become zero.
 struct GatherArguments
 {
   ModalNodes    nodes;
@@ -63,8 +63,11 @@ struct GatherArguments
   double       *force;       ///< N
   double       *modal_force; ///< Q, [mode][lane], which is set, N/sqrt(kg)
   double       *moment;      ///< [component][lane], which is set, N m
-  double       *in_body;     ///< room for three numbers per orbit, image and lane
-  unsigned int *found;       ///< room for one number per orbit
+  unsigned int  n_measures;
+  const double *measure;  ///< [orbit][class][measure][component], as a mode of that class alone
+  double       *measured; ///< [measure][lane], which is set
+  double       *in_body;  ///< room for three numbers per orbit, image and lane
+  unsigned int *found;    ///< room for one number per orbit
 };
 
 /// The kernels of one instruction set.

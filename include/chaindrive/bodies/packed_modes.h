@@ -345,10 +345,38 @@ CHAINDRIVE_ALWAYS_INLINE void project_forces(const GatherArguments &arg,
     }
 }
 
+/// The measures of what take_forces() has found on @p n orbits.
+template <int width, unsigned int n_images>
+CHAINDRIVE_ALWAYS_INLINE void
+measure_forces(const GatherArguments &arg, const int lane, const unsigned int n)
+{
+  using P                       = Pack<double, width>;
+  const unsigned int n_measures = arg.n_measures;
+#pragma GCC unroll 1
+  for (unsigned int k = 0; k < n_measures; ++k)
+    {
+      P sum[3] = {P(0.), P(0.), P(0.)};
+#pragma GCC unroll 1
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double *f = arg.in_body + i * n_images * 3 * n_lanes + lane,
+                       *g = arg.measure +
+                            (static_cast<unsigned long>(arg.found[i]) * n_images * n_measures + k) *
+                                3;
+#pragma GCC unroll 1
+          for (unsigned int c = 0; c < n_images; ++c, f += 3 * n_lanes, g += 3 * n_measures)
+            for (int d = 0; d < 3; ++d)
+              sum[d] += P(g[d]) * P::load(f + d * n_lanes);
+        }
+      (sum[0] + sum[1] + sum[2]).store(arg.measured + k * n_lanes + lane);
+    }
+}
+
 template <int width, unsigned int n_images>
 CHAINDRIVE_ALWAYS_INLINE void gather_lanes(const GatherArguments &arg, const int lane)
 {
   const unsigned int n = take_forces<width, n_images>(arg, lane);
+  measure_forces<width, n_images>(arg, lane, n);
 #pragma GCC unroll 1
   for (unsigned int c = 0; c < n_images; ++c)
     {

@@ -162,6 +162,7 @@ private:
   Numbers                   rigid_;            ///< the frames of a batch, see ModalNodes
   Numbers                   in_body_, moment_; ///< room for the kernels
   ForceMeasures             measures_;
+  std::vector<double>       farthest_; ///< per mode, the most that it moves such a node, 1/sqrt(kg)
   std::vector<unsigned int> found_;
 };
 } // namespace chaindrive

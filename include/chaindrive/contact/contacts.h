@@ -74,6 +74,10 @@ public:
   /// Contacts of elastic nodes that the searches of this rank have missed: see Family.
   unsigned long n_missed() const;
 
+  /// What is to be said where forces have been larger than those for which the limit of the step
+  /// holds; empty where none were. Collective.
+  std::string overload_sentence(const World &world) const;
+
   const SearchStatistics &search_statistics() const { return statistics_; }
   std::size_t             memory_consumption() const;
 

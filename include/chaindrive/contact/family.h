@@ -27,6 +27,19 @@ struct Record
   double               normal_speed = 0.; ///< approach along the normal, m/s, while touching
 };
 
+/// Pressure on the surface of an elastic body at one of its nodes.
+struct NodePressure
+{
+  unsigned int body, node; ///< number of the part's node
+  double       pressure;   ///< of all that the node stands for, Pa
+
+  template <typename BoostArchive>
+  void serialize(BoostArchive &archive, unsigned int)
+  {
+    archive &body &node &pressure;
+  }
+};
+
 /// All contacts of one kind, each a pair of a slave and a master: a slave set, a surface and a law,
 /// evaluated as search -> geometry -> law. What it books per pair is a Record.
 class Family
@@ -59,6 +72,13 @@ public:
 
   /// Nodes that a search found to overlap without having been looked at before; there must be none.
   unsigned long n_missed() const { return n_missed_; }
+
+  /// The force of a pair [N] up to which the limit of the step holds; infinite: any.
+  double largest_force() const { return largest_force_; }
+
+  /// The largest force since the start over that, of the pairs that this rank has evaluated.
+  double most_pressed() const { return most_pressed_; }
+  void   set_most_pressed(const double most) { most_pressed_ = most; }
 
   /// Whether each rank evaluates the pairs whose elastic bodies it owns. Families that are not
   /// distributed are evaluated by the first rank.
@@ -103,6 +123,17 @@ public:
   /// Adds to @p forces, by joint, their parts along the normals [N]; returns the largest
   /// penetration, or 0 where nothing touches [m].
   virtual double add_normal_forces(std::vector<double> &forces) const;
+
+  /// Whether this family has elastic slaves, on whose surfaces it knows the pressure.
+  virtual bool knows_pressure() const { return false; }
+
+  /// Raises @p largest, by joint, to the largest pressure [Pa] on the slaves that this rank
+  /// evaluates.
+  virtual void raise_pressures(std::vector<double> & /*largest*/) const {}
+
+  /// Appends the pressures on the nodes of the slaves that this rank evaluates; several of one node
+  /// add up.
+  virtual void add_pressures(const World &, std::vector<NodePressure> &) const {}
 
   /// Whether add_forces() looks at frames of free bodies: not where all of them are PlanarBodies.
   virtual bool reads_frames() const { return true; }
@@ -159,6 +190,7 @@ protected:
   mutable std::vector<TouchState> states_;
   std::vector<unsigned int>       owner_; ///< rank that evaluates the pair; empty: the first one
   unsigned long                   n_missed_ = 0;
+  double largest_force_ = std::numeric_limits<double>::infinity(), most_pressed_ = 0.;
 
 private:
   mutable bool stale_           = false;

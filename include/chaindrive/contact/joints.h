@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace chaindrive::contact
@@ -53,8 +54,7 @@ struct JointBody
 /// Up to n_lanes joints of one kind: search -> geometry -> law for the nodes of their sides.
 ///
 /// The search lists per joint the slave columns that have come closer to the bore than a reach. It
-/// holds until a gap may have become smaller by that reach, see holding_time(): the rate at which
-/// gaps close is measured at the search.
+/// holds until a gap may have become smaller by that reach.
 class JointBatch
 {
 public:
@@ -73,17 +73,19 @@ public:
 
   void set_joint(int lane, const JointBody &master, const JointBody &slave);
 
-  /// Makes the windows anew. @p reach [m], not negative: with 0 the search is due at every step.
-  /// @p unforeseen [m/s], positive. Returns how many slave nodes overlap that the windows before
-  /// have let alone, if forces were added with them later than at once: there must be none.
-  unsigned int search(double reach, double unforeseen);
+  /// Makes the windows anew, of what is nearer than a @p reach [m], not negative, and a @p margin
+  /// [m] for what forces deflect. It holds until surfaces may have come nearer by the reach, with 0
+  /// for no step: with @p unforeseen [m/s], positive, for a time, see holding_time(); without it
+  /// for this distance. Returns how many slave nodes overlap that the windows before have let
+  /// alone, if forces were added with them later than at once: there must be none.
+  unsigned int search(double reach, std::optional<double> unforeseen, double margin = 0.);
 
-  /// Whether search() must come before the next add_forces() with @p dt [s].
-  bool search_due(double dt) const { return cadence_.is_due(dt); }
+  /// Whether search() must come before the next add_forces() with @p use.
+  bool search_due(double use) const { return cadence_.is_due(use); }
 
   /// Adds the contact forces to both sides of each joint. @p dt is the time since the last call
-  /// [s], 0 at the first one.
-  void add_forces(double dt);
+  /// [s], 0 at the first one; @p use what the search has held for since then, time or distance.
+  void add_forces(double dt, double use);
 
   /// What the joint in @p lane remembers. Joints that come from several batches hold as long as the
   /// first of these would have held; lanes are to be read in ascending order.
@@ -109,13 +111,28 @@ public:
   /// Contact forces of the last call and what the nodes remember, [slave node][TouchEntry][lane].
   const dealii::AlignedVector<double> &state() const { return state_; }
 
+  /// Calls @p visit (slave node, pressure) for the nodes of the joint in @p lane that touch, Pa.
+  template <typename Visit>
+  void for_each_pressure(const unsigned int lane, const Visit &visit) const
+  {
+    const unsigned int n = grid_.slave_circumferential;
+    for (unsigned int s = 0; s < grid_.slave_rings; ++s)
+      for (unsigned int i = 0; i < window_.count[lane]; ++i)
+        {
+          const unsigned int node = s * n + (window_.first[lane] + i) % n;
+          const double normal = state_[(node * n_touch_entries + touch_normal) * n_lanes + lane];
+          if (normal > 0.)
+            visit(node, normal / grid_.area[s]);
+        }
+  }
+
   void clear_losses(); ///< sets damping and friction losses to zero
 
   std::size_t memory_consumption() const;
 
 private:
   /// Makes one lane's window anew; returns the nodes missed.
-  unsigned int search_lane(int lane, double reach);
+  unsigned int search_lane(int lane, double near_gap);
 
   /// The contact forces of joints without penalty.
   void press();

@@ -55,6 +55,10 @@ public:
   std::vector<ClosedPair>   closed_pairs(const World &world) const override;
   std::vector<ClosedWindow> closed_windows() const override;
 
+  bool knows_pressure() const override { return true; }
+  void raise_pressures(std::vector<double> &largest) const override;
+  void add_pressures(const World &world, std::vector<NodePressure> &pressures) const override;
+
   void                        serialize(const Archive &archive, unsigned int rank) override;
   std::optional<unsigned int> deepest_node(unsigned int i) const override;
 
@@ -96,7 +100,28 @@ private:
       std::unique_ptr<const WallFlexibility> wall;
     };
     std::vector<Coupled> coupled;
+
+    /// A search holds for a distance, where modes tell how far nodes move, not for a time.
+    bool                by_distance = false;
+    double              half_length = 0.; ///< of the cylinder, m
+    std::vector<double> use; ///< [batch]: of what a search holds for, since the last forces
   };
+
+  /// How the cylinder's body stands in that of the bore.
+  struct Stance
+  {
+    dealii::Tensor<1, 3> offset, tilt; ///< of the axes' middles, m; of their directions
+    double               cosine, sine; ///< of the turn about them
+  };
+
+  Stance stance(const World &world, unsigned int pair) const;
+
+  /// Makes the windows of the batch of joints number @p b anew.
+  void search(Group &group, unsigned int b, double dt, double unforeseen);
+
+  /// By how much surfaces of the batch of joints number @p b may have come nearer to each other
+  /// since the last call [m]. Half a column's way along each other counts as @p reach [m].
+  double moved(const World &world, const Group &group, unsigned int b, double reach);
 
   /// Tells the batch of joints number @p b which strips are to be solved with it.
   void couple_lanes(const World &world, Group &group, unsigned int b);
@@ -105,7 +130,9 @@ private:
   /// its windows.
   void announce_joints(World &world, Group &group, unsigned int b, bool all) const;
 
-  std::vector<Group> groups_;
-  bool               every_step_;
+  std::vector<Group>           groups_;
+  std::vector<scene::BorePair> pairs_;
+  std::vector<Stance>          stances_; ///< per pair, at the last evaluation of forces
+  bool                         every_step_;
 };
 } // namespace chaindrive::contact

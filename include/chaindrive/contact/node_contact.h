@@ -45,6 +45,10 @@ public:
 
   std::vector<unsigned int> own(const World &) const override { return own_; }
 
+  bool knows_pressure() const override { return true; }
+  void raise_pressures(std::vector<double> &largest) const override;
+  void add_pressures(const World &world, std::vector<NodePressure> &pressures) const override;
+
   void serialize(const Archive &archive, unsigned int rank) override;
 
 protected:
@@ -109,6 +113,16 @@ private:
   Node &node(const unsigned int i, const unsigned int s)
   {
     return nodes_[i * slaves_.n_nodes() + s];
+  }
+
+  /// Calls @p visit (body, node of the side, Pa) for all that touch.
+  template <typename Visit>
+  void for_each_pressure(const Visit &visit) const
+  {
+    for (const unsigned int i : own_)
+      for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
+        if (const double normal = nodes_[i * slaves_.n_nodes() + s].touch.normal; normal > 0.)
+          visit(i, s, normal / slaves_.area(s));
   }
 
   std::shared_ptr<const Surface> surface_;

@@ -53,6 +53,10 @@ public:
   std::vector<unsigned int> own(const World &) const override { return own_; }
   std::vector<ClosedWindow> closed_windows() const override;
 
+  bool knows_pressure() const override { return true; }
+  void raise_pressures(std::vector<double> &largest) const override; ///< of strips
+  void add_pressures(const World &world, std::vector<NodePressure> &pressures) const override;
+
   void serialize(const Archive &archive, unsigned int rank) override;
 
   /// The strips of @p body as add_forces() has found them; null if it is none of this rank's.
@@ -75,6 +79,7 @@ private:
     double                              gap;           ///< of a round roller, m
     double                              distance;      ///< of its middle, m
     dealii::Tensor<1, 3>                direction;     ///< of that, unit
+    double                              angle;         ///< of that, in the world, rad
     dealii::Tensor<1, 3>                mean;          ///< of the directions of its points
     std::array<unsigned int, n_weights> column;        ///< of nodes
     std::array<double, n_weights>       weight, slope; ///< and by how much more per radian
@@ -141,8 +146,8 @@ private:
                      const WallFlexibility     &wall,
                      unsigned int               n_bore_rings) const;
 
-  std::size_t
-  node(const World &world, unsigned int i, unsigned int ring, unsigned int column) const;
+  /// Where the numbers of the roller of pair @p i begin in its batch.
+  std::size_t first_number(const World &world, unsigned int i) const;
 
   std::shared_ptr<const Surface>          flanks_;
   const reduction::RoundFlexibility       outside_;
@@ -159,6 +164,7 @@ private:
   std::vector<Candidate>                  candidates_;   ///< room
   std::vector<Load>                       loads_;        ///< on the roller at hand
   std::vector<unsigned int>               node_;         ///< of their outside, [ring][column]
+  std::vector<double>                     length_;       ///< that each of these rings stands for, m
   double                                  half_angle_;   ///< of the largest contact in a seat, rad
   double                                  half_line_;    ///< and on a flank, rad
   double                                  mobility_;     ///< as in ClosedWindow

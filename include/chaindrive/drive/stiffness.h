@@ -53,10 +53,18 @@ struct ConformingContact
 ConformingContact
 conforming_contact(double radius, double clearance, double q, const Material &steel);
 
+/// Pressure [Pa] over the projection of a joint, length times diameter, at which chains of the
+/// standards break, or nearly so (525 at 510 MPa).
+inline constexpr double breaking_pressure = 500e6;
+
+/// That for which the step of contacts without penalty is meant, Pa: a quarter of the above, or
+/// four times that under the tension @p load [N] if this is more. Chains in use bear a tenth.
+double working_pressure(const ChainDimensions &chain, double load);
+
 /// Up to which angle [rad] from the middle a cylinder of @p radius [m] touches a hole wider by
-/// @p clearance [m] when it bears 500 MPa over its projection, length times diameter. Chains of the
-/// standards break at less, or at 510 MPa (525). Without clearance a right angle.
-double largest_half_angle(double radius, double clearance, const Material &steel);
+/// @p clearance [m] when it bears @p pressure [Pa] over its projection. Without clearance a right
+/// angle.
+double largest_half_angle(double radius, double clearance, double pressure, const Material &steel);
 
 /// Modulus [N/m3] of a foundation in a seat wider than the roller of @p radius [m] by @p clearance
 /// [m] that deflects by a force of @p stiffness [N/m] at @p load [N] on the @p length [m]: the

@@ -18,7 +18,8 @@ struct ElasticSnapshot
   std::vector<dealii::Tensor<1, 3>> velocity;     ///< per vertex, m/s, half a step before
   std::vector<element::Stress>      stress;       ///< per cell
   std::vector<element::FaceStresses>
-      faces; ///< per cell of a part with solid-shells, zero in its solid elements
+                      faces; ///< per cell of a part with solid-shells, zero in its solid elements
+  std::vector<double> pressure = {}; ///< of contacts per vertex, Pa; not filled in here
 };
 
 /// Whether elastic bodies of one of these @p kinds are in the scene.

@@ -46,6 +46,9 @@ struct BodySnapshot
   /// Per cell of a body with solid-shells, zero in its solid elements.
   dealii::ArrayView<const element::FaceStresses> faces{};
 
+  /// Of contacts, per vertex of an elastic body whose surface may touch [Pa].
+  dealii::ArrayView<const double> pressure{};
+
   double tension    = 0.; ///< of a link; of a roller, mean of its two links [N]
   double tooth_load = 0.; ///< normal force of the teeth on a roller [N]
   /// Of a sprocket: normal force in each gap between two teeth [N], and its frame at the start. Its
@@ -67,7 +70,8 @@ struct BarSnapshot
 /// Field output of the moving chain for ParaView: the series `bodies` and, when there are bars,
 /// `bars` (files::VtuSeries).
 ///
-/// Points lie where they are now and carry displacement and velocity, cells carry the body's
+/// Points lie where they are now and carry displacement and velocity, and contact pressure where
+/// surfaces of elastic bodies know it; cells carry the body's
 /// number, the kind of its part, whether it deforms, its contact force, tension and tooth load.
 /// Where bodies have stresses, cells carry them too: von Mises' of Cauchy's stress, Green's strain
 /// and the second Piola-Kirchhoff stress in body axes (xx, yy, zz, xy, yz, xz), zero in other

@@ -4,6 +4,8 @@
 #include <chaindrive/contact/family.h>
 #include <chaindrive/observe/quantity.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -50,5 +52,27 @@ Channels::Fill smallest_gaps_of(const std::vector<const FamilyType *> &families)
         if (record.gap < std::numeric_limits<double>::max())
           row[record.joint] = std::fmin(row[record.joint], record.gap); // ignores NaN
   };
+}
+
+/// The largest pressure [Pa] of each joint in @p families, brought to @p largest on the first rank.
+/// Collective.
+template <typename FamilyType>
+void gather_pressures(const std::vector<const FamilyType *> &families,
+                      const MPI_Comm                         comm,
+                      std::vector<double>                   &largest)
+{
+  std::fill(largest.begin(), largest.end(), 0.);
+  for (const FamilyType *family : families)
+    family->raise_pressures(largest);
+  dealii::Utilities::MPI::max(largest, comm, largest);
+}
+
+/// Whether @p families have elastic surfaces.
+template <typename FamilyType>
+bool know_pressure(const std::vector<const FamilyType *> &families)
+{
+  return std::any_of(families.begin(), families.end(), [](const FamilyType *family) {
+    return family->knows_pressure();
+  });
 }
 } // namespace chaindrive::observe

@@ -21,6 +21,7 @@ struct ToothForces
       , roller_peak(n_joints, 0.)
       , in_gap(n_gaps, 0.)
       , in_gap_peak(n_gaps, 0.)
+      , pressure(n_joints, 0.)
   {
   }
 
@@ -28,6 +29,7 @@ struct ToothForces
   std::vector<const contact::SurfaceContact *> families; ///< of rigid and of elastic rollers
   std::vector<double>                          roller, roller_peak; ///< per joint
   std::vector<double>                          in_gap, in_gap_peak; ///< per gap of the sprocket
+  std::vector<double>                          pressure;            ///< per joint, Pa
   double                                       penetration = 0.;    ///< largest so far, m
 
   /// Looks at the present records of the rollers that are near.

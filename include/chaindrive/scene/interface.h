@@ -7,6 +7,7 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/point.h>
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -78,6 +79,7 @@ inline std::string name_of_teeth(const std::string &sprocket)
 }
 
 constexpr double right_angle = 0.5 * dealii::numbers::PI;
+constexpr double any_force   = std::numeric_limits<double>::infinity();
 
 /// A point of a body's axis that carries a radius: the slave side of a rigid cylinder.
 struct SlavePoint
@@ -106,8 +108,9 @@ struct BoreFamily
   Interface             interface = Interface::other;
   ContactLaw            law; ///< of elastic bodies, whose nodes touch: per m2
   std::vector<BorePair> pairs;
-  bool   elastic    = false;       ///< nodes touch: one of each two bodies is elastic at least
-  double half_angle = right_angle; ///< up to which nodes touch under the largest forces, rad
+  bool   elastic       = false;       ///< nodes touch: one of each two bodies is elastic at least
+  double half_angle    = right_angle; ///< up to which nodes touch under the largest forces, rad
+  double largest_force = any_force;   ///< N: those
 };
 
 /// Two elastic bodies whose faces across z may touch round a common axis along z.
@@ -147,6 +150,8 @@ struct ToothFamily
                                  ///< elastic slave, N/m; 0: they do not deflect
   double loaded_half_angle = 0.; ///< of the contact in the seat where it is that, rad
   double half_angle = right_angle; ///< up to which round slaves touch under the largest forces, rad
+  double half_line  = right_angle; ///< and on a straight flank, rad
+  double largest_force = any_force; ///< N: those
 };
 
 /// Slaves that may meet a surface of some body: what needs no chain, such as a block on an incline

@@ -32,6 +32,7 @@ public:
         kinds_.push_back({bores.name,
                           now.system.contacts.find(bores.interface),
                           std::vector<double>(now.scene.drive.n_joints, 0.),
+                          std::vector<double>(now.scene.drive.n_joints, 0.),
                           std::vector<double>(now.scene.drive.n_joints, 0.)});
   }
 
@@ -48,6 +49,8 @@ public:
             {path + "_force_peak", "N", "Its largest value since the last sample"});
         contents.histories.push_back(
             {path + "_gap", "m", "Smallest gap in the joint, negative: penetration"});
+        contents.histories.push_back(
+            {path + "_pressure", "Pa", "Largest contact pressure on a node of an elastic joint"});
       }
     for (const scene::Interface interface : all_interfaces)
       contents.summary.push_back({"penetration_max/" + parameters::text_of(interface),
@@ -66,6 +69,8 @@ public:
         channels.add(path + "_force", labels, copy_of(kind.force));
         channels.add(path + "_force_peak", labels, copy_of(kind.peak));
         channels.add(path + "_gap", labels, smallest_gaps_of(kind.families));
+        if (know_pressure(kind.families))
+          channels.add(path + "_pressure", labels, copy_of(kind.pressure));
       }
   }
 
@@ -79,6 +84,13 @@ public:
         for (unsigned int k = 0; k < kind.force.size(); ++k)
           kind.peak[k] = std::max(kind.peak[k], kind.force[k]);
       }
+  }
+
+  void gather() override
+  {
+    for (Kind &kind : kinds_)
+      if (know_pressure(kind.families))
+        gather_pressures(kind.families, now_.system.world.communicator(), kind.pressure);
   }
 
   void begin_interval() override
@@ -109,6 +121,7 @@ private:
     std::string                          name;
     std::vector<const contact::Family *> families;         ///< of rigid and of elastic bodies
     std::vector<double>                  force, peak;      ///< per joint, N
+    std::vector<double>                  pressure;         ///< per joint, Pa
     double                               penetration = 0.; ///< largest so far, m
   };
   std::vector<Kind> kinds_;

@@ -52,6 +52,8 @@ public:
         channels.add(histories[2], joints, smallest_gaps_of(forces.families));
         channels.add(histories[3], gaps, copy_of(forces.in_gap));
         channels.add(histories[4], gaps, copy_of(forces.in_gap_peak));
+        if (know_pressure(forces.families))
+          channels.add(histories[5], joints, copy_of(forces.pressure));
       }
   }
 
@@ -59,6 +61,13 @@ public:
   {
     for (ToothForces &forces : sprockets_)
       forces.update();
+  }
+
+  void gather() override
+  {
+    for (ToothForces &forces : sprockets_)
+      if (know_pressure(forces.families))
+        gather_pressures(forces.families, now_.system.world.communicator(), forces.pressure);
   }
 
   void begin_interval() override
@@ -99,7 +108,10 @@ private:
              "m",
              "Gap to the " + name + "'s teeth, negative: penetration; NaN out of reach"},
             {teeth + "_force", "N", "Normal force in each gap between two teeth"},
-            {teeth + "_force_peak", "N", peak}};
+            {teeth + "_force_peak", "N", peak},
+            {rollers + "_pressure",
+             "Pa",
+             "Largest contact pressure of the " + name + "'s teeth on an elastic roller"}};
   }
 
   std::vector<ToothForces> sprockets_;
