@@ -307,9 +307,11 @@ NodeBores::Stance NodeBores::stance(const World &world, const unsigned int pair)
   const scene::BorePair &p    = pairs_[pair];
   const Frame           &bore = world.frames[p.master], &cylinder = world.frames[p.slave.body];
   const auto             x = axis_of(bore, 0), along = axis_of(cylinder, 0);
-  return {cylinder.position + cylinder.rotation * dealii::Tensor<1, 3>(p.slave.point) -
-              bore.position - bore.rotation * dealii::Tensor<1, 3>(p.axis),
-          axis_of(cylinder, 2) - axis_of(bore, 2),
+  const auto             in_cylinder = dealii::transpose(cylinder.rotation);
+  return {dealii::Tensor<1, 3>(p.slave.point) +
+              in_cylinder * (cylinder.position - bore.position -
+                             bore.rotation * dealii::Tensor<1, 3>(p.axis)),
+          in_cylinder * axis_of(bore, 2),
           along * x,
           along * axis_of(bore, 1)};
 }
@@ -328,7 +330,7 @@ NodeBores::moved(const World &world, const Group &group, const unsigned int b, c
       const unsigned int pair = group.pairs[i];
       const Stance       now = stance(world, pair), &before = stances_[pair];
       double             sum = (now.offset - before.offset).norm() +
-                   group.half_length * (now.tilt - before.tilt).norm() +
+                   group.half_length * (now.axis - before.axis).norm() +
                    reach * columns * std::hypot(now.cosine - before.cosine, now.sine - before.sine);
       for (const Group::Side &side : group.sides)
         sum += world.copies[side.group].moved_by_modes[side.copy[i]];
@@ -428,10 +430,11 @@ void NodeBores::search(Group &group, const unsigned int b, const double dt, cons
   // do so through the walls of rollers.
   const double margin = !group.flexibility ? 0. : group.coupled.empty() ? 1e-6 : 1e-5;
   JointBatch  &batch  = *group.batches[b];
-  n_missed_ += every_step_ ? batch.search(0., unforeseen, margin) :
-               group.by_distance ?
-                             batch.search(std::max(least_reach, 4. * group.use[b]), {}, margin) :
-                             batch.search(search_reach(dt, unforeseen), unforeseen, margin);
+  const double step   = group.use[b]; // by which a search may come late, a little more or less
+  n_missed_ +=
+      every_step_       ? batch.search(0., unforeseen, margin) :
+      group.by_distance ? batch.search(std::max(least_reach, 4. * step), {}, margin + 2. * step) :
+                          batch.search(search_reach(dt, unforeseen), unforeseen, margin);
 }
 
 void NodeBores::add_forces(World &world, const double dt)

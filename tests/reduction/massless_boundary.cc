@@ -4,9 +4,9 @@
 // have peak and duration of their impact by the closed forms, within an error of the order of the
 // step's square, and part at the speed at which they met. A closed mode is bounded just below the
 // step of 2/omega and not just above; so is a roller that is held all round, at that of
-// closed_frequency(), and so are two that are pressed together. A bar that meets a wall leaves it after 2 L/c at the speed at which it came.
-// Over a hundred thousand steps with three sides that open and close the energy stays what it was
-// to the order of the step's square.
+// closed_frequency(), and so are two that are pressed together. A bar that meets a wall leaves it
+// after 2 L/c at the speed at which it came. Over a hundred thousand steps with three sides that
+// open and close the energy stays what it was to the order of the step's square.
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/reduction/side_flexibility.h>

@@ -107,11 +107,12 @@ private:
     std::vector<double> use; ///< [batch]: of what a search holds for, since the last forces
   };
 
-  /// How the cylinder's body stands in that of the bore.
+  /// How the bore stands about the cylinder, in the axes of the cylinder's body.
   struct Stance
   {
-    dealii::Tensor<1, 3> offset, tilt; ///< of the axes' middles, m; of their directions
-    double               cosine, sine; ///< of the turn about them
+    dealii::Tensor<1, 3> offset;       ///< from the middle of its axis to that of the cylinder, m
+    dealii::Tensor<1, 3> axis;         ///< of the bore
+    double               cosine, sine; ///< of the turn about it
   };
 
   Stance stance(const World &world, unsigned int pair) const;
