@@ -38,6 +38,26 @@ std::vector<unsigned int> neighbours_in_batches(const std::vector<unsigned int> 
   return copies;
 }
 
+/// @p bodies in pieces of the chain of @p length bodies, dealt out to the ranks in turn: what
+/// touches teeth, which costs more, is then spread over them. The last piece may be shorter, and
+/// stays last.
+std::vector<unsigned int>
+dealt(const std::vector<unsigned int> &bodies, const std::size_t length, const unsigned int n_ranks)
+{
+  const std::size_t         n_pieces = (bodies.size() + length - 1) / length;
+  std::vector<unsigned int> order;
+  const auto                take_piece = [&](const std::size_t piece) {
+    for (std::size_t i = piece * length; i < std::min((piece + 1) * length, bodies.size()); ++i)
+      order.push_back(bodies[i]);
+  };
+  for (unsigned int rank = 0; rank < n_ranks; ++rank)
+    for (std::size_t piece = rank; piece + 1 < n_pieces; piece += n_ranks)
+      take_piece(piece);
+  if (n_pieces > 0)
+    take_piece(n_pieces - 1);
+  return order;
+}
+
 /// The bodies of each part that move by @p motion.
 std::map<scene::PartOf, std::vector<unsigned int>> bodies_that_move(const scene::Scene &scene,
                                                                     const scene::Motion motion)
@@ -112,12 +132,13 @@ void add_reduced_bodies(const scene::Scene &scene, const Partition &partitioned,
   constexpr scene::Motion reduced = scene::Motion::reduced;
   for (const auto &[of, bodies] : bodies_that_move(scene, reduced))
     {
-      const unsigned int group =
-          add_copies(scene,
-                     of,
-                     neighbours_in_batches(bodies, of.kind == scene::Kind::roller ? 2 : 1),
-                     partitioned.at({reduced, of}),
-                     world);
+      const unsigned int in_turn = of.kind == scene::Kind::roller ? 2 : 1;
+      const auto in_order      = dealt(bodies, in_turn * n_lanes, n_ranks_in(world.communicator()));
+      const unsigned int group = add_copies(scene,
+                                            of,
+                                            neighbours_in_batches(in_order, in_turn),
+                                            partitioned.at({reduced, of}),
+                                            world);
       world.copies.back().count_readers();
       world.groups.add(std::make_unique<ReducedBodies>(scene, world, group));
     }

@@ -543,6 +543,8 @@ void RollerStrips::raise_pressures(std::vector<double> &largest) const
   const unsigned int n_rings = flexibility_->n_rings();
   for (const unsigned int i : own_)
     {
+      if (!(states_[i].normal > 0.))
+        continue;
       double &of_joint = largest[records_[i].joint];
       for (unsigned int a = 0; a < flexibility_->n(); ++a)
         of_joint =
