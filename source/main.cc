@@ -17,12 +17,14 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
+#include <poll.h>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -195,6 +197,27 @@ int end_together(const End &end, const bool is_first_rank, const MPI_Comm comm)
   return dealii::Utilities::MPI::max(end.status, comm);
 }
 
+/// Whether a pipe that this process writes to has no reader any more, as of "... | head".
+bool nobody_reads()
+{
+  pollfd output{STDOUT_FILENO, 0, 0};
+  return ::poll(&output, 1, 0) == 1 && (output.revents & (POLLERR | POLLHUP)) != 0;
+}
+
+/// Writes what is left for standard output; returns the status, of a failed run if that fails.
+/// PETSc would report at length that it cannot when it ends.
+int end_output(const int status)
+{
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout)
+    return status;
+  const bool had_enough = nobody_reads();
+  if (std::freopen("/dev/null", "w", stdout) == nullptr || had_enough)
+    return status;
+  std::cerr << "chaindrive: Standard output could not be written." << std::endl;
+  return std::max(status, 3);
+}
+
 /// What this process was started with, "name=value".
 std::vector<std::string> environment_variables()
 {
@@ -283,6 +306,7 @@ int main(int argc, char **argv)
     const bool is_first_rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     status                   = end_together(
         run_and_catch(argc, argv, is_first_rank, successor), is_first_rank, MPI_COMM_WORLD);
+    status = end_output(status);
   }
   if (successor.words.empty())
     return status;

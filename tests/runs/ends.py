@@ -84,6 +84,18 @@ def console():
         check(status == 0, f"the {name} is gone: status {status}")
         check("Results: gone" in log_of("gone"), "log.txt is not complete")
 
+    # "... | head" has had enough; a disk that is full is no reader
+    for words in (["document"], ["--help"], ["study", "--help"]):
+        reader, writer = os.pipe()
+        os.close(reader)
+        done = subprocess.run([PROGRAM, *words], stdout=writer, stderr=subprocess.PIPE, text=True)
+        os.close(writer)
+        check(done.returncode == 0 and done.stderr == "", f"{words}, nobody reads: {done.returncode}, {done.stderr}")
+        with open("/dev/full", "w") as disk:
+            done = subprocess.run([PROGRAM, *words], stdout=disk, stderr=subprocess.PIPE, text=True)
+        said = done.stderr.strip()
+        check(done.returncode == 3 and said.endswith("could not be written.") and "\n" not in said, f"{words}, full disk: {said}")
+
     # a pager: the plan stands in no file, so its reader is waited for
     reader, writer = os.pipe()
     fcntl.fcntl(writer, 1031, 4096)  # F_SETPIPE_SZ
