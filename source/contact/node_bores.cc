@@ -165,13 +165,8 @@ NodeBores::NodeBores(const scene::Scene      &scene,
     : Family(bores.name, bores.interface, bores.law), every_step_(search_every_step)
 {
   const bool exact = !has_penalty(scene, bores);
-  if (exact)
-    {
-      law_.damping = law_.tangential_damping = 0.;
-      law_.tangential_stiffness *= 0.1;
-    }
-  largest_force_ = bores.largest_force;
-  pairs_         = bores.pairs;
+  largest_force_   = bores.largest_force;
+  pairs_           = bores.pairs;
   for (const scene::BorePair &pair : bores.pairs)
     {
       add_radius(pair.slave.radius);

@@ -115,14 +115,8 @@ RollerStrips::RollerStrips(const scene::Scene       &scene,
       roller.strips.resize(flexibility_->grid().size());
     }
 
-  // as springs of friction beside a penalty, a tenth as stiff, on all that may touch at a time
   law_.damping = law_.tangential_damping = 0.;
-  law_.tangential_stiffness *= 0.1;
-  friction_ = {1.,
-               0.,
-               law_.friction,
-               law_.tangential_stiffness * 2. * teeth.half_angle * radius_ * rings.all,
-               0.};
+  friction_                              = {1., 0., law_.friction, teeth.sticking_stiffness, 0.};
 
   length_ = rings.length;
   for (const unsigned int r : rings.number)

@@ -75,6 +75,13 @@ ConformingContact conforming_contact(const double    radius,
   return contact;
 }
 
+double
+contact_modulus(const double radius, const double clearance, const double q, const Material &steel)
+{
+  const ConformingContact contact = conforming_contact(radius, clearance, q, steel);
+  return q / (contact.approach * 2. * contact.half_angle * radius);
+}
+
 double working_pressure(const ChainDimensions &chain, const double load)
 {
   return std::min(

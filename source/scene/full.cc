@@ -45,6 +45,31 @@ void add_foundation(const drive::Drive &drive, Scene &scene, ContactLaw &law)
                         " N/m3, its local compliance, is in series with the penalty of their "
                         "contact");
 }
+
+/// Joints without penalty stick by springs so much softer than their contact is across: as stiff as
+/// that, they would shorten the step by a third and change losses by 0.3 % (doc/theory.md).
+constexpr double softer_sticking = 0.4;
+
+/// What joints without penalty, pins of a @p diameter that bear on a @p length, have in place of
+/// its springs and dampers: forces for which the step holds, and friction that sticks by springs of
+/// the stiffness of the contact under the reference load, times Contact/Tangential ratio.
+void hold_without_penalty(const model::Model &model,
+                          const drive::Drive &drive,
+                          const double        diameter,
+                          const double        clearance,
+                          const double        length,
+                          BoreFamily         &joints)
+{
+  joints.largest_force =
+      drive::working_pressure(drive.chain, drive.reference_load) * diameter * length;
+  joints.law.damping = joints.law.tangential_damping = 0.;
+  if (joints.law.friction > 0.)
+    joints.law.tangential_stiffness =
+        softer_sticking * model.contact.tangential_ratio *
+        drive::contact_modulus(
+            0.5 * diameter, clearance, drive.reference_load / length, model.material);
+}
+
 /// Says by how much selective mass scaling increases the inertia of a roller about its axis.
 void note_selective_masses(Scene &scene)
 {
@@ -114,8 +139,14 @@ void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene 
       0.5 * chain.pin_diameter, chain.pin_clearance(), pressure, scene.material);
   if (exact)
     {
-      rollers.largest_force = pressure * chain.bush_diameter * chain.roller_length;
-      pins.largest_force    = pressure * chain.pin_diameter * chain.bush_length;
+      hold_without_penalty(model,
+                           drive,
+                           chain.bush_diameter,
+                           chain.roller_clearance(),
+                           chain.roller_length,
+                           rollers);
+      hold_without_penalty(
+          model, drive, chain.pin_diameter, chain.pin_clearance(), chain.bush_length, pins);
     }
   else
     scene.notes.push_back("Penalty per area (N/m3): roller-bush " +

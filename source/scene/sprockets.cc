@@ -174,7 +174,13 @@ ToothFamily with_elastic_rollers(const model::Model &model,
   // on a flat: as in a hole so much wider that r^2 / clearance, all that counts then, is r
   teeth.half_line = drive::largest_half_angle(radius, radius, pressure, scene.material);
   if (exact)
-    teeth.largest_force = pressure * 2. * radius * length;
+    {
+      const double q = drive.reference_load / length, seat = teeth.form->seat_radius - radius;
+      teeth.largest_force      = pressure * 2. * radius * length;
+      teeth.sticking_stiffness = scene.symmetry().share(
+          model.contact.tangential_ratio * drive.reference_load /
+          drive::conforming_contact(radius, seat, q, scene.material).approach);
+    }
   const bool deflects =
       model.effects.is_on(Effect::tooth_compliance) && sector == scene.sectors.end();
   if (deflects && exact)

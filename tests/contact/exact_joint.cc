@@ -51,7 +51,7 @@ scene::Scene make_scene(const bool rubs)
   joint.half_angle = 0.6;
   joint.law        = {1e14, 0., 0., 0., 0.};
   if (rubs)
-    joint.law = {1e14, 4e6, 0.3, 8e13, 4e6};
+    joint.law = {1e14, 0., 0.3, 8e12, 0.};
   for (unsigned int k = 0; k < n; ++k)
     {
       const unsigned int on           = (k + 1) % n;

@@ -121,18 +121,19 @@ scene::Scene make(const Case &c)
       scene.bodies.back().initial.position += pitch;
     }
 
-  // springs of friction as in prm/paper/full.prm
-  teeth.law             = {3.7e13, 0., c.friction, 3e13, 0.};
-  const double pressure = drive::working_pressure(chain, 1412.);
-  teeth.half_angle      = drive::largest_half_angle(radius, play, pressure, scene.material);
-  teeth.half_line       = drive::largest_half_angle(radius, radius, pressure, scene.material);
-  teeth.tooth_stiffness = c.stiffness;
+  // springs of friction as in prm/paper/reduced-half.prm
+  teeth.law                = {3.7e13, 0., c.friction, 0., 0.};
+  const double pressure    = drive::working_pressure(chain, 1412.);
+  teeth.half_angle         = drive::largest_half_angle(radius, play, pressure, scene.material);
+  teeth.half_line          = drive::largest_half_angle(radius, radius, pressure, scene.material);
+  teeth.sticking_stiffness = 1.2e8;
+  teeth.tooth_stiffness    = c.stiffness;
   teeth.loaded_half_angle =
       drive::conforming_contact(radius, play, 1412. / 7e-3, scene.material).half_angle;
   scene::BoreFamily joint;
   joint.name    = "roller-bush";
   joint.elastic = true;
-  joint.law     = {9.8e13, 0., c.in_bore, 8e13, 0.};
+  joint.law     = {9.8e13, 0., c.in_bore, 2e13, 0.};
   joint.half_angle =
       drive::largest_half_angle(0.5 * chain.bush_diameter, clearance, pressure, scene.material);
   joint.pairs.push_back({0,
@@ -165,8 +166,38 @@ scene::Scene make(const Case &c)
   return scene;
 }
 
-/// How far the roller comes nearer to the hub, and the link to the roller, m.
-std::array<double, 2> approach(const Case &c)
+/// The largest pressure on the roller at the flank over that of Hertz' line contact with the arc of
+/// the flank under the largest force per length of all rings of nodes.
+double over_hertz(const scene::Scene &scene, const dynamics::System &system)
+{
+  const scene::ToothFamily &teeth = scene.teeth[0];
+  const contact::Family    &family =
+      *system.contacts.find({scene::Interface::roller_teeth, teeth.sprocket}).front();
+  std::vector<double> largest(1, 0.);
+  family.raise_pressures(largest);
+  std::vector<contact::NodePressure> pressures;
+  family.add_pressures(system.world, pressures);
+  std::map<long, double> per_length; // by places of rings along the axis, nm
+  const double           radius = teeth.slaves[0].radius;
+  const auto            &nodes  = system.world.copies[system.world.elastic_address[0].group].nodes;
+  for (const contact::NodePressure &at : pressures)
+    per_length[std::lround(1e9 * nodes.position[at.node][2])] +=
+        at.pressure * 2. * dealii::numbers::PI * radius / 32.;
+  double most = 0.;
+  for (const auto &[z, q] : per_length)
+    most = std::max(most, q);
+  const auto flank = std::find_if(
+      teeth.form->half_profile.begin(), teeth.form->half_profile.end(), [](const auto &segment) {
+        return segment.kind == drive::Segment::Kind::convex;
+      });
+  // p_0^2 = q E* / (pi R) with E* = E' / 2
+  return largest[0] / std::sqrt(most * 0.5 * scene.material.plane_modulus() *
+                                (1. / radius + 1. / flank->radius) / dealii::numbers::PI);
+}
+
+/// How far the roller comes nearer to the hub, and the link to the roller, m; and the pressure
+/// over Hertz', which holds on the flank.
+std::array<double, 3> approach(const Case &c)
 {
   const scene::Scene scene = make(c);
   dynamics::System   system(scene, false);
@@ -175,7 +206,7 @@ std::array<double, 2> approach(const Case &c)
   const auto moved = [&](const unsigned int b) {
     return scene.bodies[b].initial.position[1] - system.world.frames[b].position[1];
   };
-  return {{moved(0), moved(2) - moved(0)}};
+  return {{moved(0), moved(2) - moved(0), over_hertz(scene, system)}};
 }
 
 void check_statics()
@@ -223,7 +254,7 @@ void check_statics()
     }
   for (const double load : {300., 4500.})
     {
-      double least = 1., largest = 0.;
+      double least = 1., largest = 0., low = 2., high = 0.;
       for (const double phase : {0., 0.5})
         {
           Case c;
@@ -234,12 +265,19 @@ void check_statics()
           const auto found = approach(c);
           if (with_numbers)
             std::cerr << "flank, " << load << " N, phase " << phase << ": " << 1e6 * found[0] << ' '
-                      << 1e6 * found[1] << " um\n";
+                      << 1e6 * found[1] << " um, pressure over Hertz' " << found[2] << '\n';
+          low     = std::min(low, found[2]);
+          high    = std::max(high, found[2]);
           least   = std::min(least, found[0] + found[1]);
           largest = std::max(largest, found[0] + found[1]);
         }
       verdict("flank, " + std::to_string(int(load)) + " N: at any phase within 1 %",
               largest / least < 1.01);
+      // 4500 N touch on five strips, 300 N on 1.5, over which pressure is even: 0.92 of the peak if
+      // one is in the middle, 0.59 if two are beside it
+      verdict(load < 1000. ? "  largest pressure that of Hertz as a mean over a strip" :
+                             "  largest pressure that of Hertz within 3 %",
+              load < 1000. ? low > 0.59 && high < 0.92 : low > 0.97 && high < 1.03);
     }
 }
 

@@ -62,6 +62,22 @@ int main()
           90.,
           4);
 
+  // 1412 N are far from it: a quarter is enough, or four times a load that is above
+  compare("pressure for the step, MPa",
+          1e-6 * drive::working_pressure(chain, 1412.),
+          1e-6 * 0.25 * drive::breaking_pressure,
+          4);
+  compare("under four times the tension of 5 kN, MPa",
+          1e-6 * drive::working_pressure(chain, 5e3),
+          1e-6 * 4. * 5e3 / (chain.pin_diameter * chain.bush_length),
+          4);
+  // over all that touches it is as stiff as the joint
+  compare("modulus of the contact over stiffness per area",
+          drive::contact_modulus(3.715e-3, 0.045e-3, 1412. / 7e-3, steel) * 7e-3 * 2. *
+              at(1412.).half_angle * 3.715e-3 / drive::roller_bush_stiffness(chain, 1412., steel),
+          1.,
+          6);
+
   // under a light load Hertz' ellipse of half width a: a foundation K deflects by p / K, on the
   // average weighted by p by (8 / 3 pi) (2 q / pi a) / K
   const double width =

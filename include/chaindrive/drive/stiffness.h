@@ -53,6 +53,10 @@ struct ConformingContact
 ConformingContact
 conforming_contact(double radius, double clearance, double q, const Material &steel);
 
+/// How stiff such a contact is in itself per area that touches, N/m3: load over approach, over the
+/// length times 2 half_angle radius.
+double contact_modulus(double radius, double clearance, double q, const Material &steel);
+
 /// Pressure [Pa] over the projection of a joint, length times diameter, at which chains of the
 /// standards break, or nearly so (525 at 510 MPa).
 inline constexpr double breaking_pressure = 500e6;

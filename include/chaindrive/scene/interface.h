@@ -151,7 +151,8 @@ struct ToothFamily
   double loaded_half_angle = 0.; ///< of the contact in the seat where it is that, rad
   double half_angle = right_angle; ///< up to which round slaves touch under the largest forces, rad
   double half_line  = right_angle; ///< and on a straight flank, rad
-  double largest_force = any_force; ///< N: those
+  double sticking_stiffness = 0.;  ///< of friction on a roller without penalty, N/m
+  double largest_force      = any_force; ///< N: those
 };
 
 /// Slaves that may meet a surface of some body: what needs no chain, such as a block on an incline
