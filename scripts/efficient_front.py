@@ -47,7 +47,7 @@ def draw(axis, output, variants):
         axis.plot([cpu, cpu], ends, color=colour, linewidth=1, alpha=0.5)
         axis.plot(cpu, max(abs(error), 0.01), "o", color=colour, markersize=5)
         axis.annotate(name, (cpu, max(abs(error), 0.01)), xytext=(4, 4), textcoords="offset points", fontsize=7)
-    axis.set(xscale="log", yscale="log", ylim=(0.008, 200), xlim=(0.0015, 1.2), title=output.replace("_", " "))
+    axis.set(xscale="log", yscale="log", ylim=(0.008, 200), xlim=(0.0015, 5), title=output.replace("_", " "))
     axis.grid(alpha=0.3)
     return [name for _, _, name in front]
 

@@ -38,11 +38,12 @@ std::vector<unsigned int> neighbours_in_batches(const std::vector<unsigned int> 
   return copies;
 }
 
-/// @p bodies in pieces of the chain of @p length bodies, dealt out to the ranks in turn: what
+/// @p bodies in pieces of the chain of @p length bodies, distributed over the ranks in turn: what
 /// touches teeth, which costs more, is then spread over them. The last piece may be shorter, and
 /// stays last.
-std::vector<unsigned int>
-dealt(const std::vector<unsigned int> &bodies, const std::size_t length, const unsigned int n_ranks)
+std::vector<unsigned int> in_pieces(const std::vector<unsigned int> &bodies,
+                                    const std::size_t                length,
+                                    const unsigned int               n_ranks)
 {
   const std::size_t         n_pieces = (bodies.size() + length - 1) / length;
   std::vector<unsigned int> order;
@@ -133,7 +134,7 @@ void add_reduced_bodies(const scene::Scene &scene, const Partition &partitioned,
   for (const auto &[of, bodies] : bodies_that_move(scene, reduced))
     {
       const unsigned int in_turn = of.kind == scene::Kind::roller ? 2 : 1;
-      const auto in_order      = dealt(bodies, in_turn * n_lanes, n_ranks_in(world.communicator()));
+      const auto in_order = in_pieces(bodies, in_turn * n_lanes, n_ranks_in(world.communicator()));
       const unsigned int group = add_copies(scene,
                                             of,
                                             neighbours_in_batches(in_order, in_turn),
