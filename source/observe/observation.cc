@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/observation.h>
+#include <chaindrive/utilities/ranks.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 
 #include <numeric>
 
@@ -28,8 +32,41 @@ Observation::Observation(const scene::Scene     &scene,
 void Observation::next(const double dt)
 {
   dt_          = dt;
-  spans_known_ = false;
+  spans_known_ = pressures_known_ = false;
   window_.update(*this);
+}
+
+const std::vector<std::vector<double>> &Observation::pressures() const
+{
+  if (pressures_known_)
+    return pressures_;
+  std::vector<double> all; // one message for all
+  pressures_.clear();
+  for (const auto &family : system.contacts.families())
+    {
+      pressures_.emplace_back(family->knows_pressure() ? scene.drive.n_joints : 0, 0.);
+      family->raise_pressures(pressures_.back());
+      all.insert(all.end(), pressures_.back().begin(), pressures_.back().end());
+    }
+  const MPI_Comm comm  = system.world.communicator();
+  const bool     first = system.world.is_first_rank();
+  if (!all.empty() && n_ranks_in(comm) > 1) // no other rank has to wait
+    {
+      const int status = MPI_Reduce(first ? MPI_IN_PLACE : all.data(),
+                                    first ? all.data() : nullptr,
+                                    int(all.size()),
+                                    MPI_DOUBLE,
+                                    MPI_MAX,
+                                    0,
+                                    comm);
+      AssertThrowMPI(status);
+    }
+  auto next = all.begin();
+  for (std::vector<double> &of_family : pressures_)
+    for (double &pressure : of_family)
+      pressure = *next++;
+  pressures_known_ = true;
+  return pressures_;
 }
 
 const Spans &Observation::spans() const

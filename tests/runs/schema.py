@@ -31,7 +31,9 @@ MOVED = {"Time/End time in ms": 0.3, "Output/Window start in ms": 0, "Output/Win
 SLIDE = {"Drive/Wheels/idler/Held by": "slide", "Drive/Wheels/idler/Slide/Direction in degrees": 90,
          "Drive/Wheels/idler/Slide/Force in N": 80}
 NAMED = {"guides": ("prm/drives/guides.prm", {}), "arm": ("prm/drives/tensioner.prm", {}), "slide": ("prm/drives/tensioner.prm", SLIDE),
-         "three": ("prm/drives/two-loads.prm", {})}
+         "three": ("prm/drives/two-loads.prm", {}),
+         "elastic": ("prm/drives/two-loads.prm", {"Model/Fidelity": "reduced", "Mesh/Refinement": 0, "Time/End time in ms": 0.02,
+                                                  "Output/Field interval in ms": 0})}
 # places of events that tests/observe/events.cc has, and none of these drives; plug-ins, and forces that they add: plugin.py
 ELSEWHERE = {"events/*/roller", "events/*/span", "energy/spring", "energy/spring_damping_loss"} | {f"plugins/*/{what}" for what in ("name", "version", "path", "checksum")}
 

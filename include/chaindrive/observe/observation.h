@@ -34,6 +34,10 @@ public:
   /// contacts.
   const Spans &spans() const;
 
+  /// The largest contact pressure [family][joint] by all families of contacts, Pa; empty of those
+  /// that know none: of all ranks on the first one. Collective once a step.
+  const std::vector<std::vector<double>> &pressures() const;
+
   /// Of the averages.
   const Window &window() const { return window_; }
 
@@ -47,9 +51,10 @@ public:
   std::vector<unsigned int> roller_bodies; ///< their bodies
 
 private:
-  double        dt_ = 0.;
-  mutable Spans spans_;
-  mutable bool  spans_known_ = false;
-  Window        window_;
+  double                                   dt_ = 0.;
+  mutable Spans                            spans_;
+  mutable bool                             spans_known_ = false, pressures_known_ = false;
+  mutable std::vector<std::vector<double>> pressures_;
+  Window                                   window_;
 };
 } // namespace chaindrive::observe

@@ -4,8 +4,6 @@
 #include <chaindrive/contact/family.h>
 #include <chaindrive/observe/quantity.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,17 +52,22 @@ Channels::Fill smallest_gaps_of(const std::vector<const FamilyType *> &families)
   };
 }
 
-/// The largest pressure [Pa] of each joint in @p families, brought to @p largest on the first rank.
-/// Collective.
+/// Makes @p largest the largest pressure [Pa] of each joint in @p families. To be called by all
+/// ranks.
 template <typename FamilyType>
-void gather_pressures(const std::vector<const FamilyType *> &families,
-                      const MPI_Comm                         comm,
-                      std::vector<double>                   &largest)
+void find_pressures(const Observation                     &now,
+                    const std::vector<const FamilyType *> &families,
+                    std::vector<double>                   &largest)
 {
   std::fill(largest.begin(), largest.end(), 0.);
-  for (const FamilyType *family : families)
-    family->raise_pressures(largest);
-  dealii::Utilities::MPI::max(largest, comm, largest);
+  auto of_family = now.pressures().begin();
+  for (const contact::Family *family : now.system.contacts.families())
+    {
+      if (std::find(families.begin(), families.end(), family) != families.end())
+        for (std::size_t k = 0; k < of_family->size(); ++k)
+          largest[k] = std::max(largest[k], (*of_family)[k]);
+      ++of_family;
+    }
 }
 
 /// Whether @p families have elastic surfaces.

@@ -90,7 +90,7 @@ public:
   {
     for (Kind &kind : kinds_)
       if (know_pressure(kind.families))
-        gather_pressures(kind.families, now_.system.world.communicator(), kind.pressure);
+        find_pressures(now_, kind.families, kind.pressure);
   }
 
   void begin_interval() override

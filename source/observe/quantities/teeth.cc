@@ -67,7 +67,7 @@ public:
   {
     for (ToothForces &forces : sprockets_)
       if (know_pressure(forces.families))
-        gather_pressures(forces.families, now_.system.world.communicator(), forces.pressure);
+        find_pressures(now_, forces.families, forces.pressure);
   }
 
   void begin_interval() override
