@@ -80,8 +80,8 @@ void Contact::declare(Declarations &declarations)
       "How elastic bodies are kept from overlapping. auto: exact where it can be, in reduced "
       "fidelity with all links elastic; the plan says so. penalty: by stiff springs, see Penalty "
       "factor. exact joints: in reduced fidelity roller and bush, and bush and pin, do not overlap "
-      "at all, and their walls deflect as their meshes do, so that links stretch as in static "
-      "solutions. What natural modes (Reduction/Modes up to in kHz, at least 110) lack of that "
+      "at all, and their walls deflect as their meshes do, which no penalty softens. What natural "
+      "modes (Reduction/Modes up to in kHz, at least 110) lack of that "
       "flexibility has no inertia; joints have no contact damping. Rollers and teeth touch by "
       "penalty. exact: rollers and rigid teeth of arcs do not overlap either; they touch in narrow "
       "strips of the teeth, wherever the nodes of the rollers' meshes are.");
