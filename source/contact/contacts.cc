@@ -300,8 +300,8 @@ std::string Contacts::overload_sentence(const World &world) const
                  to_text(1e-3 * most * worst->largest_force(), 3) +
                  " kN. The critical time step is a bound for forces of up to " +
                  to_text(1e-3 * worst->largest_force(), 3) +
-                 " kN, a quarter of what breaks such a chain. Choose Time/Safety factor = 0.55, "
-                 "which suffices for any force, if energy does not balance.";
+                 " kN. Choose Time/Safety factor = 0.55, which suffices for any force that such a "
+                 "chain bears, if energy does not balance.";
 }
 
 unsigned long Contacts::n_missed() const

@@ -61,7 +61,6 @@ JointBody ghost_body(BodyBatches                     &copies,
           static_cast<unsigned int>(copies.index(copy, offset / numbers_per_node) - lane));
   return body_at(copies, lane, nodes);
 }
-
 } // namespace
 
 NodeBores::Kinds NodeBores::kinds_of(const scene::BoreFamily &scene, const World &world)

@@ -51,17 +51,18 @@ void add_foundation(const drive::Drive &drive, Scene &scene, ContactLaw &law)
 constexpr double softer_sticking = 0.4;
 
 /// What joints without penalty, pins of a @p diameter that bear on a @p length, have in place of
-/// its springs and dampers: forces for which the step holds, and friction that sticks by springs of
-/// the stiffness of the contact under the reference load, times Contact/Tangential ratio.
+/// its springs and dampers: forces up to a @p pressure [Pa], for which the step holds, and friction
+/// that sticks by springs of the stiffness of the contact under the reference load, times
+/// Contact/Tangential ratio.
 void hold_without_penalty(const model::Model &model,
                           const drive::Drive &drive,
                           const double        diameter,
                           const double        clearance,
                           const double        length,
+                          const double        pressure,
                           BoreFamily         &joints)
 {
-  joints.largest_force =
-      drive::working_pressure(drive.chain, drive.reference_load) * diameter * length;
+  joints.largest_force = pressure * diameter * length;
   joints.law.damping = joints.law.tangential_damping = 0.;
   if (joints.law.friction > 0.)
     joints.law.tangential_stiffness =
@@ -144,9 +145,15 @@ void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene 
                            chain.bush_diameter,
                            chain.roller_clearance(),
                            chain.roller_length,
+                           pressure,
                            rollers);
-      hold_without_penalty(
-          model, drive, chain.pin_diameter, chain.pin_clearance(), chain.bush_length, pins);
+      hold_without_penalty(model,
+                           drive,
+                           chain.pin_diameter,
+                           chain.pin_clearance(),
+                           chain.bush_length,
+                           pressure,
+                           pins);
     }
   else
     scene.notes.push_back("Penalty per area (N/m3): roller-bush " +

@@ -17,16 +17,16 @@ namespace chaindrive::contact
 /// distance r from its centre a spring k adds at most k (1/m + r^2/I), I the smallest moment of
 /// inertia.
 ClosedSide closed_side(const mesh::CylinderGrid                  &grid,
-                       const unsigned int                         surface,
+                       unsigned int                               surface,
                        const std::function<double(unsigned int)> &area,
-                       const double                               stiffness,
+                       double                                     stiffness,
                        const World                               &world,
-                       const unsigned int                         group);
+                       unsigned int                               group);
 
 /// The rings of @p side from @p first to @p last, of the mesh's @p grid.
 ClosedWindow window_of(const reduction::RoundFlexibility &side,
                        const mesh::CylinderGrid          &grid,
-                       const unsigned int                 first,
-                       const unsigned int                 last,
+                       unsigned int                       first,
+                       unsigned int                       last,
                        const scene::ContactLaw           &law);
 } // namespace chaindrive::contact
