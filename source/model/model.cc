@@ -73,7 +73,10 @@ bool teeth_are_compliant(const Parameters &p, const Effects &effects)
 
 Meshes meshes_of(const Parameters &parameters, const Effects &effects)
 {
-  return {parameters.mesh, parameters.material.density, effects.is_on(Effect::symmetry_model)};
+  return {parameters.mesh,
+          parameters.material.density,
+          effects.is_on(Effect::symmetry_model),
+          effects.is_on(Effect::exact_joints)};
 }
 
 std::optional<PartStiffnesses> part_stiffnesses(const Parameters &p, const Effects &effects)

@@ -176,6 +176,7 @@ namespace
 void declare_link(Declarations      &declarations,
                   const std::string &name,
                   const std::string &tube,
+                  const std::string &without_penalty,
                   Mesh::Link        &link)
 {
   const Subsection section(declarations, name);
@@ -193,7 +194,9 @@ void declare_link(Declarations      &declarations,
       link.along,
       2,
       200,
-      "Along a " + tube + " between the plates; even.");
+      "Along a " + tube +
+          " between the plates; even. Where joints have no penalty, auto is at least " +
+          without_penalty + ".");
 }
 } // namespace
 
@@ -220,8 +223,16 @@ void Mesh::declare(Declarations &declarations)
         "Around a roller; a multiple of four.");
     add(declarations, "Cells along", roller_along, 2, 200, "Along a roller; even.");
   }
-  declare_link(declarations, "Inner link", "bush", inner_link);
-  declare_link(declarations, "Outer link", "pin", outer_link);
+  declare_link(declarations,
+               "Inner link",
+               "bush",
+               "6, and one cell on either side reaches from the roller's end to the plate",
+               inner_link);
+  declare_link(declarations,
+               "Outer link",
+               "pin",
+               "8, and one cell on either side reaches from the bush's end to the plate",
+               outer_link);
   {
     const Subsection sprockets(declarations, "Sprockets");
     add(declarations, "Refinement", sprocket_refinement, 0, 4, "Of generated sprockets.");

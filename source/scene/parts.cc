@@ -3,6 +3,8 @@
 #include <chaindrive/mesh/generate/sprocket.h>
 #include <chaindrive/scene/build.h>
 
+#include <algorithm>
+
 namespace chaindrive::scene
 {
 namespace
@@ -36,8 +38,15 @@ make_link_part(const model::Meshes &meshes, const drive::Drive &drive, const boo
   grid.wall                           = cells.wall.value_or(grid.wall);
   grid.rings                          = cells.rings.value_or(grid.rings);
   grid.plate_layers                   = cells.plate_layers.value_or(grid.plate_layers);
-  grid.along                          = cells.along.value_or(grid.along);
   grid.half                           = meshes.half;
+  if (meshes.exact_joints)
+    {
+      const drive::ChainDimensions &chain = drive.chain;
+      grid.along                          = std::max(grid.along, inner ? 6U : 8U);
+      grid.bearing_end                    = inner ? 0.5 * chain.roller_length :
+                                                    0.5 * (chain.bush_length + chain.inner_plate_thickness);
+    }
+  grid.along = cells.along.value_or(grid.along);
 
   const double density = meshes.density;
   return shared(inner ? mesh::make_inner_link(drive.chain, density, grid) :

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The cylindrical sides of rollers and links are uniform grids on the exact cylinder, and the
-// shares of their vertices add up to its area. Other sides are refused.
+// shares of their vertices add up to its area. Bushes and pins have rings where rollers and bushes
+// end that bear on them, if asked for. Other sides are refused.
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/utilities/errors.h>
@@ -59,6 +60,24 @@ int main()
   check(inner, mesh::bush_bore_second, 0.5 * chain.bush_bore, inner_half);
   check(outer, mesh::pin_outside_first, 0.5 * chain.pin_diameter, -outer_half);
   check(outer, mesh::pin_outside_second, 0.5 * chain.pin_diameter, outer_half);
+
+  for (const bool is_inner : {true, false})
+    for (const bool half : {false, true})
+      {
+        mesh::LinkGrid cells  = is_inner ? mesh::inner_link_grid(1) : mesh::outer_link_grid(1);
+        cells.half            = half;
+        cells.along           = 6;
+        cells.bearing_end     = is_inner ? 0.5 * chain.roller_length :
+                                           0.5 * (chain.bush_length + chain.inner_plate_thickness);
+        const mesh::Part part = is_inner ? mesh::make_inner_link(chain, 7600., cells) :
+                                           mesh::make_outer_link(chain, 7600., cells);
+        std::cout << (half ? "half " : "") << part.name << ": rings at";
+        for (const double z :
+             mesh::CylinderGrid(part, is_inner ? mesh::bush_outside_first : mesh::pin_outside_first)
+                 .rings)
+          std::cout << ' ' << 1e3 * z;
+        std::cout << " mm, also at " << 1e3 * cells.bearing_end << '\n';
+      }
 
   for (const auto &[part, side] : {std::make_pair(&roller, mesh::roller_ends),
                                    std::make_pair(&roller, mesh::pin_bore),

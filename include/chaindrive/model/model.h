@@ -45,6 +45,9 @@ struct Meshes
   parameters::Mesh cells;
   double           density = 0.;    ///< kg/m3
   bool             half    = false; ///< only what is at z >= 0
+  /// Bushes and pins have nodes at the ends of what bears on them: contact without penalty is right
+  /// on few cells if it reaches to these ends, where pressure is largest.
+  bool exact_joints = false;
 };
 
 /// A run, decided: what a Parameters leaves open is settled here and nowhere else, and who comes

@@ -181,6 +181,23 @@ PlanarMesh link_section(const LinkDimensions &dimensions, const LinkGrid &grid)
   return section;
 }
 
+/// Between the inner faces of the plates.
+std::vector<double> planes_between_plates(const double inner_face, const LinkGrid &grid)
+{
+  const unsigned int n = grid.along / 2;
+  if (grid.bearing_end == 0. || n < 2)
+    return planes_of(inner_face, grid.along, grid.half);
+  std::vector<double> upper = divide(0., grid.bearing_end, n - 1);
+  upper.push_back(inner_face);
+  if (grid.half)
+    return upper;
+  std::vector<double> planes;
+  for (unsigned int i = n; i > 0; --i)
+    planes.push_back(-upper[i]);
+  planes.insert(planes.end(), upper.begin(), upper.end());
+  return planes;
+}
+
 Part make_link(const std::string &name, const LinkDimensions &dimensions, LinkGrid grid)
 {
   if (dimensions.bore == 0.) // the square inside has its corners at 45 degrees
@@ -194,7 +211,7 @@ Part make_link(const std::string &name, const LinkDimensions &dimensions, LinkGr
       planes = divide(-outer_face, -inner_face, grid.plate_layers);
       planes.pop_back();
     }
-  for (const double z : planes_of(inner_face, grid.along, grid.half))
+  for (const double z : planes_between_plates(inner_face, grid))
     planes.push_back(z);
   planes.pop_back();
   for (const double z : divide(inner_face, outer_face, grid.plate_layers))

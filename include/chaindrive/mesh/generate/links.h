@@ -28,6 +28,9 @@ struct LinkGrid
   unsigned int plate_layers; ///< through the thickness of a plate
   unsigned int along;        ///< a bush or pin between the plates; even
   bool         half = false; ///< see Part::half
+  /// Where the roller or bush ends that bears on this bush or pin, z [m]: nodes lie there, and one
+  /// cell reaches from there to the plate. 0: cells are equally long.
+  double bearing_end = 0.;
 };
 LinkGrid inner_link_grid(unsigned int refinement);
 LinkGrid outer_link_grid(unsigned int refinement);
