@@ -341,9 +341,11 @@ void try_noise(Prepared &prepared)
 /// Writes summary.json and the end of the log. Collective.
 void end_files(Prepared &prepared)
 {
-  observe::Summary  summary  = prepared.simulation.summary();
-  const auto       &system   = prepared.simulation.system();
-  const std::string overload = system.contacts.overload_sentence(system.world);
+  observe::Summary  summary = prepared.simulation.summary();
+  const auto       &system  = prepared.simulation.system();
+  const auto       &step    = prepared.simulation.step;
+  const std::string overload =
+      system.contacts.overload_sentence(system.world, step.step / step.limit);
   if (!prepared.simulation.system().world.is_first_rank())
     return;
   files::Log &log = prepared.log;

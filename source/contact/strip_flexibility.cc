@@ -195,12 +195,12 @@ void StripFlexibility::add_tooth(const Tooth               &tooth,
 {
   add_short_waves(first_of_tooth, lengths, of_half_space);
   // what is left of the whole deflection in the seat, whose pressure is half of an ellipse
-  double of_dents = 0.;
+  double       of_dents = 0.;
+  const double length   = std::accumulate(lengths.begin(), lengths.end(), 0.);
   for (unsigned int k = first_of_tooth; k < 1000; ++k)
     {
       const double x = k * tooth.half_angle, mean = 2. * dealii::std_cxx17::cyl_bessel_j(1., x) / x;
-      of_dents +=
-          of_half_space * mean * mean / (k * std::accumulate(lengths.begin(), lengths.end(), 0.));
+      of_dents += of_half_space * mean * mean / (k * length);
     }
   const double rest = std::max(0., 1. / tooth.stiffness - of_dents);
   for (double &value : value_)

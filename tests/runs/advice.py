@@ -4,6 +4,7 @@
 accuracy: the first line of `plan --accuracy` is the cheapest model, its error and its time, or that there is no answer.
 entries: what doc/not-modelled.md lists is said of such entries; numbers in other units are converted, or said to be others; no
 entry is advised that means something else.
+overload: a run that has pressed rollers harder than its step is for says what suffices, and is quiet once it has that.
 options: a command refuses options that it has no use for; of a template every value that cannot be is refused by its name.
 followed [KIND...]: what advice_cases.py lists, or some kinds of it, is said, and who does what it says is not told so again."""
 import concurrent.futures
@@ -96,6 +97,24 @@ def options():
     program.check(done.returncode == 2 and "takes all of" in done.stderr, str(done))
 
 
+def overload():
+    fast = {**advice_cases.REDUCED, "Drive/Driver teeth": 9, "Drive/Driven teeth": 9, "Drive/Number of links": 22,
+            "Model/Symmetry model": "true", "Loads/Driver speed in rad/s": 600, "Loads/Ramp time in ms": 0.2,
+            "Loads/Resisting torque in N m": 30, "Time/End time in ms": 0.4, "Output/Window start in ms": 0, "Output/Field interval in ms": 0}
+    pathlib.Path("fast.prm").write_text(BASE)
+
+    def said(**more):
+        sets = [word for name, value in {**fast, **more}.items() for word in ("--set", f"{name}={value}")]
+        done = program.start([str(PROGRAM), "fast.prm", "--output", "fast", *sets])
+        program.check(done.returncode == 0, f"{done.stdout}{done.stderr}")
+        return re.search(r"has carried up to ([0-9.]+) kN.* for forces of up to ([0-9.]+) kN. Choose (Time/Safety factor) = ([0-9.]+)",
+                         " ".join((done.stdout + done.stderr).split()))
+
+    found = said()
+    program.check(found and float(found[1]) > float(found[2]), "an overload is not said")
+    program.check(not said(**{found[3]: found[4]}), "it is said of a step that suffices")
+
+
 # quickly planned: no parts are solved, none is meshed for pictures
 BASE = "subsection Model\n  set Stiffness from = dimensions\nend\nsubsection Output\n  set Field interval in ms = 0\nend\n"
 
@@ -149,4 +168,4 @@ def followed():
     program.check(not faults, "\n".join(faults))
 
 
-{"followed": followed, "options": options, "accuracy": accuracy, "entries": entries}[CASE]()
+{"followed": followed, "options": options, "accuracy": accuracy, "entries": entries, "overload": overload}[CASE]()

@@ -75,8 +75,9 @@ public:
   unsigned long n_missed() const;
 
   /// What is to be said where forces have been larger than those for which the limit of the step
-  /// holds; empty where none were. Collective.
-  std::string overload_sentence(const World &world) const;
+  /// holds; empty where none were, and where @p step, over that limit, is so short that it is
+  /// bounded under any force that a chain bears. Collective.
+  std::string overload_sentence(const World &world, double step) const;
 
   const SearchStatistics &search_statistics() const { return statistics_; }
   std::size_t             memory_consumption() const;

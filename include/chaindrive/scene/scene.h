@@ -174,8 +174,8 @@ struct Scene
   std::map<PartOf, std::shared_ptr<const mesh::Sector>>     sectors; ///< of elastic sprockets
   std::map<PartOf, std::shared_ptr<const reduction::Basis>> bases;   ///< of reduced bodies
   /// Of reduced bodies of a part, what observers ask for of forces f on their nodes: g f, the sum
-  /// over all nodes, with each of these g, three
-  /// components for each node in body axes, see reduction::kept_static_responses().
+  /// over all nodes, with each of these g, three components for each node in body axes, see
+  /// reduction::kept_static_responses().
   std::map<PartOf, std::vector<std::vector<double>>> measures;
   Material                                           material;
   parameters::Elements                               elements;
