@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether the program accepts every .prm of the folder prm/: plans.py PATH_OF_CHAINDRIVE parts | dimensions.
+"""Whether the program accepts every .prm of the folder prm/, of studies the quick form too: plans.py PATH_OF_CHAINDRIVE
+parts | dimensions.
 
 The latter word is for the entry Stiffness from: `parts` computes the stiffnesses of every drive, which takes minutes.
 """
@@ -14,18 +15,23 @@ def refused(which, paths, stiffness_from):
     """Those that it does not plan, with what it says."""
     said = {}
     for path in paths:
-        words = ["study", path, "--dry-run", "--set", "Study/Phases=1"] if path.startswith("prm/studies/") else ["plan", path]
-        result = program.start([which, *words, "--set", f"Model/Stiffness from={stiffness_from}"], folder=style.ROOT)
-        if result.returncode:
-            said[path] = result.stderr.strip()
+        study = ["study", path, "--dry-run", "--set", "Study/Phases=1"]
+        ways = [["plan", path]]
+        if path.startswith("prm/studies/"):
+            quick = [[*study, "--quick"]] if "set Quick " in (style.ROOT / path).read_text() else []
+            ways = [study, *quick]
+        for words in ways:
+            result = program.start([which, *words, "--set", f"Model/Stiffness from={stiffness_from}"], folder=style.ROOT)
+            if result.returncode:
+                said[" ".join(words)] = result.stderr.strip()
     return said
 
 
 def main():
     paths = [path for path in style.repository() if path.startswith("prm/") and path.endswith(".prm")]
     said = refused(sys.argv[1], paths, sys.argv[2])
-    for path, text in said.items():
-        print(f"{path}: {text}")
+    for words, text in said.items():
+        print(f"{words}: {text}")
     print(f"{len(paths)} files, {len(said)} refused")
     sys.exit(bool(said) or not paths)
 

@@ -224,7 +224,9 @@ class Documentation(unittest.TestCase):
 class Plans(unittest.TestCase):
     def test_a_program_that_refuses_is_noticed(self):
         self.assertEqual(plans.refused("true", ["a.prm"], "parts"), {})
-        self.assertEqual(plans.refused("false", ["a.prm"], "parts"), {"a.prm": ""})
+        self.assertEqual(plans.refused("false", ["a.prm"], "parts"), {"plan a.prm": ""})
+        study = "prm/studies/fidelity.prm"
+        self.assertEqual(len(plans.refused("false", [study], "parts")), 2)  # and its quick form
 
 
 class Tidy(unittest.TestCase):
