@@ -61,8 +61,10 @@ void Time::declare(Declarations &declarations)
       step,
       unit::micro,
       above(0., 1e6),
-      "Time step. A time step above the critical one is refused, not shortened. auto: a fortieth "
-      "of the shortest period of vibration.");
+      "Time step. A time step above the critical one is refused, not shortened. auto: of rigid "
+      "bodies a twelfth of the shortest period of vibration, of elastic ones the critical one "
+      "times "
+      "Safety factor.");
   add(declarations,
       "Safety factor",
       safety_factor,

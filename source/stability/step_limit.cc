@@ -90,13 +90,13 @@ TimeStepChoice choose_time_step(const World             &world,
       choice.reason = "asked for";
       return choice;
     }
-  // The fastest mode has the period pi times the limit; a fortieth of it leaves its frequency
-  // 0.1 % wrong, and an impact of half its period twenty steps. With elastic bodies the fastest
-  // mode is one of the mesh: what matters is slower by far.
+  // The fastest mode has the period pi times the limit; a twelfth of it leaves its frequency 1 %
+  // wrong, and an impact of half its period six steps. With elastic bodies the fastest mode is one
+  // of the mesh: what matters is slower by far.
   const double accurate =
-      world.has_elastic_bodies() ? largest : dealii::numbers::PI * choice.limit / 40.;
+      world.has_elastic_bodies() ? largest : dealii::numbers::PI * choice.limit / 12.;
   choice.step   = std::min(largest, accurate);
-  choice.reason = accurate < largest ? "auto: a fortieth of the shortest period" :
+  choice.reason = accurate < largest ? "auto: a twelfth of the shortest period" :
                                        "auto: the critical time step times the safety factor";
   return choice;
 }

@@ -122,7 +122,8 @@ MIXED = {
     "rigid driver": elastic_off("driver"),
     "rigid driven": elastic_off("driven"),
     "rigid sprockets": elastic_off("driver", "driven"),
-    "all rigid": elastic_off("links", "rollers", "driver", "driven"),
+    # a shorter step than auto takes, for a sharp balance
+    "all rigid": {**elastic_off("links", "rollers", "driver", "driven"), "Time/Safety factor": 0.1},
     "flat plates": {"Effects/Plate bending": "off"},
     "no play": {"Effects/Roller-bush clearance": "off", "Effects/Bush-pin clearance": "off"},
 }

@@ -68,7 +68,7 @@ struct TimeStepChoice
 
 /// The step of a run: the one asked for, if it does not exceed the safety factor times the limit
 /// (InputError otherwise, with both numbers); or, when none is asked for, the smaller of that
-/// product and a fortieth of the shortest period.
+/// product and a twelfth of the shortest period.
 TimeStepChoice choose_time_step(const World             &world,
                                 const Bars              &bars,
                                 const ForceElements     &forces,
