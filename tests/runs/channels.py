@@ -45,8 +45,8 @@ def run():
         "Output/History precision": "double",
         "Contact/Friction coefficient": 0.1,
     }
-    if FIDELITY == "reduced":
-        entries["Time/Time step in us"] = 0.25  # several between two samples
+    if FIDELITY != "full":
+        entries["Time/Time step in us"] = 0.25 if FIDELITY == "reduced" else 0.125  # several between two samples
     program.run("prm/verification/hard.prm", entries, "--output", "results", program=PROGRAM)
     histories, attributes = {}, {}
     with h5py.File("results/histories.h5") as file:
