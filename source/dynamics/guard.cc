@@ -27,8 +27,8 @@ constexpr double momentum_limit = 1e-8;
 // impact), of the first millisecond of full ones 1e-4. See energy_jump_max in doc/output.md.
 constexpr double energy_limit = 2e-2;
 
-// Central differences are wrong by (w dt)^2 / 4 of the energy of a vibration: 0.6 % at the
-// automatic step of rigid models, all of it at the critical time step. How much of it is accepted
+// Central differences are wrong by (w dt)^2 / 4 of the energy of a vibration: 7 % of that of the
+// fastest at the automatic step of rigid models, all of it at the critical time step. How much of it is accepted
 // as a jump; and, of the chain's energy at full speed, as what counts as turned over at least,
 // since the first impacts are all vibration. The simple drives of hard.py at 0.5 to 0.9 of the
 // critical time step come to half of it. An unstable mode gains more than its strain energy, which
