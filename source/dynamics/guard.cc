@@ -28,11 +28,11 @@ constexpr double momentum_limit = 1e-8;
 constexpr double energy_limit = 2e-2;
 
 // Central differences are wrong by (w dt)^2 / 4 of the energy of a vibration: 7 % of that of the
-// fastest at the automatic step of rigid models, all of it at the critical time step. How much of it is accepted
-// as a jump; and, of the chain's energy at full speed, as what counts as turned over at least,
-// since the first impacts are all vibration. The simple drives of hard.py at 0.5 to 0.9 of the
-// critical time step come to half of it. An unstable mode gains more than its strain energy, which
-// is then most there is.
+// fastest at the automatic step of rigid models, all of it at the critical time step. How much of
+// it is accepted as a jump; and, of the chain's energy at full speed, as what counts as turned over
+// at least, since the first impacts are all vibration. The simple drives of hard.py at 0.5 to 0.9
+// of the critical time step come to half of it. An unstable mode gains more than its strain energy,
+// which is then most there is.
 constexpr double jump_by_step = 0.15, start_by_step = 0.2;
 
 // Length [m] whose energies are not judged: round-off of positions, 1e-16 m, does not get there.

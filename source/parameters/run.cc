@@ -63,8 +63,7 @@ void Time::declare(Declarations &declarations)
       above(0., 1e6),
       "Time step. A time step above the critical one is refused, not shortened. auto: of rigid "
       "bodies a twelfth of the shortest period of vibration, of elastic ones the critical one "
-      "times "
-      "Safety factor.");
+      "times Safety factor.");
   add(declarations,
       "Safety factor",
       safety_factor,

@@ -2,8 +2,8 @@
 // Seven links pulled, inner and outer ones in turn, whose joints have no penalty: the force in a
 // joint in the middle is that of room statics, which has other elements, meshes and a solution of
 // its own, at the same extension: on fine meshes within 3 % from 100 to 3000 N, on those that runs
-// have by default within 8 % from a fifth of the paper's load on, for three chains; at a tenth of
-// that it is stiffer by less than 15 %, since contact is narrower than a column there. Links keep
+// have by default within 8 % from three tenths of a working load on, for three chains; at a tenth
+// of it it is stiffer by less than 15 %, since contact is narrower than a column there. Links keep
 // their centres of mass and directions; those at the ends are stretched to one side only. With the
 // penalty of full and meshes of equally long cells the joint is softer by more than 5 %.
 #include "../support/reduced.h"
@@ -121,7 +121,7 @@ int main(int argc, char **argv)
       std::cerr << load << " N: " << ratio << std::endl;
   };
 
-  // of a tenth of the load of the paper's drive
+  // a tenth of a working load, N
   for (const auto &[chain, load] :
        std::map<std::string, double>{{"525", 141.2}, {"06B", 56.5}, {"16A", 353.}})
     {

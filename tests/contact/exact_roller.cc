@@ -11,6 +11,7 @@
 
 #include <chaindrive/contact/contacts.h>
 #include <chaindrive/drive/stiffness.h>
+#include <chaindrive/scene/build.h>
 #include <chaindrive/statics/library.h>
 #include <chaindrive/statics/part_stiffness.h>
 
@@ -91,14 +92,15 @@ scene::Scene make(const Case &c)
     scene.parts[kind] = std::make_shared<const mesh::Part>(std::move(part));
   };
   set_part(scene::Kind::roller, mesh::make_roller(chain, density, mesh::RollerGrid(3, 32, 6)));
-  mesh::LinkGrid link = {48, 2, 2, 2, 12};
-  if (!c.fine) // as in scene/parts.cc
+  if (c.fine)
+    set_part(scene::Kind::inner_link, mesh::make_inner_link(chain, density, {48, 2, 2, 2, 12}));
+  else
     {
-      link             = mesh::inner_link_grid(1);
-      link.along       = 6;
-      link.bearing_end = 0.5 * chain.roller_length;
+      Parameters p;
+      p.mesh.refinement = 1;
+      scene.parts[scene::Kind::inner_link] =
+          scene::make_link_part({p.mesh, density, false, true}, drive::make_drive(p), true);
     }
-  set_part(scene::Kind::inner_link, mesh::make_inner_link(chain, density, link));
 
   scene::ToothFamily &teeth  = scene.teeth[0];
   const double        radius = 0.5 * chain.roller_diameter, play = teeth.form->seat_radius - radius;
