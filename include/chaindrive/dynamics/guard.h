@@ -163,7 +163,7 @@ private:
   const scene::Scene &scene_;
   EnergyGuard         energy_;
   double              least_energy_;       ///< that is judged, J
-  double              critical_time_step_; ///< of rigid models, s; infinite with elastic bodies
+  double              critical_time_step_; ///< s; infinite where bodies have nodes of their own
   bool                on_;
   std::string         overload_;
   unsigned int        calls_ = 0; ///< since the last look
