@@ -22,7 +22,7 @@ from program import start
 
 HERE = Path(__file__).resolve().parent
 MODELS = {"s": "simple", "l": "layered", "f": "full", "h": "shell", "m": "membrane", "r": "reduced", "e": "exact"}
-STEP = {"s": 0.08, "l": 0.15, "f": 0.9, "h": 0.9, "m": 0.9, "r": 0.9, "e": 0.9}  # over the critical one
+STEP = {"s": 0.26, "l": 0.26, "f": 0.9, "h": 0.9, "m": 0.9, "r": 0.9, "e": 0.9}  # over the critical one
 MOMENTUM = 1e-9  # largest imbalance, over the momentum of all bodies
 TURNS = 5e-4  # rad, least angle of the driven sprocket: a drive in which nothing happens holds nothing
 

@@ -3,15 +3,20 @@
 #include <chaindrive/accuracy_table.h>
 #include <chaindrive/commands.h>
 #include <chaindrive/cost.h>
+#include <chaindrive/files/file.h>
 #include <chaindrive/model/reading.h>
 #include <chaindrive/parameters/entries.h>
+#include <chaindrive/statics/cache.h>
+#include <chaindrive/utilities/checksum.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
+#include <chaindrive/version.h>
 
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
@@ -21,6 +26,8 @@ namespace chaindrive
 {
 namespace
 {
+constexpr const char *calibration = "calibration"; ///< what scripts/study/accuracy.py calls it
+
 std::vector<std::string> split(const std::string &line, const char separator)
 {
   std::vector<std::string> words;
@@ -38,9 +45,12 @@ double number(const std::string &text)
 bool is_cheaper(const StudyResult &a, const StudyResult &b) { return a.share() < b.share(); }
 bool is_better(const StudyResult &a, const StudyResult &b) { return a.bound() < b.bound(); }
 
+/// Two digits, or all before the point.
 std::string in_percent(const double value)
 {
-  return (value < 0. ? "" : "+") + to_text(100. * value, 2) + " %";
+  const double percent = 100. * value;
+  return (value < 0. ? "" : "+") +
+         (std::abs(percent) < 99.5 ? to_text(percent, 2) : to_text(std::round(percent), 9)) + " %";
 }
 
 std::string error_text(const StudyResult &result)
@@ -51,17 +61,32 @@ std::string error_text(const StudyResult &result)
 
 std::string in_words(const StudyResult &result)
 {
-  return result.variant + " of study " + result.study +
+  return result.variant +
+         (result.study == calibration ? ", calibrated on this drive" :
+                                        " of study " + result.study) +
          (result.variant == result.reference ? ", the reference, itself known within " :
                                                ", against " + result.reference + " ") +
          error_text(result);
 }
 
+/// What tells the variant of @p result from the program's own choices.
 std::string entries_text(const StudyResult &result)
 {
-  std::string text;
+  const std::string automatic = "=auto";
+  std::string       text;
   for (const std::string &entry : result.overrides)
-    text += (text.empty() ? "" : "; ") + entry;
+    if (entry.size() < automatic.size() ||
+        entry.compare(entry.size() - automatic.size(), automatic.size(), automatic) != 0)
+      text += (text.empty() ? "" : "; ") + entry;
+  return text;
+}
+
+/// What a user types to calibrate the drive of @p command_line.
+std::string calibration_call(const CommandLine &command_line)
+{
+  std::string text = "chaindrive calibrate " + command_line.parameter_file;
+  for (const std::string &entry : command_line.overrides)
+    text += " --set \"" + entry + "\"";
   return text;
 }
 
@@ -79,8 +104,6 @@ std::string cost_here(const StudyResult &result,
       const parameters::Input input =
           model::read_parameters(command_line.parameter_file, overrides);
       const std::vector<std::string> folders = mesh_folders(command_line.parameter_file);
-      out << "Timing " << result.variant << " of study " << result.study << " on this drive ..."
-          << std::endl;
       Simulation simulation(input.parameters, folders, comm, [&out](const std::string &sentence) {
         out << sentence << std::endl;
       });
@@ -226,30 +249,156 @@ Answer answer(const std::vector<StudyResult> &results, const std::string &output
   return answer;
 }
 
-void print_answers(std::ostream       &out,
-                   const CommandLine  &command_line,
-                   const drive::Facts &facts,
-                   const double        before,
-                   const MPI_Comm      comm)
+const std::vector<std::string> &calibrated_outputs()
+{
+  static const std::vector<std::string> all = {"tight_tension_mean",
+                                               "slack_tension_mean",
+                                               "tight_tension_ripple",
+                                               "driver_peak_mean",
+                                               "driver_impulse_mean",
+                                               "driver_normal_speed_mean",
+                                               "driven_peak_mean",
+                                               "driven_impulse_mean",
+                                               "roller_velocity_rms",
+                                               "losses"};
+  return all;
+}
+
+namespace
+{
+/// Whether an entry says what the drive is or carries, and not how it is modelled and computed.
+bool is_of_drive(const std::string &line)
+{
+  const auto begins = [&line](const char *text) { return line.rfind(text, 0) == 0; };
+  for (const char *start : {"Drive/Layout/Start = ", "Drive/Layout/Start phase = "})
+    if (begins(start))
+      return false;
+  for (const char *mine : {"Drive/",
+                           "Loads/",
+                           "Material/",
+                           "Model/Driven inertia in kg m2 = ",
+                           "Contact/Damping ratio = ",
+                           "Contact/Friction coefficient = ",
+                           "Contact/Roller-tooth friction = ",
+                           "Contact/Roller-bush friction = ",
+                           "Contact/Bush-pin friction = ",
+                           "the checksum of "})
+    if (begins(mine))
+      return true;
+  return false;
+}
+} // namespace
+
+std::string calibration_file(const std::string &fixed)
+{
+  const std::string folder = statics::Cache::usual_folder();
+  if (folder.empty())
+    throw InputError("There is no folder to keep a calibration in: set CHAINDRIVE_CACHE to one "
+                     "that can be written.");
+  std::string        text = std::string("chaindrive ") + version + "\n";
+  std::istringstream lines(fixed);
+  for (std::string line; std::getline(lines, line);)
+    if (is_of_drive(line))
+      text += line + "\n";
+  return folder + "/drives/" + checksum(text) + ".tsv";
+}
+
+std::vector<StudyResult> find_calibration(const std::string &fixed, std::string &note)
+{
+  if (statics::Cache::usual_folder().empty())
+    return {};
+  const std::string file = calibration_file(fixed);
+  if (!std::filesystem::exists(file))
+    return {};
+  try
+    {
+      const std::string        text = files::read_text(file), end = "\n# complete\n";
+      std::vector<StudyResult> results;
+      if (text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0)
+        results = read_studies(text).results;
+      for (const StudyResult &result : results)
+        if (!std::isfinite(result.error) || !std::isfinite(result.bound()) ||
+            !(result.share() > 0.))
+          throw RunError("a figure is not a number");
+      if (!results.empty())
+        return results;
+    }
+  catch (const std::exception &)
+    {
+    }
+  note = "The calibration of this drive, '" + file +
+         "', is damaged and not used. Start chaindrive calibrate again.";
+  return {};
+}
+
+std::vector<StudyResult>
+results_of(const std::vector<StudyResult> &results, const std::string &fidelity, const bool exact)
+{
+  const auto has = [](const StudyResult &result, const std::string &entry) {
+    return std::find(result.overrides.begin(), result.overrides.end(), entry) !=
+           result.overrides.end();
+  };
+  std::vector<StudyResult> found;
+  for (const StudyResult &result : results)
+    if (has(result, "Model/Fidelity=" + fidelity) &&
+        has(result, "Contact/Enforcement=exact") == exact)
+      found.push_back(result);
+  return found;
+}
+
+std::string accuracy_sentence(const std::vector<StudyResult> &results)
+{
+  if (results.empty())
+    return "";
+  const StudyResult &first = results.front();
+  std::string        text =
+      first.variant == first.reference ?
+                 "How well this model, the reference, is known on this drive:" :
+                 "How wrong this model is on this drive, against " + first.reference + " contact:";
+  for (const StudyResult &result : results)
+    text += (&result == &first ? " " : ", ") + result.output + " " + error_text(result);
+  return text + ".";
+}
+
+files::Json to_json(const std::vector<StudyResult> &results)
+{
+  files::Json values;
+  for (const StudyResult &result : results)
+    values[result.output] = {{"error", result.error}, {"low", result.low}, {"high", result.high}};
+  return values;
+}
+
+void print_answers(std::ostream                   &out,
+                   const CommandLine              &command_line,
+                   const drive::Facts             &facts,
+                   const std::vector<StudyResult> &calibrated,
+                   const double                    before,
+                   const MPI_Comm                  comm)
 {
   const Studies                  studies = shipped_studies();
   const std::vector<std::string> here    = drive_in_words(facts);
   for (const std::string &text : command_line.accuracy)
     {
-      const auto [output, wanted] = read_wanted(text, studies.results);
+      const auto [output, wanted] =
+          read_wanted(text, calibrated.empty() ? studies.results : calibrated);
       std::ostringstream line;
       line << "Accuracy: " << output << " within " << to_text(100. * wanted) << " %: ";
-      std::vector<StudyResult> results;
+      std::vector<StudyResult> results = calibrated;
       std::string              why;
       for (const StudyResult &result : studies.results)
-        if (const std::string sentence = difference(studies.drives.at(result.study), here);
-            sentence.empty())
-          results.push_back(result);
-        else
-          why = "study " + result.study + ": " + sentence;
+        {
+          if (!calibrated.empty())
+            break;
+          if (const std::string sentence = difference(studies.drives.at(result.study), here);
+              sentence.empty())
+            results.push_back(result);
+          else
+            why = "study " + result.study + ": " + sentence;
+        }
       const auto [found, best] = answer(results, output, wanted);
       if (results.empty())
-        line << "no answer for this drive. The studies ran another one (" << why << ").\n";
+        line << "no answer for this drive. The studies ran another one (" << why
+             << "); this finds one: " << calibration_call(command_line) << '\n';
       else if (found.empty())
         line << "no model; the best is " << in_words(*best) << "; " << entries_text(*best) << '\n';
       for (std::size_t i = 0; i < found.size(); ++i)

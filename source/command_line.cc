@@ -52,6 +52,10 @@ constexpr CommandName commands[] = {
      "study",
      "FILE.prm",
      "run the variants of a study file and compare them; options after -- go to Snakemake"},
+    {Command::calibrate,
+     "calibrate",
+     "FILE.prm",
+     "find by runs how wrong each model is for this drive; plans and runs then say it"},
     {Command::report,
      "report",
      "DIR...",
@@ -107,13 +111,13 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   visible.add_options()(
       "set",
       options::value(&c.overrides)->value_name("\"SECTION/ENTRY=VALUE\""),
-      "run, plan, parts, noise, study, sprocket: override an entry of the file; may be "
+      "run, plan, parts, noise, study, calibrate, sprocket: override an entry of the file; may be "
       "repeated");
   visible.add_options()(
       "output",
       options::value(&c.output_directory)->value_name("DIRECTORY"),
-      "run, plan, study, export, report, select, sprocket: write the results there, or the "
-      "report, the parameter file of the best drive or the sprocket, to this file");
+      "run, plan, study, calibrate, export, report, select, sprocket: write the results there, or "
+      "the report, the parameter file of the best drive or the sprocket, to this file");
   visible.add_options()("as",
                         options::value(&c.kind)->value_name("csv|wav"),
                         "export: histories (csv) or, after the command noise, sound (wav)");
@@ -124,18 +128,20 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   visible.add_options()("picture",
                         options::value(&c.picture)->value_name("FILE"),
                         "plan: draw wheels, chain and shaft loads into this SVG file");
-  visible.add_options()("accuracy",
-                        options::value(&c.accuracy)->value_name("\"OUTPUT=PERCENT\""),
-                        "plan: print which models reach this accuracy, from the studies");
+  visible.add_options()(
+      "accuracy",
+      options::value(&c.accuracy)->value_name("\"OUTPUT=PERCENT\""),
+      "plan: print which models reach this accuracy, from the drive's calibration "
+      "or from the studies");
   visible.add_options()("wheel",
                         options::value(&c.wheel)->value_name("NAME"),
                         "sprocket: which one, by default the driver");
   visible.add_options()("cores",
                         options::value(&c.cores)->value_name("N"),
-                        "study: number of cores to use, all by default");
+                        "study, calibrate: number of cores to use, all by default");
   add("quick", c.quick, "study: apply the changes in Study/Quick");
-  add("dry-run", c.dry_run, "study: check all variants and print what would be run");
-  add("retry-failed", c.retry, "study: run failed variants again");
+  add("dry-run", c.dry_run, "study, calibrate: check all variants and print what would be run");
+  add("retry-failed", c.retry, "study, calibrate: run failed variants again");
   visible.add_options()("chain",
                         value_of(c.design.chain)->value_name("NAME"),
                         "template: chain of the drive, such as 10B");
@@ -177,7 +183,7 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   visible.add_options()(
       "plugin",
       options::value(&c.plugins)->value_name("LIBRARY"),
-      "run, plan, parts, noise, study, sprocket, template, document: load this shared "
+      "run, plan, parts, noise, study, calibrate, sprocket, template, document: load this shared "
       "library, which adds to the program; may be repeated");
   add("man", c.man, "document: print the manual page (troff)");
   add("schema", c.schema, "document: print all histories and summary members of runs (JSON)");
@@ -185,7 +191,9 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
                         options::value(&c.completion)->value_name("SHELL"),
                         "document: print the completion script for a shell (bash)");
   add("plan", switches.plan, "run, plan: the same as the command plan");
-  add("quiet", c.quiet, "run, plan, noise, study, report, export: print warnings and errors only");
+  add("quiet",
+      c.quiet,
+      "run, plan, noise, study, calibrate, report, export: print warnings and errors only");
   add("report", c.report, "run: write a report at its end, report.html in the output directory");
   add("strict", c.strict, "run, plan: refuse a drive with design-check warnings");
   add("version", switches.version, "print versions and SIMD and MPI support");
@@ -275,6 +283,12 @@ Command take_command(std::vector<std::string> &words, const Switches &switches)
   return switches.plan && command == Command::run ? Command::plan : command;
 }
 
+/// Whether @p command starts several runs, by Snakemake.
+bool is_of_runs(const Command command)
+{
+  return command == Command::study || command == Command::calibrate;
+}
+
 /// Whether @p command is for several runs that have ended.
 bool takes_folders(const Command command)
 {
@@ -355,15 +369,16 @@ constexpr unsigned int most_cores = 100000; // below what a negative number is r
 /// Refuses options of a study or a plan without one, and the other way round.
 void check_belonging(const CommandLine &c)
 {
-  const bool is_study = c.command == Command::study;
+  const bool is_study = is_of_runs(c.command);
   for (const auto &[given, name] : {std::pair<bool, const char *>{c.cores > 0, "--cores"},
-                                    {c.quick, "--quick"},
                                     {c.dry_run, "--dry-run"},
                                     {c.retry, "--retry-failed"},
                                     {!c.rest.empty(), "--"}})
     if (given && !is_study && c.command != Command::help)
-      throw InputError(std::string("The option ") + name +
-                       " belongs to studies: chaindrive study FILE.prm.");
+      throw InputError(
+          std::string("The option ") + name +
+          " belongs to studies and calibrations: chaindrive study FILE.prm, chaindrive "
+          "calibrate FILE.prm.");
   if (!c.accuracy.empty() && c.command != Command::plan && c.command != Command::help)
     throw InputError("The option --accuracy belongs to plans: chaindrive plan FILE.prm.");
   if (!c.picture.empty() && c.command != Command::plan && c.command != Command::help)
@@ -409,6 +424,8 @@ void check_belonging(const CommandLine &c)
   if (c.command == Command::export_files && c.kind != "csv" && c.kind != "wav")
     throw InputError("The option --as = " + c.kind +
                      " must be csv for histories or wav for sound.");
+  if (c.quick && c.command != Command::study && c.command != Command::help)
+    throw InputError("The option --quick belongs to studies: chaindrive study FILE.prm.");
   if (c.cores > most_cores)
     throw InputError("The option --cores takes 1 to " + std::to_string(most_cores) + ".");
   if (is_study && !c.resume.empty())
@@ -488,7 +505,7 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   c.command     = take_command(words, switches);
   // What follows -- names files although it begins with a dash; of a study it is for Snakemake.
   const bool takes_words = takes_folders(c.command) || words.empty();
-  if (rest != end && c.command != Command::study && takes_words)
+  if (rest != end && !is_of_runs(c.command) && takes_words)
     words.insert(words.end(), rest + 1, end);
   else
     c.rest.assign(rest == end ? end : rest + 1, end);

@@ -77,6 +77,9 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
     case Command::study:
       successor = {study_command(command_line, MPI_COMM_WORLD), packages_of_studies()};
       return stop_signal() == 0 ? 0 : 4;
+    case Command::calibrate:
+      successor = {calibrate_command(command_line, MPI_COMM_WORLD), packages_of_studies()};
+      return stop_signal() == 0 ? 0 : 4;
     case Command::report:
       successor = {report_command(command_line, MPI_COMM_WORLD), packages_of_reports()};
       break;

@@ -73,24 +73,6 @@ std::string far_away(const CommandLine &command_line, const std::string &output)
          "there.";
 }
 
-/// What a resumed run must find as it was: plug-ins, parameters::Input::fixed and the contents of
-/// meshes and tables.
-std::string fixed_text(const parameters::Input        &input,
-                       const drive::Drive             &drive,
-                       const std::vector<std::string> &folders)
-{
-  std::string text = plugins_text() + "\n" + input.fixed;
-  for (const drive::Sprocket &sprocket : drive.sprockets)
-    if (!sprocket.mesh.empty())
-      text += "the checksum of the mesh '" + sprocket.mesh +
-              "' = " + checksum(files::read_text(files::find_file(sprocket.mesh, folders))) + "\n";
-  for (const drive::Sprocket &sprocket : drive.sprockets)
-    for (const std::string &file : sprocket.program.files)
-      text += "the checksum of the table '" + std::filesystem::path(file).filename().string() +
-              "' of the " + sprocket.title + " = " + checksum(files::read_text(file)) + "\n";
-  return text;
-}
-
 /// All entries as a .prm file, which says with which plug-ins they were read.
 std::string record_of(const parameters::Input &input)
 {
@@ -172,6 +154,28 @@ struct Prepared
   files::Directory               directory;
   const bool                     strict; ///< whether what the checks find is not run
 };
+
+/// The answers to `--accuracy`, if it is given: the first lines of a plan.
+void answer_first(const CommandLine &command_line, const double before, const MPI_Comm comm)
+{
+  if (command_line.accuracy.empty())
+    return;
+  const parameters::Input input =
+      model::read_parameters(command_line.parameter_file, command_line.overrides);
+  const auto wanted =
+      model::part_stiffnesses(input.parameters, model::decide_effects(input.parameters));
+  const drive::Drive drive = drive::make_drive(
+      input.parameters, statics::quick_part_stiffness(wanted, input.parameters.material));
+  files::Console out(STDOUT_FILENO), err(STDERR_FILENO);
+  files::Log     log(command_line.quiet || rank_in(comm) != 0 ? nullptr : &out,
+                 rank_in(comm) == 0 ? &err : nullptr);
+  std::string note;
+  const auto  calibrated =
+      find_calibration(fixed_text(input, drive, mesh_folders(command_line.parameter_file)), note);
+  print_answers(
+      log, command_line, drive::make_facts(input.parameters, drive), calibrated, before, comm);
+  log << std::flush;
+}
 
 /// Whether a signal came to any rank while the run was prepared; says so. Collective.
 bool stopped_before_first_step(Prepared &prepared)
@@ -325,6 +329,16 @@ std::string hourglass_sentence(const files::Json &summary)
          " % is usual. Choose a greater Mesh/Refinement, or Elements/Formulation = enhanced.";
 }
 
+/// What @p calibrated says of the model of this run.
+std::vector<StudyResult> results_here(const Prepared                 &prepared,
+                                      const std::vector<StudyResult> &calibrated)
+{
+  const model::Model &model = prepared.simulation.model;
+  return results_of(calibrated,
+                    prepared.simulation.parameters.model.fidelity,
+                    model.effects.is_on(model::Effect::exact_joints));
+}
+
 /// Computes the noise of the run that has just ended; says why if that cannot be.
 void try_noise(Prepared &prepared)
 {
@@ -351,6 +365,10 @@ void end_files(Prepared &prepared)
   files::Log &log = prepared.log;
   if (!loaded_plugins().empty())
     summary.values["plugins"] = plugins_as_json();
+  std::string note;
+  const auto  errors = results_here(prepared, find_calibration(prepared.fixed, note));
+  if (!errors.empty())
+    summary.values["accuracy"] = to_json(errors);
   files::write_json(prepared.directory.path() + "/summary.json", summary.values);
   if (const std::string sentence =
           observe::until_sentence(summary.values, prepared.simulation.system().world.time);
@@ -361,6 +379,8 @@ void end_files(Prepared &prepared)
   warn(log, hourglass_sentence(summary.values));
   warn(log, overload);
   observe::print_summary(log, summary.values);
+  if (!errors.empty())
+    log << accuracy_sentence(errors) << '\n';
   PhaseTimer::print(log, summary.phases);
   if (prepared.simulation.parameters.acoustics.noise)
     try_noise(prepared);
@@ -368,6 +388,22 @@ void end_files(Prepared &prepared)
   log.close();
 }
 } // namespace
+
+std::string fixed_text(const parameters::Input        &input,
+                       const drive::Drive             &drive,
+                       const std::vector<std::string> &folders)
+{
+  std::string text = plugins_text() + "\n" + input.fixed;
+  for (const drive::Sprocket &sprocket : drive.sprockets)
+    if (!sprocket.mesh.empty())
+      text += "the checksum of the mesh '" + sprocket.mesh +
+              "' = " + checksum(files::read_text(files::find_file(sprocket.mesh, folders))) + "\n";
+  for (const drive::Sprocket &sprocket : drive.sprockets)
+    for (const std::string &file : sprocket.program.files)
+      text += "the checksum of the table '" + std::filesystem::path(file).filename().string() +
+              "' of the " + sprocket.title + " = " + checksum(files::read_text(file)) + "\n";
+  return text;
+}
 
 std::vector<std::string> mesh_folders(const std::string &parameter_file)
 {
@@ -378,7 +414,8 @@ std::vector<std::string> mesh_folders(const std::string &parameter_file)
 bool plan_command(const CommandLine &command_line, const MPI_Comm comm)
 {
   const double before = PhaseTimer::total();
-  Prepared     prepared(command_line, comm);
+  answer_first(command_line, before, comm);
+  Prepared prepared(command_line, comm);
   if (prepared.simulation.is_idle())
     return true;
   if (stopped_before_first_step(prepared))
@@ -389,7 +426,12 @@ bool plan_command(const CommandLine &command_line, const MPI_Comm comm)
   print(prepared.log,
         measure_cost(simulation, prepared.folders, before),
         n_ranks_in(simulation.communicator()));
-  print_answers(prepared.log, command_line, simulation.facts, before, comm);
+  std::string note;
+  const auto  calibrated = find_calibration(prepared.fixed, note);
+  warn(prepared.log, note);
+  if (const std::string sentence = accuracy_sentence(results_here(prepared, calibrated));
+      !sentence.empty())
+    prepared.log << sentence << '\n';
   if (!command_line.picture.empty())
     {
       std::ostringstream picture;

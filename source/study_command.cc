@@ -338,12 +338,13 @@ void check_all(std::vector<Model>           &models,
                const parameters::StudyInput &input,
                const std::string            &directory,
                const CommandLine            &command_line,
+               const bool                    estimates,
                files::Log                   &log)
 {
   std::vector<WorkResult> results;
   {
     std::optional<files::TemporaryDirectory> scratch; // in which copies of this process may die
-    if (!command_line.rest.empty() && !command_line.dry_run)
+    if (estimates)
       scratch.emplace(MPI_COMM_SELF);
     const Estimating estimating =
         scratch ?
@@ -393,9 +394,10 @@ void claim(const std::string &directory)
                      "'. Wait for its end, or choose another directory with --output.");
 }
 
-files::Json as_json(const parameters::StudyInput &input,
-                    const std::vector<Model>     &models,
-                    const CommandLine            &command_line)
+files::Json as_json(const parameters::StudyInput         &input,
+                    const std::vector<Model>             &models,
+                    const CommandLine                    &command_line,
+                    const std::optional<CalibrationFile> &calibration)
 {
   const parameters::Study &study = input.study;
   files::Json              json;
@@ -415,6 +417,8 @@ files::Json as_json(const parameters::StudyInput &input,
   for (const parameters::StudyOutput &output : parameters::study_outputs())
     json["units"][output.name] = output.unit;
   json["bootstrap"] = {{"samples", study.samples}, {"seed", study.seed}};
+  if (calibration)
+    json["calibration"] = {{"file", calibration->path}, {"drive", calibration->drive}};
   for (const Model &model : models)
     {
       files::Json variant = {{"name", model.variant->name}, {"ranks", model.variant->ranks}};
@@ -427,6 +431,23 @@ files::Json as_json(const parameters::StudyInput &input,
       json["variants"].push_back(variant);
     }
   return json;
+}
+
+/// Says what all runs of @p models take on @p cores.
+void print_estimates(const std::vector<Model> &models, const unsigned int cores, files::Log &log)
+{
+  double sum = 0., longest = 0.;
+  for (const Model &model : models)
+    if (!model.estimate.is_null())
+      {
+        const double cpu = model.estimate["cpu"];
+        log << "  " << model.variant->name << ": " << model.runs.size() << " runs of "
+            << observe::duration_text(cpu) << "\n";
+        sum += cpu * static_cast<double>(model.runs.size());
+        longest = std::max(longest, cpu);
+      }
+  log << "All of them take " << observe::duration_text(std::max(sum / cores, longest)) << " on "
+      << cores << (cores == 1 ? " core" : " cores") << " or a little more" << std::endl;
 }
 
 /// Forgets how a run in @p folder ended if that cannot be read, its results are gone, or it failed
@@ -504,7 +525,9 @@ std::vector<std::string> snakemake(const CommandLine &c, const std::string &dire
 }
 } // namespace
 
-std::vector<std::string> study_command(const CommandLine &command_line, const MPI_Comm comm)
+std::vector<std::string> study_command(const CommandLine                    &command_line,
+                                       const MPI_Comm                        comm,
+                                       const std::optional<CalibrationFile> &calibration)
 {
   if (n_ranks_in(comm) > 1)
     throw InputError("A study starts its runs itself, each on Study/Ranks processes: start it "
@@ -534,13 +557,16 @@ std::vector<std::string> study_command(const CommandLine &command_line, const MP
                    packages_of_studies());
   log << models.size() << " variants from " << input.study.phases
       << " start phases each: checking all before the first begins" << std::endl;
-  check_all(models, input, directory, command_line, log);
+  const bool for_cluster = !command_line.rest.empty() && !command_line.dry_run;
+  check_all(models, input, directory, command_line, for_cluster || calibration, log);
   if (stop_signal() != 0)
     return {};
+  if (calibration)
+    print_estimates(models, n_cores(command_line), log);
   if (command_line.dry_run)
     return {};
   claim(directory);
-  write(directory, models, as_json(input, models, command_line), command_line.retry);
+  write(directory, models, as_json(input, models, command_line, calibration), command_line.retry);
   log << "Results: " << directory << std::endl;
   return snakemake(command_line, directory);
 }

@@ -3,6 +3,7 @@
 
 #include <chaindrive/command_line.h>
 #include <chaindrive/drive/facts.h>
+#include <chaindrive/files/json.h>
 
 #include <mpi.h>
 
@@ -45,6 +46,26 @@ Studies shipped_studies();
 /// The same from the text of such a table.
 Studies read_studies(const std::string &text);
 
+/// The outputs by which `chaindrive calibrate` judges models, as Study/Outputs names them.
+const std::vector<std::string> &calibrated_outputs();
+
+/// The file in the cache for what `chaindrive calibrate` finds for the drive of this fixed_text():
+/// its name is a checksum of everything in there that the drive is or carries, and of the program's
+/// version; how it is modelled and computed has no part in it. InputError if there is no cache.
+std::string calibration_file(const std::string &fixed);
+
+/// What was found for that drive; nothing if it has not been calibrated, or if the file is damaged,
+/// of which @p note then says so.
+std::vector<StudyResult> find_calibration(const std::string &fixed, std::string &note);
+
+/// What @p results say of a model of this fidelity, without penalty or with it; empty: nothing.
+std::vector<StudyResult>
+results_of(const std::vector<StudyResult> &results, const std::string &fidelity, bool exact);
+
+/// These in a sentence, and as member `accuracy` of summary.json.
+std::string accuracy_sentence(const std::vector<StudyResult> &results);
+files::Json to_json(const std::vector<StudyResult> &results);
+
 /// A drive as far as errors found for it depend on it: "name=value", with the unit in the name.
 std::vector<std::string> drive_in_words(const drive::Facts &facts);
 
@@ -70,12 +91,14 @@ struct Answer
 /// Which variants give @p output within @p wanted [1].
 Answer answer(const std::vector<StudyResult> &results, const std::string &output, double wanted);
 
-/// Says for each `--accuracy` of @p command_line what the studies answer if they ran the drive of
-/// @p facts, and what the cheapest variant costs here, by measure_cost() with @p before; otherwise
-/// that there is no answer. InputError as read_wanted(). Collective.
-void print_answers(std::ostream       &out,
-                   const CommandLine  &command_line,
-                   const drive::Facts &facts,
-                   double              before,
-                   MPI_Comm            comm);
+/// Says for each `--accuracy` of @p command_line what @p calibrated answers, or, if that is empty,
+/// what the studies answer if they ran the drive of @p facts; and what the cheapest variant costs
+/// here, by measure_cost() with @p before; otherwise that there is no answer. InputError as
+/// read_wanted(). Collective.
+void print_answers(std::ostream                   &out,
+                   const CommandLine              &command_line,
+                   const drive::Facts             &facts,
+                   const std::vector<StudyResult> &calibrated,
+                   double                          before,
+                   MPI_Comm                        comm);
 } // namespace chaindrive

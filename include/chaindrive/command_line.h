@@ -16,6 +16,7 @@ enum class Command
   parts,         ///< print masses and stiffnesses of the parts
   noise,         ///< compute the noise of a run that has ended
   study,         ///< run the variants of a study file and compare them
+  calibrate,     ///< find the errors of the models for a drive
   report,        ///< write a page on runs
   export_files,  ///< write results for other programs
   select,        ///< which chains would do

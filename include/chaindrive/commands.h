@@ -4,7 +4,7 @@
 #include <chaindrive/command_line.h>
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/drive/facts.h>
-#include <chaindrive/parameters/parameters.h>
+#include <chaindrive/parameters/reader.h>
 
 #include <mpi.h>
 
@@ -15,8 +15,21 @@
 
 namespace chaindrive
 {
+/// Where a calibration is kept, and what its drive is in words.
+struct CalibrationFile
+{
+  std::string              path;
+  std::vector<std::string> drive; ///< drive_in_words()
+};
+
 /// Where the meshes that @p parameter_file names are looked for.
 std::vector<std::string> mesh_folders(const std::string &parameter_file);
+
+/// What a resumed run must find as it was: plug-ins, parameters::Input::fixed and the contents of
+/// meshes and tables.
+std::string fixed_text(const parameters::Input        &input,
+                       const drive::Drive             &drive,
+                       const std::vector<std::string> &folders);
 
 /// Runs the .prm file named on the command line: a Simulation with its files, its checkpoints, the
 /// log and the console. Throws InputError for input that cannot be run and RunError for a run that
@@ -69,8 +82,19 @@ void sprocket_command(const CommandLine &command_line, std::ostream &out);
 /// plan_command() does, of the other start phases the drive and the scene, and throws InputError
 /// with a sentence for each variant that cannot run, before anything is written; then writes a
 /// folder with its .prm file for each run. Returns the words of the command that runs them, which
-/// is to take this process's place: Snakemake; nothing for `--dry-run`.
-std::vector<std::string> study_command(const CommandLine &command_line, MPI_Comm comm);
+/// is to take this process's place: Snakemake; nothing for `--dry-run`. Of a @p calibration it says
+/// first what the runs take.
+std::vector<std::string> study_command(const CommandLine                    &command_line,
+                                       MPI_Comm                              comm,
+                                       const std::optional<CalibrationFile> &calibration = {});
+
+/// The same for the study that finds the errors of the models on the drive of the parameter file:
+/// simple, layered and reduced bodies without penalty, the reference, from four start phases each,
+/// settled, over as many pitch times as its slowest resonance takes, at least six; a drive whose
+/// speed or load follows a course of its own runs as its file says. What it finds is kept in the
+/// cache for plans and runs of this drive. InputError for a drive that stands, or that the
+/// reference cannot compute.
+std::vector<std::string> calibrate_command(const CommandLine &command_line, MPI_Comm comm);
 
 /// The words of the command that writes a page on the runs whose folders are named on the command
 /// line, and is to take this process's place: Python, with the package chaindrive. InputError on

@@ -4,11 +4,16 @@ looks up, from the tables of the studies in these directories:
 
     python3 scripts/study/accuracy.py results/fidelity results/start > source/accuracy.tsv
 
+    python3 scripts/study/accuracy.py --keep DIRECTORY
+
+writes the table of a calibration into the cache, where study.json says, and prints the errors of each model.
+
 A row for each variant that ran, and each output that has an error and an interval; the reference has the interval of its own
 mean. Results of quick forms and of unfinished studies are refused."""
 import csv
 import json
 import math
+import os
 import pathlib
 import re
 import sys
@@ -19,6 +24,8 @@ HEAD = """# SPDX-License-Identifier: LGPL-2.1-or-later
 # What studies found, by scripts/study/accuracy.py: separated by tabs,
 # study, variant, reference, output, error, low, high (percent), CPU time, that of the reference (s), entries of the variant;
 # "drive", study, what its errors hold for"""
+
+END = "# complete"  # last line of a calibration
 
 
 def fidelity(folder):
@@ -43,7 +50,9 @@ def rows_of(directory):
     if about["quick"] or any("not finished" in row["message"].split("; ") for row in table.values()):
         sys.exit(f"{directory}: a study that is quick or has not ended is no ground for an answer")
     study, reference = pathlib.Path(about["file"]).stem, table[about["reference"]]
-    yield ["drive", study, *drive_of(directory / about["variants"][-1]["runs"][0]["folder"])]
+    calibration = about.get("calibration")
+    study = "calibration" if calibration else study
+    yield ["drive", study, *(calibration["drive"] if calibration else drive_of(directory / about["variants"][-1]["runs"][0]["folder"]))]
     for variant in about["variants"]:
         row = table[variant["name"]]
         entries = {"Model/Fidelity": fidelity(directory / variant["runs"][0]["folder"]), "Time/Time step in us": "auto",
@@ -59,7 +68,36 @@ def rows_of(directory):
                    *(f"{path}={value}" for path, value in entries.items() if not path.startswith("Study/"))]
 
 
+def percent(text):
+    """Two digits, or all before the point."""
+    value = float(text)
+    return f"{value:+.2g}" if abs(value) < 99.5 else f"{value:+.0f}"
+
+
+def keep(directory):
+    """The file appears complete or not at all: plans and runs may read it now."""
+    file = pathlib.Path(json.loads((directory / "study.json").read_text())["calibration"]["file"])
+    file.parent.mkdir(parents=True, exist_ok=True)
+    rows = list(rows_of(directory))
+    part = file.with_suffix(f".part{os.getpid()}")
+    part.write_text("\n".join([HEAD, *("\t".join(row) for row in rows), END]) + "\n")
+    part.replace(file)
+    print(f"Errors of the models on this drive, with 95 % intervals, and CPU time of a run; kept in {file}")
+    found = {}
+    for _, variant, reference, output, error, low, high, cpu, *_ in rows[1:]:
+        if variant != reference:
+            found.setdefault((variant, cpu), []).append(f"  {output:26}{percent(error):>8} %  ({percent(low)} ... {percent(high)})")
+    for (variant, cpu), lines in found.items():
+        print("\n".join([f"{variant}, {float(cpu):.3g} s:", *lines]))
+    with open(directory / "table.csv", encoding="utf-8") as table:
+        for row in csv.DictReader(table):
+            if row["message"]:
+                print(f"{row['variant']} is not for this drive: {row['message']}")
+
+
 def main():
+    if len(sys.argv) == 3 and sys.argv[1] == "--keep":
+        return keep(pathlib.Path(sys.argv[2]))
     if len(sys.argv) < 2:
         sys.exit(__doc__)
     print(HEAD)

@@ -18,6 +18,7 @@ const char *const names[] = {"run",
                              "parts",
                              "noise",
                              "study",
+                             "calibrate",
                              "report",
                              "export",
                              "select",
@@ -124,6 +125,9 @@ int main()
   parse({"--", "-a.prm"});
   parse({"study", "a.prm", "--cores", "many"});
   parse({"study", "a.prm", "--resume", "auto"});
+  parse({"calibrate", "a.prm", "--cores", "3", "--retry-failed", "--", "--slurm"});
+  parse({"calibrate", "a.prm", "--quick"});
+  parse({"calibrate"});
   parse({"run", "a.prm", "--man"});
   parse({"template", "--completion", "bash"});
   parse({"document", "--completion", "zsh"});

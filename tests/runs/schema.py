@@ -34,8 +34,10 @@ NAMED = {"guides": ("prm/drives/guides.prm", {}), "arm": ("prm/drives/tensioner.
          "three": ("prm/drives/two-loads.prm", {}),
          "elastic": ("prm/drives/two-loads.prm", {"Model/Fidelity": "reduced", "Mesh/Refinement": 0, "Time/End time in ms": 0.02,
                                                   "Output/Field interval in ms": 0})}
-# places of events that tests/observe/events.cc has, and none of these drives; plug-ins, and forces that they add: plugin.py
-ELSEWHERE = {"events/*/roller", "events/*/span", "energy/spring", "energy/spring_damping_loss"} | {f"plugins/*/{what}" for what in ("name", "version", "path", "checksum")}
+# places of events that tests/observe/events.cc has, and none of these drives; plug-ins, and forces that they add: plugin.py;
+# errors of a calibrated drive: calibrate.py
+ELSEWHERE = {"events/*/roller", "events/*/span", "energy/spring", "energy/spring_damping_loss"} | {f"plugins/*/{what}" for what in ("name", "version", "path", "checksum")} | {
+    f"accuracy/*/{what}" for what in ("error", "low", "high")}
 
 
 def paths(value, path=""):

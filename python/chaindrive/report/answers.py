@@ -58,7 +58,7 @@ def answers(run: Run) -> list[Answer]:
     """What can be said of a run."""
     found = []
     others = [functools.partial(other_impact, wheel=wheel) for wheel in run.wheels[1:]]
-    makers: list[Callable[[Run], Answer | None]] = [tension, slack, shaft, impact, variation, *others, ripple, losses, wear, resonance, noise, quality]
+    makers: list[Callable[[Run], Answer | None]] = [tension, slack, shaft, impact, variation, *others, ripple, losses, wear, resonance, noise, model, quality]
     for make in makers:
         try:
             one = make(run)
@@ -234,6 +234,16 @@ def noise(run: Run) -> Answer | None:
     received = next((o for o in observers if o["name"] == "microphone"), observers[0])
     return Answer("Noise", received["level_a"], "dB(A)", f"Level of the rollers' sound at {received['name']}, {number(received['level'], 3)}\u00a0dB without "
                   "weighting. Housing, shafts and plates are not in it.")
+
+
+def model(run: Run) -> Answer | None:
+    """The error of the model in the peak of impacts, where the drive has been calibrated."""
+    peak = run.summary.get("accuracy", {}).get("driver_peak_mean")
+    if peak is None:
+        return None
+    low, high = (f"{100 * peak[end]:+.2g}" for end in ("low", "high"))
+    return Answer("Error of this model's impact peaks", 100 * peak["error"], "%", f"95 % interval {low} to {high} %, against contact without "
+                  "penalty, as the calibration of this drive has found it. Other errors stand below the statistics of the window.", of_window=False)
 
 
 def quality(run: Run) -> Answer:

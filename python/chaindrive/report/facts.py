@@ -219,6 +219,11 @@ def statistics_tables(run: Run) -> str:
         out += sentences([f"Over the window the driver supplied {quantity(energy.get('drive_work'), 'J')}, the load took "
                           f"{quantity(energy.get('resisting_work'), 'J')}, {quantity(energy.get('lost'), 'J', 3)} were lost and "
                           f"{quantity(energy.get('stored'), 'J', 3)} more are stored than before."], "plain")
+    rows = [(escape(name.replace("_", " ")), *(f"{100 * one[which]:+.2g} %" for which in ("error", "low", "high")))
+            for name, one in summary.get("accuracy", {}).items()]
+    if rows:
+        out += table(["error of the model in", "mean", "from", "to"], rows,
+                     "Against contact without penalty, as the calibration of this drive has found it, with 95 % intervals")
     if not out:
         raise RunError(f"The summary of the run in '{run.folder}' has no window statistics.")
     return invalid_window(run, "These figures are") + out

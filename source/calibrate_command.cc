@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/accuracy.h>
+#include <chaindrive/commands.h>
+#include <chaindrive/drive/facts.h>
+#include <chaindrive/model/decide.h>
+#include <chaindrive/model/reading.h>
+#include <chaindrive/statics/part_stiffness.h>
+#include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/ranks.h>
+#include <chaindrive/utilities/text.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace chaindrive
+{
+namespace
+{
+constexpr unsigned int n_phases = 4;
+constexpr unsigned int run_in   = 3; ///< pitch times from the settled start to the window
+constexpr unsigned int shortest = 6; ///< window, pitch times: with all phases 24 engagements
+
+/// Whether speed or load of the drive follow a course over time, which has no settled part to judge
+/// but the one that the file looks at.
+bool has_course(const parameters::Input &input)
+{
+  for (const std::string name : {"/Changes/Times in ms = ", "/Table/File = "})
+    for (std::size_t at = input.fixed.find(name); at != std::string::npos;
+         at             = input.fixed.find(name, at + 1))
+      if (input.fixed[at + name.size()] != '\n')
+        return true;
+  return input.fixed.find("Loads/Torque step time in ms = auto\n") == std::string::npos;
+}
+
+/// Of the rigid models what the file says of @p path, of the reference auto: it has the parts' own.
+std::string of_rigid_models(const parameters::Input &input, const std::string &path)
+{
+  const std::string name  = path + " = ";
+  const std::size_t begin = input.fixed.find(name) + name.size();
+  const std::string value = input.fixed.substr(begin, input.fixed.find('\n', begin) - begin);
+  return path + "={{" + value + "|" + value + "|auto}}";
+}
+
+std::string in_ms(const double time) { return to_text(1e3 * time, 6); }
+
+/// What makes a study of the drive's file.
+std::vector<std::string> entries_of(const parameters::Input &input, const drive::Facts &facts)
+{
+  const double             pitch_time = facts.pitch_time;
+  const unsigned int       window     = std::max(shortest, drive::pitches_per_resonance(facts));
+  std::vector<std::string> entries    = {
+         "Study/Title=Calibration of " + facts.chain + ", " + std::to_string(facts.links) + " links",
+         "Study/Text=How wrong are the models for this drive? The reference, exact, has reduced "
+            "bodies "
+            "without penalty.",
+         "Study/Names=simple, layered, exact",
+         "Study/Reference=exact",
+         "Study/Outputs=" + join(calibrated_outputs()),
+         "Study/Phases=" + std::to_string(n_phases),
+         "Model/Fidelity={simple|layered|reduced}",
+         "Model/Symmetry model=auto",
+         "Model/Elastic links=all",
+         "Contact/Enforcement={{auto|auto|exact}}",
+         of_rigid_models(input, "Model/Mass per pitch in g"),
+         of_rigid_models(input, "Model/Stiffness per pitch in N/m"),
+         of_rigid_models(input, "Contact/Roller-tooth stiffness in N/m"),
+         of_rigid_models(input, "Contact/Roller-bush stiffness in N/m"),
+         // as many columns around pins and bushes as in prm/paper/reduced.prm
+         "Mesh/Refinement={{0|0|1}}",
+         "Time/Time step in us=auto",
+         "Output/Quantities=all",
+         "Output/History interval in us=" + to_text(1e6 * std::min(20e-6, 2e-3 * pitch_time), 3),
+         "Output/Field interval in ms=0",
+         "Output/CSV=false",
+         "Output/Until=",
+         "Output/Directory=",
+         "Output/Resume=",
+         "Acoustics/Noise=off"};
+  if (!has_course(input))
+    entries.insert(entries.end(),
+                   {"Drive/Layout/Start=settled",
+                    "Time/Start time in ms=0",
+                    "Time/End time in ms=" + in_ms((run_in + window) * pitch_time),
+                    "Output/Window start in ms=" + in_ms(run_in * pitch_time),
+                    "Output/Window end in ms=auto"});
+  return entries;
+}
+} // namespace
+
+std::vector<std::string> calibrate_command(const CommandLine &command_line, const MPI_Comm comm)
+{
+  if (n_ranks_in(comm) > 1)
+    throw InputError("A calibration starts its runs itself: start it without mpirun.");
+  const parameters::Input input =
+      model::read_parameters(command_line.parameter_file, command_line.overrides);
+  const std::vector<std::string> folders = mesh_folders(command_line.parameter_file);
+  const auto                     wanted =
+      model::part_stiffnesses(input.parameters, model::decide_effects(input.parameters));
+  const drive::StiffnessOf stiffness =
+      statics::part_stiffness(wanted, input.parameters.material, comm, [&](const auto &sentence) {
+        if (!command_line.quiet)
+          std::cout << sentence << std::endl;
+      });
+  const drive::Drive drive = drive::make_drive(input.parameters, stiffness);
+  const drive::Facts facts = drive::make_facts(input.parameters, drive);
+  if (!(input.parameters.loads.driver_speed > 0.))
+    throw InputError("A drive that stands has no impacts by which models could be judged: "
+                     "Loads/Driver speed in rad/s = 0 must be above 0.");
+
+  CommandLine study = command_line;
+  for (const std::string &entry : entries_of(input, facts))
+    study.overrides.push_back(entry);
+  if (study.output_directory.empty())
+    study.output_directory =
+        "results/calibrate-" + std::filesystem::path(command_line.parameter_file).stem().string();
+  try
+    {
+      return study_command(study,
+                           comm,
+                           CalibrationFile{calibration_file(fixed_text(input, drive, folders)),
+                                           drive_in_words(facts)});
+    }
+  catch (const InputError &error)
+    {
+      throw InputError("This drive cannot be calibrated, which takes all three models: " +
+                       std::string(error.what()));
+    }
+}
+} // namespace chaindrive

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""calibrate.py PROGRAM: what `chaindrive calibrate` finds is what its runs have, and plans, runs and reports use it for this
+drive, whatever its model and start, for no other, and not when its file is damaged. In an empty folder.
+
+Without Snakemake, h5py, matplotlib or pandas it ends with 77: left out."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+import program
+from program import REPOSITORY, check
+from small_drives import RIGID
+
+PROGRAM = sys.argv[1]
+HARD = REPOSITORY / "prm/verification/hard.prm"
+DRIVE = {**RIGID, "Loads/Driver speed in rad/s": 240, "Model/Stiffness from": "dimensions", "Loads/Ramp time in ms": 0.5,
+         "Time/End time in ms": 3, "Output/Window start in ms": 1}
+FOLDER = pathlib.Path("calibration")
+CACHE = pathlib.Path("cache").absolute()  # of this test alone; what parts take is computed once more
+
+
+def start(command, *words, changes=None, quiet=True):
+    entries = [word for entry in {**DRIVE, **(changes or {})}.items() for word in ("--set", "=".join(map(str, entry)))]
+    return subprocess.run([PROGRAM, command, str(HARD), *entries, *words, *(["--quiet"] if quiet else [])], text=True, capture_output=True,
+                          env={**os.environ, "CHAINDRIVE_CACHE": str(CACHE)}, timeout=900)
+
+
+def first_line(changes=None, wanted="driver_peak_mean=90"):
+    done = start("plan", "--accuracy", wanted, changes=changes, quiet=False)
+    check(done.returncode == 0, f"{changes}: {done.stderr}")
+    return done.stdout.splitlines()[0], done
+
+
+def mean_peak(variant):
+    peaks = [json.loads((folder / "summary.json").read_text())["engagements"] for folder in (FOLDER / variant).glob("phase-*")]
+    check(len(peaks) == 4, f"{variant} has {len(peaks)} phases")
+    about = json.loads(next((FOLDER / variant).glob("phase-*/summary.json")).read_text())["window"]
+    chosen = [[e["peak_force"] for e in run if e["sprocket"] == "driver" and e["complete"] and about["start"] <= e["time"] <= about["end"]]
+              for run in peaks]
+    check(sum(map(len, chosen)) >= 20, f"{variant}: {sum(map(len, chosen))} engagements in all")
+    means = [sum(run) / len(run) for run in chosen]
+    return sum(means) / len(means)
+
+
+def refused(words, *said, changes=None):
+    done = start(*words, changes=changes)
+    check(done.returncode == 2 and all(word in done.stderr for word in said), f"{words}: {done.returncode}, {done.stderr}")
+
+
+def main():
+    refused(["calibrate", "--quick"], "--quick belongs to studies")
+    refused(["calibrate"], "A drive that stands", changes={"Loads/Driver speed in rad/s": 0})
+    refused(["calibrate"], "cannot be calibrated", "exact: ", changes={"Drive/Sprockets/Driver mesh": REPOSITORY / "meshes/sprocket-15.msh",
+                                                                        "Drive/Driver teeth": 15, "Drive/Number of links": 28})
+    line, _ = first_line()
+    check("no answer for this drive" in line and f"chaindrive calibrate {HARD} --set" in line, line)
+
+    done = start("calibrate", "--cores", "2", "--output", str(FOLDER), quiet=False)
+    if "are missing" in done.stderr or "not installed" in done.stderr:
+        sys.exit(77)
+    check(done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:])
+    check("All of them take" in done.stdout, "nothing is said of what it takes")
+    files = list((CACHE / "drives").glob("*"))
+    check(len(files) == 1 and str(files[0]) in done.stdout, f"{files}")
+    rows = {(row[1], row[3]): row for row in (line.split("\t") for line in files[0].read_text().splitlines()) if len(row) > 9}
+    for variant in ("simple", "layered"):
+        error, expected = float(rows[variant, "driver_peak_mean"][4]), 100 * (mean_peak(variant) / mean_peak("exact") - 1)
+        check(abs(error - expected) < 1e-3 * abs(expected) + 1e-3, f"{variant}: {error} instead of {expected}")
+
+    # the same drive: another model, another start; nothing is computed again
+    simple, layered = (rows[variant, "driver_peak_mean"] for variant in ("simple", "layered"))
+    for changes in ({}, {"Model/Fidelity": "layered"}, {"Drive/Layout/Start": "settled", "Drive/Layout/Start phase": 0.3}):
+        line, done = first_line(changes)
+        check("calibrated on this drive" in line and "Model/Fidelity=" in line, line)
+        row = layered if changes.get("Model/Fidelity") else simple
+        said = next(text for text in done.stdout.splitlines() if text.startswith("How wrong this model is"))
+        check(f"driver_peak_mean {float(row[4]):+.2g} %" in said, f"{changes}: {said}")
+    line, _ = first_line(wanted="driver_peak_mean=0.0001")
+    check("no model" in line, line)
+    # others
+    for changes in ({"Loads/Resisting torque in N m": 21}, {"Contact/Friction coefficient": 0.11}, {"Drive/Chain/Elongation in percent": 0.1}):
+        check("no answer for this drive" in first_line(changes)[0], f"{changes}")
+
+    done = start("run", "--output", "run", changes={"Model/Fidelity": "layered"})
+    check(done.returncode == 0, done.stderr)
+    kept = json.loads(pathlib.Path("run/summary.json").read_text())["accuracy"]["driver_peak_mean"]
+    check(all(abs(100 * kept[name] - float(layered[place])) < 1e-9 for name, place in (("error", 4), ("low", 5), ("high", 6))), f"{kept}")
+    check("How wrong this model is" in pathlib.Path("run/log.txt").read_text(), "the log says nothing")
+    done = subprocess.run([PROGRAM, "report", "run"], text=True, capture_output=True)
+    check(done.returncode == 0, done.stderr)
+    check("error of the model in" in pathlib.Path("run/report.html").read_text(), "the report says nothing")
+
+    again = start("calibrate", "--cores", "2", "--output", str(FOLDER), quiet=False)
+    check(again.returncode == 0 and "rule run" not in again.stdout, "runs were repeated")
+    whole = files[0].read_text()
+    for damaged in (whole[:len(whole) // 2], whole.replace("\t" + layered[4] + "\t", "\tmany\t"), "", "calibration\tx\n"):
+        files[0].write_text(damaged)
+        line, done = first_line()
+        check("is damaged and not used" in done.stdout + done.stderr and "no answer for this drive" in line, f"{damaged[:40]!r}: {line} {done.stderr}")
+
+
+if __name__ == "__main__":
+    main()
