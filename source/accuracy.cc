@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -78,6 +79,19 @@ std::string entries_text(const StudyResult &result)
     if (entry.size() < automatic.size() ||
         entry.compare(entry.size() - automatic.size(), automatic.size(), automatic) != 0)
       text += (text.empty() ? "" : "; ") + entry;
+  return text;
+}
+
+/// How models did on the drives of @p results, in sentences, each after a blank.
+std::string
+on_others(const std::vector<StudyResult> &results, const std::string &output, const double wanted)
+{
+  std::string text;
+  for (const Spread &spread : spread_of(results, output, wanted))
+    text += " On " + std::to_string(spread.n_drives) + " others " + spread.variant +
+            " was within it on " +
+            (spread.n_within == 0 ? "none" : std::to_string(spread.n_within)) + ", with " +
+            in_percent(spread.least) + " to " + in_percent(spread.most) + ".";
   return text;
 }
 
@@ -233,6 +247,27 @@ std::pair<std::string, double> read_wanted(const std::string              &text,
   return {name, 0.01 * percent};
 }
 
+std::vector<Spread>
+spread_of(const std::vector<StudyResult> &results, const std::string &output, const double wanted)
+{
+  std::vector<Spread> spreads;
+  for (const char *variant : {"layered", "simple"})
+    {
+      Spread spread{variant};
+      for (const StudyResult &result : results)
+        if (result.variant == variant && result.output == output)
+          {
+            const bool first = spread.n_drives++ == 0;
+            spread.least     = first ? result.error : std::min(spread.least, result.error);
+            spread.most      = first ? result.error : std::max(spread.most, result.error);
+            spread.n_within += std::abs(result.error) <= wanted ? 1 : 0;
+          }
+      if (spread.n_drives > 1)
+        spreads.push_back(spread);
+    }
+  return spreads;
+}
+
 Answer answer(const std::vector<StudyResult> &results, const std::string &output, double wanted)
 {
   Answer answer;
@@ -384,21 +419,17 @@ void print_answers(std::ostream                   &out,
       std::ostringstream line;
       line << "Accuracy: " << output << " within " << to_text(100. * wanted) << " %: ";
       std::vector<StudyResult> results = calibrated;
-      std::string              why;
-      for (const StudyResult &result : studies.results)
-        {
-          if (!calibrated.empty())
-            break;
-          if (const std::string sentence = difference(studies.drives.at(result.study), here);
-              sentence.empty())
-            results.push_back(result);
-          else
-            why = "study " + result.study + ": " + sentence;
-        }
+      if (calibrated.empty())
+        std::copy_if(studies.results.begin(),
+                     studies.results.end(),
+                     std::back_inserter(results),
+                     [&](const StudyResult &result) {
+                       return difference(studies.drives.at(result.study), here).empty();
+                     });
       const auto [found, best] = answer(results, output, wanted);
       if (results.empty())
-        line << "no answer for this drive. The studies ran another one (" << why
-             << "); this finds one: " << calibration_call(command_line) << '\n';
+        line << "no answer for this drive." << on_others(studies.results, output, wanted)
+             << " This finds one: " << calibration_call(command_line) << '\n';
       else if (found.empty())
         line << "no model; the best is " << in_words(*best) << "; " << entries_text(*best) << '\n';
       for (std::size_t i = 0; i < found.size(); ++i)

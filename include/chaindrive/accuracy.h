@@ -91,6 +91,20 @@ struct Answer
 /// Which variants give @p output within @p wanted [1].
 Answer answer(const std::vector<StudyResult> &results, const std::string &output, double wanted);
 
+/// How a rigid model did on all drives that studies ran.
+struct Spread
+{
+  std::string  variant;
+  unsigned int n_drives = 0;
+  unsigned int n_within = 0;          ///< with an error of at most what was wanted
+  double       least = 0., most = 0.; ///< errors, 1
+};
+
+/// That of layered and simple bodies in @p output, where more than one drive is known: says what a
+/// drive that no study ran may expect, and no more than that.
+std::vector<Spread>
+spread_of(const std::vector<StudyResult> &results, const std::string &output, double wanted);
+
 /// Says for each `--accuracy` of @p command_line what @p calibrated answers, or, if that is empty,
 /// what the studies answer if they ran the drive of @p facts; and what the cheapest variant costs
 /// here, by measure_cost() with @p before; otherwise that there is no answer. InputError as

@@ -551,16 +551,17 @@ Drive make_drive(const Parameters  &parameters,
                  const JointShifts &shifts)
 {
   Drive d;
-  check_tensioner(parameters.drive, parameters.model.capabilities().is_elastic);
+  check_tensioner(parameters.drive);
   set_chain_and_sprockets(parameters, d);
   set_solids(parameters, d);
   set_stiffnesses(parameters, stiffness_of, d);
   lay_chain(parameters, shifts, d);
-  d.guides = make_guides(parameters.drive,
+  const auto &model = parameters.model.capabilities();
+  d.guides          = make_guides(parameters.drive,
                          d.chain,
                          forms_of(d.sprockets),
                          d.layout,
-                         parameters.model.capabilities().is_elastic);
+                         model.is_elastic && !model.is_reduced);
   return d;
 }
 } // namespace chaindrive::drive

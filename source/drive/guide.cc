@@ -53,7 +53,7 @@ std::vector<Guide> make_guides(const parameters::Drive      &drive,
                                const ChainDimensions        &chain,
                                const std::vector<ToothForm> &forms,
                                const Layout                 &layout,
-                               const bool                    is_elastic)
+                               const bool                    has_nodes)
 {
   const double       half = 0.5 * chain.inner_plate_height;
   const unsigned int n    = static_cast<unsigned int>(layout.joints.size());
@@ -64,9 +64,9 @@ std::vector<Guide> make_guides(const parameters::Drive      &drive,
       if (given.points.empty())
         continue;
       const std::string section = "Drive/Wheels/" + drive.sprockets.list[i].name + "/Guide/";
-      if (is_elastic)
+      if (has_nodes)
         throw InputError(section +
-                         "Points in mm: guides are for the fidelities simple and layered; "
+                         "Points in mm: guides are for the fidelities simple, layered and reduced; "
                          "choose one of these, or no points.");
       Guide guide{i, line_of(given, section, layout.sense), given.friction, given.stiffness};
       for (unsigned int k = 0; k < forms.size(); ++k)

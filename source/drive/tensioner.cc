@@ -168,7 +168,7 @@ Tensioner make_tensioner(const parameters::Drive &drive, const bool reverse)
   return tensioner;
 }
 
-void check_tensioner(const parameters::Drive &drive, const bool is_elastic)
+void check_tensioner(const parameters::Drive &drive)
 {
   std::vector<std::string> held;
   for (const parameters::Sprocket &sprocket : drive.sprockets.list)
@@ -192,9 +192,6 @@ void check_tensioner(const parameters::Drive &drive, const bool is_elastic)
     throw InputError("Drive/Wheels: " + join(held, " and ") +
                      " are tensioners; one takes up the slack, so choose Held by = bearing for all "
                      "others.");
-  if (is_elastic && !clamped)
-    throw InputError(entry + " is for the fidelities simple and layered; choose one of these for "
-                             "Model/Fidelity, or bearing, eccentric or slot.");
   if (wheel.role != parameters::Role::idler)
     throw InputError(entry + " is for an idler; choose bearing for a wheel with a load, or Role = "
                              "idler.");

@@ -353,7 +353,7 @@ void check_enforcement(const Parameters &p, const Effects &effects, Findings &fi
                                " is off; choose on, or Enforcement = penalty.");
   findings.contradiction(enforcement == parameters::Enforcement::exact &&
                              p.effects.contact_damping == Switch::on &&
-                             !effects.is_on(Effect::plate_faces),
+                             !anything_overlaps(p, true, effects.is_on(Effect::plate_faces)),
                          entry + " lets nothing overlap that could be damped, but Effects/Contact "
                                  "damping is on; choose auto, or Enforcement = penalty.");
   if (enforcement == parameters::Enforcement::exact)
@@ -540,7 +540,7 @@ void check_effects(const Parameters &p, const Effects &effects, Findings &findin
          is_common  ? "Contact/Friction coefficient" :
          clearances ? "Contact/Roller-tooth friction, Roller-bush friction and Bush-pin friction" :
                       "Contact/Roller-tooth friction");
-  if (!effects.is_on(Effect::exact_teeth) || effects.is_on(Effect::plate_faces))
+  if (anything_overlaps(p, effects.is_on(Effect::exact_teeth), effects.is_on(Effect::plate_faces)))
     insist("Contact damping",
            entries.contact_damping,
            Effect::contact_damping,

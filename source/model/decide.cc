@@ -91,6 +91,13 @@ Decision elastic_rollers(const Parameters &p)
   return rollers;
 }
 
+/// Whether the axis of @p wheel moves while the drive runs.
+bool is_on_tensioner(const parameters::Sprocket &wheel)
+{
+  return wheel.held.holder != parameters::Holder::bearing &&
+         !parameters::is_clamped(wheel.held.holder);
+}
+
 Decision
 elastic_sprocket(const Parameters &p, const parameters::Sprocket &sprocket, const bool rollers)
 {
@@ -104,6 +111,8 @@ elastic_sprocket(const Parameters &p, const parameters::Sprocket &sprocket, cons
             sprocket.name};
   if (rim.on && p.model.capabilities().is_reduced)
     return {effect, false, "rigid next to reduced rollers", sprocket.name};
+  if (rim.on && is_on_tensioner(sprocket))
+    return {effect, false, "rigid on its tensioner, whose mass it is a part of", sprocket.name};
   if (rim.on && !rollers)
     return {effect,
             false,
@@ -201,7 +210,7 @@ Decision exact_teeth(const Parameters &p, const Decision &joints, const bool fac
   const parameters::Enforcement enforcement = p.contact.enforcement;
   if (!joints.on || enforcement != parameters::Enforcement::automatic)
     return {effect, joints.on && enforcement == parameters::Enforcement::exact, joints.reason};
-  if (p.effects.contact_damping == Switch::on && !faces)
+  if (p.effects.contact_damping == Switch::on && !anything_overlaps(p, true, faces))
     return {effect, false, "Effects/Contact damping = on damps what overlaps"};
   for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
     if (!sprocket.mesh.empty())
@@ -352,7 +361,7 @@ Decision chain_damping(const Parameters &p)
 
 Decision contact_damping(const Parameters &p, const bool exact, const bool faces)
 {
-  if (exact && !faces)
+  if (!anything_overlaps(p, exact, faces))
     return {Effect::contact_damping, false, "nothing overlaps that could be damped"};
   return decide(Effect::contact_damping,
                 p.effects.contact_damping,
@@ -369,6 +378,15 @@ Decision start_up(const Parameters &p)
           "Drive/Layout/Start = " + text_of(start) + (settled ? ": at full speed" : ": from rest")};
 }
 } // namespace
+
+bool anything_overlaps(const Parameters &p, const bool exact_teeth, const bool plate_faces)
+{
+  const auto &wheels = p.drive.sprockets.list;
+  return !exact_teeth || plate_faces ||
+         std::any_of(wheels.begin(), wheels.end(), [](const parameters::Sprocket &wheel) {
+           return !wheel.guide.points.empty();
+         });
+}
 
 double field_interval(const Parameters &p)
 {

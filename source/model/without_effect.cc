@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/model/decide.h>
 #include <chaindrive/model/without_effect.h>
 
 #include <algorithm>
@@ -63,9 +64,12 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
         "Effects/Tooth compliance"},
        chosen + " has no elastic bodies"},
       {is_elastic && !reduced.on, {"Reduction/"}, "no body is reduced: " + reduced.reason},
-      {exact.on && !effects.is_on(Effect::plate_faces),
-       {"Contact/Penalty factor", "Contact/Damping ratio"},
+      {!anything_overlaps(p, exact.on, effects.is_on(Effect::plate_faces)),
+       {"Contact/Damping ratio"},
        "nothing overlaps: " + exact.reason},
+      {exact.on && !effects.is_on(Effect::plate_faces),
+       {"Contact/Penalty factor"},
+       "no elastic bodies overlap: " + exact.reason},
       {exact.on,
        {"Reduction/Harmonics of rollers and bushes", "Reduction/Harmonics of pins"},
        "pressures have no attachment modes: " + exact.reason},

@@ -43,7 +43,6 @@ int main()
   const auto idler = [](Parameters &p) -> parameters::Sprocket & {
     return p.drive.sprockets.list[1];
   };
-  refuse("elastic", [](Parameters &p) { p.model.fidelity = "full"; });
   refuse("loaded", [&](Parameters &p) { idler(p).role = parameters::Role::driven; });
   refuse("without a centre", [&](Parameters &p) { idler(p).centre.reset(); });
   refuse("without a pivot", [&](Parameters &p) { idler(p).held.pivot.reset(); });

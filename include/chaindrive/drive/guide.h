@@ -22,11 +22,11 @@ struct Guide
 /// The guides of @p drive beside the chain of @p layout.
 /// @param forms  of all sprockets
 /// @throws InputError for one through which the chain runs at the start, that passes through a
-/// sprocket within its root circle, for points that make no line, and in an elastic model, @p
-/// is_elastic.
+/// sprocket within its root circle, for points that make no line, and where links are of finite
+/// elements, @p has_nodes, which a guide would have to press one by one.
 std::vector<Guide> make_guides(const parameters::Drive      &drive,
                                const ChainDimensions        &chain,
                                const std::vector<ToothForm> &forms,
                                const Layout                 &layout,
-                               bool                          is_elastic);
+                               bool                          has_nodes);
 } // namespace chaindrive::drive

@@ -89,9 +89,8 @@ unsigned int tensioned_wheel(const parameters::Sprockets &sprockets);
 /// known which way it takes up slack: @p reverse tells.
 Tensioner make_tensioner(const parameters::Drive &drive, bool reverse);
 
-/// Refuses (InputError) a tensioner that its wheel or @p drive cannot have; @p is_elastic: in an
-/// elastic model.
-void check_tensioner(const parameters::Drive &drive, bool is_elastic);
+/// Refuses (InputError) a tensioner that its wheel or @p drive cannot have.
+void check_tensioner(const parameters::Drive &drive);
 
 /// The same drive with the wheel of a spring standing still where its centre is given.
 parameters::Drive without_tensioner(const parameters::Drive &drive);

@@ -15,6 +15,10 @@ Effects decide_effects(const Parameters &parameters);
 /// of a link what happens at the other (theory.md, section 3).
 inline constexpr double least_modes_of_exact_joints = 110e3;
 
+/// Whether anything overlaps that contact damping could damp: not rollers, bushes, pins and teeth
+/// without penalty, but plates on each other and on guides.
+bool anything_overlaps(const Parameters &parameters, bool exact_teeth, bool plate_faces);
+
 /// Time between two field outputs if there are any, s; 0: none. auto is a tenth of the pitch time
 /// of the driver, or a millisecond of one that stands still.
 double field_interval(const Parameters &parameters);
