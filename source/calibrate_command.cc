@@ -8,6 +8,7 @@
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/text.h>
+#include <chaindrive/utilities/timing.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -94,6 +95,7 @@ std::vector<std::string> calibrate_command(const CommandLine &command_line, cons
 {
   if (n_ranks_in(comm) > 1)
     throw InputError("A calibration starts its runs itself: start it without mpirun.");
+  const double            start_up = PhaseTimer::total(); // before parts are solved
   const parameters::Input input =
       model::read_parameters(command_line.parameter_file, command_line.overrides);
   const std::vector<std::string> folders = mesh_folders(command_line.parameter_file);
@@ -121,7 +123,8 @@ std::vector<std::string> calibrate_command(const CommandLine &command_line, cons
       return study_command(study,
                            comm,
                            CalibrationFile{calibration_file(fixed_text(input, drive, folders)),
-                                           drive_in_words(facts)});
+                                           drive_in_words(facts),
+                                           start_up});
     }
   catch (const InputError &error)
     {

@@ -186,7 +186,11 @@ files::Json prepare(const Run &run, const bool all, const Estimating &estimating
   scene::build_scene(model::make_model(input.parameters, drive, effects), drive, {"."});
   if (!all)
     return {};
-  if (input.parameters.model.capabilities().is_elastic)
+  const auto &wheels = input.parameters.drive.sprockets.list;
+  if (input.parameters.model.capabilities().is_elastic &&
+      std::none_of(wheels.begin(), wheels.end(), [](const parameters::Sprocket &wheel) {
+        return is_sprung(wheel.held.holder); // its spring has to be borne
+      }))
     input.parameters.drive.layout.start = parameters::Start::taut;
   Simulation simulation(input.parameters, {"."}, MPI_COMM_SELF);
   simulation.n_steps();
@@ -331,25 +335,24 @@ void recall_estimates(std::vector<Model> &models, const std::string &directory)
       model.estimate = found->second;
 }
 
-/// Completes and checks all @p models, several at a time; for options of Snakemake's it also
-/// estimates what runs cost, since a cluster has to know. InputError with the sentences of all that
-/// cannot run, in their order. Returns early after a stop signal.
+/// Completes and checks all @p models, several at a time; with the CPU time @p start_up [s] that a
+/// program takes before it computes anything it also estimates what runs cost. InputError with the
+/// sentences of all that cannot run, in their order. Returns early after a stop signal.
 void check_all(std::vector<Model>           &models,
                const parameters::StudyInput &input,
                const std::string            &directory,
                const CommandLine            &command_line,
-               const bool                    estimates,
+               const std::optional<double>   start_up,
                files::Log                   &log)
 {
   std::vector<WorkResult> results;
   {
     std::optional<files::TemporaryDirectory> scratch; // in which copies of this process may die
-    if (estimates)
+    if (start_up)
       scratch.emplace(MPI_COMM_SELF);
     const Estimating estimating =
-        scratch ?
-            Estimating{scratch->path(), PhaseTimer::total(), observe::memory_peak(MPI_COMM_SELF)} :
-            Estimating();
+        scratch ? Estimating{scratch->path(), *start_up, observe::memory_peak(MPI_COMM_SELF)} :
+                  Estimating();
     recall_estimates(models, directory);
     CheckProgress progress(log, models.size());
     results = do_in_processes(
@@ -557,8 +560,12 @@ std::vector<std::string> study_command(const CommandLine                    &com
                    packages_of_studies());
   log << models.size() << " variants from " << input.study.phases
       << " start phases each: checking all before the first begins" << std::endl;
-  const bool for_cluster = !command_line.rest.empty() && !command_line.dry_run;
-  check_all(models, input, directory, command_line, for_cluster || calibration, log);
+  std::optional<double> start_up;
+  if (calibration)
+    start_up = calibration->start_up;
+  else if (!command_line.rest.empty() && !command_line.dry_run) // for a cluster
+    start_up = PhaseTimer::total();
+  check_all(models, input, directory, command_line, start_up, log);
   if (stop_signal() != 0)
     return {};
   if (calibration)

@@ -19,7 +19,8 @@ namespace chaindrive
 struct CalibrationFile
 {
   std::string              path;
-  std::vector<std::string> drive; ///< drive_in_words()
+  std::vector<std::string> drive;    ///< drive_in_words()
+  double                   start_up; ///< CPU time of a start of the program, s
 };
 
 /// Where the meshes that @p parameter_file names are looked for.

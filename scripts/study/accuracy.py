@@ -5,8 +5,10 @@ looks up, from the tables of the studies in these directories:
     python3 scripts/study/accuracy.py results/fidelity results/start > source/accuracy.tsv
 
     python3 scripts/study/accuracy.py --keep DIRECTORY
+    python3 scripts/study/accuracy.py --drives DIRECTORY...
 
-writes the table of a calibration into the cache, where study.json says, and prints the errors of each model.
+The first of these writes the table of a calibration into the cache, where study.json says, and prints the errors of each model;
+the second compares calibrations of several drives in Markdown for doc/accuracy-and-cost.md.
 
 A row for each variant that ran, and each output that has an error and an interval; the reference has the interval of its own
 mean. Results of quick forms and of unfinished studies are refused."""
@@ -43,16 +45,16 @@ def drive_of(folder):
             f"driven inertia in kg m2={facts['driven_inertia']:.4g}"]
 
 
-def rows_of(directory):
+def rows_of(directory, name=""):
+    """Those of the study in `directory`, under another `name` than that of its file if one is given."""
     about = json.loads((directory / "study.json").read_text())
     with open(directory / "table.csv", encoding="utf-8") as file:
         table = {row["variant"]: row for row in csv.DictReader(file)}
     if about["quick"] or any("not finished" in row["message"].split("; ") for row in table.values()):
         sys.exit(f"{directory}: a study that is quick or has not ended is no ground for an answer")
     study, reference = pathlib.Path(about["file"]).stem, table[about["reference"]]
-    calibration = about.get("calibration")
-    study = "calibration" if calibration else study
-    yield ["drive", study, *(calibration["drive"] if calibration else drive_of(directory / about["variants"][-1]["runs"][0]["folder"]))]
+    study = name or study
+    yield ["drive", study, *drive_of(directory / about["variants"][-1]["runs"][0]["folder"])]
     for variant in about["variants"]:
         row = table[variant["name"]]
         entries = {"Model/Fidelity": fidelity(directory / variant["runs"][0]["folder"]), "Time/Time step in us": "auto",
@@ -78,7 +80,7 @@ def keep(directory):
     """The file appears complete or not at all: plans and runs may read it now."""
     file = pathlib.Path(json.loads((directory / "study.json").read_text())["calibration"]["file"])
     file.parent.mkdir(parents=True, exist_ok=True)
-    rows = list(rows_of(directory))
+    rows = list(rows_of(directory, "calibration"))
     part = file.with_suffix(f".part{os.getpid()}")
     part.write_text("\n".join([HEAD, *("\t".join(row) for row in rows), END]) + "\n")
     part.replace(file)
@@ -95,7 +97,41 @@ def keep(directory):
                 print(f"{row['variant']} is not for this drive: {row['message']}")
 
 
+SHOWN = {"tight_tension_mean": "tight tension", "slack_tension_mean": "slack tension", "tight_tension_ripple": "ripple",
+         "driver_peak_mean": "peaks, driver", "driver_impulse_mean": "impulses, driver", "driven_peak_mean": "peaks, driven",
+         "roller_velocity_rms": "roller velocity", "losses": "losses"}
+
+
+def drives(directories):
+    """A table for each rigid model: a row for each drive, and one for the range of all."""
+    tables = {"layered": [], "simple": []}
+    for directory in directories:
+        rows = list(rows_of(directory))
+        facts = chaindrive.open(next((directory / "exact").glob("phase-*"))).drive
+        near = facts["tooth_frequency"] / facts["driven_frequency"]
+        for variant, table in tables.items():
+            found = {row[3]: row for row in rows[1:] if row[1] == variant}
+            reference = {row[3]: row for row in rows[1:] if row[1] == "exact"}
+            if found:
+                table.append(([f"[{rows[0][1]}](../prm/twelve/{rows[0][1]}.prm)", f"{near:.2g}", f"{float(found['losses'][7]):.1f}",
+                               f"{float(reference['losses'][7]):.0f}"], [float(found[name][4]) if name in found else math.nan for name in SHOWN]))
+            else:
+                table.append(([f"[{rows[0][1]}](../prm/twelve/{rows[0][1]}.prm)", f"{near:.2g}", "-", "-"], [math.nan] * len(SHOWN)))
+    for variant, table in tables.items():
+        print(f"| {variant} on | tooth frequency over resonance | " + " | ".join(SHOWN.values()) + " | CPU (s) | of `exact` (s) |")
+        print("|" + " --- |" * (len(SHOWN) + 4))
+        for (drive, near, cpu, reference), errors in table:
+            print(f"| {drive} | {near} | " + " | ".join("-" if math.isnan(e) else f"{percent(e)} %" for e in errors) + f" | {cpu} | {reference} |")
+        columns = [[e for _, errors in table for e in errors[i:i + 1] if not math.isnan(e)] for i in range(len(SHOWN))]
+        for words, pick in (("least to most", lambda c: f"{percent(min(c))} to {percent(max(c))} %"),
+                            ("within 10 %", lambda c: f"{sum(abs(e) <= 10 for e in c)} of {len(table)}")):
+            print(f"| {words} | | " + " | ".join(pick(column) for column in columns) + " | | |")
+        print()
+
+
 def main():
+    if len(sys.argv) > 2 and sys.argv[1] == "--drives":
+        return drives(list(map(pathlib.Path, sys.argv[2:])))
     if len(sys.argv) == 3 and sys.argv[1] == "--keep":
         return keep(pathlib.Path(sys.argv[2]))
     if len(sys.argv) < 2:

@@ -273,6 +273,12 @@ void check_model(const Parameters &p, Findings &findings)
       "Drive/Layout/Centre distance from = pretension stretches the chain before the start, "
       "which " +
           chosen + " cannot do with its elastic parts; choose given, slack or sag.");
+  for (const Sprocket &wheel : p.drive.sprockets.list)
+    findings.contradiction(elastic && is_sprung(wheel.held.holder) && start != Start::settled,
+                           "The spring of the tensioner, Drive/Wheels/" + wheel.name +
+                               "/Held by = " + text_of(wheel.held.holder) +
+                               ", stretches the chain at the start, for which " + chosen +
+                               " needs Drive/Layout/Start = settled.");
   findings.contradiction(p.model.half == SymmetryModel::yes && !elastic,
                          "Model/Symmetry model = true is for elastic bodies: " + chosen +
                              " has none.");

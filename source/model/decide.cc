@@ -91,13 +91,6 @@ Decision elastic_rollers(const Parameters &p)
   return rollers;
 }
 
-/// Whether the axis of @p wheel moves while the drive runs.
-bool is_on_tensioner(const parameters::Sprocket &wheel)
-{
-  return wheel.held.holder != parameters::Holder::bearing &&
-         !parameters::is_clamped(wheel.held.holder);
-}
-
 Decision
 elastic_sprocket(const Parameters &p, const parameters::Sprocket &sprocket, const bool rollers)
 {
@@ -111,7 +104,7 @@ elastic_sprocket(const Parameters &p, const parameters::Sprocket &sprocket, cons
             sprocket.name};
   if (rim.on && p.model.capabilities().is_reduced)
     return {effect, false, "rigid next to reduced rollers", sprocket.name};
-  if (rim.on && is_on_tensioner(sprocket))
+  if (rim.on && is_sprung(sprocket.held.holder))
     return {effect, false, "rigid on its tensioner, whose mass it is a part of", sprocket.name};
   if (rim.on && !rollers)
     return {effect,

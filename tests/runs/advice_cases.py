@@ -87,6 +87,8 @@ def tensioners():
     pressed = {**SMALL, LINKS: 52, FROM: "given", DISTANCE: 314, wheels + "Order of travel": "driver, low, driven",
                low + "Side": "outside", low + "Teeth": 13, low + "Centre in mm": "157, -54", held: "arm",
                arm + "Pivot in mm": "90, -90", arm + "Moment in N m": 5, arm + "Stiffness in N m/rad": 5, slide + "Force in N": 60}
+    yield ("stretches the chain at the start, for which .* needs Drive/Layout/Start = settled", {**pressed, FIDELITY: "reduced"},
+           [{L + "Start": "settled"}])
     yield ("is for an idler; choose bearing for a wheel with a load, or Role = idler", {**pressed, low + "Role": "driven"},
            [{held: "bearing"}, {low + "Role": "idler"}])
     yield ("moves the wheel from where it has no travel; give .*Centre in mm",

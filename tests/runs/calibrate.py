@@ -9,7 +9,6 @@ import pathlib
 import subprocess
 import sys
 
-import program
 from program import REPOSITORY, check
 from small_drives import RIGID
 

@@ -33,6 +33,12 @@ constexpr bool is_clamped(const Holder holder)
   return holder == Holder::eccentric || holder == Holder::slot;
 }
 
+/// Whether a spring presses it against the chain, and its axis moves while the drive runs.
+constexpr bool is_sprung(const Holder holder)
+{
+  return holder == Holder::arm || holder == Holder::slide;
+}
+
 /// Whether its travel is an angle, and not a way.
 constexpr bool turns(const Holder holder)
 {
