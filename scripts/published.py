@@ -7,21 +7,18 @@ doc/validation/published.md, or these of its topics:
 
     /usr/bin/python3 scripts/published.py > doc/validation/published.md
 
-Takes about two minutes on one core. Results go to a temporary folder. Needs python3-h5py and python3-pandas.
+Takes two to three minutes on one core. Results go to a temporary folder. Needs python3-h5py and python3-pandas.
 """
 import argparse
 import math
 import pathlib
-import sys
 import tempfile
 import textwrap
 
 import numpy as np
 
-import program
-
-sys.path.insert(0, str(program.REPOSITORY / "python"))
 import chaindrive
+import program
 
 PITCH = {"40": 12.7e-3, "60": 19.05e-3}
 CENTRE = "Drive/Layout/Centre distance in mm"
@@ -370,7 +367,8 @@ def resonance_topic(runs):
             else:
                 expected = theory(speed, seen, order)
                 better = expected * elastic[order - 1] / wave[order - 1]
-                rows.append([*row(what, expected, obtained[speed], "{:.0f}"), f"{better:.0f} ({100 * (obtained[speed] / better - 1):+.0f} %)"])
+                rows.append([*row(what, expected, obtained[speed], "{:.0f}"),
+                             f"{better:.0f} ({100 * (obtained[speed] / better - 1):+.0f} %)"])
 
     moved = []
     for mass, speed in ((5.5, 80), (10, 80), (6, 87), (10, 70)):
@@ -392,10 +390,11 @@ def resonance_topic(runs):
         At 6 rad/s and under the same load the first three harmonics of the speed ratio are {elastic[0] / wave[0]:.2f},
         {elastic[1] / wave[1]:.2f} and {elastic[2] / wave[2]:.2f} times those of rigid polygons. With these the formula gives the last
         column, where in brackets is the deviation of the run from it, and most of the differences are gone, but for those at 75 and 80
-        rad/s.
+        rad/s, and of 1 or 2 N.
 
-        At these speeds the tight span swings across: a string of its tension, length and mass has {second:.0f} Hz in two half waves. The
-        middle of the span moves at {lines.iloc[1:].idxmax():.0f} Hz at 80 rad/s, the span stretches twice in each swing, and the first
+        At these speeds the tight span swings across: a string of its tension, length and mass has {second:.0f} Hz in two half
+        waves. (That it has {second / 2:.0f} Hz in one may be the reason for the deviation at 40 rad/s.) The middle of the span moves at
+        {lines.iloc[1:].idxmax():.0f} Hz at 80 rad/s, the span stretches twice in each swing, and the first
         harmonic becomes smaller. The theory has no transverse vibration. If this is the reason, the speed of the dip must depend on the
         mass of the chain, which hardly changes the natural frequency of the inertia (theory with the elastic excitation):""",
                 table("mass of the chain, speed, frequency", moved, "theory, elastic"),
@@ -517,8 +516,8 @@ def catalogue_topic(runs):
         (recalled); rated powers of R. G. Budynas and J. K. Nisbett, Shigley's Mechanical Engineering Design, table 17-20 (recalled).""",
                 table("chain", rows),
                 """Masses that are `auto` are those of the solids of the model with a density of 7600 kg/m3, 3 % below
-        that of most steels; dimensions that no table has, such as pins' ends and the waists of plates, are estimates. `Mass per pitch in g`
-        takes a catalogue's value.""")
+        that of most steels; dimensions that no table has, such as pins' ends and the waists of plates, are
+        estimates. Why 06B and 32B deviate more is not explained. `Mass per pitch in g` takes a catalogue's value.""")
 
 
 def sagging(run, case):
@@ -607,7 +606,7 @@ def main():
         pages = [topic(runs) for name, topic in TOPICS.items() if not words.topics or name in words.topics]
     print(INTRO.format(prose=prose("""What others have published, as formulas or measurements, beside what chaindrive gives. Each table has
         a parameter file; the variations of it, such as other teeth or speeds, and the published formulas are in
-        `scripts/published.py`, which writes this page in about two minutes. A result *holds* within 5 %, is *near* within 20 %, and
+        `scripts/published.py`, which writes this page in two to three minutes. A result *holds* within 5 %, is *near* within 20 %, and
         *differs* beyond. *Recalled* marks what is quoted from memory and was not read again.""")))
     for text in pages:
         print(f"\n{text}")

@@ -5,10 +5,10 @@ looks up, from the tables of the studies in these directories:
     python3 scripts/study/accuracy.py results/fidelity results/start > source/accuracy.tsv
 
     python3 scripts/study/accuracy.py --keep DIRECTORY
-    python3 scripts/study/accuracy.py --drives DIRECTORY...
+    python3 scripts/study/accuracy.py --drives PICTURE.png DIRECTORY...
 
 The first of these writes the table of a calibration into the cache, where study.json says, and prints the errors of each model;
-the second compares calibrations of several drives in Markdown for doc/accuracy-and-cost.md.
+the second compares calibrations of several drives, in a picture and in Markdown, for doc/accuracy-and-cost.md.
 
 A row for each variant that ran, and each output that has an error and an interval; the reference has the interval of its own
 mean. Results of quick forms and of unfinished studies are refused."""
@@ -102,7 +102,33 @@ SHOWN = {"tight_tension_mean": "tight tension", "slack_tension_mean": "slack ten
          "roller_velocity_rms": "roller velocity", "losses": "losses"}
 
 
-def drives(directories):
+def draw(file, tables):
+    """A point for each drive, output and rigid model."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    figure, axis = plt.subplots(figsize=(8, 4), layout="constrained")
+    for shift, (variant, colour) in zip((-0.13, 0.13), (("layered", "#0072B2"), ("simple", "#D55E00"))):
+        for place in range(len(SHOWN)):
+            errors = [errors[place] for _, errors in tables[variant] if not math.isnan(errors[place])]
+            axis.plot(errors, [place + shift] * len(errors), "o", ms=5, color=colour, alpha=0.6, label=variant if place == 0 else None)
+    axis.axvspan(-10, 10, color="0.92", zorder=0)
+    axis.axvline(0, color="0.5", lw=0.8)
+    axis.set_xscale("symlog", linthresh=20)
+    ticks = (-100, -50, -20, -10, 0, 10, 20, 50, 100, 200, 500)
+    axis.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+    axis.xaxis.set_minor_locator(matplotlib.ticker.NullLocator())
+    axis.set_yticks(range(len(SHOWN)), SHOWN.values())
+    axis.invert_yaxis()
+    axis.set_xlabel("error against contact without penalty (%), a point for each drive; grey: within 10 %")
+    axis.legend(loc="lower right", frameon=False)
+    axis.grid(axis="x", color="0.92", lw=0.6)
+    figure.savefig(file, dpi=110)
+
+
+def drives(picture, directories):
     """A table for each rigid model: a row for each drive, and one for the range of all."""
     tables = {"layered": [], "simple": []}
     for directory in directories:
@@ -117,6 +143,7 @@ def drives(directories):
                                f"{float(reference['losses'][7]):.0f}"], [float(found[name][4]) if name in found else math.nan for name in SHOWN]))
             else:
                 table.append(([f"[{rows[0][1]}](../prm/twelve/{rows[0][1]}.prm)", f"{near:.2g}", "-", "-"], [math.nan] * len(SHOWN)))
+    draw(picture, tables)
     for variant, table in tables.items():
         print(f"| {variant} on | tooth frequency over resonance | " + " | ".join(SHOWN.values()) + " | CPU (s) | of `exact` (s) |")
         print("|" + " --- |" * (len(SHOWN) + 4))
@@ -130,8 +157,8 @@ def drives(directories):
 
 
 def main():
-    if len(sys.argv) > 2 and sys.argv[1] == "--drives":
-        return drives(list(map(pathlib.Path, sys.argv[2:])))
+    if len(sys.argv) > 3 and sys.argv[1] == "--drives":
+        return drives(sys.argv[2], list(map(pathlib.Path, sys.argv[3:])))
     if len(sys.argv) == 3 and sys.argv[1] == "--keep":
         return keep(pathlib.Path(sys.argv[2]))
     if len(sys.argv) < 2:
