@@ -5,10 +5,11 @@ looks up, from the tables of the studies in these directories:
     python3 scripts/study/accuracy.py results/fidelity results/start > source/accuracy.tsv
 
     python3 scripts/study/accuracy.py --keep DIRECTORY
-    python3 scripts/study/accuracy.py --drives PICTURE.png DIRECTORY...
+    python3 scripts/study/accuracy.py --drives PICTURE.png DIRECTORY... [--then DIRECTORY...]
 
 The first of these writes the table of a calibration into the cache, where study.json says, and prints the errors of each model;
-the second compares calibrations of several drives, in a picture and in Markdown, for doc/accuracy-and-cost.md.
+the second compares calibrations of several drives, in a picture and in Markdown, for doc/accuracy-and-cost.md, and those of drives
+'then' run with their range.
 
 A row for each variant that ran, and each output that has an error and an interval; the reference has the interval of its own
 mean. Results of quick forms and of unfinished studies are refused."""
@@ -128,37 +129,54 @@ def draw(file, tables):
     figure.savefig(file, dpi=110)
 
 
-def drives(picture, directories):
-    """A table for each rigid model: a row for each drive, and one for the range of all."""
-    tables = {"layered": [], "simple": []}
-    for directory in directories:
-        rows = list(rows_of(directory))
-        facts = chaindrive.open(next((directory / "exact").glob("phase-*"))).drive
-        near = facts["tooth_frequency"] / facts["driven_frequency"]
-        for variant, table in tables.items():
-            found = {row[3]: row for row in rows[1:] if row[1] == variant}
-            reference = {row[3]: row for row in rows[1:] if row[1] == "exact"}
-            if found:
-                table.append(([f"[{rows[0][1]}](../prm/twelve/{rows[0][1]}.prm)", f"{near:.2g}", f"{float(found['losses'][7]):.1f}",
-                               f"{float(reference['losses'][7]):.0f}"], [float(found[name][4]) if name in found else math.nan for name in SHOWN]))
-            else:
-                table.append(([f"[{rows[0][1]}](../prm/twelve/{rows[0][1]}.prm)", f"{near:.2g}", "-", "-"], [math.nan] * len(SHOWN)))
+def errors_of(directory):
+    """({variant: errors as SHOWN}, name, tooth frequency over resonance, {variant: CPU time}) of a calibration."""
+    rows = list(rows_of(directory))
+    facts = chaindrive.open(next((directory / "exact").glob("phase-*"))).drive
+    errors, cpu = {}, {}
+    for variant in ("layered", "simple", "exact"):
+        found = {row[3]: row for row in rows[1:] if row[1] == variant}
+        errors[variant] = [float(found[name][4]) if name in found else math.nan for name in SHOWN]
+        cpu[variant] = float(next(iter(found.values()))[7]) if found else math.nan
+    return errors, rows[0][1], facts["tooth_frequency"] / facts["driven_frequency"], cpu
+
+
+def inside(error, others):
+    return min(others) <= error <= max(others)
+
+
+def drives(picture, directories, more):
+    """A table for each rigid model: a row for each drive, and how far the range of some drives holds for others."""
+    known, new = [errors_of(one) for one in directories], [errors_of(one) for one in more]
+    tables = {variant: [((), drive[0][variant]) for drive in known] for variant in ("layered", "simple")}
     draw(picture, tables)
-    for variant, table in tables.items():
-        print(f"| {variant} on | tooth frequency over resonance | " + " | ".join(SHOWN.values()) + " | CPU (s) | of `exact` (s) |")
+    for variant in tables:
+        def row(*cells):
+            print("| " + " | ".join(cells) + " |")
+
+        def texts(errors):
+            return ["-" if math.isnan(e) else f"{percent(e)} %" for e in errors]
+
+        row(f"{variant} on", "tooth frequency over resonance", *SHOWN.values(), "CPU (s)", "of `exact` (s)")
         print("|" + " --- |" * (len(SHOWN) + 4))
-        for (drive, near, cpu, reference), errors in table:
-            print(f"| {drive} | {near} | " + " | ".join("-" if math.isnan(e) else f"{percent(e)} %" for e in errors) + f" | {cpu} | {reference} |")
-        columns = [[e for _, errors in table for e in errors[i:i + 1] if not math.isnan(e)] for i in range(len(SHOWN))]
-        for words, pick in (("least to most", lambda c: f"{percent(min(c))} to {percent(max(c))} %"),
-                            ("within 10 %", lambda c: f"{sum(abs(e) <= 10 for e in c)} of {len(table)}")):
-            print(f"| {words} | | " + " | ".join(pick(column) for column in columns) + " | | |")
+        for errors, name, near, cpu in known:
+            row(name, f"{near:.2g}", *texts(errors[variant]), f"{cpu[variant]:.1f}", f"{cpu['exact']:.0f}")
+        columns = [[e for e in (drive[0][variant][i] for drive in known) if not math.isnan(e)] for i in range(len(SHOWN))]
+        row("least to most", "", *(f"{percent(min(c))} to {percent(max(c))} %" for c in columns), "", "")
+        row("within 10 %", "", *(f"{sum(abs(e) <= 10 for e in c)} of {len(c)}" for c in columns), "", "")
+        for errors, name, near, cpu in new:
+            row(f"*{name}*", f"{near:.2g}", *texts(errors[variant]), f"{cpu[variant]:.1f}", f"{cpu['exact']:.0f}")
+        if new:
+            found = [[e for e in (drive[0][variant][i] for drive in new) if not math.isnan(e)] for i in range(len(SHOWN))]
+            row("*in the range of those above*", "", *(f"{sum(inside(e, c) for e in f)} of {len(f)}" for f, c in zip(found, columns)), "", "")
         print()
 
 
 def main():
     if len(sys.argv) > 3 and sys.argv[1] == "--drives":
-        return drives(sys.argv[2], list(map(pathlib.Path, sys.argv[3:])))
+        words = [*sys.argv[3:], "--then"]
+        split = words.index("--then")
+        return drives(sys.argv[2], *(list(map(pathlib.Path, part)) for part in (words[:split], words[split + 1:-1])))
     if len(sys.argv) == 3 and sys.argv[1] == "--keep":
         return keep(pathlib.Path(sys.argv[2]))
     if len(sys.argv) < 2:
