@@ -343,7 +343,8 @@ std::vector<StudyResult> find_calibration(const std::string &fixed, std::string 
   if (statics::Cache::usual_folder().empty())
     return {};
   const std::string file = calibration_file(fixed);
-  if (!std::filesystem::exists(file))
+  std::error_code   error; // a folder that cannot be looked into has none
+  if (!std::filesystem::exists(file, error))
     return {};
   try
     {

@@ -120,11 +120,10 @@ std::vector<std::string> calibrate_command(const CommandLine &command_line, cons
         "results/calibrate-" + std::filesystem::path(command_line.parameter_file).stem().string();
   try
     {
-      return study_command(study,
-                           comm,
-                           CalibrationFile{calibration_file(fixed_text(input, drive, folders)),
-                                           drive_in_words(facts),
-                                           start_up});
+      return study_command(
+          study,
+          comm,
+          CalibrationFile{calibration_file(fixed_text(input, drive, folders)), start_up});
     }
   catch (const InputError &error)
     {

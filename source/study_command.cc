@@ -421,7 +421,7 @@ files::Json as_json(const parameters::StudyInput         &input,
     json["units"][output.name] = output.unit;
   json["bootstrap"] = {{"samples", study.samples}, {"seed", study.seed}};
   if (calibration)
-    json["calibration"] = {{"file", calibration->path}, {"drive", calibration->drive}};
+    json["calibration"] = calibration->path;
   for (const Model &model : models)
     {
       files::Json variant = {{"name", model.variant->name}, {"ranks", model.variant->ranks}};

@@ -15,12 +15,11 @@
 
 namespace chaindrive
 {
-/// Where a calibration is kept, and what its drive is in words.
+/// Where a calibration is kept, and what each of its runs takes before it computes anything.
 struct CalibrationFile
 {
-  std::string              path;
-  std::vector<std::string> drive;    ///< drive_in_words()
-  double                   start_up; ///< CPU time of a start of the program, s
+  std::string path;
+  double      start_up; ///< CPU time of a start of the program, s
 };
 
 /// Where the meshes that @p parameter_file names are looked for.

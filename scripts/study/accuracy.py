@@ -79,7 +79,7 @@ def percent(text):
 
 def keep(directory):
     """The file appears complete or not at all: plans and runs may read it now."""
-    file = pathlib.Path(json.loads((directory / "study.json").read_text())["calibration"]["file"])
+    file = pathlib.Path(json.loads((directory / "study.json").read_text())["calibration"])
     file.parent.mkdir(parents=True, exist_ok=True)
     rows = list(rows_of(directory, "calibration"))
     part = file.with_suffix(f".part{os.getpid()}")
