@@ -556,6 +556,15 @@ Drive make_drive(const Parameters  &parameters,
   set_solids(parameters, d);
   set_stiffnesses(parameters, stiffness_of, d);
   lay_chain(parameters, shifts, d);
+  for (unsigned int i = 0; i < d.sprockets.size(); ++i)
+    if (parameters.drive.sprockets.list[i].swing.is_active())
+      {
+        const Swing swing = make_swing(parameters, i, d.layout);
+        d.notes.push_back(in_words(swing, parameters.drive.sprockets, i, d.layout));
+        if (!swing.file.empty())
+          d.sprockets[i].program.files.push_back(swing.file);
+        d.swings.emplace(i, swing);
+      }
   const auto &model = parameters.model.capabilities();
   d.guides          = make_guides(parameters.drive,
                          d.chain,

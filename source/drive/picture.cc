@@ -116,6 +116,18 @@ std::string track_of(const Tensioner &tensioner, const double letter)
                      to_text(force, 4) + (tensioner.is_arm() ? " N m" : " N"));
 }
 
+/// The arm of @p swing and the way of its wheel, whose axis is at @p now.
+std::string track_of(const Swing &swing, const Point<2> &now, const double letter)
+{
+  constexpr int parts = 16;
+  std::string   path = "  <path class=\"tensioner\" d=\"M" + at(swing.pivot) + "L" + at(now) + "M" +
+                     at(swing.centre(now, swing.least));
+  for (int i = 1; i <= parts; ++i)
+    path += "L" + at(swing.centre(now, swing.least + (swing.most - swing.least) * i / parts));
+  return path + "\"/>\n  <circle class=\"tensioner\" cx=\"" + mm(swing.pivot[0]) + "\" cy=\"" +
+         mm(0. - swing.pivot[1]) + "\" r=\"" + mm(0.4 * letter) + "\"/>\n";
+}
+
 /// The resultant of the spans at its two ends on the shaft of wheel @p i, N.
 Tensor<1, 2> load_on(const Facts &facts, const std::size_t i)
 {
@@ -149,6 +161,13 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
   const std::optional<Tensioner> &held = layout.clamped ? layout.clamped : layout.tensioner;
   if (held && held->is_arm())
     see(held->pivot, 0.);
+  for (const auto &[wheel, swing] : drive.swings)
+    for (const double turned : {swing.least, swing.most})
+      {
+        see(swing.pivot, 0.);
+        see(swing.centre(layout.sprockets[wheel].centre, turned),
+            0.5 * drive.sprockets[wheel].form.outside_diameter);
+      }
   const double size = std::max(right - left, high - low), letter = 0.022 * size;
   const double margin = 4. * letter;
 
@@ -200,6 +219,8 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
     }
   if (held)
     out << track_of(*held, letter);
+  for (const auto &[wheel, swing] : drive.swings)
+    out << track_of(swing, layout.sprockets[wheel].centre, letter);
   for (std::size_t i = 0; i < facts.spans.size(); ++i)
     {
       const Layout::Span &span = layout.spans[i];

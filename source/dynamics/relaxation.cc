@@ -39,6 +39,7 @@ scene::Scene at_rest(const scene::Scene &scene)
   without_friction(still.teeth);
   without_friction(still.surfaces);
   still.shafts.clear();
+  still.swings.clear();
   still.loads.gravity = still.loads.drag = 0.;
   still.at_speed                         = false;
   still.prestress                        = std::numeric_limits<double>::infinity();

@@ -10,6 +10,8 @@ Loads::Loads(const scene::Scene &scene)
   for (const scene::Shaft &shaft : scene.shafts)
     if (scene.bodies[shaft.body].mount.kind != scene::Mount::Kind::fixed)
       shafts_.push_back({shaft});
+  for (const scene::Swing &swing : scene.swings)
+    shafts_.push_back({{swing.body, 1, {}}, swing.angle});
 }
 
 void Loads::add_forces(World &world, const double dt)
@@ -74,6 +76,8 @@ void Loads::serialize(const Archive &archive)
 double Loads::prescribed_angle(const unsigned int body, const double time) const
 {
   const State *shaft = find(body);
+  if (shaft != nullptr && shaft->turn)
+    return shaft->turn->value(time) - shaft->turn->value(start_);
   return shaft == nullptr || !shaft->given.program.speed ?
              0. :
              shaft->given.sense * shaft->given.program.speed->integral(start_, time);
@@ -82,6 +86,8 @@ double Loads::prescribed_angle(const unsigned int body, const double time) const
 double Loads::prescribed_speed(const unsigned int body, const double time) const
 {
   const State *shaft = find(body);
+  if (shaft != nullptr && shaft->turn)
+    return shaft->turn->derivative(time);
   return shaft == nullptr || !shaft->given.program.speed ?
              0. :
              shaft->given.sense * shaft->given.program.speed->value(time);

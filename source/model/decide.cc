@@ -106,6 +106,8 @@ elastic_sprocket(const Parameters &p, const parameters::Sprocket &sprocket, cons
     return {effect, false, "rigid next to reduced rollers", sprocket.name};
   if (rim.on && is_sprung(sprocket.held.holder))
     return {effect, false, "rigid on its tensioner, whose mass it is a part of", sprocket.name};
+  if (rim.on && sprocket.swing.is_active())
+    return {effect, false, "rigid on its arm, which moves as is prescribed", sprocket.name};
   if (rim.on && !rollers)
     return {effect,
             false,

@@ -129,6 +129,8 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
                         of + "Slide/Mass in g"},
                        held + " is clamped"});
       rules.push_back(
+          {!wheel.swing.is_active(), {of + "Swing/"}, of + "Swing/Pivot in mm = auto is no arm"});
+      rules.push_back(
           {wheel.guide.points.empty(), {of + "Guide/"}, of + "Guide/Points in mm is empty"});
       const std::string loads = "Loads/" + wheel.name + "/";
       const auto        terms =

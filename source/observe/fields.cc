@@ -28,6 +28,12 @@ PartPatches::PartPatches(const dealii::Triangulation<3> &mesh, const bool rigid_
 
 namespace
 {
+void write_to(float *place, const dealii::Tensor<1, 3> &v)
+{
+  for (unsigned int d = 0; d < 3; ++d)
+    place[d] = static_cast<float>(v[d]);
+}
+
 void append(std::vector<float> &values, const dealii::Tensor<1, 3> &v)
 {
   values.insert(values.end(), {float(v[0]), float(v[1]), float(v[2])});
@@ -134,7 +140,7 @@ files::VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const Shown &sho
   std::vector<std::int32_t> id, kind, deforms;
   files::VtuGrid            grid;
   for (auto *values : {&displacement, &velocity, &grid.points})
-    values->reserve(3 * n_points);
+    values->resize(3 * n_points);
   grid.connectivity.reserve(8 * n_cells);
   contact_force.reserve(3 * n_cells);
   for (auto *values : {&tension, &tooth_load})
@@ -160,11 +166,12 @@ files::VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const Shown &sho
           if (shown.pressure)
             pressure.push_back(body.pressure.size() > 0 ? static_cast<float>(body.pressure[v]) :
                                                           0.F);
-          append(grid.points, start + u);
-          append(displacement, u);
-          append(velocity,
-                 elastic ? body.velocity[v] :
-                           body.now.velocity + cross_product_3d(body.now.angular_velocity, arm));
+          const std::size_t point = 3 * (first_point + v);
+          write_to(&grid.points[point], start + u);
+          write_to(&displacement[point], u);
+          write_to(&velocity[point],
+                   elastic ? body.velocity[v] :
+                             body.now.velocity + cross_product_3d(body.now.angular_velocity, arm));
         }
       for (const auto &cell : body.part->cells)
         {

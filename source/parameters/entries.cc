@@ -287,16 +287,22 @@ Entry &add(Declarations      &declarations,
       });
 }
 
-Entry &add(Declarations        &declarations,
-           const std::string   &name,
-           std::vector<double> &member,
-           const int            exponent,
-           const Range         &range,
-           const std::string   &meaning)
+namespace
+{
+/// A list of numbers that are in @p range as they are written; @p to_text and @p from_text are
+/// those of one member.
+template <typename ToText, typename FromText>
+Entry &add_list(Declarations        &declarations,
+                const std::string   &name,
+                std::vector<double> &member,
+                const Range         &range,
+                const std::string   &meaning,
+                const ToText        &to_text,
+                const FromText      &from_text)
 {
   std::string default_value;
   for (const double value : member)
-    default_value += (default_value.empty() ? "" : ", ") + to_entry_text(value, exponent);
+    default_value += (default_value.empty() ? "" : ", ") + to_text(value);
   return declarations.add(
       name,
       default_value,
@@ -310,11 +316,47 @@ Entry &add(Declarations        &declarations,
                   return is_in(word, range);
                 }));
       },
-      [&member, exponent](const std::string &text) {
+      [&member, from_text](const std::string &text) {
         member.clear();
         if (!text.empty())
           for (const std::string &word : split_at_commas(text))
-            member.push_back(from_entry_text(word, exponent).value_or(0.));
+            member.push_back(from_text(word));
+      });
+}
+} // namespace
+
+Entry &add(Declarations        &declarations,
+           const std::string   &name,
+           std::vector<double> &member,
+           const int            exponent,
+           const Range         &range,
+           const std::string   &meaning)
+{
+  return add_list(
+      declarations,
+      name,
+      member,
+      range,
+      meaning,
+      [exponent](const double value) { return to_entry_text(value, exponent); },
+      [exponent](const std::string &word) { return from_entry_text(word, exponent).value_or(0.); });
+}
+
+Entry &add_angles(Declarations        &declarations,
+                  const std::string   &name,
+                  std::vector<double> &member,
+                  const Range         &range,
+                  const std::string   &meaning)
+{
+  return add_list(
+      declarations,
+      name,
+      member,
+      range,
+      meaning,
+      [](const double value) { return to_entry_text(value / degree, unit::si); },
+      [](const std::string &word) {
+        return from_entry_text(word, unit::si).value_or(0.) * degree;
       });
 }
 

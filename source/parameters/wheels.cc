@@ -148,6 +148,8 @@ void declare_wheel(Declarations &declarations,
       "Default: all are in their places.");
   if (is_own)
     sprocket.held.declare(declarations);
+  if (!is_first)
+    sprocket.swing.declare(declarations);
   sprocket.guide.declare(declarations);
 }
 } // namespace

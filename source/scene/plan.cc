@@ -32,7 +32,8 @@ std::string name_of(const Scene &scene, const Body &body)
     case Kind::sprocket:
       return scene.drive.sprockets.at(body.number).name + " sprocket";
     case Kind::tensioner:
-      return "tensioner of " + scene.drive.sprockets.at(body.number).name;
+      return (body.mount.kind == Mount::Kind::motor ? "arm of " : "tensioner of ") +
+             scene.drive.sprockets.at(body.number).name;
     case Kind::guide:
       return "guides";
     }
@@ -44,6 +45,8 @@ std::string motion_of(const Body &body)
   const std::string rim = body.motion == Motion::elastic ? "elastic rim, " : "rigid, ";
   if (body.mount.kind == Mount::Kind::fixed)
     return "fixed";
+  if (body.mount.kind == Mount::Kind::motor && body.kind == Kind::tensioner)
+    return "an arm, turned as is prescribed";
   if (body.mount.kind == Mount::Kind::motor)
     return rim + "hub turned by the speed program";
   if (body.kind == Kind::tensioner)
@@ -51,7 +54,7 @@ std::string motion_of(const Body &body)
                                                        "an arm, turned by its spring";
   if (body.mount.kind == Mount::Kind::revolute)
     return rim + "one rotation of the hub against the load torque" +
-           (body.mount.carrier ? ", carried by its tensioner" : "");
+           (body.mount.carrier ? ", carried by its arm or slide" : "");
   switch (body.motion)
     {
     case Motion::lumped:

@@ -62,7 +62,8 @@ std::string Scene::name_of(const unsigned int b) const
     case Kind::sprocket:
       return drive.sprockets.at(bodies[b].number).title;
     case Kind::tensioner:
-      return "tensioner of the " + drive.sprockets.at(bodies[b].number).title;
+      return (bodies[b].mount.kind == Mount::Kind::motor ? "arm of the " : "tensioner of the ") +
+             drive.sprockets.at(bodies[b].number).title;
     case Kind::guide:
       return "guide of " + drive.spans.at(bodies[b].number).name;
     }

@@ -38,4 +38,24 @@ void add_tensioner(const drive::Drive &drive, Scene &scene)
   scene.bodies.push_back(body);
   scene.tensioners.push_back({number, tensioner.wheel, sense, tensioner.travel, tensioner.law});
 }
+
+void add_swings(const drive::Drive &drive, Scene &scene)
+{
+  for (const auto &[wheel, swing] : drive.swings)
+    {
+      const auto number = static_cast<unsigned int>(scene.bodies.size());
+      Body       body;
+      body.kind        = Kind::tensioner;
+      body.number      = wheel;
+      body.motion      = Motion::rigid;
+      body.mass        = scene.bodies[scene.drive.sprockets[wheel].body].mass;
+      body.inertia[2]  = 1.; // of no consequence: nothing turns it but the program
+      body.initial     = placed(drive.layout.sprockets[wheel].centre, 0., {}, 0.);
+      body.mount       = Mount::motor();
+      body.mount.pivot = dealii::Point<3>(swing.pivot[0], swing.pivot[1], 0.);
+      scene.bodies[scene.drive.sprockets[wheel].body].mount.carrier = number;
+      scene.bodies.push_back(body);
+      scene.swings.push_back({number, wheel, swing.angle});
+    }
+}
 } // namespace chaindrive::scene

@@ -6,6 +6,8 @@
   a tensioner       its spring's moment is that of its travel, and in the mean that of the chain on its wheel
                     with elastic links too: without and with penalty, and finite elements
   guides            the chain keeps half of a plate's height from them, and rubs on them with their coefficient of friction
+  an arm            turns as is prescribed, by the moment of the chain on its wheel, which is turned back as the tight span asks
+                    with elastic links, on two ranks and resumed too
   prescribed        speeds and torques are the functions of time, angle and speed that the file says
 
 and `plan --picture` draws it: every wheel with its name, every roller.
@@ -258,6 +260,81 @@ def conveyor(drive):
         near(f"speed of {wheel}, rad/s", drive.of(f"hubs/{wheel}_speed").mean(), 12, 0.12)
 
 
+def line_of(axes, radii):
+    """The direction of the tight span, above the wheels, a complex number, and its length."""
+    way = axes[1] - axes[0]
+    length = math.sqrt(abs(way) ** 2 - (radii[1] - radii[0]) ** 2)
+    return (length + 1j * (radii[1] - radii[0])) / abs(way) ** 2 * way, length
+
+
+def motorcycle(drive):
+    pivot, axle = 75e-3 + 0j, (604.8 - 74.5j) * 1e-3
+    ms = 1e3 * drive.time
+    raised = 0.5 * (1 - np.cos(math.pi * np.clip((ms - 20) / 60, 0, 1))) - 0.5 * (1 - np.cos(math.pi * np.clip((ms - 80) / 60, 0, 1)))
+    swing, moment = drive.of("hubs/driven_swing", False), drive.of("hubs/driven_swing_moment", False)
+    below("arm off what is prescribed, rad", np.abs(swing - math.radians(12) * raised).max(), 1e-9)
+    load = drive.of("hubs/driven_load_x", False) + 1j * drive.of("hubs/driven_load_y", False)
+    of_chain = (np.conj((axle - pivot) * np.exp(1j * swing)) * load).imag
+    below("moment off that of the chain about the pivot, N m", np.abs(moment + of_chain).max(), 1e-6)
+    radii = [0.5 * drive.summary["drive"]["loaded_pitch"] / math.sin(math.pi / drive.wheels[name]["teeth"]) for name in ("driver", "driven")]
+    along, length = line_of((0, axle), radii)
+    # three periods of the tight span while the arm stands still
+    program.run(FOLDER / f"{NAME}.prm", {"Drive/Wheels/driven/Swing/Times in ms": "200, 300, 400", "Time/End time in ms": 110}, "--output", "still", program=PROGRAM)
+    still = chaindrive.open("still")
+    late = np.asarray(still["time"]) > 20e-3
+    mean = lambda history: np.asarray(still[history])[late].mean()  # noqa: E731
+    # the torque of the load acts on the wheel from outside, so that both spans pull at its axle; what keeps the chain on its way round does not
+    way, kept = axle / abs(axle), drive.summary["drive"]["centrifugal_tension"]
+    pulls = [mean(f"spans/{name}_tension") - kept for name in ("driven_to_driver", "driver_to_driven")]
+    force = -pulls[0] * along - pulls[1] * way * np.conj(along / way)
+    # the wheel bears what lies on it, and half of what hangs in the spans
+    drawn, wheel = drive.summary["drive"], drive.wheels["driven"]
+    borne = wheel["wrap"] * wheel["pitch_diameter"] / 2 + sum(span["length"] for span in drawn["spans"]) / 2
+    asked = -(np.conj(axle - pivot) * force).imag + 9.81 * drawn["mass_per_metre"] * borne * (axle - pivot).real
+    near("mean moment of the arm while it stands still, N m", mean("hubs/driven_swing_moment"), asked, 0.02 * asked)
+    # what the wheel has turned, where the arm is highest: the span ends elsewhere on both wheels, and is shorter
+    high = np.abs(ms - 80) < 3.5
+    turned, given = (drive.of(f"hubs/{name}_angle", False)[high].mean() for name in ("driven", "driver"))
+    other, shorter = line_of((0, pivot + (axle - pivot) * np.exp(1j * math.radians(12))), radii)
+    tilt = np.angle(other / along)
+    arcs = [drawn["loaded_pitch"] * drive.wheels[name]["teeth"] / (2 * math.pi) for name in ("driver", "driven")]  # of chain per rad
+    asked = tilt + (arcs[0] * (given - tilt) + shorter - length) / arcs[1]
+    ratio = arcs[0] / arcs[1] * given
+    near("angle by which the arm has turned the wheel on, degrees", math.degrees(turned - ratio), math.degrees(asked - ratio), 0.4)
+    work = np.trapz(drive.of("hubs/driver_torque", False) * drive.of("hubs/driver_speed", False), drive.time) + np.trapz(moment, swing)
+    near("work of driver and arm, J", drive.summary["drive_work"], work, 2e-3 * work)
+    below("energy imbalance", drive.summary["energy_imbalance_max"], 1e-4)
+    motorcycle_otherwise()
+
+
+def motorcycle_otherwise():
+    """On two ranks, resumed, mirrored, and with elastic links."""
+    entries = {"Output/History precision": "double", "Time/End time in ms": 3, "Output/Window start in ms": 0, "Output/Checkpoint interval in ms": 1}
+    entries["Drive/Wheels/driven/Swing/Times in ms"] = "1, 3, 5"
+    file = FOLDER / f"{NAME}.prm"
+    program.run(file, entries, "--output", "whole", program=PROGRAM)
+    program.run(file, entries, "--output", "ranks", program=PROGRAM, ranks=2)
+    program.run(file, {**entries, "Time/End time in ms": 2}, "--output", "resumed", program=PROGRAM)
+    program.run(file, entries, "--output", "resumed", "--resume", "auto", program=PROGRAM)
+    whole = chaindrive.open("whole")
+    histories = ("hubs/driven_swing", "hubs/driven_swing_moment", "hubs/driven_angle", "links/tension")
+    for other in ("ranks", "resumed"):
+        run = chaindrive.open(other)
+        for history in histories:
+            program.check(np.array_equal(np.asarray(whole[history]), np.asarray(run[history])), f"{history} of {other} differs")
+    program.run(file, {**entries, "Drive/Layout/Tight span": "lower", "Loads/Gravity in m/s2": 0}, "--output", "lower", program=PROGRAM)
+    program.run(file, {**entries, "Loads/Gravity in m/s2": 0}, "--output", "upper", program=PROGRAM)
+    upper, lower = (np.asarray(chaindrive.open(name)["hubs/driven_swing_moment"]) for name in ("upper", "lower"))
+    below("moment of the mirrored drive off the other, over the largest", np.abs(upper + lower)[:20].max() / np.abs(upper).max(), 1e-5)
+    elastic = {"Model/Fidelity": "reduced", "Model/Symmetry model": "true", "Time/End time in ms": 1.5, "Output/Checkpoint interval in ms": 0}
+    program.run(file, {**entries, **elastic}, "--output", "reduced", program=PROGRAM)
+    summary, moment = program.summary("reduced"), np.asarray(chaindrive.open("reduced")["hubs/driven_swing_moment"])
+    below("with elastic links: energy imbalance", summary["energy_imbalance_max"], 1e-4)
+    below("with elastic links: momentum imbalance", summary["momentum_imbalance_max"], 1e-11)
+    rigid = np.asarray(whole["hubs/driven_swing_moment"])[: moment.size].mean()
+    near("with elastic links: mean moment over that of rigid ones", moment.mean() / rigid, 1, 0.2)
+
+
 def picture(drive):
     """Every wheel with its name, every roller within the frame."""
     said = program.run(f"{FOLDER / NAME}.prm", {}, "--plan", "--picture", "drive.svg", program=PROGRAM)
@@ -277,5 +354,5 @@ def picture(drive):
 
 
 drive = Drive()
-{"two-loads": two_loads, "idler": idler, "tensioner": tensioner, "guides": guides, "emergency-stop": emergency_stop, "camshaft": camshaft, "conveyor": conveyor}[NAME](drive)
+{"two-loads": two_loads, "idler": idler, "tensioner": tensioner, "guides": guides, "emergency-stop": emergency_stop, "camshaft": camshaft, "conveyor": conveyor, "motorcycle": motorcycle}[NAME](drive)
 picture(drive)

@@ -9,10 +9,12 @@
 #include <chaindrive/drive/solids.h>
 #include <chaindrive/drive/sprocket.h>
 #include <chaindrive/drive/stiffness.h>
+#include <chaindrive/drive/swing.h>
 #include <chaindrive/drive/tooth_form.h>
 #include <chaindrive/parameters/parameters.h>
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,12 +24,13 @@ namespace chaindrive::drive
 /// The geometry of a whole drive with what follows from it. SI units.
 struct Drive
 {
-  ChainDimensions       chain; ///< with the mean pitches of its links
-  LinkPitches           links;
-  std::vector<Sprocket> sprockets; ///< in the order in which the chain runs over them
-  double                sprocket_width;
-  Layout                layout;
-  std::vector<Guide>    guides;
+  ChainDimensions               chain; ///< with the mean pitches of its links
+  LinkPitches                   links;
+  std::vector<Sprocket>         sprockets; ///< in the order in which the chain runs over them
+  double                        sprocket_width;
+  Layout                        layout;
+  std::vector<Guide>            guides;
+  std::map<unsigned int, Swing> swings; ///< by the number of the wheel
 
   MassProperties roller_solid, inner_link_solid, outer_link_solid;
   double         mass_per_pitch; ///< of the solids: a roller and half of either link, kg

@@ -42,9 +42,10 @@ public:
 private:
   struct State
   {
-    scene::Shaft given;
-    double       torque = 0.; ///< signed about +z, N m
-    double       angle  = 0.; ///< at the last booking, rad
+    scene::Shaft       given;
+    functions::Pointer turn   = {}; ///< of an arm, in place of a speed: its angle over time
+    double             torque = 0.; ///< signed about +z, N m
+    double             angle  = 0.; ///< at the last booking, rad
   };
 
   const State *find(unsigned int body) const;

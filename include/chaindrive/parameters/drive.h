@@ -4,6 +4,7 @@
 #include <chaindrive/parameters/choice.h>
 #include <chaindrive/parameters/guide.h>
 #include <chaindrive/parameters/sections.h>
+#include <chaindrive/parameters/swing.h>
 #include <chaindrive/parameters/tensioner.h>
 
 #include <array>
@@ -168,6 +169,7 @@ struct Sprocket
   std::optional<std::array<double, 2>> centre    = {};
   double                               direction = 0.; ///< from the first one to what is found, rad
   Holders                              held{};         ///< what holds its axis
+  Swing                                swing{};        ///< the arm that moves its axis
   Guide                                guide{};        ///< of the span behind it
   double                               runout          = 0.; ///< total indicator reading, m
   double                               runout_phase    = 0.; ///< rad

@@ -144,6 +144,13 @@ Entry &add(Declarations        &declarations,
            const Range         &range,
            const std::string   &meaning);
 
+/// Angles in degrees, separated by commas, for members in rad; or nothing, which is none.
+Entry &add_angles(Declarations        &declarations,
+                  const std::string   &name,
+                  std::vector<double> &member,
+                  const Range         &range,
+                  const std::string   &meaning);
+
 /// `all` or some of @p texts, separated by commas, which @p store puts into its member: none for
 /// `all`.
 Entry &add_choices(Declarations                                                &declarations,

@@ -79,6 +79,9 @@ void add_sprockets(const model::Model             &model,
 /// be there.
 void add_tensioner(const drive::Drive &drive, Scene &scene);
 
+/// Adds the arms that move wheels as is prescribed.
+void add_swings(const drive::Drive &drive, Scene &scene);
+
 /// The guides of @p drive, which plates slide on. The wheels must be there.
 void add_guides(const model::Model &model, const drive::Drive &drive, Scene &scene);
 

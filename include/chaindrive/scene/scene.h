@@ -150,6 +150,14 @@ struct Tensioner
   drive::TensionerLaw law;
 };
 
+/// What moves an arm that carries a wheel.
+struct Swing
+{
+  unsigned int       body;     ///< on a mount that is a motor
+  unsigned int       sprocket; ///< its wheel, in DriveView::sprockets
+  functions::Pointer angle;    ///< over time [s], about +z, rad
+};
+
 /// Who is there, what touches what, what pulls: a pure description, from which a World is made.
 struct Scene
 {
@@ -157,6 +165,7 @@ struct Scene
   std::vector<Bar>  bars;   ///< simple fidelity: bar k joins rollers k and k+1
   std::vector<std::shared_ptr<const ForceElement>> forces; ///< others than bars and contacts
   std::vector<Tensioner>                           tensioners;
+  std::vector<Swing>                               swings;
   std::vector<BoreFamily>                          bores;
   std::vector<FaceFamily>                          faces;
   std::vector<ToothFamily>                         teeth;
