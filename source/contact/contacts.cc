@@ -82,6 +82,10 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
       }
     else if (world.planar == nullptr || !add_planar(PlanarBores::make(bores, world)))
       families_.push_back(std::make_unique<PointContact>(bores));
+  for (const scene::SideFamily &sides : scene.sides)
+    families_.push_back(std::make_unique<PointContact>(sides));
+  for (const scene::ToothSideFamily &sides : scene.tooth_sides)
+    families_.push_back(std::make_unique<PointContact>(sides));
   for (const scene::FaceFamily &faces : scene.faces)
     families_.push_back(std::make_unique<NodeFaces>(faces, world, search_every_step));
 
@@ -237,7 +241,7 @@ void Contacts::add_springs(const World &world, std::vector<Spring> &springs) con
     family->add_springs(world, springs);
 }
 
-void Contacts::refuse_penetration(World &world, const double prestress)
+void Contacts::refuse_penetration(World &world, const double prestress, const double overlap)
 {
   constexpr double tolerance = 1e-9;
   const Ledger     ledger    = world.ledger; // no work is done: bodies have been placed
@@ -250,9 +254,10 @@ void Contacts::refuse_penetration(World &world, const double prestress)
     for (const Record &record : family->records())
       {
         // a dashpot presses as well where surfaces meet at speed: of points the spring alone
-        const double force =
-            family->is_distributed() ? record.force.norm() : -record.gap * family->law().stiffness;
-        if (record.gap < -tolerance && force > 1.01 * prestress &&
+        const double force = family->is_distributed() ?
+                                 record.force.norm() :
+                                 (-record.gap - overlap) * family->law().stiffness;
+        if (record.gap < -tolerance - overlap && force > 1.01 * prestress &&
             (worst == nullptr || record.gap < worst->gap))
           {
             worst = &record;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/bore.h>
+#include <chaindrive/contact/flat_side.h>
 #include <chaindrive/contact/point_contact.h>
 #include <chaindrive/contact/point_force.h>
+#include <chaindrive/contact/tooth_side.h>
 #include <chaindrive/mesh/surface/facet_surface.h>
 
 #include <algorithm>
@@ -19,6 +21,27 @@ std::vector<SurfaceContact::Pair> pairs_in(const std::vector<scene::BorePair> &b
   std::vector<SurfaceContact::Pair> pairs;
   for (unsigned int i = 0; i < bores.size(); ++i)
     pairs.push_back({std::shared_ptr<const Surface>(surfaces, &(*surfaces)[i]), bores[i].slave});
+  return pairs;
+}
+
+std::vector<SurfaceContact::Pair> pairs_in(const std::vector<scene::SidePair> &sides)
+{
+  const auto surfaces = std::make_shared<std::vector<FlatSide>>(); // side by side in memory
+  for (const scene::SidePair &side : sides)
+    surfaces->emplace_back(side.master, side.z, side.sign);
+  std::vector<SurfaceContact::Pair> pairs;
+  for (unsigned int i = 0; i < sides.size(); ++i)
+    pairs.push_back({std::shared_ptr<const Surface>(surfaces, &(*surfaces)[i]), sides[i].slave});
+  return pairs;
+}
+
+std::vector<SurfaceContact::Pair> pairs_in(const scene::ToothSideFamily &family)
+{
+  const std::shared_ptr<const Surface> sides[2] = {std::make_shared<const ToothSide>(family, -1),
+                                                   std::make_shared<const ToothSide>(family, 1)};
+  std::vector<SurfaceContact::Pair>    pairs;
+  for (const scene::SlavePoint &slave : family.slaves)
+    pairs.push_back({sides[slave.point[2] > 0. ? 1 : 0], slave});
   return pairs;
 }
 } // namespace
@@ -41,6 +64,18 @@ PointContact::PointContact(const scene::BoreFamily &scene)
     : PointContact(scene.name, scene.interface, scene.law, pairs_in(scene.pairs))
 {
   add_forces_ = &PointContact::add_forces_of<Bore>;
+}
+
+PointContact::PointContact(const scene::SideFamily &scene)
+    : PointContact(scene.name, scene.interface, scene.law, pairs_in(scene.pairs))
+{
+  add_forces_ = &PointContact::add_forces_of<FlatSide>;
+}
+
+PointContact::PointContact(const scene::ToothSideFamily &scene)
+    : PointContact(
+          scene.name, {scene::Interface::plate_teeth, scene.sprocket}, scene.law, pairs_in(scene))
+{
 }
 
 void PointContact::serialize(const Archive &archive, const unsigned int rank)
@@ -75,6 +110,17 @@ void project(const Bore                 &bore,
              Touch &touch)
 {
   bore.project(world, x, radius, touch);
+}
+
+void project(const FlatSide             &side,
+             const World                &world,
+             const dealii::Tensor<1, 3> &x,
+             const double,
+             unsigned int &,
+             Surface::Projection &,
+             Touch &touch)
+{
+  side.project(world, x, touch);
 }
 } // namespace
 
@@ -147,7 +193,12 @@ void PointContact::add_springs(const World &world, std::vector<Spring> &springs)
       const Frame               &frame  = world.frames[slave.body];
       const dealii::Tensor<1, 3> z      = axis_of(world.frames[records_[i].master], 2);
       const dealii::Tensor<1, 3> centre = to_world(frame, slave.point);
-      dealii::Tensor<1, 3>       along  = pairs_[i].surface->main_direction(world, frame, centre);
+      if (pairs_[i].surface->facing() != Surface::Facing::across_axis)
+        {
+          add_closed_side(world, i, z, centre, springs);
+          continue;
+        }
+      dealii::Tensor<1, 3> along = pairs_[i].surface->main_direction(world, frame, centre);
       along -= (along * z) * z;
       add_closed(world, mobility, i, along / along.norm(), centre, slave.radius, springs);
     }
@@ -219,5 +270,35 @@ void PointContact::add_closed(const World                &world,
   add_rotation(0, tilt);
   add_rotation(1, tilt);
   add_rotation(2, spin);
+}
+
+void PointContact::add_closed_side(const World                &world,
+                                   const unsigned int          i,
+                                   const dealii::Tensor<1, 3> &z,
+                                   const dealii::Tensor<1, 3> &point,
+                                   std::vector<Spring>        &springs) const
+{
+  // k along the normal, kt across it: where that may be any, the greater one along all directions
+  const bool   anywhere = pairs_[i].surface->facing() == Surface::Facing::anywhere;
+  const double kt       = law_.friction > 0. ? law_.tangential_stiffness : 0.,
+               ct       = law_.friction > 0. ? law_.tangential_damping : 0.;
+  dealii::Tensor<1, 3> some;
+  some[std::abs(z[0]) < 0.7 ? 0 : 1] = 1.;
+  dealii::Tensor<1, 3> across        = some - (some * z) * z;
+  across /= across.norm();
+  const dealii::Tensor<1, 3> axes[3] = {z, across, dealii::cross_product_3d(z, across)};
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      const double k = d == 0 || anywhere ? std::max(law_.stiffness, kt) : kt,
+                   c = d == 0 || anywhere ? std::max(law_.damping, ct) : ct;
+      if (k > 0. || c > 0.)
+        springs.push_back({records_[i].master,
+                           records_[i].slave,
+                           axes[d],
+                           point,
+                           point,
+                           world.symmetry.whole(k),
+                           world.symmetry.whole(c)});
+    }
 }
 } // namespace chaindrive::contact

@@ -338,6 +338,19 @@ bool has_shifted_gaps(const Drive &d)
   });
 }
 
+/// The rounding of the sides of teeth at their tips, ISO 606.
+void set_sides(const parameters::Sprockets &sprockets, Drive &d)
+{
+  d.side_relief =
+      sprockets.side_relief.value_or(std::min(0.13 * d.chain.pitch, 0.45 * d.sprocket_width));
+  d.side_radius = sprockets.side_radius.value_or(d.chain.pitch);
+  if (!(d.side_relief < 0.5 * d.sprocket_width && d.side_relief < d.side_radius))
+    throw InputError("Drive/Sprockets/Side relief in mm = " + to_text(1e3 * d.side_relief) +
+                     " must be less than half of the width of the teeth, " +
+                     in_mm(0.5 * d.sprocket_width, 5) + ", and less than Side radius, " +
+                     in_mm(d.side_radius, 5) + ".");
+}
+
 /// Chain and sprockets, with what their shafts are given.
 void set_chain_and_sprockets(const Parameters &parameters, Drive &d)
 {
@@ -371,6 +384,7 @@ void set_chain_and_sprockets(const Parameters &parameters, Drive &d)
     throw InputError("Drive/Sprockets/Width = " + in_mm(d.sprocket_width, 5) +
                      " must be positive and less than the " + in_mm(d.chain.inner_width, 5) +
                      " between the inner plates.");
+  set_sides(sprockets, d);
   for (unsigned int i = 0; i < d.sprockets.size(); ++i)
     check_hub(d.sprockets[i], sprockets.list[i], d.notes);
 }

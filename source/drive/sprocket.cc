@@ -25,7 +25,10 @@ Sprocket make_sprocket(const unsigned int           number,
       sprocket.form.shift_gaps(index);
       sprocket.form.derived.push_back(in_words(sprocket.title, index));
     }
-  sprocket.mesh = given.mesh;
+  sprocket.mesh           = given.mesh;
+  sprocket.axial_offset   = given.axial_offset;
+  sprocket.tilt           = given.tilt;
+  sprocket.tilt_direction = given.tilt_direction;
   sprocket.given_inertia =
       given.name == sprockets.driven().name && driven_inertia ? driven_inertia : given.inertia;
   const double root     = sprocket.form.root_diameter;

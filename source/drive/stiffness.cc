@@ -147,6 +147,12 @@ double plate_stiffness(const Plate &plate, const Material &steel)
   return steel.youngs_modulus * plate.thickness / (bar + 2. * eye);
 }
 
+double plate_side_stiffness(const Plate &plate, const Material &steel)
+{
+  const double slenderness = plate.thickness / plate.hole_pitch;
+  return 16. * steel.youngs_modulus * plate.waist * slenderness * slenderness * slenderness;
+}
+
 double chain_stiffness(const ChainDimensions &c, const double load, const Material &steel)
 {
   const double inner = 2. * plate_stiffness(inner_plate(c), steel);

@@ -33,7 +33,7 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
   if (strained)
     Relaxation(scene, comm).strain(world);
   // how bodies were placed and how they strain agree within a factor
-  contacts.refuse_penetration(world, (strained ? 2. : 1.) * scene.prestress);
+  contacts.refuse_penetration(world, (strained ? 2. : 1.) * scene.prestress, scene.start_overlap);
   evaluate_forces();
   world.ledger.initial = world.ledger.stored();
 }

@@ -2,6 +2,7 @@
 #include <chaindrive/model/cross_checks.h>
 #include <chaindrive/model/decide.h>
 #include <chaindrive/model/needs.h>
+#include <chaindrive/model/out_of_line.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/utilities/errors.h>
 
@@ -539,7 +540,7 @@ void check_effects(const Parameters &p, const Effects &effects, Findings &findin
   const bool is_common =
       !contact.roller_tooth_friction ||
       (clearances && (!contact.roller_bush_friction || !contact.bush_pin_friction)) ||
-      effects.is_on(Effect::plate_faces);
+      effects.is_on(Effect::plate_faces) || effects.is_on(Effect::misalignment);
   insist("Friction",
          entries.friction,
          Effect::friction,
@@ -585,6 +586,9 @@ std::vector<std::string> cross_check(const Parameters &parameters, const Effects
   check_quantities(parameters, effects, findings);
   check_noise(parameters, findings);
   check_mesh(parameters.mesh, findings);
+
+  for (const std::string &sentence : against_misalignment(parameters, effects))
+    findings.contradictions.push_back(sentence);
 
   std::string message;
   for (const std::string &sentence : findings.contradictions)

@@ -148,6 +148,18 @@ Decision plate_bending(const Parameters &p, const bool links)
   return {effect, true, "out of their planes; in them it comes with elastic links"};
 }
 
+/// Whether any wheel is out of line.
+Decision misalignment(const Parameters &p)
+{
+  std::string names;
+  for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
+    if (sprocket.is_out_of_line())
+      names += (names.empty() ? "" : ", ") + sprocket.name;
+  return {Effect::misalignment,
+          !names.empty(),
+          names.empty() ? "all wheels are in the plane of the drive" : "out of line: " + names};
+}
+
 Decision plate_faces(const Parameters &p, const bool links)
 {
   constexpr Effect effect = Effect::plate_faces;
@@ -252,6 +264,8 @@ Decision symmetry_model(const Parameters &p,
     return {effect, false, "asked for: whole bodies"};
   if (!links || !rollers)
     return {effect, false, "whole bodies: rigid ones are"};
+  if (misalignment(p).on)
+    return {effect, false, "whole bodies: wheels are out of line"};
   if (plate_faces)
     return {effect, false, "whole bodies: plates touch where something pushes them sideways"};
   for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
@@ -269,6 +283,8 @@ Decision symmetry_model(const Parameters &p,
 /// Why bodies may leave the plane of the chain; empty if nothing can take them out of it.
 std::string what_leaves_plane(const Parameters &p)
 {
+  if (misalignment(p).on)
+    return "wheels are out of line";
   for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
     if (!sprocket.mesh.empty())
       return "an imported mesh may lack symmetry";
@@ -400,9 +416,10 @@ Effects decide_effects(const Parameters &p)
   for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
     rims.push_back(elastic_sprocket(p, sprocket, rollers.on));
   const Decision faces = plate_faces(p, links.on), pictures = fields(p),
-                 joints = exact_joints(p, links.on, rollers.on),
-                 teeth  = exact_teeth(p, joints, faces.on);
-  const double friction = largest_friction(p, faces.on);
+                 joints      = exact_joints(p, links.on, rollers.on),
+                 teeth       = exact_teeth(p, joints, faces.on);
+  const Decision out_of_line = misalignment(p);
+  const double   friction    = largest_friction(p, faces.on || out_of_line.on);
 
   std::vector<Decision> all{
       clearance(Effect::roller_bush_clearance, p, p.effects.roller_bush_clearance),
@@ -433,6 +450,7 @@ Effects decide_effects(const Parameters &p)
               teeth,
               selective_mass_scaling(p, rollers.on),
               faces,
+              out_of_line,
               symmetry_model(p, links.on, rollers.on, faces.on, pictures.on),
               planar_motion(p),
               pictures,

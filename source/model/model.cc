@@ -120,6 +120,9 @@ Model make_model(const Parameters &p, const drive::Drive &drive, const Effects &
       value_of(p.contact.roller_tooth_stiffness, drive.roller_tooth_stiffness);
   model.roller_bush_stiffness =
       value_of(p.contact.roller_bush_stiffness, drive.roller_bush_stiffness);
+  model.side_stiffness =
+      value_of(p.contact.side_stiffness,
+               drive::plate_side_stiffness(drive::inner_plate(drive.chain), p.material));
   for (const drive::Sprocket &sprocket : drive.sprockets)
     model.tooth_stiffness.push_back(value_of(p.contact.tooth_stiffness, sprocket.tooth_stiffness));
   model.stiffness_per_pitch = drive.stiffness_per_pitch;

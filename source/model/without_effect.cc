@@ -73,6 +73,11 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
       {exact.on,
        {"Reduction/Harmonics of rollers and bushes", "Reduction/Harmonics of pins"},
        "pressures have no attachment modes: " + exact.reason},
+      {!effects.is_on(Effect::misalignment),
+       {"Contact/Side stiffness in N/m",
+        "Drive/Sprockets/Side relief in mm",
+        "Drive/Sprockets/Side radius in mm"},
+       effects.of(Effect::misalignment).reason},
       {!teeth.on,
        {"Contact/Tooth stiffness in N/m"},
        "Effects/Tooth compliance is off: " + teeth.reason},
@@ -111,6 +116,9 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
       rules.push_back({wheel.runout == 0.,
                        {of + "Runout phase in degrees"},
                        of + "Runout in um = 0 is no runout"});
+      rules.push_back({wheel.tilt == 0.,
+                       {of + "Tilt direction in degrees"},
+                       of + "Tilt in degrees = 0 is no tilt"});
       rules.push_back({wheel.index_tolerance == 0.,
                        {of + "Index seed"},
                        of + "Index tolerance in um = 0 is no random wheel"});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/geometry.h>
 #include <chaindrive/drive/tooth_form.h>
 #include <chaindrive/observe/wrap.h>
 
@@ -64,10 +65,11 @@ Wrap::Wrap(const scene::Scene &scene, const unsigned int sprocket)
 
 std::vector<Wrap::Place> Wrap::places(const World &world) const
 {
-  const Frame       &sprocket = world.frames[body_];
-  const double       turned   = std::atan2(sprocket.rotation[1][0], sprocket.rotation[0][0]);
-  const double       middle   = std::atan2(middle_[1], middle_[0]);
-  std::vector<Place> found;
+  const Frame               &sprocket = world.frames[body_];
+  const dealii::Tensor<1, 3> axis     = contact::axis_of(sprocket, 2);
+  const double               turned = std::atan2(sprocket.rotation[1][0], sprocket.rotation[0][0]);
+  const double               middle = std::atan2(middle_[1], middle_[0]);
+  std::vector<Place>         found;
   for (unsigned int k = 0; k < scene_.drive.n_joints; ++k)
     {
       const dealii::Tensor<1, 3> arm =
@@ -78,7 +80,7 @@ std::vector<Wrap::Place> Wrap::places(const World &world) const
         continue;
       const double angle = middle + wrapped(std::atan2(arm[1], arm[0]) - middle);
       const double gap   = sense_ * (angle - turned) * teeth_ / (2. * PI);
-      found.push_back({k, gap - k, radius, arm[2]});
+      found.push_back({k, gap - k, radius, arm * axis});
     }
   return found;
 }

@@ -101,6 +101,16 @@ void Contact::declare(Declarations &declarations)
       "other. auto: off, since nothing in this model pushes the chain sideways; on shows whether "
       "something does.");
   add(declarations,
+      "Side stiffness in N/m",
+      side_stiffness,
+      unit::si,
+      above(0., 1e13),
+      "Force over approach of a rigid plate and what it touches with its faces: the side of a "
+      "tooth, "
+      "another plate, the end of a roller; where wheels are out of line. Side forces follow from "
+      "balance and hardly depend on it. auto: an inner plate that is "
+      "clamped at its bushes and pressed in the middle.");
+  add(declarations,
       "Search",
       search,
       "When the contact search is repeated. displacement: after anything has moved far enough to "

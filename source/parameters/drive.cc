@@ -214,6 +214,18 @@ void Sprockets::declare(Declarations &declarations)
          width,
          "Width of the teeth of both sprockets. auto: 0.93 of the chain's inner width up to a "
          "pitch of 12.7 mm and 0.95 above, as in ISO 606.");
+  const std::string relief = " of the side of a tooth, which guides plates where wheels are "
+                             "out of line. auto: ";
+  add(declarations,
+      "Side relief in mm",
+      side_relief,
+      unit::milli,
+      between(0., 1000.),
+      "By how much either side of a tooth stands back at its tip: the height of the rounding" +
+          relief + "0.13 pitches, as in ISO 606.");
+  length("Side radius in mm",
+         side_radius,
+         "Radius of the rounding" + relief + "the pitch, as in ISO 606.");
   add(declarations,
       "Facets per tooth",
       facets,

@@ -157,8 +157,10 @@ std::vector<std::string> similar(const std::string &name, const std::vector<std:
 const std::vector<NotModelled> &not_modelled()
 {
   static const std::vector<NotModelled> all = {
-      {{"misalignment", "offset", "skew", "axial", "lateral"},
-       "both sprockets lie in one plane and their shafts are parallel"},
+      {{"misalignment", "skew", "axial stiffness", "lateral"},
+       "wheels are out of line by the entries Axial offset in mm and Tilt in degrees of each in "
+       "Drive/Wheels; shafts do not give way along their axes, and nothing else pushes the chain "
+       "sideways"},
       {{"strand", "multiplex", "duplex", "triplex"},
        "the chain has one strand; divide torque and driven inertia by the number of strands; only "
        "new strands share the load evenly"},

@@ -124,6 +124,30 @@ void declare_wheel(Declarations &declarations,
             "centre of the pitch circle, counter-clockwise from x in a drive that turns "
             "counter-clockwise.");
   add(declarations,
+      "Axial offset in mm",
+      sprocket.axial_offset,
+      unit::milli,
+      between(-100., 100.),
+      "Of its plane from that of the drive, towards those who see a drive with Layout/Tight span = "
+      "upper turn counter-clockwise. What counts is how far wheels are out of line. Layered "
+      "fidelity.");
+  add_angle(
+      declarations,
+      "Tilt in degrees",
+      sprocket.tilt,
+      between(-5., 5.),
+      "Of its axis from the normal of the drive's plane, about the centre of the wheel. Layered "
+      "fidelity.");
+  add_angle(
+      declarations,
+      "Tilt direction in degrees",
+      sprocket.tilt_direction,
+      between(-360., 360.),
+      "To where its axis leans: counter-clockwise from x in a drive that turns "
+      "counter-clockwise. Along the line of centres, 0 for most drives, the chain runs on and "
+      "off askew to the wheel, by the tilt; across it, 90, both spans are offset, by the "
+      "tilt times the radius.");
+  add(declarations,
       "Index tolerance in um",
       sprocket.index_tolerance,
       unit::micro,

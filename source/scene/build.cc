@@ -123,6 +123,11 @@ Scene build_scene(const model::Model             &model,
   add_tensioner(drive, scene);
   add_swings(drive, scene);
   add_guides(model, drive, scene);
+  if (model.effects.is_on(Effect::misalignment))
+    {
+      add_sides(model, drive, scene);
+      move_out_of_line(drive, scene);
+    }
   add_additions(model.sections, scene);
   if (model.effects.is_on(Effect::reduced_bodies) && basis_of)
     add_bases(basis_of, scene);

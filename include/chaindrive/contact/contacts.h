@@ -60,8 +60,8 @@ public:
 
   /// Refuses (InputError) a start with surfaces that overlap by more than a nanometre, unless the
   /// contact force there is no more than the @p prestress [N] of the chain: names the interface,
-  /// the joint and the penetration.
-  void refuse_penetration(World &world, double prestress);
+  /// the joint and the penetration. @p overlap [m] more is accepted everywhere.
+  void refuse_penetration(World &world, double prestress, double overlap = 0.);
 
   const PointerList<Family> &families() const { return families_; }
 

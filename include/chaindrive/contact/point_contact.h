@@ -16,6 +16,8 @@ class PointContact : public SurfaceContact
 public:
   explicit PointContact(const scene::SurfaceFamily &scene);
   explicit PointContact(const scene::BoreFamily &scene); ///< each slave has its own bore
+  explicit PointContact(const scene::SideFamily &scene); ///< each slave has its own face
+  explicit PointContact(const scene::ToothSideFamily &scene);
 
   void add_forces(World &world, double dt) override;
   void add_springs(const World &world, std::vector<Spring> &springs) const override;
@@ -51,6 +53,14 @@ private:
                   const dealii::Tensor<1, 3> &centre,
                   double                      radius,
                   std::vector<Spring>        &springs) const;
+
+  /// The same of pair @p i closed at @p point [m, world] on a surface that does not look across its
+  /// axis @p z.
+  void add_closed_side(const World                &world,
+                       unsigned int                i,
+                       const dealii::Tensor<1, 3> &z,
+                       const dealii::Tensor<1, 3> &point,
+                       std::vector<Spring>        &springs) const;
 
   void (PointContact::*add_forces_)(World &, double) = &PointContact::add_forces_of<Surface>;
 

@@ -87,6 +87,15 @@ public:
   /// Whether the point @p x [m, world] is beyond that.
   virtual bool is_beside(const World &, const dealii::Tensor<1, 3> & /*x*/) const { return false; }
 
+  /// Where its normals point.
+  enum class Facing
+  {
+    across_axis, ///< of the master, as those of cylinders and teeth
+    along_axis,
+    anywhere
+  };
+  virtual Facing facing() const { return Facing::across_axis; }
+
   /// Some direction that is not the master's z axis, such as that of most of the force on @p slave,
   /// whose axis is at @p centre [m, world].
   virtual dealii::Tensor<1, 3>

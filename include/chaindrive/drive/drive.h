@@ -28,6 +28,7 @@ struct Drive
   LinkPitches                   links;
   std::vector<Sprocket>         sprockets; ///< in the order in which the chain runs over them
   double                        sprocket_width;
+  double                        side_relief, side_radius; ///< of the sides of teeth at their tips
   Layout                        layout;
   std::vector<Guide>            guides;
   std::map<unsigned int, Swing> swings; ///< by the number of the wheel

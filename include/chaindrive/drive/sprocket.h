@@ -31,6 +31,10 @@ struct Sprocket
   double                mean_torque    = 0.; ///< that resists it in operation, N m
   double                largest_torque = 0.; ///< a bound of its magnitude, before it steps, N m
 
+  double axial_offset   = 0.; ///< of its plane from that of the drive, m
+  double tilt           = 0.; ///< of its axis, rad
+  double tilt_direction = 0.; ///< to which it leans in a drive that turns counter-clockwise, rad
+
   double tooth_stiffness = 0.; ///< of tooth and rim under a roller, given or auto, N/m
 };
 

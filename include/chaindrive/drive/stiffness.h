@@ -87,6 +87,10 @@ double bush_pin_stiffness(const ChainDimensions &chain, double load, const Mater
 /// One plate pulled at its holes by pins that press on the far halves of the holes.
 double plate_stiffness(const Plate &plate, const Material &steel);
 
+/// One plate clamped at its holes and pressed across its plane in the middle, as a beam with the
+/// section of its waist: 192 E I / p^3, I = h t^3 / 12 (Timoshenko, Strength of Materials I).
+double plate_side_stiffness(const Plate &plate, const Material &steel);
+
 /// The chain per pitch: the plates of an inner link, those of an outer link and two bush-pin
 /// joints at the load @p load [N], all in series, are two pitches.
 double chain_stiffness(const ChainDimensions &chain, double load, const Material &steel);

@@ -30,6 +30,7 @@ enum class Effect
   exact_teeth,  ///< rollers and teeth touch without penalty
   selective_mass_scaling,
   plate_faces,
+  misalignment, ///< planes of wheels are not that of the drive
   symmetry_model,
   planar_motion,
   fields,
@@ -41,7 +42,7 @@ enum class Effect
 namespace chaindrive::parameters
 {
 template <>
-inline constexpr Texts<model::Effect, 23> texts_of<model::Effect>{
+inline constexpr Texts<model::Effect, 24> texts_of<model::Effect>{
     {{model::Effect::roller_bush_clearance, "roller-bush clearance"},
      {model::Effect::bush_pin_clearance, "bush-pin clearance"},
      {model::Effect::chain_bars, "chain bars"},
@@ -60,6 +61,7 @@ inline constexpr Texts<model::Effect, 23> texts_of<model::Effect>{
      {model::Effect::exact_teeth, "teeth without penalty"},
      {model::Effect::selective_mass_scaling, "selective mass scaling"},
      {model::Effect::plate_faces, "plate faces"},
+     {model::Effect::misalignment, "misalignment"},
      {model::Effect::symmetry_model, "symmetry model"},
      {model::Effect::planar_motion, "planar motion"},
      {model::Effect::fields, "fields"},

@@ -72,6 +72,7 @@ struct Model
   // what acts between them
   Contact            contact;
   Value              roller_tooth_stiffness, roller_bush_stiffness; ///< N/m
+  Value              side_stiffness;  ///< N/m, of rigid plates; acts with misalignment
   std::vector<Value> tooth_stiffness; ///< of each sprocket, N/m; acts with tooth compliance
   double             stiffness_per_pitch = 0.; ///< of the chain, N/m
   double             chain_damping_ratio = 0.; ///< of two lumps on their bar; 0: off

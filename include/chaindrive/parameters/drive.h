@@ -173,6 +173,9 @@ struct Sprocket
   Guide                                guide{};        ///< of the span behind it
   double                               runout          = 0.; ///< total indicator reading, m
   double                               runout_phase    = 0.; ///< rad
+  double                               axial_offset    = 0.; ///< of its plane, along z, m
+  double                               tilt            = 0.; ///< of its axis from z, rad
+  double                               tilt_direction  = 0.; ///< to which its axis leans, rad
   double                               index_tolerance = 0.; ///< of gaps along the pitch circle, m
   unsigned int                         index_seed      = 1;
   std::vector<double>                  index_deviations{}; ///< m, of one gap after the other
@@ -184,6 +187,9 @@ struct Sprocket
   /// the torque that resists it where it is driven. functions/terms.h knows what they are.
   Sections speed_terms = Sections("speed"), torque_terms = Sections("torque");
 
+  /// Whether its plane is not that of the drive.
+  bool is_out_of_line() const { return axial_offset != 0. || tilt != 0.; }
+
   std::string in_words() const;   ///< what sentences call it
   std::string in_entries() const; ///< what names of entries begin with
 };
@@ -193,8 +199,9 @@ struct Sprockets
 {
   StandardForm          tooth_form  = StandardForm::iso_min;
   SeatCentre            seat_centre = SeatCentre::iso;
-  std::optional<double> width;      ///< m
-  unsigned int          facets = 0; ///< chords of a rigid tooth, even; 0: smooth
+  std::optional<double> width;                    ///< m
+  std::optional<double> side_relief, side_radius; ///< of the sides of teeth at their tips, m
+  unsigned int          facets = 0;               ///< chords of a rigid tooth, even; 0: smooth
   /// In the order in which the chain runs over them; the first one is the driver, from which the
   /// slack span leads to the second one.
   std::vector<Sprocket> list{{"driver", Role::driver, 15}, {"driven", Role::driven, 42}};

@@ -41,18 +41,22 @@ enum class Interface
   roller_bush,
   bush_pin,
   plate_faces,
-  other ///< of what is no chain drive
+  plate_teeth, ///< of a sprocket, as above: inner plates and the sides of its teeth
+  roller_ends, ///< rollers and inner plates
+  other        ///< of what is no chain drive
 };
 } // namespace chaindrive::scene
 
 namespace chaindrive::parameters
 {
 template <>
-inline constexpr Texts<scene::Interface, 5> texts_of<scene::Interface>{
+inline constexpr Texts<scene::Interface, 7> texts_of<scene::Interface>{
     {{scene::Interface::roller_teeth, "roller"},
      {scene::Interface::roller_bush, "roller-bush"},
      {scene::Interface::bush_pin, "bush-pin"},
      {scene::Interface::plate_faces, "plate faces"},
+     {scene::Interface::plate_teeth, "plate"},
+     {scene::Interface::roller_ends, "roller-plate"},
      {scene::Interface::other, "surface"}}};
 } // namespace chaindrive::parameters
 
@@ -76,6 +80,12 @@ struct InterfaceOf
 inline std::string name_of_teeth(const std::string &sprocket)
 {
   return parameters::text_of(Interface::roller_teeth) + "-" + sprocket;
+}
+
+/// The same of the inner plates with the sides of its teeth.
+inline std::string name_of_sides(const std::string &sprocket)
+{
+  return parameters::text_of(Interface::plate_teeth) + "-" + sprocket;
 }
 
 constexpr double right_angle = 0.5 * dealii::numbers::PI;
@@ -130,6 +140,37 @@ struct FaceFamily
   ContactLaw            law;    ///< per m2
   double                radius; ///< about the axis, in which the master's face is a full ring, m
   std::vector<FacePair> pairs;
+};
+
+/// A point of a rigid body that may touch a flat face of another one, across that body's z axis.
+struct SidePair
+{
+  unsigned int master;
+  double       z;    ///< of the face in the master's frame, m
+  int          sign; ///< of the z towards which the face looks
+  SlavePoint   slave;
+};
+
+/// All flat faces of one kind of rigid bodies.
+struct SideFamily
+{
+  std::string           name; ///< in words
+  Interface             interface = Interface::other;
+  ContactLaw            law; ///< of one point
+  std::vector<SidePair> pairs;
+};
+
+/// The sides of a sprocket's teeth, rounded towards their tips, and all points of inner plates that
+/// could ever meet them. Between teeth the sides go on: what meets them there has a tooth beside.
+struct ToothSideFamily
+{
+  std::string             name;                   ///< in words
+  unsigned int            sprocket;               ///< body
+  double                  half_width, tip_radius; ///< m
+  double                  relief, radius;         ///< of the rounding: its height and radius, m
+  ContactLaw              law;                    ///< of one point
+  std::vector<SlavePoint> slaves;                 ///< on the inner faces of plates: at z > 0 they
+                                                  ///< meet the side at z > 0
 };
 
 /// The flanks of one sprocket and every roller that could ever meet them.

@@ -171,14 +171,17 @@ struct Scene
   std::vector<ToothFamily>                         teeth;
   std::vector<SurfaceFamily>                       surfaces;
   std::vector<GuideFamily>                         guides;
-  parameters::Loads  loads;  ///< with the coefficients of effects that are off set to zero
-  std::vector<Shaft> shafts; ///< a hub without one stands still or turns freely
-  double             start_time  = 0.;    ///< s
-  double             prestress   = 0.;    ///< N, in the spans at the start
-  bool               half        = false; ///< elastic bodies are halves, see mesh::Part::half
-  bool               planar      = false; ///< free bodies do not leave the plane z = const
-  bool               plates_bend = true;  ///< of elastic links, out of their planes
-  bool               at_speed    = false; ///< the drive starts at full speed
+  std::vector<SideFamily>                          sides;
+  std::vector<ToothSideFamily>                     tooth_sides;
+  parameters::Loads  loads;           ///< with the coefficients of effects that are off set to zero
+  std::vector<Shaft> shafts;          ///< a hub without one stands still or turns freely
+  double             start_time = 0.; ///< s
+  double             prestress  = 0.; ///< N, in the spans at the start
+  double start_overlap          = 0.; ///< m, of bodies that were laid in line and are not any more
+  bool   half                   = false; ///< elastic bodies are halves, see mesh::Part::half
+  bool   planar                 = false; ///< free bodies do not leave the plane z = const
+  bool   plates_bend            = true;  ///< of elastic links, out of their planes
+  bool   at_speed               = false; ///< the drive starts at full speed
   std::map<PartOf, std::shared_ptr<const mesh::Part>>       parts;   ///< those that somebody needs
   std::map<PartOf, std::shared_ptr<const mesh::Sector>>     sectors; ///< of elastic sprockets
   std::map<PartOf, std::shared_ptr<const reduction::Basis>> bases;   ///< of reduced bodies

@@ -33,6 +33,8 @@ public:
             {"rollers/acceleration_" + axis, "m/s2", "Of the centre of mass"});
       }
     contents.histories.push_back(
+        {"rollers/position_z", "m", "Centre of mass, where wheels are out of line"});
+    contents.histories.push_back(
         {"rollers/spin", "rad/s", "Angular velocity, counter-clockwise positive"});
     return contents;
   }
@@ -59,6 +61,8 @@ public:
         add("acceleration_" + axis,
             [this, d](const unsigned int k) { return acceleration_[3 * k + d]; });
       }
+    if (now_.scene.effects.is_on(model::Effect::misalignment))
+      add("position_z", [&frames](const unsigned int k) { return frames[k].position[2]; });
     if (std::all_of(now_.roller_bodies.begin(),
                     now_.roller_bodies.end(),
                     [this](const unsigned int k) { return turns(now_.scene.bodies[k]); }))
