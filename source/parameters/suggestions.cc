@@ -159,9 +159,6 @@ const std::vector<NotModelled> &not_modelled()
   static const std::vector<NotModelled> all = {
       {{"misalignment", "offset", "skew", "axial", "lateral"},
        "both sprockets lie in one plane and their shafts are parallel"},
-      {{"strand", "multiplex", "duplex", "triplex"},
-       "the chain has one strand; divide torque and driven inertia by the number of strands; only "
-       "new strands share the load evenly"},
       {{"flank error", "wobble"},
        "all teeth have the same flanks and do not wobble; a sprocket of any shape can be imported, "
        "Drive/Sprockets/Driver mesh"},
