@@ -177,9 +177,11 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   visible.add_options()("lubrication",
                         value_of(c.design.lubrication)->value_name("NAME"),
                         "select: none, manual, drip, bath or forced; by default as the speed asks");
-  visible.add_options()("strands",
-                        value_of(c.design.strands)->value_name("N"),
-                        "select: at most so many, 3 by default");
+  visible.add_options()(
+      "strands",
+      value_of(c.design.strands)->value_name("N"),
+      "template: strands of the chain, 1 by default; select: at most so many, 3 by "
+      "default");
   visible.add_options()(
       "plugin",
       options::value(&c.plugins)->value_name("LIBRARY"),

@@ -76,6 +76,7 @@ acoustics::Site make_site(const drive::Drive &drive, const drive::Facts &facts)
   site.along      = -in_space(tight.direction); // the driver pulls it in
   site.engagement = in_space(layout.sprockets.front().centre) +
                     0.5 * facts.driver().pitch_diameter * site.outward;
+  site.strands       = drive.strands;
   site.pitch         = drive.chain.pitch;
   site.roller_radius = 0.5 * drive.chain.roller_diameter;
   site.roller_length = drive.chain.roller_length;

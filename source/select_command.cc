@@ -56,20 +56,15 @@ drive::Demand demand_of(const CommandLine::Design &design)
 /// The parameter file of @p best.
 std::string file_of(const drive::Candidate &best, const drive::Demand &demand)
 {
-  const double        factor = drive::strand_factor(best.strands);
   CommandLine::Design design;
   design.chain    = best.chain;
+  design.strands  = best.strands;
   design.teeth    = std::to_string(best.driver_teeth) + "/" + std::to_string(best.driven_teeth);
   design.centre   = 1e3 * demand.centre_distance;
   design.rpm      = demand.speed * 30. / dealii::numbers::PI;
-  design.kilowatt = 1e-3 * demand.power / factor;
+  design.kilowatt = 1e-3 * demand.power;
   std::ostringstream text;
-  template_command(design,
-                   text,
-                   best.strands == 1 ?
-                       "" :
-                       "CHECK: the strand that pulls most of " + std::to_string(best.strands) +
-                           ", with 1/" + to_text(factor) + " of the power");
+  template_command(design, text);
   return text.str();
 }
 } // namespace

@@ -29,11 +29,11 @@ namespace chaindrive
 {
 namespace
 {
-/// How well energy and momentum were balanced.
-void add_balances(files::Json &values, const dynamics::Guard &guard)
+/// How well energy and momentum were balanced. Energies are those of all @p strands.
+void add_balances(files::Json &values, const dynamics::Guard &guard, const double strands)
 {
   const double turned_over       = guard.energy().turned_over();
-  values["energy_turned_over"]   = turned_over;
+  values["energy_turned_over"]   = strands * turned_over;
   values["energy_imbalance_max"] = nullptr; // unless there is something to compare with
   if (turned_over > 0.)
     values["energy_imbalance_max"] = guard.energy().largest_imbalance() / turned_over;
@@ -58,7 +58,11 @@ void add_validity(files::Json &values)
 }
 
 /// Adds to `life` what the friction work of the joints in the window says of their wear.
-void add_simulated_wear(files::Json &values, const drive::DesignLife &life, const double mu)
+/// They are those of all @p strands.
+void add_simulated_wear(files::Json             &values,
+                        const drive::DesignLife &life,
+                        const double             mu,
+                        const unsigned int       strands)
 {
   const std::string joint = parameters::text_of(scene::Interface::bush_pin);
   if (!(mu > 0.) || !values.contains("losses") || !values["losses"].contains(joint))
@@ -67,7 +71,7 @@ void add_simulated_wear(files::Json &values, const drive::DesignLife &life, cons
   const double       time = values["window_energy"]["duration"];
   if (!work.is_number() || !std::isfinite(work.get<double>()) || !(time > 0.))
     return;
-  const double rate                     = life.joints.rate_of_losses(work.get<double>() / time, mu);
+  const double rate = life.joints.rate_of_losses(work.get<double>() / (strands * time), mu);
   values["life"]["simulated_wear_rate"] = rate;
   if (rate > 0.)
     values["life"]["simulated_wear_hours"] = life.elongation / rate / 3600.;
@@ -293,12 +297,12 @@ observe::Summary Simulation::summary() const
   summary.phases      = observe::rows_of_all_ranks(system_->timer, communicator());
   files::Json &values = summary.values;
   recorder_->summarize(values);
-  add_balances(values, *guard_);
+  add_balances(values, *guard_, facts.strands);
   values["checks"]             = drive::to_json(drive::check_design(parameters, facts));
   values["drive"]              = drive::to_json(facts);
   const drive::DesignLife life = this->life();
   values["life"]               = drive::to_json(life);
-  add_simulated_wear(values, life, model.contact.bush_pin_friction);
+  add_simulated_wear(values, life, model.contact.bush_pin_friction, facts.strands);
   values["critical_time_step"] = step.limit;
   values["time_step"]          = step.step;
   values["steps"]              = done_;

@@ -3,6 +3,7 @@
 #include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/drive/facts.h>
+#include <chaindrive/drive/ratings.h>
 #include <chaindrive/model/reading.h>
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/utilities/errors.h>
@@ -53,9 +54,7 @@ Parameters read(const Values &values)
 }
 } // namespace
 
-void template_command(const CommandLine::Design &design,
-                      std::ostream              &out,
-                      const std::string         &remark)
+void template_command(const CommandLine::Design &design, std::ostream &out)
 {
   if (!design.is_given())
     return parameters::write_template(out);
@@ -77,7 +76,9 @@ void template_command(const CommandLine::Design &design,
     check_option("--Nm", *design.torque, 1e-3, 1e6);
   check_option("--kW", kilowatt, 1e-3, 1e6);
   const auto [driver, driven] = read_teeth(*design.teeth);
-  parameters::Drive drive;
+  parameters::Drive  drive;
+  const unsigned int strands = design.strands.value_or(1);
+  check_option("--strands", strands, 1, drive::most_strands);
   drive.chain.designation           = chain;
   drive.sprockets.driver().teeth    = driver;
   drive.sprockets.driven().teeth    = driven;
@@ -91,6 +92,7 @@ void template_command(const CommandLine::Design &design,
                                 {"Drive/Driver teeth", std::to_string(driver)},
                                 {"Drive/Driven teeth", std::to_string(driven)},
                                 {"Drive/Chain/Designation", chain},
+                                {"Drive/Chain/Strands", std::to_string(strands)},
                                 {"Drive/Layout/Centre distance from", "sag"},
                                 {"Drive/Layout/Start", "settled"},
                                 {"Loads/Driver speed in rpm", to_text(rpm, 10)},
@@ -110,15 +112,16 @@ void template_command(const CommandLine::Design &design,
     return "set " + path.substr(path.rfind('/') + 1) + " = " + values.at(path) + "\n";
   };
   out << "# SPDX-License-Identifier: LGPL-2.1-or-later\n#\n# A " << chain
-      << " chain on sprockets of " << driver << " and " << driven << " teeth, " << to_text(kilowatt)
-      << " kW at " << to_text(rpm) << " rpm.\n"
-      << (remark.empty() ? "" : "# " + remark + "\n")
+      << (strands == 1 ? "" : "-" + std::to_string(strands)) << " chain on sprockets of " << driver
+      << " and " << driven << " teeth, " << to_text(kilowatt) << " kW at " << to_text(rpm)
+      << " rpm.\n"
       << "# Lines with CHECK are assumptions; chaindrive document lists all entries.\n\n"
       << "subsection Drive\n"
       << "  # the even number for a centre distance of " << to_text(centre)
       << " mm: with the sag below it is " << to_text(found, 6) << " mm\n"
       << "  " << set("Drive/Number of links") << "  " << set("Drive/Driver teeth") << "  "
       << set("Drive/Driven teeth") << "\n  subsection Chain\n    " << set("Drive/Chain/Designation")
+      << (strands == 1 ? "" : "    " + set("Drive/Chain/Strands"))
       << "  end\n\n  subsection Layout\n    # CHECK: 1 % of the slack span, as makers recommend\n"
       << "    " << set("Drive/Layout/Centre distance from") << "    set Sag in percent = 1\n"
       << "    " << set("Drive/Layout/Start") << "  end\nend\n\n"

@@ -56,7 +56,7 @@ struct CommandLine
     std::optional<std::string> fidelity;              ///< of the model
 
     std::optional<double>       ratio, hours;
-    std::optional<unsigned int> strands; ///< at most
+    std::optional<unsigned int> strands; ///< of the chain; of a selection at most
     std::optional<std::string>  motor, shock, lubrication;
 
     bool is_given() const { return chain || teeth || centre || rpm || kilowatt || torque; }

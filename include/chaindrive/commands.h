@@ -61,11 +61,8 @@ void check_noise(const drive::Drive &drive,
 
 /// Writes a .prm file to begin with to @p out: one that can be run for @p design, whose number of
 /// links is the even one that comes nearest to its centre distance; without a design every entry
-/// with its default. @p remark is a comment in its head. Throws InputError for a drive that cannot
-/// be.
-void template_command(const CommandLine::Design &design,
-                      std::ostream              &out,
-                      const std::string         &remark = "");
+/// with its default. Throws InputError for a drive that cannot be.
+void template_command(const CommandLine::Design &design, std::ostream &out);
 
 /// Prints a table of the drives that would do for what the command line asks of them
 /// (drive/selection.h), the best first, which is written as a .prm file where a name for it is

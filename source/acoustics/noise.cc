@@ -109,6 +109,7 @@ public:
           const double                 highest)
       : motion_(motion)
       , regular_(regular)
+      , strands_(site.strands)
       , mass_(dipole_mass({settings.air_density, settings.speed_of_sound},
                           site.roller_radius,
                           site.roller_length))
@@ -130,7 +131,8 @@ public:
     const Grid       &coarse = regular_.grid();
     const double      step   = coarse.step / static_cast<double>(refinement_);
     const std::size_t size   = (coarse.size - 2) * refinement_ + 1;
-    Source            source{{coarse.start + 0.5 * coarse.step, step, size}, {}, {}, mass_};
+    // strands move alike, side by side, and their pressures add up
+    Source source{{coarse.start + 0.5 * coarse.step, step, size}, {}, {}, strands_ * mass_};
     source.position.resize(size);
     source.acceleration.resize(size);
     for (unsigned int d = 0; d < 2; ++d)
@@ -164,6 +166,7 @@ private:
 
   const Motion  &motion_;
   const Regular &regular_;
+  const double   strands_;
   const double   mass_;
   std::size_t    refinement_;
   Response       response_;

@@ -15,7 +15,7 @@ namespace
 /// 11 (2004) 573-584, in m. Other sizes scale from it.
 namespace reference
 {
-constexpr const char *designation     = "525";
+constexpr const char *designation     = parameters::reference_chain;
 constexpr double      roller_diameter = 10.16e-3, roller_length = 7.00e-3;
 constexpr double      bush_diameter = 7.43e-3, pin_diameter = 5.24e-3, pin_bore = 2.68e-3;
 constexpr double      inner_width = 7.94e-3, plate_thickness = 2.0e-3, plate_gap = 0.5e-3;
@@ -32,9 +32,8 @@ const CatalogueChain &look_up(const std::string &designation)
       designation.find_first_not_of("0123456789", dash + 1) == std::string::npos)
     if (const std::string size = designation.substr(0, dash); find_chain(size) != nullptr)
       throw InputError("Drive/Chain/Designation = " + designation +
-                       ": a chain has one strand here. Take " + size +
-                       " with the power of the strand that pulls most, which chaindrive select "
-                       "finds (doc/not-modelled.md).");
+                       ": the number of strands has an entry of its own. Choose Designation = " +
+                       size + " and Strands = " + designation.substr(dash + 1) + ".");
   const std::vector<std::string> known   = chain_designations();
   const std::string              nearest = nearest_name(designation, known);
   std::string                    list;

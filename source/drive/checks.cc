@@ -2,6 +2,7 @@
 #include <chaindrive/drive/checks.h>
 #include <chaindrive/drive/life.h>
 #include <chaindrive/drive/rules_of_thumb.h>
+#include <chaindrive/drive/strands.h>
 #include <chaindrive/utilities/text.h>
 
 #include <deal.II/base/numbers.h>
@@ -50,11 +51,17 @@ struct Checks
     return p.drive.layout.centre_distance_from == parameters::CentreDistanceFrom::given;
   }
 
+  /// Of one strand per torque of all, 1/m.
+  double tension_per_torque() const
+  {
+    return 2. * PI / (facts.loaded().teeth * facts.loaded_pitch) / facts.strands;
+  }
+
   /// As a piece of advice, the load with which the chain has the usual safety; empty if it has not
   /// without any. @p after is the torque after its step.
   std::string less_load(const double after) const
   {
-    const double factor  = 2. * PI / (facts.loaded().teeth * facts.loaded_pitch);
+    const double factor  = tension_per_torque();
     const double now     = facts.effective_tension;
     const double kept    = facts.slack().tension - facts.centrifugal_tension;
     const double all     = facts.tensile_strength / least_safety - facts.centrifugal_tension;
@@ -79,14 +86,19 @@ struct Checks
   {
     // the load may become larger at its step
     const double after  = p.loads.torque_step_time ? std::abs(p.loads.torque_after_step) : 0.;
-    const double factor = 2. * PI / (facts.loaded().teeth * facts.loaded_pitch);
+    const double factor = tension_per_torque();
     const double added_tension = std::max(0., after * factor - facts.effective_tension);
     const double tension       = facts.tight().tension + added_tension;
     const double strength      = facts.tensile_strength;
     if (strength <= 0. || tension <= 0.)
       return;
-    const std::string figures = "The tight span pulls with " + newton(tension) +
-                                ", and the chain " + facts.chain + " breaks at " + newton(strength);
+    const std::string figures =
+        facts.strands == 1 ?
+            "The tight span pulls with " + newton(tension) + ", and the chain " + facts.chain +
+                " breaks at " + newton(strength) :
+            "Each of " + std::to_string(facts.strands) + " strands of the tight span pulls with " +
+                newton(tension) + ", and its share of what the chain " + facts.chain +
+                " breaks at is " + newton(strength);
     const std::string advice =
         " Choose a larger chain or larger sprockets" + less_load(after) + ".";
     add(tension >= strength, "strength", figures + ": it would not hold." + advice);
@@ -98,16 +110,22 @@ struct Checks
 
   void size()
   {
-    add(facts.joint_pressure > usual_pressure,
+    const double pressure = uneven_share(facts.strands) * facts.joint_pressure;
+    add(pressure > usual_pressure,
         "joint_pressure",
-        "The joints carry " + to_text(facts.joint_pressure * 1e-6, 3) +
-            " MPa, and wear fast above some " + to_text(usual_pressure * 1e-6, 3) +
+        (facts.strands == 1 ? "The joints carry " :
+                              "The joints of the strand that pulls most carry ") +
+            to_text(pressure * 1e-6, 3) + " MPa, and wear fast above some " +
+            to_text(usual_pressure * 1e-6, 3) +
             " MPa: choose a larger chain, or larger sprockets for the same power.");
     add(facts.power > facts.rated_power && facts.power > 0.,
         "power",
         "At " + rpm(facts.driver().speed) + " " + to_text(facts.power * 1e-3, 3) +
-            " kW are more than the " + to_text(facts.rated_power * 1e-3, 3) +
-            " kW that a chain of this pitch usually transmits over the smaller sprocket: choose a "
+            " kW are more than the " + to_text(facts.rated_power * 1e-3, 3) + " kW that " +
+            (facts.strands == 1 ? "a chain" :
+                                  "such " + std::to_string(facts.strands) + " strands") +
+            " of this pitch usually transmit" + (facts.strands == 1 ? "s" : "") +
+            " over the smaller sprocket: choose a "
             "larger chain, more teeth or less power.");
     add(facts.driver().speed > facts.highest_speed,
         "speed",

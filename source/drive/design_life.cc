@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/design_life.h>
+#include <chaindrive/drive/strands.h>
 #include <chaindrive/utilities/text.h>
 
 #include <deal.II/base/numbers.h>
@@ -32,12 +33,19 @@ DesignLife design_life(const Facts &facts, const ChainDimensions &chain, const b
   unsigned int      largest = 0, smallest = 0;
   double            fastest = 0.; // of the loaded sprockets and the driver
   const std::size_t n       = facts.sprockets.size();
+  // of the strand that pulls most; flung are all alike
+  const double more       = uneven_share(facts.strands);
+  const auto   tension_of = [&](const std::size_t span) {
+    return facts.strands == 1 ? facts.spans[span].tension :
+                                  more * (facts.spans[span].tension - facts.centrifugal_tension) +
+                                    facts.centrifugal_tension;
+  };
   for (std::size_t i = 0; i < n; ++i)
     {
       const Facts::Sprocket &sprocket = facts.sprockets[i];
-      const double           tension  = facts.spans[i].tension;
-      force_angle += 2. * dealii::numbers::PI / sprocket.teeth *
-                     (tension + facts.spans[(i + n - 1) % n].tension);
+      const double           tension  = tension_of(i);
+      force_angle +=
+          2. * dealii::numbers::PI / sprocket.teeth * (tension + tension_of((i + n - 1) % n));
       least   = std::min(least, tension);
       most    = std::max(most, tension);
       largest = std::max(largest, sprocket.teeth);
@@ -76,9 +84,11 @@ DesignLife design_life(const Facts &facts, const ChainDimensions &chain, const b
                                      facts.pitch,
                                      smallest,
                                      fastest * 30. / dealii::numbers::PI,
-                                     facts.effective_tension);
+                                     more * facts.effective_tension);
   life.roller_hours =
-      facts.power > 0. ? hours_of_rollers(ratings.rollers(), facts.power, n_links) : endless;
+      facts.power > 0. ?
+          hours_of_rollers(ratings.rollers(), facts.power / strand_factor(facts.strands), n_links) :
+          endless;
 
   const auto stress = [most](const double height, const double waist, const double hole, double t) {
     return plate_stress(most, height, waist * height, hole, t);

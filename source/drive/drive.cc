@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/chain_mass.h>
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/drive/hanging_span.h>
 #include <chaindrive/drive/rest.h>
+#include <chaindrive/drive/strands.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
@@ -49,7 +51,8 @@ Pull hardest_pull(const Parameters &parameters, const Drive &drive)
   const parameters::Loads  &loads        = parameters.loads;
   const parameters::Layout &layout       = parameters.drive.layout;
   Pull                      pull{largest, "of the load", "Loads/Resisting torque in N m"};
-  const double              after = std::abs(loads.torque_after_step) / pitch_radius;
+  const double              after =
+      std::abs(loads.torque_after_step) * parameters.drive.chain.share() / pitch_radius;
   if (loads.torque_step_time && after > pull.tension)
     pull = {after, "of the load after its step", "Loads/Torque after step in N m"};
   if (layout.centre_distance_from == CentreDistanceFrom::pretension &&
@@ -142,22 +145,6 @@ parameters::Drive worn_drive(const Parameters &parameters, const Lay &lay, Drive
   return entries;
 }
 
-/// Says by how much the solids' mass differs from that of the chain's table, which counts overhangs
-/// of pins and rivets.
-void note_mass(Drive &d, const Parameters &parameters)
-{
-  const CatalogueChain *row = find_chain(d.chain.designation);
-  if (row == nullptr || row->mass_per_metre <= 0. || parameters.model.mass_per_pitch ||
-      has_own_dimensions(d.chain))
-    return;
-  const double listed = row->mass_per_metre * d.chain.pitch;
-  if (std::abs(d.mass_per_pitch / listed - 1.) > 0.03)
-    d.notes.push_back("Mass of the chain " + to_text(d.mass_per_pitch / d.chain.pitch, 4) +
-                      " kg/m, of its solids; catalogues have " + to_text(row->mass_per_metre, 4) +
-                      " kg/m, which Model/Mass per pitch in g = " + to_text(1e3 * listed, 4) +
-                      " takes.");
-}
-
 /// The torques of loads that @p d, which has its sprockets, meets in operation.
 void set_torques(const Parameters &p, Drive &d)
 {
@@ -182,7 +169,8 @@ void refuse_brake(const Drive &d)
       double steepest = 0.; // N m s
       for (const functions::Term &term : sprocket.program.terms)
         if (term.variable == functions::Variable::speed)
-          steepest += term.function->steepest(0., speed / sprocket.form.teeth);
+          steepest +=
+              sprocket.program.share * term.function->steepest(0., speed / sprocket.form.teeth);
       if (steepest > fastest * sprocket.inertia)
         throw InputError("Loads/" + sprocket.name + "/Of speed: a torque that grows by " +
                          to_text(steepest, 4) + " N m s stops the inertia of the " +
@@ -362,15 +350,20 @@ void set_chain_and_sprockets(const Parameters &parameters, Drive &d)
   d.chain = d.links.in(d.chain);
   for (unsigned int i = 0; i < sprockets.list.size(); ++i)
     {
-      d.sprockets.push_back(make_sprocket(i, sprockets, d.chain, parameters.model.driven_inertia));
+      d.sprockets.push_back(make_sprocket(
+          i, sprockets, d.chain, parameters.model.driven_inertia, parameters.drive.chain.share()));
       d.sprockets[i].program =
           make_program(sprockets.list[i],
                        parameters.loads,
                        parameters.time.start,
                        parameters.drive.layout.start == parameters::Start::settled,
-                       parameters.folders);
+                       parameters.folders,
+                       parameters.drive.chain.share());
     }
   set_torques(parameters, d);
+  d.strands = parameters.drive.chain.strands;
+  if (d.strands > 1)
+    d.notes.push_back(in_words_of_strands(d.strands));
   append(d.notes, d.chain.derived);
   if (!d.links.are_equal())
     d.notes.push_back(d.links.in_words());
@@ -393,18 +386,13 @@ void set_chain_and_sprockets(const Parameters &parameters, Drive &d)
 void set_solids(const Parameters &parameters, Drive &d)
 {
   const double density = parameters.material.density;
-  d.roller_solid       = roller_solid(d.chain, density);
-  d.inner_link_solid   = inner_link_solid(d.chain, density);
-  d.outer_link_solid   = outer_link_solid(d.chain, density);
+  set_chain_mass(parameters, d);
   for (Sprocket &sprocket : d.sprockets)
     {
       sprocket.solid   = sprocket_solid(sprocket.form, sprocket.bore, d.sprocket_width, density);
       sprocket.inertia = sprocket.given_inertia.value_or(sprocket.solid.inertia[2][2]);
     }
   refuse_brake(d);
-  d.mass_per_pitch =
-      d.roller_solid.mass + 0.5 * (d.inner_link_solid.mass + d.outer_link_solid.mass);
-  note_mass(d, parameters);
 }
 
 /// Stiffnesses of pitch, rollers and teeth under the mean tension of the loads.
@@ -542,8 +530,8 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
     }
   for (const auto &tensioner : {d.layout.tensioner, d.layout.clamped})
     if (tensioner)
-      d.notes.push_back(
-          tensioner->in_words(d.sprockets[tensioner->wheel].title, d.layout.slack().slack));
+      d.notes.push_back(tensioner->in_words(
+          d.sprockets[tensioner->wheel].title, d.layout.slack().slack, d.strands));
   if (layout.centre_distance_from != CentreDistanceFrom::given && !clamped)
     d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance() * 1e3, 7) +
                       " mm, from " + text_of(layout.centre_distance_from) + ".");

@@ -3,6 +3,7 @@
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/drive/hanging_span.h>
 #include <chaindrive/drive/ratings.h>
+#include <chaindrive/drive/strands.h>
 #include <chaindrive/path/span.h>
 
 #include <deal.II/base/numbers.h>
@@ -18,7 +19,7 @@ using parameters::Role;
 
 namespace
 {
-void set_limits(Facts &facts)
+void set_limits(Facts &facts, const unsigned int strands)
 {
   const auto &smaller =
       *std::min_element(facts.sprockets.begin(),
@@ -26,9 +27,12 @@ void set_limits(Facts &facts)
                         [](const Facts::Sprocket &one, const Facts::Sprocket &other) {
                           return !one.idle && (other.idle || one.teeth < other.teeth);
                         });
-  const Ratings limits = ratings_of(
-      facts.chain, facts.pitch, smaller.teeth, smaller.speed * 30. / PI, facts.effective_tension);
-  facts.rated_power = limits.power();
+  const Ratings limits = ratings_of(facts.chain,
+                                    facts.pitch,
+                                    smaller.teeth,
+                                    smaller.speed * 30. / PI,
+                                    uneven_share(strands) * facts.effective_tension);
+  facts.rated_power    = limits.power();
   facts.highest_speed =
       limits.speed() * PI / 30. * (static_cast<double>(smaller.teeth) / facts.driver().teeth);
 }
@@ -43,7 +47,8 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
   facts.mass_per_metre = p.model.mass_per_pitch.value_or(d.mass_per_pitch) / facts.loaded_pitch;
   const CatalogueChain *row = find_chain(d.chain.designation);
   facts.own_dimensions      = has_own_dimensions(d.chain);
-  facts.tensile_strength    = row != nullptr && !facts.own_dimensions ? row->tensile_strength : 0.;
+  facts.tensile_strength =
+      row != nullptr && !facts.own_dimensions ? row->strength_of(d.strands) / d.strands : 0.;
   // the bush ends in the middle of the inner plates; the whole plate carries
   facts.bearing_area = d.chain.pin_diameter * (d.chain.bush_length + d.chain.inner_plate_thickness);
 
@@ -380,7 +385,8 @@ Facts make_facts(const Parameters &p, const Drive &d)
       functions::last_breakpoint(*d.sprockets.front().program.run_up, p.time.start);
   facts.driven_frequency = driven_frequency(facts, p, d);
   facts.driven_resonance = 2. * PI * facts.driven_frequency / z1;
-  set_limits(facts);
+  set_limits(facts, d.strands);
+  add_strands(facts, d.strands);
   return facts;
 }
 

@@ -42,6 +42,7 @@ files::Json to_json(const Facts &facts)
 {
   files::Json json;
   json["chain"]            = facts.chain;
+  json["strands"]          = facts.strands;
   json["links"]            = facts.links;
   json["pitch"]            = facts.pitch;
   json["loaded_pitch"]     = facts.loaded_pitch;
@@ -105,11 +106,14 @@ std::vector<files::Described> described_facts()
 {
   return {
       {"drive/chain", "", "designation of the chain"},
+      {"drive/strands", "1", "number of strands, which share equally"},
       {"drive/links", "1", "number of links"},
       {"drive/pitch", "m", "nominal pitch"},
       {"drive/loaded_pitch", "m", "mean distance of rollers under load"},
-      {"drive/mass_per_metre", "kg/m", "mass of the chain"},
-      {"drive/tensile_strength", "N", "least breaking load of the chain's size"},
+      {"drive/mass_per_metre", "kg/m", "mass of one strand"},
+      {"drive/tensile_strength",
+       "N",
+       "least breaking load of the chain's size, by the number of strands"},
       {"drive/safety", "1", "tensile strength over the tension of the tight span"},
       {"drive/bearing_area", "m2", "pin diameter times length of the bush"},
       {"drive/ratio", "1", "teeth of the driven sprocket over those of the driver"},
@@ -136,7 +140,7 @@ std::vector<files::Described> described_facts()
       {"drive/spans/*/length", "m", "length between these points"},
       {"drive/spans/*/slack", "m", "length less the distance of its ends"},
       {"drive/spans/*/sag", "m", "sag in its middle"},
-      {"drive/spans/*/tension", "N", "mean tension with the centrifugal one"},
+      {"drive/spans/*/tension", "N", "mean tension of one strand with the centrifugal one"},
       {"drive/spans/*/frequency", "Hz", "lowest frequency in the plane"},
       {"drive/spans/*/mode", "", "symmetric or antisymmetric"},
       {"drive/spans/*/resonance", "rad/s", "driver speed at which the teeth meet this frequency"},
@@ -144,7 +148,7 @@ std::vector<files::Described> described_facts()
       {"drive/chain_speed", "m/s", "mean speed of the chain"},
       {"drive/tooth_frequency", "Hz", "teeth that meet the chain in a second"},
       {"drive/pitch_time", "s", "time from one tooth to the next"},
-      {"drive/effective_tension", "N", "power over chain speed"},
+      {"drive/effective_tension", "N", "power over chain speed, of one strand"},
       {"drive/centrifugal_tension", "N", "tension that loads neither teeth nor shafts"},
       {"drive/start_tension", "N", "tension of the tight span while the speed grows"},
       {"drive/joint_pressure", "Pa", "tension of the tight span over the bearing area"},
@@ -174,12 +178,15 @@ Lines lines_of(const Facts &facts)
     on_shafts += (on_shafts.empty() ? ", on shafts " : ", ") + to_text(s.load, 4);
   if (facts.sprockets.size() == 2)
     on_shafts = ", on each shaft " + to_text(facts.shaft_load, 4);
+  const bool several = facts.strands > 1;
   line("chain",
-       facts.chain + ", " + std::to_string(facts.links) + " links of " + mm(facts.pitch) +
-           " pitch (" + mm(facts.loaded_pitch) + " under load), " +
-           to_text(facts.mass_per_metre, 4) + " kg/m" +
+       (several ? std::to_string(facts.strands) + " strands of " : "") + facts.chain + ", " +
+           std::to_string(facts.links) + " links of " + mm(facts.pitch) + " pitch (" +
+           mm(facts.loaded_pitch) + " under load), " + to_text(facts.mass_per_metre, 4) +
+           (several ? " kg/m each" : " kg/m") +
            (facts.tensile_strength > 0. ?
-                ", breaks at " + to_text(facts.tensile_strength * 1e-3, 4) + " kN or more" :
+                (several ? ", break together at " : ", breaks at ") +
+                    to_text(facts.strands * facts.tensile_strength * 1e-3, 4) + " kN or more" :
             facts.own_dimensions ? ", strength unknown with dimensions of its own" :
                                    ", strength not listed"));
   for (const Facts::Sprocket &s : facts.sprockets)
@@ -202,7 +209,8 @@ Lines lines_of(const Facts &facts)
              to_text(s.tension, 4) + " N, " + mode_in_words(s) + " " + to_text(s.frequency, 3) +
              " Hz (tooth frequency at " + rpm(s.resonance) + ")");
   line("tension",
-       "effective " + to_text(facts.effective_tension, 4) + " N, centrifugal " +
+       (several ? "of one strand: effective " : "effective ") +
+           to_text(facts.effective_tension, 4) + " N, centrifugal " +
            to_text(facts.centrifugal_tension, 3) + " N" +
            (facts.start_tension > 0. ?
                 ", while the speed grows " + to_text(facts.start_tension, 4) + " N" :

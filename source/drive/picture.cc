@@ -79,8 +79,8 @@ std::string sense_of(const Facts::Sprocket &wheel, const double letter)
 
 /// What @p tensioner moves its wheel on: the arm with its pivot, or the line of the slide; where
 /// the wheel's centre may be between the stops, or within a @p letter [m] of travel where there are
-/// none; and with what it presses.
-std::string track_of(const Tensioner &tensioner, const double letter)
+/// none; and with what it presses on all @p strands.
+std::string track_of(const Tensioner &tensioner, const double letter, const unsigned int strands)
 {
   const double reach   = 3. * letter / tensioner.lever();
   const double from    = std::max(tensioner.law.least, tensioner.travel - reach),
@@ -106,7 +106,7 @@ std::string track_of(const Tensioner &tensioner, const double letter)
             mm(0. - tensioner.pivot[1]) + "\" r=\"" + mm(0.4 * letter) + "\"/>\n";
   if (tensioner.is_clamped())
     return path;
-  const double       force = tensioner.law.elastic(tensioner.travel);
+  const double       force = strands * tensioner.law.elastic(tensioner.travel);
   const Tensor<1, 2> way   = tensioner.way(tensioner.travel) / tensioner.lever();
   const Tensor<1, 2> by    = 3. * letter * way;
   path += arrow(now + by, by, 0.8 * letter, "tensioner");
@@ -133,9 +133,9 @@ Tensor<1, 2> load_on(const Facts &facts, const std::size_t i)
 {
   const std::size_t  n  = facts.spans.size();
   const Facts::Span &in = facts.spans[(i + n - 1) % n], &out = facts.spans[i];
-  const auto         pull = [](const Facts::Span &span) {
+  const auto         pull = [&facts](const Facts::Span &span) {
     const Tensor<1, 2> along = span.end - span.begin;
-    return span.tension / along.norm() * along;
+    return facts.strands * span.tension / along.norm() * along;
   };
   return pull(out) - pull(in);
 }
@@ -218,7 +218,7 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
       out << "\"/>\n";
     }
   if (held)
-    out << track_of(*held, letter);
+    out << track_of(*held, letter, drive.strands);
   for (const auto &[wheel, swing] : drive.swings)
     out << track_of(swing, layout.sprockets[wheel].centre, letter);
   for (std::size_t i = 0; i < facts.spans.size(); ++i)
@@ -228,7 +228,8 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
                          span.normal,
                          0.5 * drive.chain.roller_diameter + 0.4 * letter,
                          0.8 * letter,
-                         to_text(facts.spans[i].tension, 4) + " N");
+                         to_text(facts.spans[i].tension, 4) +
+                             (facts.strands == 1 ? " N" : " N in each strand"));
     }
   for (std::size_t i = 0; i < facts.sprockets.size(); ++i)
     {

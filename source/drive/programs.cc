@@ -85,7 +85,7 @@ ShaftProgram::lasting_torque(const double turned, const double time, const doubl
         sum += term.function->value(speed);
         break;
       }
-  return sum;
+  return share * sum;
 }
 
 double ShaftProgram::mean_torque(const double start, const double end, const double speed) const
@@ -107,7 +107,7 @@ double ShaftProgram::mean_torque(const double start, const double end, const dou
         sum += term.function->value(speed);
         break;
       }
-  return sum;
+  return share * sum;
 }
 
 double ShaftProgram::largest_torque(const double start, const double end, const double speed) const
@@ -126,7 +126,7 @@ double ShaftProgram::largest_torque(const double start, const double end, const 
         sum += term.function->largest(0., speed);
         break;
       }
-  return sum;
+  return share * sum;
 }
 
 double ShaftProgram::last_change(const double start) const
@@ -148,10 +148,12 @@ ShaftProgram make_program(const parameters::Sprocket     &sprocket,
                           const parameters::Loads        &loads,
                           const double                    start,
                           const bool                      settled,
-                          const std::vector<std::string> &folders)
+                          const std::vector<std::string> &folders,
+                          const double                    share)
 {
   using functions::Ramp;
-  ShaftProgram      program;
+  ShaftProgram program;
+  program.share = share;
   std::vector<Term> terms;
   const double      ramp_time = settled ? 0. : loads.ramp_time;
   functions::Shaft  shaft{

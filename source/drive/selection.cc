@@ -39,22 +39,11 @@ links_and_centre(const double z1, const double z2, const double wanted)
   return {links, 0.25 * (-a + std::sqrt(std::max(0., a * a - 8. * step)))};
 }
 
-/// kg/m of one strand: of the catalogue, or of the ANSI chain of the same pitch and roller.
-double mass_per_metre(const CatalogueChain &row)
-{
-  if (row.mass_per_metre > 0.)
-    return row.mass_per_metre;
-  for (const CatalogueChain &other : ansi_chains())
-    if (other.pitch == row.pitch && other.roller_diameter == row.roller_diameter)
-      return other.mass_per_metre;
-  return 0.;
-}
-
 class Judge
 {
 public:
   Judge(const Demand &demand, const CatalogueChain &row)
-      : demand_(demand), row_(row), mass_per_metre_(mass_per_metre(row))
+      : demand_(demand), row_(row), mass_per_metre_(row.mass_per_metre)
   {
     parameters::Chain chain;
     chain.designation = row.designation;
@@ -92,7 +81,8 @@ public:
     const Ratings ratings = ratings_of(c.chain, p, small, rpm, force * factor);
     const double  strand  = demand_.power * factor / share; // W
     c.capacity            = ratings.power() / strand;
-    c.breaking            = row_.tensile_strength / (force * factor + flung);
+    c.breaking            = row_.strength_of(strands) /
+                 (demand_.power / speed * factor + strands * flung); // of all strands
     const double area = chain_.pin_diameter * (chain_.bush_length + chain_.inner_plate_thickness);
     c.pressure        = (force + flung) / area;
 

@@ -101,12 +101,12 @@ MassProperties roller_solid(const ChainDimensions &c, const double density)
 
 MassProperties bush_solid(const ChainDimensions &c, const double density)
 {
-  return tube(c.bush_diameter, c.bush_bore, c.bush_length, density);
+  return tube(c.bush_diameter, c.bush_bore, c.bush_length, c.link_density_factor * density);
 }
 
 MassProperties pin_solid(const ChainDimensions &c, const double density)
 {
-  return tube(c.pin_diameter, c.pin_bore, c.pin_length, density);
+  return tube(c.pin_diameter, c.pin_bore, c.pin_length, c.link_density_factor * density);
 }
 
 MassProperties plate_solid(const Plate &plate, const double density)
@@ -117,7 +117,7 @@ MassProperties plate_solid(const Plate &plate, const double density)
 
 MassProperties inner_link_solid(const ChainDimensions &c, const double density)
 {
-  return link(plate_solid(inner_plate(c), density),
+  return link(plate_solid(inner_plate(c), c.link_density_factor * density),
               c.inner_plate_z,
               bush_solid(c, density),
               c.inner_hole_pitch);
@@ -125,7 +125,7 @@ MassProperties inner_link_solid(const ChainDimensions &c, const double density)
 
 MassProperties outer_link_solid(const ChainDimensions &c, const double density)
 {
-  return link(plate_solid(outer_plate(c), density),
+  return link(plate_solid(outer_plate(c), c.link_density_factor * density),
               c.outer_plate_z,
               pin_solid(c, density),
               c.outer_hole_pitch);

@@ -11,7 +11,8 @@ namespace chaindrive::drive
 Sprocket make_sprocket(const unsigned int           number,
                        const parameters::Sprockets &sprockets,
                        const ChainDimensions       &chain,
-                       const std::optional<double> &driven_inertia)
+                       const std::optional<double> &driven_inertia,
+                       const double                 share)
 {
   const parameters::Sprocket &given = sprockets.list[number];
   Sprocket                    sprocket;
@@ -31,6 +32,8 @@ Sprocket make_sprocket(const unsigned int           number,
   sprocket.tilt_direction = given.tilt_direction;
   sprocket.given_inertia =
       given.name == sprockets.driven().name && driven_inertia ? driven_inertia : given.inertia;
+  if (sprocket.given_inertia)
+    *sprocket.given_inertia *= share;
   const double root     = sprocket.form.root_diameter;
   sprocket.bore         = given.bore.value_or(root / 3.);
   sprocket.hub_diameter = given.hub_diameter.value_or(std::max(sprocket.bore, 0.6 * root));

@@ -109,13 +109,14 @@ std::string Tensioner::with_unit(const double travel) const
   return is_arm() ? to_text(travel * 180. / dealii::numbers::PI, 4) + " degrees" : in_mm(travel, 4);
 }
 
-std::string Tensioner::in_words(const std::string &wheel, const double slack) const
+std::string
+Tensioner::in_words(const std::string &wheel, const double slack, const unsigned int strands) const
 {
   const std::string place = "The " + text_of(holder) + " of the " + wheel + " has " +
                             (is_arm() ? "turned by " : "moved by ") + with_unit(travel);
   if (is_clamped())
     return place + ", where it is clamped.";
-  const double force = law.elastic(travel);
+  const double force = strands * law.elastic(travel);
   return place +
          (travel >= law.most ?
               " onto its greatest stop, which leaves " + in_mm(slack, 4) + " of slack" :
@@ -152,13 +153,14 @@ Tensioner make_tensioner(const parameters::Drive &drive, const bool reverse)
   tensioner.sense                    = reverse ? -1 : 1;
   tensioner.direction[0]             = tensioner.sense * std::cos(wheel.held.direction);
   tensioner.direction[1]             = tensioner.sense * std::sin(wheel.held.direction);
-  tensioner.inertia                  = given.inertia;
+  const double share                 = drive.chain.share();
+  tensioner.inertia                  = share * given.inertia;
 
   TensionerLaw &law      = tensioner.law;
-  law.preload            = given.preload;
-  law.stiffness          = given.stiffness;
-  law.damping            = given.damping;
-  law.retracting_damping = given.retracting_damping.value_or(given.damping);
+  law.preload            = share * given.preload;
+  law.stiffness          = share * given.stiffness;
+  law.damping            = share * given.damping;
+  law.retracting_damping = share * given.retracting_damping.value_or(given.damping);
   law.least              = given.least.value_or(law.least);
   law.most               = given.most.value_or(law.most);
   if (tensioner.is_clamped())

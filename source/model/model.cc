@@ -130,7 +130,7 @@ Model make_model(const Parameters &p, const drive::Drive &drive, const Effects &
     model.chain_damping_ratio = p.model.chain_damping_ratio;
   model.loads = loads_of(p.loads, effects);
   if (const drive::CatalogueChain *row = drive::find_chain(p.drive.chain.designation))
-    model.tensile_strength = row->tensile_strength;
+    model.tensile_strength = row->strength_of(drive.strands) / drive.strands;
 
   model.time   = p.time;
   model.output = p.output;

@@ -36,6 +36,16 @@ void Chain::declare(Declarations &declarations)
            "Size of the chain in the tables of the standards, from which all dimensions below "
            "follow unless they are given. The default is the chain of the drive in prm/paper.");
   add(declarations,
+      "Strands",
+      strands,
+      1,
+      6,
+      "Strands side by side, 2 of 08B-2: they share the load equally, and one is computed with its "
+      "share. Of all strands are torques, inertias, springs of tensioners, loads of shafts and "
+      "guides, power, losses, energies and sound, in entries as in results; of one strand are "
+      "masses, stiffnesses and tensions of the chain, forces in joints and on teeth. Ratings and "
+      "life take the strand that pulls most, doc/theory.md, section 9. Default: a simplex chain.");
+  add(declarations,
       "Pitch set",
       pitch_set,
       "Hole distance in the plates. standard: outer plates are shorter by the joint clearance, so "

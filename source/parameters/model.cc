@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/parameters/drive.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/parameters/model.h>
 
@@ -26,8 +27,16 @@ void Model::declare(Declarations &declarations)
       mass_per_pitch,
       unit::milli,
       above(0., 1e6),
-      "Mass of the chain per pitch; a catalogue's kg/m times the pitch in mm. auto: from the "
-      "volumes of the parts and the density.");
+      "Mass of one strand of the chain per pitch; a catalogue's kg/m times the pitch in mm. auto: "
+      "from Mass from.");
+  add(declarations,
+      "Mass from",
+      mass_from,
+      "Source of the mass of the chain. catalogue: the kg/m of makers' tables, where they list the "
+      "chain and it has no dimensions of its own; what the solids of the model lack, such as ends "
+      "of pins and bushes outside of the plates, comes to the density of plates, bushes and pins, "
+      "not of rollers, by one factor that the plan names. dimensions: volumes of the parts and the "
+      "density, also of chains that are not listed.");
   add(declarations,
       "Stiffness per pitch in N/m",
       stiffness_per_pitch,
@@ -100,11 +109,19 @@ void Material::declare(Declarations &declarations)
       "Lateral contraction over axial strain. Default: steel.");
   add(declarations,
       "Density in kg/m3",
-      density,
+      given_density,
       unit::si,
       between(1., 100000.),
-      "Density of all parts, from which masses and inertias that are auto follow. Default: the "
-      "value of the drive in prm/paper; most steels have 7800 to 7900.");
+      "Density of all parts, from which masses and inertias that are auto follow. auto: 7850, of "
+      "carbon steel; with the chain 525 7600, the value of the drive in prm/paper, of which that "
+      "chain is.");
+}
+
+void Material::resolve(const std::string &designation)
+{
+  constexpr double carbon_steel = 7850.;
+  density = given_density.value_or(designation == reference_chain ? chaindrive::Material().density :
+                                                                    carbon_steel);
 }
 
 void Elements::declare(Declarations &declarations)

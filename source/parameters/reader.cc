@@ -490,6 +490,7 @@ void finish(Input &input, Reader &reader, const Completion &completion)
   reader.throw_errors();
   reader.convert_other_forms();
   reader.throw_errors();
+  input.parameters.material.resolve(input.parameters.drive.chain.designation);
   std::vector<std::string> changed = reader.changed();
   if (reader.wants_links())
     {

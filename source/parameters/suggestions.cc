@@ -161,9 +161,6 @@ const std::vector<NotModelled> &not_modelled()
        "wheels are out of line by the entries Axial offset in mm and Tilt in degrees of each in "
        "Drive/Wheels; shafts do not give way along their axes, and nothing else pushes the chain "
        "sideways"},
-      {{"strand", "multiplex", "duplex", "triplex"},
-       "the chain has one strand; divide torque and driven inertia by the number of strands; only "
-       "new strands share the load evenly"},
       {{"flank error", "wobble"},
        "all teeth have the same flanks and do not wobble; a sprocket of any shape can be imported, "
        "Drive/Sprockets/Driver mesh"},

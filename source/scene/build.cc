@@ -29,6 +29,7 @@ Tensor3 embed(const dealii::Tensor<1, 2> &v)
 void describe(const drive::Drive &drive, DriveView &view)
 {
   const drive::Layout &layout = drive.layout;
+  view.strands                = drive.strands;
   view.n_joints               = static_cast<unsigned int>(layout.joints.size());
   view.sense                  = layout.sense;
   view.pitch                  = drive.chain.loaded_pitch();

@@ -55,6 +55,11 @@ double link_spin(const drive::Layout &layout, const unsigned int k)
 }
 } // namespace
 
+std::string source_of_mass(const drive::Drive &drive)
+{
+  return drive.chain.link_density_factor == 1. ? "auto: from the parts" : "auto: of catalogues";
+}
+
 double roller_spin(const drive::Layout &layout, const unsigned int k)
 {
   const int sprocket = layout.joints[k].sprocket;
@@ -82,7 +87,7 @@ void add_chain_bodies(const model::Model      &model,
   scene.notes.push_back(
       "Mass per pitch " + to_text(scene.drive.mass_per_pitch * 1e3, 4) + " g (" +
       (model.mass_per_pitch.given ? "given: links scaled by " + to_text(factor, 4) :
-                                    std::string("auto: from the parts")) +
+                                    source_of_mass(drive)) +
       "), of which the roller " + to_text(drive.roller_solid.mass * 1e3, 4) + " g");
 
   for (unsigned int k = 0; k < n; ++k)

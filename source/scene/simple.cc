@@ -15,7 +15,7 @@ void add_simple_chain(const model::Model &model, const drive::Drive &drive, Scen
   const double mass          = model.mass_per_pitch.value;
   scene.drive.mass_per_pitch = mass;
   scene.notes.push_back("Mass per pitch " + to_text(mass * 1e3, 4) + " g (" +
-                        (model.mass_per_pitch.given ? "given" : "auto: from the parts") +
+                        (model.mass_per_pitch.given ? "given" : source_of_mass(drive)) +
                         "), lumped at the rollers");
 
   // what turns is the ring, whatever mass of the links is lumped with it

@@ -72,8 +72,8 @@ Body sprocket_body(const model::Model &model,
     body.inertia[d] = solid.inertia[d][d];
   body.inertia[2] = sprocket.given_inertia.value_or(solid.inertia[2][2]);
   if (sprocket.role != Role::driver)
-    scene.notes.push_back(sprocket.in_entries + " inertia " + to_text(body.inertia[2], 4) +
-                          " kg m2 (" +
+    scene.notes.push_back(sprocket.in_entries + " inertia " +
+                          to_text(drive.strands * body.inertia[2], 4) + " kg m2 (" +
                           (sprocket.given_inertia ? "given" : "auto: the sprocket alone") + ")");
   body.initial = placed(start.centre, start.angle, dealii::Tensor<1, 2>(), start.speed);
   if (const dealii::Tensor<1, 2> &e = start.eccentricity; e != dealii::Tensor<1, 2>())

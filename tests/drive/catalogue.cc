@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Every value of the chain tables: pitch, roller, inner width, pin, plate heights inner and outer,
-// plate thicknesses inner and outer (mm), strength (kN), mass (kg/m); 0: not listed. Then what the
-// standards say of them: names count the pitch, and the width of motorcycle chains, in parts of an
-// inch; ANSI B29.1 asks for 12500 lbf at a pitch of an inch and more with its square; the same
-// chain of two standards differs by roundings; and all chains are of one steel, so that each breaks
-// of its own weight at about the same length.
+// plate thicknesses inner and outer (mm), strength of one to three strands (kN), mass (kg/m); 0:
+// not listed. Then what the standards say of them: names count the pitch, and the width of
+// motorcycle chains, in parts of an inch; ANSI B29.1 asks for 12500 lbf at a pitch of an inch and
+// more with its square; a heavy chain differs by a 32nd of an inch and more in its plates; the same
+// chain of two standards differs by roundings; all chains are of one steel, so that each breaks of
+// its own weight at about the same length; of several strands each breaks at no more than a single
+// one; and the solids that follow from a row have about the mass that makers list.
 
 #include <chaindrive/drive/catalogue.h>
+#include <chaindrive/drive/solids.h>
 
 #include <cmath>
 #include <functional>
@@ -48,9 +51,20 @@ bool same(const CatalogueChain &a, const CatalogueChain &b, const double part)
          near(a.tensile_strength, b.tensile_strength, part);
 }
 
+/// kg/m of the solids that the program makes of a row, of steel.
+double mass_of_solids(const CatalogueChain &row)
+{
+  chaindrive::parameters::Chain entries;
+  entries.designation         = row.designation;
+  const ChainDimensions chain = make_chain(entries);
+  const double links = inner_link_solid(chain, 7850.).mass + outer_link_solid(chain, 7850.).mass;
+  return (roller_solid(chain, 7850.).mass + 0.5 * links) / row.pitch;
+}
+
 void judge()
 {
-  const auto number = [](const CatalogueChain &c) { return std::stoi(c.designation); };
+  const auto number   = [](const CatalogueChain &c) { return std::stoi(c.designation); };
+  const auto is_heavy = [](const CatalogueChain &c) { return c.designation.back() == 'H'; };
   std::cout << "== what standards say\n";
   all("ANSI: pitch of so many eighths of an inch", ansi_chains(), [&](const auto &c) {
     return near(c.pitch, number(c) / 10 * inch / 8., 1e-9);
@@ -61,8 +75,21 @@ void judge()
         c.tensile_strength, number(c) == 41 ? 1500. * lbf : 12500. * lbf * inches * inches, 2e-3);
   });
   all("ANSI: plates an eighth of the pitch thick", ansi_chains(), [&](const auto &c) {
-    return number(c) == 41 || near(c.inner_plate_thickness, c.pitch / 8., 0.07);
+    return number(c) == 41 || is_heavy(c) || near(c.inner_plate_thickness, c.pitch / 8., 0.07);
   });
+  all("ANSI: plates of heavy chains thicker by 1/32 inch, of 200H 1/16 and of 240H 1/8",
+      ansi_chains(),
+      [&](const auto &c) {
+        if (!is_heavy(c))
+          return true;
+        const CatalogueChain &standard = *find_chain(std::to_string(number(c)));
+        const double          more     = number(c) == 240 ? 4. : number(c) == 200 ? 2. : 1.;
+        return std::abs(c.inner_plate_thickness - standard.inner_plate_thickness -
+                        more * inch / 32.) < 0.05e-3 &&
+               c.pitch == standard.pitch && c.roller_diameter == standard.roller_diameter &&
+               c.pin_diameter == standard.pin_diameter && c.inner_width == standard.inner_width &&
+               c.tensile_strength == standard.tensile_strength;
+      });
   for (const auto *table : {&iso_a_chains(), &iso_b_chains()})
     all("ISO 606: pitch of so many sixteenths of an inch, but for 085 and 05B",
         *table,
@@ -76,32 +103,57 @@ void judge()
         return true;
     return c.designation == "085";
   });
-  all("motorcycle: pitch of so many eighths of an inch", motorcycle_chains(), [&](const auto &c) {
-    return near(c.pitch, number(c) / 100 * inch / 8., 1e-9);
-  });
-  all("motorcycle: so many eightieths wide, but for 428 and 532",
+  all("motorcycle: pitch of so many eighths of an inch, but for 219",
       motorcycle_chains(),
       [&](const auto &c) {
+        return near(c.pitch, number(c) == 219 ? 7.774e-3 : number(c) / 100 * inch / 8., 1e-9);
+      });
+  all("motorcycle: so many eightieths wide, but for 219, 428 and 532",
+      motorcycle_chains(),
+      [&](const auto &c) {
+        if (number(c) == 219)
+          return true;
         const double eightieths = number(c) == 428 ? 25. : number(c) == 532 ? 30. : number(c) % 100;
         return near(c.inner_width, eightieths * inch / 80., 1e-3);
       });
-  all("motorcycle: rollers of a chain of ANSI or ISO 606, but for 532",
+  all("motorcycle: rollers of a chain of ANSI or ISO 606, but for 219 and 532",
       motorcycle_chains(),
       [&](const auto &c) {
         for (const auto *table : {&ansi_chains(), &iso_b_chains()})
           for (const CatalogueChain &other : *table)
             if (c.pitch == other.pitch && c.roller_diameter == other.roller_diameter)
               return true;
-        return c.designation == "532";
+        return c.designation == "532" || c.designation == "219";
       });
-  for (const auto *table : {&ansi_chains(), &iso_a_chains(), &iso_b_chains(), &motorcycle_chains()})
+  all("bicycle: widths of 1/8 and 3/32 inch between the tooth and 5 % more",
+      bicycle_chains(),
+      [&](const auto &c) {
+        const double tooth = (number(c) == 81 ? 1. / 8. : 3. / 32.) * inch;
+        return c.inner_width >= tooth - 0.01e-3 && c.inner_width < 1.05 * tooth;
+      });
+  for (const auto *table :
+       {&ansi_chains(), &iso_a_chains(), &iso_b_chains(), &bicycle_chains(), &motorcycle_chains()})
     {
-      all("  breaks of its weight at 2 to 2.9 km, but for the light 41",
+      all("  several strands break at 0.85 to 1 of as many single ones, triplex no later than "
+          "duplex",
+          *table,
+          [](const auto &c) {
+            const double of_two = c.strength_of(2) / 2., of_three = c.strength_of(3) / 3.;
+            return c.strength_of(1) == c.tensile_strength && c.strength_of(6) == 6. * of_three &&
+                   (c.tensile_strength == 0. ||
+                    (of_two <= 1.005 * c.tensile_strength && of_two > 0.85 * c.tensile_strength &&
+                     of_three <= 1.005 * of_two && of_three > 0.83 * c.tensile_strength));
+          });
+      all("  its solids have 0.8 to 1.1 of its mass", *table, [](const auto &c) {
+        return c.mass_per_metre == 0. ||
+               std::abs(mass_of_solids(c) / c.mass_per_metre - 0.95) < 0.15;
+      });
+      all("  breaks of its weight at 2 to 3 km, but for the light 41 and 80H",
           *table,
           [&](const auto &c) {
             const double length = c.tensile_strength / (c.mass_per_metre * 9.81);
-            return c.mass_per_metre == 0. || c.designation == "41" ||
-                   (length > 2e3 && length < 2.9e3);
+            return c.mass_per_metre == 0. || c.designation == "41" || c.designation == "80H" ||
+                   (length > 2e3 && length < 3e3);
           });
       // the outer plates of 085 are the estimate from its pitch
       all("  pin in its roller, plates in the pitch", *table, [&](const auto &c) {
@@ -121,6 +173,7 @@ int main()
        {std::pair<const char *, const std::vector<CatalogueChain> &>{"ANSI", ansi_chains()},
         {"ISO 606 A", iso_a_chains()},
         {"ISO 606 B", iso_b_chains()},
+        {"bicycle", bicycle_chains()},
         {"motorcycle", motorcycle_chains()}})
     {
       std::cout << "== " << name << '\n';
@@ -136,7 +189,8 @@ int main()
                                       c.inner_plate_thickness,
                                       c.outer_plate_thickness})
             std::cout << ' ' << length * 1e3;
-          std::cout << ' ' << c.tensile_strength * 1e-3 << ' ' << c.mass_per_metre
+          std::cout << ' ' << c.tensile_strength * 1e-3 << ' ' << c.strength_of(2) * 1e-3 << ' '
+                    << c.strength_of(3) * 1e-3 << ' ' << c.mass_per_metre
                     << (c.has_rollers ? "" : " rollerless") << '\n';
         }
     }

@@ -28,12 +28,13 @@ struct Motion
 /// What the noise of a drive asks of its geometry. SI units; the drive lies in the plane z = 0.
 struct Site
 {
-  dealii::Tensor<1, 3> engagement; ///< where the tight span meets the driver's pitch circle
-  dealii::Tensor<1, 3> along;      ///< unit, from there along the tight span
-  dealii::Tensor<1, 3> outward;    ///< unit, away from the other span
-  double               extent;     ///< no roller is farther from the engagement point
-  double               lowest;     ///< y below which there is no roller
-  double               pitch;      ///< of the chain
+  dealii::Tensor<1, 3> engagement;  ///< where the tight span meets the driver's pitch circle
+  dealii::Tensor<1, 3> along;       ///< unit, from there along the tight span
+  dealii::Tensor<1, 3> outward;     ///< unit, away from the other span
+  double               extent;      ///< no roller is farther from the engagement point
+  double               lowest;      ///< y below which there is no roller
+  double               pitch;       ///< of the chain
+  unsigned int         strands = 1; ///< that move alike
   double               roller_radius, roller_length;
   double               pitch_time; ///< of the driver, s
 

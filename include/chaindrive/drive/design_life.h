@@ -12,7 +12,8 @@ namespace chaindrive::drive
 {
 /// How long the chain of a drive lasts in steady running with the tensions of its Facts, in closed
 /// form (doc/theory.md, section 9): without impacts and shocks, with the lubrication that its speed
-/// asks for. Hours may be endless. SI units else.
+/// asks for. Of several strands it is the one that pulls most. Hours may be endless. SI units
+/// else.
 struct DesignLife
 {
   Lubrication lubrication; ///< the least that the speed asks for

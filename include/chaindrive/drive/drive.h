@@ -22,9 +22,13 @@
 namespace chaindrive::drive
 {
 /// The geometry of a whole drive with what follows from it. SI units.
+///
+/// Of a chain of several strands it is that of one, with its share of torques, inertias and springs
+/// of tensioners.
 struct Drive
 {
-  ChainDimensions               chain; ///< with the mean pitches of its links
+  unsigned int                  strands = 1; ///< that share equally
+  ChainDimensions               chain;       ///< with the mean pitches of its links
   LinkPitches                   links;
   std::vector<Sprocket>         sprockets; ///< in the order in which the chain runs over them
   double                        sprocket_width;
@@ -34,7 +38,7 @@ struct Drive
   std::map<unsigned int, Swing> swings; ///< by the number of the wheel
 
   MassProperties roller_solid, inner_link_solid, outer_link_solid;
-  double         mass_per_pitch; ///< of the solids: a roller and half of either link, kg
+  double         mass_per_pitch; ///< of these: a roller and half of either link, kg
 
   double stiffness_per_pitch;    ///< of the chain, given or auto, N/m
   double roller_tooth_stiffness; ///< of the contact, given or auto: up to the roller's centre where

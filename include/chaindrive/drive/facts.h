@@ -13,6 +13,9 @@ namespace chaindrive::drive
 {
 /// What a designer wants to know of a drive before it runs: closed forms for steady running at full
 /// speed under full load. They know nothing of impacts and swinging. SI units, angles in rad.
+///
+/// Tensions, mass and strength are those of one strand; torques, inertias, loads of shafts and
+/// powers of all.
 struct Facts
 {
   struct Sprocket
@@ -57,6 +60,7 @@ struct Facts
   };
 
   std::string  chain;
+  unsigned int strands;
   unsigned int links;
   double       pitch;        ///< nominal
   double       loaded_pitch; ///< mean distance of rollers under load

@@ -11,7 +11,7 @@ namespace chaindrive::drive
 {
 /// What a shaft is given, in the sense in which its sprocket turns in operation: a speed, or a
 /// torque that resists it. That is a function of its angle and several terms, times one of time,
-/// plus another of time. Without anything else it turns freely.
+/// plus another of time, all times the share of a strand. Without anything else it turns freely.
 struct ShaftProgram
 {
   functions::Pointer speed;        ///< over time [s], rad/s; null: it turns as it is made to
@@ -20,6 +20,7 @@ struct ShaftProgram
   functions::Pointer torque_share; ///< over time [s], by which #torque and #terms are multiplied
   functions::Pointer torque_added; ///< over time [s], N m
   functions::Pointer growth;       ///< over the angle, by which terms of the angle are multiplied
+  double             share = 1.;   ///< of the torque that one strand takes
   std::vector<functions::Term> terms; ///< of the torque
   std::vector<std::string>     files; ///< that were read for it
 
@@ -29,7 +30,7 @@ struct ShaftProgram
   double resisting_torque(const double turned, const double time, const double speed) const
   {
     return lasting_torque(turned, time, speed) * torque_share->value(time) +
-           torque_added->value(time);
+           share * torque_added->value(time);
   }
 
   /// The same of a torque that does not step.
@@ -48,10 +49,11 @@ struct ShaftProgram
 /// That of @p sprocket from the time @p start [s] on. With @p settled the driver has its full speed
 /// from the start, and all of the torque acts whichever way the driven sprocket turns; else the
 /// speed grows over the ramp's time, and the torque over the ramp's angle. Tables are looked for in
-/// @p folders. InputError as functions::make_terms().
+/// @p folders. One strand takes @p share of torques. InputError as functions::make_terms().
 ShaftProgram make_program(const parameters::Sprocket     &sprocket,
                           const parameters::Loads        &loads,
                           double                          start,
                           bool                            settled,
-                          const std::vector<std::string> &folders = {"."});
+                          const std::vector<std::string> &folders = {"."},
+                          double                          share   = 1.);
 } // namespace chaindrive::drive

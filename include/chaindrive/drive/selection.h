@@ -36,7 +36,7 @@ struct Candidate
   double       mass;        ///< of chain and sprockets, discs as wide as their teeth, kg
 
   double capacity;   ///< rated power of all strands over the power with its service factor
-  double breaking;   ///< tensile strength over the force of a strand with its service factor
+  double breaking;   ///< tensile strength over the force with its service factor, of all strands
   double dynamic;    ///< endurance of the plates over that force
   double pressure;   ///< of a joint without the service factor, Pa
   double wear_hours; ///< until its elongation is most_elongation()

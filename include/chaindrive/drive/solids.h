@@ -27,9 +27,10 @@ struct MassProperties
 /// A tube about the z axis, centred at the origin. Bore zero: a solid cylinder.
 MassProperties tube(double diameter, double bore, double length, double density);
 
-/// Parts of the chain as exact solids in their body frames, centred at the origin. Bushes and pins
-/// have the lengths of ChainDimensions, from mid-surface to mid-surface of their plates; the holes
-/// of the plates have the diameter of the bush or pin in them.
+/// Parts of the chain as exact solids in their body frames, centred at the origin; links, bushes
+/// and pins of a chain with ChainDimensions::link_density_factor times this density. Bushes and
+/// pins have the lengths of ChainDimensions, from mid-surface to mid-surface of their plates; the
+/// holes of the plates have the diameter of the bush or pin in them.
 MassProperties roller_solid(const ChainDimensions &chain, double density);
 MassProperties bush_solid(const ChainDimensions &chain, double density);
 MassProperties pin_solid(const ChainDimensions &chain, double density);

@@ -40,12 +40,13 @@ struct Sprocket
 
 /// Sprocket number @p number of @p sprockets but for its solid and its program. A bore of a third
 /// and a hub of six tenths of the root diameter: a plain disc on a stout shaft. @p driven_inertia
-/// [kg m2] is that of the driven one. Throws InputError as make_tooth_form() and index_deviations()
-/// do.
+/// [kg m2] is that of the driven one. One strand has this @p share of inertias that are given, and
+/// of others a row of teeth. Throws InputError as make_tooth_form() and index_deviations() do.
 Sprocket make_sprocket(unsigned int                 number,
                        const parameters::Sprockets &sprockets,
                        const ChainDimensions       &chain,
-                       const std::optional<double> &driven_inertia);
+                       const std::optional<double> &driven_inertia,
+                       double                       share = 1.);
 
 /// Says in @p notes what was chosen for the hub of @p sprocket, which is @p given; InputError for
 /// one that cannot be.

@@ -43,7 +43,8 @@ struct TensionerLaw
   }
 };
 
-/// A wheel of a drive whose axis is on an arm or a slide.
+/// A wheel of a drive whose axis is on an arm or a slide; law, inertia and weight are the share of
+/// one strand.
 struct Tensioner
 {
   unsigned int         wheel;
@@ -75,8 +76,9 @@ struct Tensioner
   /// A travel with the unit of its entry, such as "12 degrees".
   std::string with_unit(double travel) const;
 
-  /// A sentence that says where it is and how it presses, with this @p slack [m] in the chain.
-  std::string in_words(const std::string &wheel, double slack) const;
+  /// A sentence that says where it is and how it presses on all @p strands, with this @p slack [m]
+  /// in the chain.
+  std::string in_words(const std::string &wheel, double slack, unsigned int strands = 1) const;
 
   /// y -> -y.
   void mirror();

@@ -77,7 +77,7 @@ struct Model
   double             stiffness_per_pitch = 0.; ///< of the chain, N/m
   double             chain_damping_ratio = 0.; ///< of two lumps on their bar; 0: off
   parameters::Loads  loads; ///< with coefficients of effects that are off set to zero
-  double             tensile_strength = 0.; ///< of the chain, N; 0: not known
+  double             tensile_strength = 0.; ///< of one strand, N; 0: not known
 
   // what the run is, and what is observed of it
   parameters::Time     time;

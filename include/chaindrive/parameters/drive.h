@@ -108,10 +108,14 @@ template <>
 inline constexpr Texts<WornChain, 2> texts_of<WornChain>{
     {{WornChain::adjusted, "adjusted"}, {WornChain::shafts_kept, "shafts kept"}}};
 
+/// The chain of the drive in prm/paper, of which most is known (drive/chain.cc).
+inline constexpr const char *reference_chain = "525";
+
 /// Section `Drive/Chain`. An empty optional means `auto`: from the designation, or derived from it.
 struct Chain
 {
-  std::string         designation     = "525";
+  std::string         designation     = reference_chain;
+  unsigned int        strands         = 1; ///< side by side on common pins
   PitchSet            pitch_set       = PitchSet::standard;
   double              elongation      = 0.; ///< of the loaded pitch, wear: 0.01 is one percent
   double              pitch_tolerance = 0.; ///< largest random deviation of a link's pitch from it
@@ -123,6 +127,9 @@ struct Chain
   std::optional<double> inner_plate_height, inner_plate_thickness;          ///< m
   std::optional<double> outer_plate_height, outer_plate_thickness;          ///< m
   double                waist_ratio = 0.7; ///< plate height at mid-pitch / plate height
+
+  /// Part of a strand in what all carry.
+  double share() const { return 1. / strands; }
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.

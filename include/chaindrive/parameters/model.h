@@ -79,6 +79,17 @@ template <>
 inline constexpr Texts<StiffnessFrom, 2> texts_of<StiffnessFrom>{
     {{StiffnessFrom::parts, "parts"}, {StiffnessFrom::dimensions, "dimensions"}}};
 
+/// Where the mass of the chain comes from, where none is given.
+enum class MassFrom
+{
+  catalogue, ///< a maker's, where the tables have it; else the dimensions
+  dimensions ///< the volumes of the parts
+};
+
+template <>
+inline constexpr Texts<MassFrom, 2> texts_of<MassFrom>{
+    {{MassFrom::catalogue, "catalogue"}, {MassFrom::dimensions, "dimensions"}}};
+
 /// Section `Model`: which bodies there are, how they move, what they weigh and how stiff they are.
 struct Model
 {
@@ -86,7 +97,8 @@ struct Model
   const Capabilities &capabilities() const { return capabilities_of(fidelity); }
 
   SymmetryModel         half = SymmetryModel::automatic; ///< see model/decide.h
-  std::optional<double> mass_per_pitch;                  ///< kg, of the whole chain per pitch
+  std::optional<double> mass_per_pitch;                  ///< kg, of one strand per pitch
+  MassFrom              mass_from = MassFrom::catalogue; ///< where it is not given
   std::optional<double> stiffness_per_pitch; ///< N/m, of the chain in a pull test, per pitch
   StiffnessFrom         stiffness_from = StiffnessFrom::parts; ///< those that are auto
   std::optional<double> driven_inertia; ///< kg m2, of all that turns with the driven hub
@@ -103,6 +115,12 @@ struct Model
 /// Section `Material`: the same for every part.
 struct Material : chaindrive::Material
 {
+  std::optional<double> given_density; ///< kg/m3; empty: what resolve() chooses
+
+  /// Sets #density where it is not given, once all entries are read: that of carbon steel, or of
+  /// the reference chain, if @p designation is that, the value of the drive in prm/paper.
+  void resolve(const std::string &designation);
+
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.
   void declare(Declarations &declarations);

@@ -44,6 +44,9 @@ void weigh_reduced_bodies(Scene &scene);
 /// span, of the inner link that carries it; zero unless the start is settled.
 double roller_spin(const drive::Layout &layout, unsigned int k);
 
+/// Where the mass of the chain of @p drive is from that is not given, in words.
+std::string source_of_mass(const drive::Drive &drive);
+
 /// Rollers, inner and outer links of a chain with clearances: elastic where the effect is on and
 /// @p elastic_joint says so of the roller's joint or of both joints of the link, else rigid.
 void add_chain_bodies(const model::Model      &model,

@@ -40,6 +40,7 @@ struct Span
 /// joints k and k + 1. SI units.
 struct DriveView
 {
+  unsigned int              strands  = 1; ///< of the chain, of which the scene has one
   unsigned int              n_joints = 0;
   std::vector<unsigned int> rollers;   ///< body of each joint's roller
   std::vector<unsigned int> links;     ///< body of each link; empty where bars are the links

@@ -320,7 +320,7 @@ Part make_inner_link(const drive::ChainDimensions &chain,
   part.exact = drive::inner_link_solid(chain, density);
 
   std::array<double, n_components> masses{};
-  masses[inner_plate] = 2. * drive::plate_solid(plate, density).mass;
+  masses[inner_plate] = 2. * drive::plate_solid(plate, chain.link_density_factor * density).mass;
   masses[bush]        = 2. * drive::bush_solid(chain, density).mass;
   part.density        = density;
   match_masses(part, masses);
@@ -340,7 +340,7 @@ Part make_outer_link(const drive::ChainDimensions &chain,
   part.exact = drive::outer_link_solid(chain, density);
 
   std::array<double, n_components> masses{};
-  masses[outer_plate] = 2. * drive::plate_solid(plate, density).mass;
+  masses[outer_plate] = 2. * drive::plate_solid(plate, chain.link_density_factor * density).mass;
   masses[pin]         = 2. * drive::pin_solid(chain, density).mass;
   part.density        = density;
   match_masses(part, masses);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/quantity.h>
 
-// The ledger. Histories have the lines that the scene's effects can fill, the summary has all.
+// The ledger, of all strands. Histories have the lines that the scene's effects can fill, the
+// summary has all.
 
 namespace chaindrive::observe
 {
@@ -91,27 +92,31 @@ public:
 
   void add_channels(Channels &channels) override
   {
-    const Ledger &ledger = now_.system.world.ledger;
-    const auto    term   = [&](const std::string &name, double Ledger::*value) {
-      channels.add("energy/" + name,
-                   [&ledger, value](const Channels::Row row) { row[0] = ledger.*value; });
+    const Ledger &ledger  = now_.system.world.ledger;
+    const double  strands = now_.scene.drive.strands;
+    const auto    term    = [&](const std::string &name, double Ledger::*value) {
+      channels.add("energy/" + name, [&ledger, value, strands](const Channels::Row row) {
+        row[0] = strands * ledger.*value;
+      });
     };
     for (const Line &line : lines)
       if (line.is_there(now_))
         term(line.name, line.term);
     term("drive_work", &Ledger::drive_work);
     term("resisting_work", &Ledger::resisting_work);
-    channels.add("energy/imbalance",
-                 [&ledger](const Channels::Row row) { row[0] = ledger.imbalance(); });
+    channels.add("energy/imbalance", [&ledger, strands](const Channels::Row row) {
+      row[0] = strands * ledger.imbalance();
+    });
   }
 
   void summarize(files::Json &summary) const override
   {
     const Ledger &ledger      = now_.system.world.ledger;
-    summary["drive_work"]     = ledger.drive_work;
-    summary["resisting_work"] = ledger.resisting_work;
+    const double  strands     = now_.scene.drive.strands;
+    summary["drive_work"]     = strands * ledger.drive_work;
+    summary["resisting_work"] = strands * ledger.resisting_work;
     for (const Line &line : lines)
-      summary["energy"][line.name] = ledger.*line.term;
+      summary["energy"][line.name] = strands * ledger.*line.term;
   }
 };
 

@@ -23,8 +23,9 @@ public:
       for (const auto &family : now.system.contacts.families())
         if (const auto *found = dynamic_cast<const contact::SurfaceContact *>(family);
             found != nullptr && found->master() == guide.body)
-          guides_.push_back(
-              {now.scene.drive.spans[now.scene.bodies[guide.body].number].name, found});
+          guides_.push_back({now.scene.drive.spans[now.scene.bodies[guide.body].number].name,
+                             found,
+                             static_cast<double>(now.scene.drive.strands)});
   }
 
   static bool exists(const Observation &start) { return !start.scene.guides.empty(); }
@@ -51,8 +52,9 @@ private:
   {
     std::string                    span;
     const contact::SurfaceContact *contact;
+    double                         strands;
 
-    /// Of the forces of all slaves, across their normals or along them, N.
+    /// Of the forces of all slaves of all strands, across their normals or along them, N.
     double sum(const bool across) const
     {
       double total = 0.;
@@ -62,7 +64,7 @@ private:
           const double           along  = record.force * record.normal;
           total += across ? (record.force - along * record.normal).norm() : along;
         }
-      return total;
+      return strands * total;
     }
   };
 

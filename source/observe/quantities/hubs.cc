@@ -114,10 +114,11 @@ private:
     return histories;
   }
 
-  /// What the shaft supplies, or with what it resists.
+  /// What the shaft supplies, or with what it resists, for all strands.
   double torque(const scene::Sprocket &sprocket) const
   {
-    const double given = sprocket.sense * now_.system.loads.torque(sprocket.body);
+    const double given =
+        now_.scene.drive.strands * sprocket.sense * now_.system.loads.torque(sprocket.body);
     return sprocket.role == parameters::Role::driver ? given : -given;
   }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 // Where the energy goes in the window of the averages: what each interface dissipates, what comes
-// in, goes out and is stored meanwhile.
+// in, goes out and is stored meanwhile. Of all strands.
 
 namespace chaindrive::observe
 {
@@ -66,10 +66,11 @@ public:
   {
     const double duration = time_.duration();
     const bool   empty    = !(duration > 0.);
-    const auto   energy   = [&](const double value) { return empty ? std::nan("") : value; };
-    files::Json &losses   = summary["losses"];
-    losses                = files::Json::object();
-    const auto add        = [&](const std::string &name, const double lost) {
+    const double strands  = now_.scene.drive.strands;
+    const auto energy = [&](const double value) { return empty ? std::nan("") : strands * value; };
+    files::Json &losses = summary["losses"];
+    losses              = files::Json::object();
+    const auto add      = [&](const std::string &name, const double lost) {
       losses[name]["energy"] = energy(lost);
       losses[name]["power"]  = energy(lost) / duration;
     };

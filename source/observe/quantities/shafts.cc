@@ -106,7 +106,8 @@ private:
 
   struct Shaft
   {
-    Shaft(const Observation &now, const unsigned int i) : name(now.scene.drive.sprockets[i].name)
+    Shaft(const Observation &now, const unsigned int i)
+        : name(now.scene.drive.sprockets[i].name), strands(now.scene.drive.strands)
     {
       const scene::DriveView &drive = now.scene.drive;
       for (const auto &family : now.system.contacts.families())
@@ -129,12 +130,14 @@ private:
       for (const contact::SurfaceContact *family : teeth)
         for (const unsigned int i : family->near())
           load -= family->records()[i].force;
+      load *= strands;
     }
 
     std::string                                  name;
+    double                                       strands;
     std::vector<const contact::SurfaceContact *> teeth;
     dealii::Tensor<1, 3>                         along, up; ///< unit
-    dealii::Tensor<1, 3>                         load;      ///< N
+    dealii::Tensor<1, 3>                         load;      ///< of all strands, N
   };
 
   WindowStatistics    statistics_;

@@ -40,10 +40,10 @@ public:
                      [this, &tensioner](const Channels::Row row) {
                        row[0] = state_of(tensioner, now_.system.world).travel;
                      });
-        channels.add(slides ? force_of(name) : moment_of(name),
-                     [this, &tensioner](const Channels::Row row) {
-                       row[0] = state_of(tensioner, now_.system.world).force;
-                     });
+        channels.add(
+            slides ? force_of(name) : moment_of(name), [this, &tensioner](const Channels::Row row) {
+              row[0] = now_.scene.drive.strands * state_of(tensioner, now_.system.world).force;
+            });
       }
   }
 
