@@ -121,6 +121,7 @@ Scene build_scene(const model::Model             &model,
   Fidelity::builder_of(model.fidelity)(model, drive, scene);
   add_sprockets(model, drive, folders, scene);
   add_tensioner(drive, scene);
+  add_shafts(drive, scene);
   add_guides(model, drive, scene);
   add_additions(model.sections, scene);
   if (model.effects.is_on(Effect::reduced_bodies) && basis_of)

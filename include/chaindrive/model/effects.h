@@ -32,6 +32,7 @@ enum class Effect
   plate_faces,
   symmetry_model,
   planar_motion,
+  yielding_shafts,
   fields,
   stress_recovery,
   start_up
@@ -41,7 +42,7 @@ enum class Effect
 namespace chaindrive::parameters
 {
 template <>
-inline constexpr Texts<model::Effect, 23> texts_of<model::Effect>{
+inline constexpr Texts<model::Effect, 24> texts_of<model::Effect>{
     {{model::Effect::roller_bush_clearance, "roller-bush clearance"},
      {model::Effect::bush_pin_clearance, "bush-pin clearance"},
      {model::Effect::chain_bars, "chain bars"},
@@ -62,6 +63,7 @@ inline constexpr Texts<model::Effect, 23> texts_of<model::Effect>{
      {model::Effect::plate_faces, "plate faces"},
      {model::Effect::symmetry_model, "symmetry model"},
      {model::Effect::planar_motion, "planar motion"},
+     {model::Effect::yielding_shafts, "yielding shafts"},
      {model::Effect::fields, "fields"},
      {model::Effect::stress_recovery, "stress recovery"},
      {model::Effect::start_up, "start-up"}}};

@@ -117,7 +117,7 @@ private:
   /// What the shaft supplies, or with what it resists.
   double torque(const scene::Sprocket &sprocket) const
   {
-    const double given = sprocket.sense * now_.system.loads.torque(sprocket.body);
+    const double given = sprocket.sense * now_.system.loads.torque(sprocket.shaft);
     return sprocket.role == parameters::Role::driver ? given : -given;
   }
 
