@@ -35,10 +35,10 @@ Mobility::Mobility(const World &world)
 void Mobility::accelerate(std::vector<dealii::Tensor<1, 3>> &force,
                           std::vector<dealii::Tensor<1, 3>> &moment) const
 {
-  for (const World::Carried &c : world_.carried)
+  for (auto c = world_.carried.rbegin(); c != world_.carried.rend(); ++c)
     {
-      force[c.carrier] += force[c.body];
-      moment[c.carrier] += cross_product_3d(pivot_[c.body] - pivot_[c.carrier], force[c.body]);
+      force[c->carrier] += force[c->body];
+      moment[c->carrier] += cross_product_3d(pivot_[c->body] - pivot_[c->carrier], force[c->body]);
     }
   std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>> sliding;
   for (const World::Hub &hub : world_.hubs)
@@ -52,8 +52,11 @@ void Mobility::accelerate(std::vector<dealii::Tensor<1, 3>> &force,
   for (const auto &[body, acceleration] : sliding)
     force[body] = acceleration;
   for (const World::Carried &c : world_.carried)
-    force[c.body] =
-        force[c.carrier] + cross_product_3d(moment[c.carrier], pivot_[c.body] - pivot_[c.carrier]);
+    {
+      const dealii::Tensor<1, 3> own = c.slides ? force[c.body] : dealii::Tensor<1, 3>();
+      force[c.body]                  = force[c.carrier] +
+                      cross_product_3d(moment[c.carrier], pivot_[c.body] - pivot_[c.carrier]) + own;
+    }
 }
 
 dealii::Tensor<2, 3> Mobility::of_point(const unsigned int          body,

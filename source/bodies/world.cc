@@ -90,7 +90,7 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
         {
           hubs.push_back(make_hub(b, body, orientation));
           if (body.mount.carrier)
-            carried.push_back({b, *body.mount.carrier});
+            carried.push_back({b, *body.mount.carrier, hubs.back().slides});
         }
       else if (body.motion == scene::Motion::rigid || body.motion == scene::Motion::reduced)
         rotations.push_back(
@@ -98,6 +98,16 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
       else if (body.motion == scene::Motion::lumped && body.inertia[2] > 0.)
         spins.push_back({b, body.inertia[2], body.initial.angular_velocity[2]});
     }
+
+  const auto depth = [&scene](unsigned int b) {
+    unsigned int carriers = 0;
+    for (; scene.bodies[b].mount.carrier; b = *scene.bodies[b].mount.carrier)
+      ++carriers;
+    return carriers;
+  };
+  std::stable_sort(carried.begin(), carried.end(), [&](const Carried &a, const Carried &b) {
+    return depth(a.body) < depth(b.body);
+  });
 
   elastic_address.resize(n);
   node_address.resize(n);
@@ -124,6 +134,17 @@ void World::place(const Hub &hub)
   frame.velocity                 = cross_product_3d(frame.angular_velocity, arm);
 }
 
+void World::add_carried(const unsigned int carrier, dealii::Tensor<1, 3> &force_on) const
+{
+  for (const Carried &c : carried)
+    if (c.carrier == carrier)
+      {
+        for (unsigned int d = 0; d < 3; ++d)
+          force_on[d] += force.local_element(3 * c.body + d);
+        add_carried(c.body, force_on);
+      }
+}
+
 double World::moment_about(const Hub &hub) const
 {
   dealii::Tensor<1, 3> moment_on, force_on;
@@ -134,10 +155,7 @@ double World::moment_about(const Hub &hub) const
     }
   if (hub.about_z() && hub.arm.norm_square() == 0.)
     return moment_on[2];
-  for (const Carried &c : carried)
-    if (c.carrier == hub.body)
-      for (unsigned int d = 0; d < 3; ++d)
-        force_on[d] += force.local_element(3 * c.body + d);
+  add_carried(hub.body, force_on);
   if (hub.slides)
     return hub.axis * force_on;
   return hub.axis *

@@ -171,10 +171,11 @@ void refuse_brake(const Drive &d)
         if (term.variable == functions::Variable::speed)
           steepest +=
               sprocket.program.share * term.function->steepest(0., speed / sprocket.form.teeth);
-      if (steepest > fastest * sprocket.inertia)
+      const double inertia = sprocket.coupling ? sprocket.coupling->behind : sprocket.inertia;
+      if (steepest > fastest * inertia)
         throw InputError("Loads/" + sprocket.name + "/Of speed: a torque that grows by " +
                          to_text(steepest, 4) + " N m s stops the inertia of the " +
-                         sprocket.title + ", " + to_text(sprocket.inertia, 4) +
+                         sprocket.title + ", " + to_text(inertia, 4) +
                          " kg m2, faster than a time step resolves; choose smaller values, or an "
                          "inertia of at least " +
                          to_text_at_least(steepest / fastest, 4) + " kg m2.");
@@ -282,11 +283,15 @@ std::vector<RestingWheel> resting_wheels(const std::vector<Sprocket> &sprockets,
   std::vector<RestingWheel> wheels;
   wheels.reserve(sprockets.size());
   for (std::size_t i = 0; i < sprockets.size(); ++i)
-    wheels.push_back(resting_sprocket(sprockets[i].form,
-                                      sprockets[i].role == Role::driver,
-                                      sprockets[i].role == Role::driven ?
-                                          layout.sprockets[i].turn * torque_of(sprockets[i]) :
-                                          0.));
+    {
+      wheels.push_back(resting_sprocket(sprockets[i].form,
+                                        sprockets[i].role == Role::driver,
+                                        sprockets[i].role == Role::driven ?
+                                            layout.sprockets[i].turn * torque_of(sprockets[i]) :
+                                            0.));
+      if (sprockets[i].bearing)
+        wheels.back().bearing = sprockets[i].bearing->stiffness;
+    }
   return wheels;
 }
 
@@ -382,6 +387,17 @@ void set_chain_and_sprockets(const Parameters &parameters, Drive &d)
     check_hub(d.sprockets[i], sprockets.list[i], d.notes);
 }
 
+/// What yields at the shaft of @p sprocket, which @p given describes and which has its solid; @p
+/// share: that of a strand.
+void set_shaft(const parameters::Sprocket &given, const double share, Sprocket &sprocket)
+{
+  sprocket.coupling =
+      make_coupling(given, share, sprocket.solid.inertia[2][2], sprocket.given_inertia);
+  sprocket.bearing = make_bearing(given, share, sprocket.solid.mass);
+  if (sprocket.coupling)
+    sprocket.inertia = sprocket.coupling->before + sprocket.coupling->behind;
+}
+
 /// Solids, masses and inertias.
 void set_solids(const Parameters &parameters, Drive &d)
 {
@@ -391,6 +407,9 @@ void set_solids(const Parameters &parameters, Drive &d)
     {
       sprocket.solid   = sprocket_solid(sprocket.form, sprocket.bore, d.sprocket_width, density);
       sprocket.inertia = sprocket.given_inertia.value_or(sprocket.solid.inertia[2][2]);
+      set_shaft(parameters.drive.sprockets.list[&sprocket - d.sprockets.data()],
+                parameters.drive.chain.share(),
+                sprocket);
     }
   refuse_brake(d);
 }

@@ -54,6 +54,11 @@ Equilibrium::Equilibrium(Layout                          &layout,
       free_.push_back(i);
   for (const Layout::Joint &joint : layout.joints)
     at_.push_back(joint.bush);
+  for (unsigned int i = 0; i < wheels.size(); ++i)
+    if (wheels[i].bearing)
+      on_bearings_.push_back({i,
+                              static_cast<unsigned int>(free_.size() + 2 * on_bearings_.size()),
+                              layout.sprockets[i].deflection});
   if (layout.tensioner)
     travel_ = layout.tensioner->travel;
 }
@@ -117,6 +122,7 @@ bool Equilibrium::minimize(const double tolerance)
       const auto before  = at_;
       const auto angles  = turned_;
       const auto travel  = travel_;
+      const auto axes    = on_bearings_;
       double     longest = 0.;
       for (const double s : wheel_step_)
         longest = std::max(longest, std::abs(s));
@@ -127,6 +133,9 @@ bool Equilibrium::minimize(const double tolerance)
         at_[k] += part * step_[k];
       for (unsigned int f = 0; f < free_.size(); ++f)
         turned_[free_[f]] += part * wheel_step_[f] / wheels_[free_[f]].lever;
+      for (OnBearing &on : on_bearings_)
+        for (unsigned int d = 0; d < 2; ++d)
+          on.way[d] += part * wheel_step_[on.first + d];
       if (layout_.tensioner)
         travel_ += part * wheel_step_.back() / layout_.tensioner->lever();
       const double now = assemble();
@@ -136,10 +145,11 @@ bool Equilibrium::minimize(const double tolerance)
           shift  = shift < 1e-9 * stiffest ? 0. : 0.2 * shift;
           continue;
         }
-      at_     = before;
-      turned_ = angles;
-      travel_ = travel;
-      shift   = std::max(10. * shift, 1e-9 * stiffest);
+      at_          = before;
+      turned_      = angles;
+      travel_      = travel;
+      on_bearings_ = axes;
+      shift        = std::max(10. * shift, 1e-9 * stiffest);
       if (shift > 1e6 * stiffest)
         return false;
       assemble();
@@ -162,8 +172,26 @@ double Equilibrium::tension(const unsigned int k) const
   return stiffness(k) * (at_[k].distance(at_[(k + 1) % n_]) - length(k));
 }
 
+double Equilibrium::moment_on(const unsigned int i) const
+{
+  double moment = 0.;
+  for (const Point<2> &at : at_)
+    {
+      const auto   k = static_cast<unsigned int>(&at - at_.data());
+      Vector       normal;
+      const double force = seat_force(k, overlap(i, at, 0., normal));
+      const Vector arm   = at - layout_.sprockets[i].axis();
+      moment += force * (arm[0] * normal[1] - arm[1] * normal[0]);
+    }
+  return moment;
+}
+
 void Equilibrium::store() const
 {
+  // before frames of wheels change, on which it depends
+  std::vector<double> torques;
+  for (unsigned int i = 0; i < wheels_.size(); ++i)
+    torques.push_back(wheels_[i].held ? moment_on(i) : wheels_[i].torque);
   if (layout_.tensioner)
     layout_.tensioner->travel = travel_;
   layout_.prestress = 0.;
@@ -190,6 +218,7 @@ void Equilibrium::store() const
       if (wheel.eccentricity != Vector())
         wheel.eccentricity = wheel.centre - axis;
       wheel.angle += turned_[i];
+      wheel.torque = torques[i];
     }
   for (Layout::Span &span : layout_.spans)
     {
@@ -326,6 +355,44 @@ void Equilibrium::add_contact(const unsigned int k, const unsigned int i, const 
     }
   if (layout_.tensioner && i == layout_.tensioner->wheel)
     add_travel(k, here, all);
+  for (const OnBearing &on : on_bearings_)
+    if (on.wheel == i)
+      add_axis(on, k, f, here, all);
+}
+
+void Equilibrium::add_axis(const OnBearing                            &on,
+                           const unsigned int                          k,
+                           const unsigned int                          f,
+                           const std::array<double, 3>                &gradient,
+                           const std::array<std::array<double, 3>, 3> &second)
+{
+  for (unsigned int a = 0; a < 2; ++a)
+    {
+      wheel_gradient_[on.first + a] -= gradient[a];
+      wheel_diagonal_[on.first + a] += second[a][a];
+      for (unsigned int j = 0; j < 2; ++j)
+        to_wheel_[on.first + a][k][j] -= 0.5 * (second[a][j] + second[j][a]);
+      if (!wheels_[on.wheel].held)
+        between_[on.first + a][f] -= 0.5 * (second[2][a] + second[a][2]);
+    }
+  between_[on.first + 1][on.first] += 0.5 * (second[0][1] + second[1][0]);
+}
+
+void Equilibrium::add_bearings()
+{
+  for (const OnBearing &on : on_bearings_)
+    {
+      Layout::Sprocket &wheel = layout_.sprockets[on.wheel];
+      wheel.centre += on.way - wheel.deflection;
+      wheel.deflection = on.way;
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          const double stiffness = (*wheels_[on.wheel].bearing)[d];
+          energy_ += 0.5 * stiffness * on.way[d] * on.way[d];
+          wheel_gradient_.push_back(stiffness * on.way[d]);
+          wheel_diagonal_[on.first + d] = stiffness;
+        }
+    }
 }
 
 // The wheel's centre moves by w per unit of its way. What a contact's energy is of the joint's
@@ -358,8 +425,9 @@ void Equilibrium::place_tensioner()
 
 double Equilibrium::assemble()
 {
-  const std::size_t n_unknowns = free_.size() + (layout_.tensioner ? 1 : 0);
-  energy_                      = 0.;
+  const std::size_t n_unknowns =
+      free_.size() + 2 * on_bearings_.size() + (layout_.tensioner ? 1 : 0);
+  energy_ = 0.;
   wheel_gradient_.clear();
   for (const unsigned int i : free_)
     {
@@ -368,6 +436,8 @@ double Equilibrium::assemble()
     }
   wheel_diagonal_.assign(n_unknowns, 0.);
   wheel_to_travel_ = 0.;
+  between_.assign(on_bearings_.empty() ? 0 : n_unknowns, std::vector<double>(n_unknowns));
+  add_bearings();
   if (layout_.tensioner)
     {
       const Tensioner &tensioner = *layout_.tensioner;
@@ -435,6 +505,9 @@ bool Equilibrium::newton_step(const double shift)
       corner[f][f] = wheel_diagonal_[f - 2] + shift;
       rest[f]      = -wheel_gradient_[f - 2];
     }
+  for (unsigned int a = 0; a < between_.size(); ++a)
+    for (unsigned int b = 0; b < a; ++b)
+      corner[2 + a][2 + b] = corner[2 + b][2 + a] = between_[a][b];
   if (layout_.tensioner)
     {
       const auto wheel = std::find(free_.begin(), free_.end(), layout_.tensioner->wheel);

@@ -129,6 +129,12 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
                                  facts.loaded_pitch * w,
                                  sprocket.inertia,
                                  sprocket.role == Role::idler});
+      Facts::Sprocket &known = facts.sprockets.back();
+      if (sprocket.coupling)
+        known.coupling_frequency = sprocket.coupling->frequency();
+      if (sprocket.bearing)
+        known.bearing_frequency =
+            std::array<double, 2>{{sprocket.bearing->frequency(0), sprocket.bearing->frequency(1)}};
     }
   facts.sprockets.front().torque = pulls * z_driver;
 }
@@ -264,6 +270,10 @@ double wrap_flexibility(const Drive    &d,
 /// Displacements u of the chain at the sprockets are F M u omega^2 with masses M and flexibilities
 /// F: of i and j what lies between the driver and the nearer one. The largest eigenvalue of F M by
 /// the power method.
+///
+/// Behind a coupling the inertia is a mass of its own, on its sprocket's flexibility and that of
+/// the spring, r^2 / k. The coupling of a driver is a spring between its sprocket, which is such a
+/// mass too, and what is held.
 double driven_frequency(const Facts &facts, const Parameters &p, const Drive &d)
 {
   const std::size_t   n          = facts.sprockets.size();
@@ -271,10 +281,12 @@ double driven_frequency(const Facts &facts, const Parameters &p, const Drive &d)
   std::vector<double> mass(n, 0.), to_driver(n + 1, 0.); // kg; m/N
   for (std::size_t i = n - 1; i > 0; --i)
     {
-      const double radius = 0.5 * facts.sprockets[i].pitch_diameter;
-      const double links  = facts.spans[i].length / facts.loaded_pitch; // mean over a pitch
-      mass[i]             = facts.sprockets[i].inertia / (radius * radius) +
-                pitch_mass * (d.layout.sprockets[i].seats + links / 3.);
+      const double radius   = 0.5 * facts.sprockets[i].pitch_diameter;
+      const double links    = facts.spans[i].length / facts.loaded_pitch; // mean over a pitch
+      const auto  &coupling = d.sprockets[i].coupling;
+      const double inertia  = coupling ? coupling->before : facts.sprockets[i].inertia;
+      mass[i] =
+          inertia / (radius * radius) + pitch_mass * (d.layout.sprockets[i].seats + links / 3.);
       const auto on = [&](const std::size_t sprocket, const double tight, const double kept) {
         return wrap_flexibility(d,
                                 p.model.capabilities().has_clearances,
@@ -289,19 +301,42 @@ double driven_frequency(const Facts &facts, const Parameters &p, const Drive &d)
       flexibility += on(i, facts.spans[i].tension, facts.spans[i - 1].tension);
       to_driver[i] = to_driver[i + 1] + flexibility;
     }
-  std::vector<double> u(n, 1.), next(n, 0.);
+  // masses, each with the sprocket whose flexibility to the driver is its way, and what is behind
+  std::vector<std::size_t> at;
+  std::vector<double>      behind(n, 0.);
+  double                   before_all = 0.;
+  for (std::size_t i = 0; i < n; ++i)
+    at.push_back(i == 0 ? n : i);
+  for (std::size_t i = 0; i < n; ++i)
+    if (const auto &coupling = d.sprockets[i].coupling)
+      {
+        const double square = std::pow(0.5 * facts.sprockets[i].pitch_diameter, 2);
+        if (i == 0)
+          {
+            before_all = square / coupling->stiffness;
+            mass[0]    = coupling->before / square + pitch_mass * d.layout.sprockets[0].seats;
+            continue;
+          }
+        at.push_back(i);
+        mass.push_back(coupling->behind / square);
+        behind.push_back(square / coupling->stiffness);
+      }
+  const std::size_t   first = before_all > 0. ? 0 : 1, all = at.size();
+  std::vector<double> u(all, 1.), next(all, 0.);
   double              largest = 0.;
   for (unsigned int step = 0; step < 200; ++step)
     {
       double greatest = 0.;
-      for (std::size_t i = 1; i < n; ++i)
+      for (std::size_t i = first; i < all; ++i)
         {
           next[i] = 0.;
-          for (std::size_t j = 1; j < n; ++j)
-            next[i] += to_driver[std::max(i, j)] * mass[j] * u[j];
+          for (std::size_t j = first; j < all; ++j)
+            next[i] +=
+                (to_driver[std::max(at[i], at[j])] + before_all + (i == j ? behind[i] : 0.)) *
+                mass[j] * u[j];
           greatest = std::max(greatest, next[i]);
         }
-      for (std::size_t i = 1; i < n; ++i)
+      for (std::size_t i = first; i < all; ++i)
         u[i] = next[i] / greatest;
       const bool found = std::abs(greatest - largest) <= 1e-14 * greatest;
       largest          = greatest;

@@ -58,20 +58,26 @@ files::Json to_json(const Facts &facts)
   json["ratio"]           = facts.ratio;
   json["centre_distance"] = facts.centre_distance;
   for (const Facts::Sprocket &sprocket : facts.sprockets)
-    json["sprockets"].push_back({{"name", sprocket.name},
-                                 {"title", sprocket.title},
-                                 {"centre", {sprocket.centre[0], sprocket.centre[1]}},
-                                 {"sense", sprocket.sense},
-                                 {"arrival", sprocket.arrival},
-                                 {"teeth", sprocket.teeth},
-                                 {"pitch_diameter", sprocket.pitch_diameter},
-                                 {"wrap", sprocket.wrap},
-                                 {"speed", sprocket.speed},
-                                 {"torque", sprocket.torque},
-                                 {"polygon_effect", sprocket.polygon_effect},
-                                 {"seating_velocity", sprocket.seating_velocity},
-                                 {"inertia", sprocket.inertia},
-                                 {"shaft_load", sprocket.load}});
+    {
+      json["sprockets"].push_back({{"name", sprocket.name},
+                                   {"title", sprocket.title},
+                                   {"centre", {sprocket.centre[0], sprocket.centre[1]}},
+                                   {"sense", sprocket.sense},
+                                   {"arrival", sprocket.arrival},
+                                   {"teeth", sprocket.teeth},
+                                   {"pitch_diameter", sprocket.pitch_diameter},
+                                   {"wrap", sprocket.wrap},
+                                   {"speed", sprocket.speed},
+                                   {"torque", sprocket.torque},
+                                   {"polygon_effect", sprocket.polygon_effect},
+                                   {"seating_velocity", sprocket.seating_velocity},
+                                   {"inertia", sprocket.inertia},
+                                   {"shaft_load", sprocket.load}});
+      if (sprocket.coupling_frequency)
+        json["sprockets"].back()["coupling_frequency"] = *sprocket.coupling_frequency;
+      if (sprocket.bearing_frequency)
+        json["sprockets"].back()["bearing_frequency"] = *sprocket.bearing_frequency;
+    }
   for (const Facts::Span &span : facts.spans)
     json["spans"].push_back({{"name", span.name},
                              {"label", text_of_label(span.label)},
@@ -130,8 +136,16 @@ std::vector<files::Described> described_facts()
       {"drive/sprockets/*/torque", "N m", "mean torque without losses"},
       {"drive/sprockets/*/polygon_effect", "1", "rise and fall of the chain's speed over it"},
       {"drive/sprockets/*/seating_velocity", "m/s", "speed with which a link meets it"},
-      {"drive/sprockets/*/inertia", "kg m2", "inertia of all that turns with it"},
+      {"drive/sprockets/*/inertia",
+       "kg m2",
+       "inertia of all that turns with it, what is behind its coupling included"},
       {"drive/sprockets/*/shaft_load", "N", "resultant of the spans at its two ends on its shaft"},
+      {"drive/sprockets/*/coupling_frequency",
+       "Hz",
+       "of the inertias on both sides of its coupling, if it has one, without the chain"},
+      {"drive/sprockets/*/bearing_frequency/*",
+       "Hz",
+       "of its mass on its bearing, if that yields, along x and y, without the chain"},
       {"drive/spans/*/name", "", "of the sprockets at its ends, in the direction of travel"},
       {"drive/spans/*/label", "", "tight or slack, by its tension, or nothing"},
       {"drive/spans/*/begin/*", "m", "x and y of the point where it leaves the first pitch circle"},
@@ -222,6 +236,21 @@ Lines lines_of(const Facts &facts)
        to_text(facts.driven_inertia, 4) + " kg m2, on the tight span " +
            to_text(facts.driven_frequency, 4) + " Hz (tooth frequency at " +
            rpm(facts.driven_resonance) + ")");
+  const auto met_at = [&](const double frequency) {
+    return to_text(frequency, 4) + " Hz (tooth frequency at " +
+           rpm(2. * dealii::numbers::PI * frequency / facts.driver().teeth) + ")";
+  };
+  for (const Facts::Sprocket &s : facts.sprockets)
+    {
+      if (s.coupling_frequency)
+        line(s.name + " coupling", "without the chain " + met_at(*s.coupling_frequency));
+      if (!s.bearing_frequency)
+        continue;
+      const auto [x, y] = *s.bearing_frequency;
+      line(s.name + " bearing",
+           "without the chain " +
+               (x == y ? met_at(x) : "along x " + met_at(x) + ", along y " + met_at(y)));
+    }
   line("usual limits",
        to_text(facts.rated_power * 1e-3, 3) + " kW at this speed; driver up to " +
            rpm(facts.highest_speed));

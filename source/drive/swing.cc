@@ -92,6 +92,10 @@ Swing make_swing(const Parameters &parameters, const unsigned int i, const Layou
   if (wheel.held.holder != parameters::Holder::bearing)
     throw InputError(section + "Pivot in mm is for wheels on bearings; choose auto for one with " +
                      of + "Held by = " + text_of(wheel.held.holder) + ".");
+  if (wheel.bearing.stiffness)
+    throw InputError(section + "Pivot in mm cannot be with " + of +
+                     "Bearing/Stiffness in N/m = " + to_text(*wheel.bearing.stiffness) +
+                     "; choose rigid, or Swing/Pivot in mm = auto.");
   if (wheel.runout > 0.)
     throw InputError(of + "Runout in um = " + to_text(1e6 * wheel.runout) +
                      " is for wheels whose axes stand still; choose 0, or Swing/Pivot in mm = "

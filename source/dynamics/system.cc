@@ -3,6 +3,7 @@
 #include <chaindrive/dynamics/newmark.h>
 #include <chaindrive/dynamics/relaxation.h>
 #include <chaindrive/dynamics/system.h>
+#include <chaindrive/forces/shaft.h>
 #include <chaindrive/forces/tensioner.h>
 #include <chaindrive/scene/scene.h>
 
@@ -19,6 +20,10 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
     forces.push_back(given->clone());
   for (const scene::Tensioner &given : scene.tensioners)
     forces.push_back(std::make_unique<TensionerSpring>(given));
+  for (const scene::Coupling &given : scene.couplings)
+    forces.push_back(std::make_unique<CouplingSpring>(scene, given));
+  for (const scene::Bearing &given : scene.bearings)
+    forces.push_back(std::make_unique<BearingSpring>(scene, given));
   if (bars.size() > 0 || !forces.empty() || world.n_nodal_groups() > 0)
     internal_force_ = timer.add("Internal force");
   integration_ = timer.add("Time integration");

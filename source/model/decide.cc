@@ -108,6 +108,8 @@ elastic_sprocket(const Parameters &p, const parameters::Sprocket &sprocket, cons
     return {effect, false, "rigid on its tensioner, whose mass it is a part of", sprocket.name};
   if (rim.on && sprocket.swing.is_active())
     return {effect, false, "rigid on its arm, which moves as is prescribed", sprocket.name};
+  if (rim.on && sprocket.bearing.stiffness)
+    return {effect, false, "rigid on its bearing, with whose slides it moves", sprocket.name};
   if (rim.on && !rollers)
     return {effect,
             false,
@@ -304,6 +306,25 @@ Decision planar_motion(const Parameters &p)
   return {effect, what.empty(), what.empty() ? "nothing leaves the plane of the chain" : what};
 }
 
+Decision yielding_shafts(const Parameters &p)
+{
+  std::string which;
+  const auto  add = [&which](const std::string &more) {
+    which += (which.empty() ? "" : ", ") + more;
+  };
+  for (const parameters::Sprocket &wheel : p.drive.sprockets.list)
+    {
+      if (wheel.coupling.stiffness)
+        add("the coupling of the " + wheel.in_words());
+      if (wheel.bearing.stiffness)
+        add("the bearing of the " + wheel.in_words());
+    }
+  return {Effect::yielding_shafts,
+          !which.empty(),
+          which.empty() ? "Drive/Wheels: all bearings and couplings are rigid" :
+                          which + " in Drive/Wheels"};
+}
+
 Decision
 stress_recovery(const Parameters &p, const bool links, const bool rollers, const bool pictures)
 {
@@ -453,6 +474,7 @@ Effects decide_effects(const Parameters &p)
               out_of_line,
               symmetry_model(p, links.on, rollers.on, faces.on, pictures.on),
               planar_motion(p),
+              yielding_shafts(p),
               pictures,
               stress_recovery(p, links.on, rollers.on, pictures.on),
               start_up(p)});

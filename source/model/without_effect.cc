@@ -119,6 +119,17 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
       rules.push_back({wheel.tilt == 0.,
                        {of + "Tilt direction in degrees"},
                        of + "Tilt in degrees = 0 is no tilt"});
+      rules.push_back(
+          {!wheel.bearing.stiffness, {of + "Bearing/"}, of + "Bearing/Stiffness in N/m = rigid"});
+      rules.push_back({!wheel.coupling.stiffness,
+                       {of + "Coupling/"},
+                       of + "Coupling/Stiffness in N m/rad = rigid"});
+      rules.push_back({wheel.bearing.damping.has_value(),
+                       {of + "Bearing/Damping ratio"},
+                       of + "Bearing/Damping in N s/m is given"});
+      rules.push_back({wheel.coupling.damping.has_value(),
+                       {of + "Coupling/Damping ratio"},
+                       of + "Coupling/Damping in N m s/rad is given"});
       rules.push_back({wheel.index_tolerance == 0.,
                        {of + "Index seed"},
                        of + "Index tolerance in um = 0 is no random wheel"});

@@ -59,8 +59,8 @@ void Model::declare(Declarations &declarations)
       driven_inertia,
       unit::si,
       above(0., 1e9),
-      "Moment of inertia of everything that rotates with the driven sprocket. Give it whenever a "
-      "machine is coupled to it. auto: the sprocket alone.")
+      "Moment of inertia of everything that rotates with the driven sprocket, or of what is behind "
+      "its coupling. Give it whenever a machine is coupled to it. auto: the sprocket alone.")
       .sought = {"Drive/Wheels/driven/Inertia in kg m2"};
   add(declarations,
       "Chain damping ratio",

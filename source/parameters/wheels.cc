@@ -12,7 +12,7 @@ namespace chaindrive::parameters
 {
 namespace
 {
-constexpr std::size_t most_wheels = 50, longest_name = 30;
+constexpr std::size_t most_wheels = 50, longest_wheel_name = 30;
 
 bool is_letter(const char c) { return c >= 'a' && c <= 'z'; }
 
@@ -25,10 +25,10 @@ bool is_taken(const std::string &name)
          name.find("_to_") != std::string::npos;
 }
 
-bool is_name(const std::string &name)
+bool is_wheel_name(const std::string &name)
 {
-  return !name.empty() && name.size() <= longest_name && is_letter(name[0]) && !is_taken(name) &&
-         std::all_of(name.begin(), name.end(), [](const char c) {
+  return !name.empty() && name.size() <= longest_wheel_name && is_letter(name[0]) &&
+         !is_taken(name) && std::all_of(name.begin(), name.end(), [](const char c) {
            return is_letter(c) || c == '_' || (c >= '0' && c <= '9');
          });
 }
@@ -42,9 +42,9 @@ std::vector<std::string> names_in(const std::string &text)
 std::string wrong_with(const std::vector<std::string> &names)
 {
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (!is_name(names[i]))
+    if (!is_wheel_name(names[i]))
       return "'" + names[i] + "' is no name of a wheel: small letters, digits and _, " +
-             std::to_string(longest_name) +
+             std::to_string(longest_wheel_name) +
              " at most, the first one a letter, but not links, rollers, load, span, nor _to_ in it";
     else if (std::find(names.begin(), names.begin() + i, names[i]) != names.begin() + i)
       return "'" + names[i] + "' is there twice";
@@ -80,7 +80,8 @@ void declare_wheel(Declarations &declarations,
           sprocket.inertia,
           unit::si,
           above(0., 1e6),
-          "Of all that turns with it. auto: the sprocket alone.");
+          "Of all that turns with it, or of what is behind its coupling. auto: the sprocket "
+          "alone.");
     }
   if (!is_first)
     add_choice(declarations,
@@ -170,6 +171,8 @@ void declare_wheel(Declarations &declarations,
       "as measured (index deviation, ISO 1328-1), counter-clockwise positive, from one gap to the "
       "next counter-clockwise. As many as teeth, or a part of them that repeats. Rigid teeth. "
       "Default: all are in their places.");
+  sprocket.bearing.declare(declarations);
+  sprocket.coupling.declare(declarations);
   if (is_own)
     sprocket.held.declare(declarations);
   if (!is_first)

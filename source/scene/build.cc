@@ -123,6 +123,7 @@ Scene build_scene(const model::Model             &model,
   add_sprockets(model, drive, folders, scene);
   add_tensioner(drive, scene);
   add_swings(drive, scene);
+  add_shafts(drive, scene);
   add_guides(model, drive, scene);
   if (model.effects.is_on(Effect::misalignment))
     {

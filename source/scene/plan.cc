@@ -36,25 +36,45 @@ std::string name_of(const Scene &scene, const Body &body)
              scene.drive.sprockets.at(body.number).name;
     case Kind::guide:
       return "guides";
+    case Kind::bearing:
+      return "slides of bearings";
+    case Kind::machine:
+      return body.mount.kind == Mount::Kind::motor ? "motor" : "machines behind couplings";
     }
   return "";
 }
 
-std::string motion_of(const Body &body)
+std::string motion_of(const Scene &scene, const Body &body)
 {
+  const std::string carrier =
+      body.mount.carrier && scene.bodies[*body.mount.carrier].kind == Kind::bearing ? "bearing" :
+                                                                                      "tensioner";
+  if (body.kind == Kind::machine)
+    return body.mount.kind == Mount::Kind::motor ? "turned by the speed program" :
+                                                   "one rotation against the load torque";
+  if (body.kind == Kind::bearing)
+    return "a way along x or y, held by springs";
   const std::string rim = body.motion == Motion::elastic ? "elastic rim, " : "rigid, ";
   if (body.mount.kind == Mount::Kind::fixed)
     return "fixed";
   if (body.mount.kind == Mount::Kind::motor && body.kind == Kind::tensioner)
     return "an arm, turned as is prescribed";
   if (body.mount.kind == Mount::Kind::motor)
-    return rim + "hub turned by the speed program";
+    return rim + "hub turned by the speed program" +
+           (body.mount.carrier ? ", carried by its " + carrier : "");
   if (body.kind == Kind::tensioner)
     return body.mount.kind == Mount::Kind::prismatic ? "a slide, pressed by its spring" :
                                                        "an arm, turned by its spring";
+  const bool coupled =
+      body.kind == Kind::sprocket &&
+      std::any_of(scene.couplings.begin(), scene.couplings.end(), [&](const Coupling &coupling) {
+        return coupling.sprocket == body.number;
+      });
   if (body.mount.kind == Mount::Kind::revolute)
-    return rim + "one rotation of the hub against the load torque" +
-           (body.mount.carrier ? ", carried by its arm or slide" : "");
+    return rim +
+           (coupled ? "one rotation of the hub on its coupling" :
+                      "one rotation of the hub against the load torque") +
+           (body.mount.carrier ? ", carried by its " + carrier : "");
   switch (body.motion)
     {
     case Motion::lumped:
@@ -118,7 +138,7 @@ void print_plan(std::ostream &out, const Scene &scene)
     {
       const Body &body = *bodies.front();
       out << "  " << std::setw(4) << bodies.size() << ' ' << name_of(scene, body) << ": "
-          << motion_of(body);
+          << motion_of(scene, body);
       if (body.motion == Motion::elastic)
         out << ", " << size_of(scene, body).first << " elements and " << size_of(scene, body).second
             << " nodes each";

@@ -66,6 +66,10 @@ std::string Scene::name_of(const unsigned int b) const
              drive.sprockets.at(bodies[b].number).title;
     case Kind::guide:
       return "guide of " + drive.spans.at(bodies[b].number).name;
+    case Kind::bearing:
+      return "bearing of the " + drive.sprockets.at(bodies[b].number).title;
+    case Kind::machine:
+      return "machine behind the coupling of the " + drive.sprockets.at(bodies[b].number).title;
     }
   return "";
 }

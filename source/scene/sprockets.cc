@@ -66,12 +66,14 @@ Body sprocket_body(const model::Model &model,
   body.kind   = Kind::sprocket;
   body.number = i;
   body.motion = rim ? Motion::elastic : Motion::rigid;
-  body.mount  = sprocket.role == Role::driver ? Mount::motor() : Mount::revolute();
-  body.mass   = solid.mass;
+  body.mount =
+      sprocket.role == Role::driver && !sprocket.coupling ? Mount::motor() : Mount::revolute();
+  body.mass = solid.mass;
   for (unsigned int d = 0; d < 3; ++d)
     body.inertia[d] = solid.inertia[d][d];
-  body.inertia[2] = sprocket.given_inertia.value_or(solid.inertia[2][2]);
-  if (sprocket.role != Role::driver)
+  body.inertia[2] = sprocket.coupling ? sprocket.coupling->before :
+                                        sprocket.given_inertia.value_or(solid.inertia[2][2]);
+  if (sprocket.role != Role::driver && !sprocket.coupling)
     scene.notes.push_back(sprocket.in_entries + " inertia " +
                           to_text(drive.strands * body.inertia[2], 4) + " kg m2 (" +
                           (sprocket.given_inertia ? "given" : "auto: the sprocket alone") + ")");
@@ -86,13 +88,20 @@ Body sprocket_body(const model::Model &model,
 }
 
 /// Refuses a @p sprocket with less inertia than its rim @p sector has: with less than the nodes
-/// that it holds a hub could be faster than the elements are.
-void check_inertia(const Body &sprocket, const mesh::Sector &sector, const Scene &scene)
+/// that it holds a hub could be faster than the elements are. One that is @p coupled has that of
+/// the entries of its coupling.
+void check_inertia(const Body         &sprocket,
+                   const bool          coupled,
+                   const mesh::Sector &sector,
+                   const Scene        &scene)
 {
   const mesh::Sector::Inertia rim = sector.inertia(mesh::Nodes(*sector.part));
   const double                all = scene.symmetry().whole(rim.free + rim.held);
   if (sprocket.mount.kind == Mount::Kind::revolute && sprocket.inertia[2] < all)
-    throw InputError("Model/Driven inertia in kg m2 = " + to_text(sprocket.inertia[2]) +
+    throw InputError((coupled ? "Drive/Wheels/" + scene.drive.sprockets[sprocket.number].name +
+                                    "/Coupling/Inertia of sprocket in kg m2 = " :
+                                "Model/Driven inertia in kg m2 = ") +
+                     to_text(sprocket.inertia[2]) +
                      " is less than that of the elastic rim of the sprocket alone, " +
                      to_text(all) +
                      "; choose a greater value, auto, or Model/Elastic sprockets = off.");
@@ -281,6 +290,7 @@ void add_sprockets(const model::Model             &model,
                                        sprocket.title,
                                        sprocket.role,
                                        number,
+                                       number,
                                        sprocket.form.teeth,
                                        sense,
                                        scene.drive.pitch_radius_of(sprocket.form.teeth),
@@ -291,7 +301,7 @@ void add_sprockets(const model::Model             &model,
       if (body.motion == Motion::elastic)
         {
           scene.sectors[body.part()] = std::make_shared<const mesh::Sector>(*part);
-          check_inertia(body, *scene.sectors[body.part()], scene);
+          check_inertia(body, sprocket.coupling.has_value(), *scene.sectors[body.part()], scene);
         }
 
       const ToothFamily flanks = make_flanks(model, drive, sprocket, number, part.get(), scene);

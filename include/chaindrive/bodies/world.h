@@ -79,16 +79,23 @@ public:
   struct Carried
   {
     unsigned int body, carrier;
+    bool         slides = false; ///< along its axis on its carrier
   };
 
-  /// Puts what is carried where its carrier is.
+  /// Puts what is carried where its carrier is, once all hubs have been placed.
   void place_carried()
   {
     for (const Carried &c : carried)
-      {
-        frames[c.body].position = frames[c.carrier].position;
-        frames[c.body].velocity = frames[c.carrier].velocity;
-      }
+      if (c.slides)
+        {
+          frames[c.body].position += frames[c.carrier].position - origin[c.carrier];
+          frames[c.body].velocity += frames[c.carrier].velocity;
+        }
+      else
+        {
+          frames[c.body].position = frames[c.carrier].position;
+          frames[c.body].velocity = frames[c.carrier].velocity;
+        }
   }
 
   /// Moment of all forces on the body of @p hub, and on those that it carries, about its axis, N m;
@@ -220,7 +227,7 @@ public:
   std::vector<Rotation>             rotations;
   std::vector<Spin>                 spins;
   std::vector<Hub>                  hubs;
-  std::vector<Carried>              carried;
+  std::vector<Carried>              carried; ///< each after its carrier
   std::vector<Frame>       frames;        ///< per body, now; of an elastic one, its centre of mass
   std::vector<BodyBatches> copies;        ///< the elastic bodies, part by part
   NodeExchange             node_exchange; ///< between the ranks' copies
@@ -247,6 +254,9 @@ private:
   /// The bodies at the start, without groups and nodes.
   World(const scene::Scene &scene, MPI_Comm comm);
   friend World make_world(const scene::Scene &scene, MPI_Comm comm);
+
+  /// Adds the forces on all that @p carrier takes along.
+  void add_carried(unsigned int carrier, dealii::Tensor<1, 3> &force_on) const;
 
   MPI_Comm            comm_;
   unsigned int        rank_, n_ranks_;

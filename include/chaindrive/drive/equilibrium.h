@@ -15,7 +15,8 @@ namespace chaindrive::drive
 inline constexpr double creeping = 1e-3;
 
 /// Energy, forces and stiffness of a drive at rest, and its minimum by Newton's method. Unknowns
-/// are the joints, the angles of wheels that are free, and the travel of a tensioner.
+/// are the joints, the angles of wheels that are free, the axes of wheels on bearings that yield,
+/// and the travel of a tensioner.
 class Equilibrium
 {
 public:
@@ -95,6 +96,30 @@ private:
   /// Moves the wheel of the tensioner to its present travel.
   void place_tensioner();
 
+  /// A wheel whose axis yields.
+  struct OnBearing
+  {
+    unsigned int wheel;
+    unsigned int first; ///< of its two unknowns
+    Vector       way;   ///< of its axis from where nothing pulls at it, m
+  };
+
+  /// Moves the wheels on bearings to where they are, and adds what their springs store to the
+  /// energy and its derivatives.
+  void add_bearings();
+
+  /// Adds to the derivatives by the place of the axis of @p on what those of its wheel's contact
+  /// with joint @p k are, the wheel being unknown @p f if it is not held: @p gradient and
+  /// @p second ones as in add_travel().
+  void add_axis(const OnBearing                            &on,
+                unsigned int                                k,
+                unsigned int                                f,
+                const std::array<double, 3>                &gradient,
+                const std::array<std::array<double, 3>, 3> &second);
+
+  /// What the contacts of all joints turn wheel @p i by, counter-clockwise, N m.
+  double moment_on(unsigned int i) const;
+
   /// Solves (H + shift) step = -gradient: joints 1 ... n-1 are a block tridiagonal matrix, joint 0
   /// and the free wheels, the unknowns without neighbours on one side, its border. False where the
   /// matrix is not positive definite.
@@ -112,14 +137,17 @@ private:
   std::vector<dealii::Point<2>> at_;          ///< of the joints, m
   std::vector<double>           turned_;      ///< per wheel, rad
   double                        travel_ = 0.; ///< of the tensioner
+  std::vector<OnBearing>        on_bearings_;
   double                        energy_ = 0.;
 
-  // unknowns besides joints: the ways of free wheels at their levers, and of the tensioner, m
+  // unknowns besides joints: the ways of free wheels at their levers, of axes on bearings, and of
+  // the tensioner, m
   std::vector<Vector>              gradient_;
   std::vector<std::vector<Vector>> to_wheel_; ///< second derivatives by an unknown and a joint
   std::vector<Matrix>              diagonal_, to_next_;
   std::vector<double>              wheel_gradient_, wheel_diagonal_; ///< per unknown
   double                           wheel_to_travel_ = 0.; ///< of the tensioner and its wheel
+  std::vector<std::vector<double>> between_; ///< per unknown of bearings and earlier unknown
   std::vector<Vector>              step_;
   std::vector<double>              wheel_step_;
 };

@@ -5,7 +5,9 @@
 #include <chaindrive/files/described.h>
 #include <chaindrive/files/json.h>
 
+#include <array>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,11 @@ struct Facts
     double inertia;          ///< of all that turns with it, kg m2
     bool   idle;             ///< neither driven nor loaded by its shaft
     double load = 0.;        ///< resultant of the spans at its two ends on its shaft, N
+
+    /// Of the inertias on both sides of its coupling, and of its mass on its bearing along x and y,
+    /// without the chain, Hz; empty: rigid.
+    std::optional<double>                coupling_frequency = {};
+    std::optional<std::array<double, 2>> bearing_frequency  = {};
   };
 
   /// What a span is called for the force in it.
@@ -91,7 +98,7 @@ struct Facts
   double shaft_load;             ///< resultant of both spans on the driven shaft
 
   double driven_inertia;   ///< of all that turns with the driven sprocket, kg m2
-  double driven_frequency; ///< of that on the tight span, the driver held, Hz
+  double driven_frequency; ///< of that on the tight span, the driver or its motor held, Hz
   double driven_resonance; ///< driver speed at which the tooth frequency is that, rad/s
 
   double rated_power;   ///< usual limit for this size, teeth and speed

@@ -33,7 +33,14 @@ struct Layout
 
     dealii::Tensor<1, 2> eccentricity = {}; ///< of the centre from the axis of its shaft, m
 
+    dealii::Tensor<1, 2> deflection = {}; ///< of its axis in the bearing, m
+    double               torque = 0.; ///< that its shaft gives to it, counter-clockwise, N m; zero
+                                      ///< unless the start is settled
+
     dealii::Point<2> axis() const { return centre - eccentricity; }
+
+    /// Where its axis is while nothing pulls at it.
+    dealii::Point<2> unloaded() const { return axis() - deflection; }
   };
 
   struct Span
@@ -87,8 +94,11 @@ struct Layout
   unsigned int moved = 1;     ///< the sprocket whose distance from sprocket 0 the layout decides
   bool         rises = false; ///< the chain gets slack as it goes away from sprocket 0
 
-  /// Of these two, m.
-  double centre_distance() const { return sprockets[0].axis().distance(sprockets[moved].axis()); }
+  /// Of these two while nothing pulls at them, m.
+  double centre_distance() const
+  {
+    return sprockets[0].unloaded().distance(sprockets[moved].unloaded());
+  }
 };
 
 /// By how much further the surfaces of single joints must come together than those of all others

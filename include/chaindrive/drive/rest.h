@@ -5,7 +5,10 @@
 #include <chaindrive/path/obstacle.h>
 #include <chaindrive/path/wheel.h>
 
+#include <deal.II/base/tensor.h>
+
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace chaindrive::drive
@@ -37,6 +40,9 @@ struct RestingWheel
   double                                seats;          ///< on a whole turn: its teeth
   bool                                  held   = false; ///< it does not turn
   double                                torque = 0.;    ///< counter-clockwise, N m
+
+  /// Of the springs that hold its axis along x and y, N/m; empty: it stands still.
+  std::optional<dealii::Tensor<1, 2>> bearing = {};
 };
 
 /// A sprocket, of which @p form must live as long.

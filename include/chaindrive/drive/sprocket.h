@@ -3,6 +3,7 @@
 
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/drive/programs.h>
+#include <chaindrive/drive/shaft.h>
 #include <chaindrive/drive/solids.h>
 #include <chaindrive/drive/tooth_form.h>
 #include <chaindrive/parameters/drive.h>
@@ -26,10 +27,15 @@ struct Sprocket
   MassProperties        solid;
   std::string           mesh;    ///< a Gmsh file that takes the place of the form; empty: none
   ShaftProgram          program; ///< of its shaft
-  std::optional<double> given_inertia  = {}; ///< of all that turns with it, kg m2
-  double                inertia        = 0.; ///< the same, given or that of the solid
-  double                mean_torque    = 0.; ///< that resists it in operation, N m
-  double                largest_torque = 0.; ///< a bound of its magnitude, before it steps, N m
+  std::optional<double> given_inertia = {}; ///< of all that turns with it, kg m2; of one with a
+                                            ///< coupling that of what is behind
+  double inertia = 0.;                      ///< of all that turns with it, what is behind its
+                                            ///< coupling included, kg m2
+  double mean_torque    = 0.;               ///< that resists it in operation, N m
+  double largest_torque = 0.;               ///< a bound of its magnitude, before it steps, N m
+
+  std::optional<Coupling> coupling = {}; ///< between it and what its shaft turns; empty: rigid
+  std::optional<Bearing>  bearing  = {}; ///< how its axis yields; empty: it stands still
 
   double axial_offset   = 0.; ///< of its plane from that of the drive, m
   double tilt           = 0.; ///< of its axis, rad

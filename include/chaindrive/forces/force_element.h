@@ -7,6 +7,7 @@
 #include <chaindrive/utilities/pointer_list.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,10 @@ public:
 
   /// The forces [N] on its bodies at the last call of add_forces(), for who looks for faults.
   virtual std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>> forces() const { return {}; }
+
+  /// What it has lost since the start [J], as far as losses are told by #name(); empty: they are
+  /// those of all other force elements. Known to the first rank.
+  virtual std::optional<double> lost() const { return {}; }
 
   /// Its springs at the present state, as stiff as they can become, for the critical time step.
   virtual void add_springs(const World &world, std::vector<Spring> &springs) const = 0;

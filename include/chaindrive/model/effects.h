@@ -33,6 +33,7 @@ enum class Effect
   misalignment, ///< planes of wheels are not that of the drive
   symmetry_model,
   planar_motion,
+  yielding_shafts,
   fields,
   stress_recovery,
   start_up
@@ -64,6 +65,7 @@ inline constexpr Texts<model::Effect, 24> texts_of<model::Effect>{
      {model::Effect::misalignment, "misalignment"},
      {model::Effect::symmetry_model, "symmetry model"},
      {model::Effect::planar_motion, "planar motion"},
+     {model::Effect::yielding_shafts, "yielding shafts"},
      {model::Effect::fields, "fields"},
      {model::Effect::stress_recovery, "stress recovery"},
      {model::Effect::start_up, "start-up"}}};

@@ -4,6 +4,7 @@
 #include <chaindrive/parameters/choice.h>
 #include <chaindrive/parameters/guide.h>
 #include <chaindrive/parameters/sections.h>
+#include <chaindrive/parameters/shaft.h>
 #include <chaindrive/parameters/swing.h>
 #include <chaindrive/parameters/tensioner.h>
 
@@ -177,6 +178,8 @@ struct Sprocket
   double                               direction = 0.; ///< from the first one to what is found, rad
   Holders                              held{};         ///< what holds its axis
   Swing                                swing{};        ///< the arm that moves its axis
+  Bearing                              bearing{};      ///< how its shaft yields
+  Coupling                             coupling{};     ///< between it and what is behind it
   Guide                                guide{};        ///< of the span behind it
   double                               runout          = 0.; ///< total indicator reading, m
   double                               runout_phase    = 0.; ///< rad
@@ -188,7 +191,8 @@ struct Sprocket
   std::vector<double>                  index_deviations{}; ///< m, of one gap after the other
 
   std::optional<double> resisting_torque = {}; ///< N m, of a driven one; empty: that of Loads
-  std::optional<double> inertia          = {}; ///< kg m2, of all that turns with it; empty: its own
+  std::optional<double> inertia          = {}; ///< kg m2, of all that turns with it, or
+                                               ///< is behind its coupling; empty: its own
 
   /// What its shaft is given besides what section Loads says: its speed where it is a driver, and
   /// the torque that resists it where it is driven. functions/terms.h knows what they are.

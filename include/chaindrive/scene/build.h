@@ -85,6 +85,10 @@ void add_tensioner(const drive::Drive &drive, Scene &scene);
 /// Adds the arms that move wheels as is prescribed.
 void add_swings(const drive::Drive &drive, Scene &scene);
 
+/// What is behind the couplings of the wheels of @p drive, and what carries those on bearings that
+/// yield. The wheels must be there, and a tensioner.
+void add_shafts(const drive::Drive &drive, Scene &scene);
+
 /// The guides of @p drive, which plates slide on. The wheels must be there.
 void add_guides(const model::Model &model, const drive::Drive &drive, Scene &scene);
 

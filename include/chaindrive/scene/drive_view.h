@@ -17,6 +17,7 @@ struct Sprocket
   std::string          title; ///< what sentences call it
   parameters::Role     role;
   unsigned int         body;
+  unsigned int         shaft; ///< the body that its shaft turns: itself, or what its coupling does
   unsigned int         teeth;
   int                  sense;        ///< of its rotation in operation, +1: about +z
   double               pitch_radius; ///< of the loaded pitch, m

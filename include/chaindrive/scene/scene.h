@@ -10,6 +10,7 @@
 #include <chaindrive/utilities/mirror_symmetry.h>
 #include <chaindrive/utilities/rotation.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -45,7 +46,9 @@ enum class Kind
   outer_link,
   sprocket,
   tensioner, ///< the arm or slide of one
-  guide
+  guide,
+  bearing, ///< a way along x or y of a wheel's axis
+  machine  ///< what is behind the coupling of a wheel
 };
 
 /// Which part a body is an instance of: all rollers, inner and outer links share one each, every
@@ -158,6 +161,29 @@ struct Swing
   functions::Pointer angle;    ///< over time [s], about +z, rad
 };
 
+/// A torsion spring with a damper between a wheel and what is behind it.
+struct Coupling
+{
+  unsigned int sprocket;  ///< in DriveView::sprockets
+  unsigned int wheel;     ///< body on a mount
+  unsigned int machine;   ///< body on a mount, behind it
+  int          sense;     ///< of the torque on the machine while the drive drives, +1: about +z
+  double       stiffness; ///< N m/rad
+  double       damping;   ///< N m s/rad
+  double       torque;    ///< on the wheel at the start, about +z, N m
+};
+
+/// Springs with dampers that hold the axis of a wheel: two bodies on mounts move along x and y,
+/// the second one on the first one, and carry the wheel.
+struct Bearing
+{
+  unsigned int                sprocket;           ///< in DriveView::sprockets
+  std::array<unsigned int, 2> bodies;             ///< that move along x and along y
+  std::array<double, 2>       stiffness, damping; ///< N/m and N s/m
+  std::array<double, 2>       start;              ///< displacement at the start, m
+  double weight; ///< that they bear where the displacement is zero, along -y, N
+};
+
 /// Who is there, what touches what, what pulls: a pure description, from which a World is made.
 struct Scene
 {
@@ -166,6 +192,8 @@ struct Scene
   std::vector<std::shared_ptr<const ForceElement>> forces; ///< others than bars and contacts
   std::vector<Tensioner>                           tensioners;
   std::vector<Swing>                               swings;
+  std::vector<Coupling>                            couplings;
+  std::vector<Bearing>                             bearings;
   std::vector<BoreFamily>                          bores;
   std::vector<FaceFamily>                          faces;
   std::vector<ToothFamily>                         teeth;

@@ -18,10 +18,7 @@ struct Line
 
 bool always(const Observation &) { return true; }
 bool elastic(const Observation &now) { return now.scene.has_elastic_bodies(); }
-bool with_forces(const Observation &now)
-{
-  return !now.scene.forces.empty() || !now.scene.tensioners.empty();
-}
+bool with_forces(const Observation &now) { return !now.system.forces.empty(); }
 bool nodal(const Observation &now) { return now.system.world.n_nodal_groups() > 0; }
 
 template <model::Effect effect>

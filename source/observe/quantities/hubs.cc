@@ -118,7 +118,7 @@ private:
   double torque(const scene::Sprocket &sprocket) const
   {
     const double given =
-        now_.scene.drive.strands * sprocket.sense * now_.system.loads.torque(sprocket.body);
+        now_.scene.drive.strands * sprocket.sense * now_.system.loads.torque(sprocket.shaft);
     return sprocket.role == parameters::Role::driver ? given : -given;
   }
 

@@ -24,6 +24,9 @@ public:
   {
     for (const auto &family : now.system.contacts.families())
       interfaces_.push_back(family->name());
+    for (const ForceElement *element : now.system.forces)
+      if (element->lost())
+        elements_.push_back(element->name());
     before_ = present();
     within_.resize(before_.size(), 0.);
   }
@@ -37,7 +40,9 @@ public:
              {"losses/*/damping", "J", "lost by damping of an interface in the window"},
              {"losses/*/energy",
               "J",
-              "lost by an interface, chain damping, drag or force elements in the window"},
+              "lost by an interface, chain damping, drag, a coupling, a bearing or other force "
+              "elements in "
+              "the window"},
              {"losses/*/power", "W", "the same over the time of the window"},
              {"window_energy/drive_work", "J", "work of the driver in the window"},
              {"window_energy/resisting_work", "J", "work against the load in the window"},
@@ -90,8 +95,15 @@ public:
       add("chain damping", within_[chain_damping]);
     if (now_.system.loads.drag() != 0.)
       add("drag", within_[drag]);
-    if (!now_.scene.forces.empty() || !now_.scene.tensioners.empty())
-      add("force elements", within_[spring_damping]);
+    const std::size_t first = n_terms + 2 * interfaces_.size();
+    double            named = 0.;
+    for (std::size_t i = 0; i < elements_.size(); ++i)
+      {
+        add(elements_[i], within_[first + i]);
+        named += within_[first + i];
+      }
+    if (elements_.size() < now_.system.forces.size())
+      add("force elements", within_[spring_damping] - named);
 
     const double in = within_[drive_work], out = within_[resisting_work],
                  stored      = within_[stored_energy];
@@ -129,8 +141,8 @@ private:
     n_terms
   };
 
-  /// The terms at this instant and then the losses of the interfaces, friction and damping in turn;
-  /// all but what is stored since the start, J.
+  /// The terms at this instant, then the losses of the interfaces, friction and damping in turn,
+  /// then those of force elements with names; all but what is stored since the start, J.
   std::vector<double> present() const
   {
     const Ledger       &ledger = now_.system.world.ledger;
@@ -143,13 +155,17 @@ private:
                                   ledger.spring_damping};
     for (const contact::Loss &loss : now_.system.contacts.losses())
       values.insert(values.end(), {loss.friction, loss.damping});
+    for (const ForceElement *element : now_.system.forces)
+      if (const auto lost = element->lost())
+        values.push_back(*lost);
     return values;
   }
 
   WindowMean               time_; ///< how much of the window has passed
   std::vector<std::string> interfaces_;
-  std::vector<double>      before_; ///< present() after the last step, J
-  std::vector<double>      within_; ///< what has come to it within the window, J
+  std::vector<std::string> elements_; ///< whose losses have names of their own
+  std::vector<double>      before_;   ///< present() after the last step, J
+  std::vector<double>      within_;   ///< what has come to it within the window, J
 };
 
 const Registered<Losses>

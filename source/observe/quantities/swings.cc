@@ -35,7 +35,7 @@ public:
           row[0] = now_.system.loads.prescribed_angle(swing.body, now_.system.world.time);
         });
         channels.add(moment_of(name), [this, &swing](const Channels::Row row) {
-          row[0] = now_.system.loads.torque(swing.body);
+          row[0] = now_.scene.drive.strands * now_.system.loads.torque(swing.body);
         });
       }
   }
