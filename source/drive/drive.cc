@@ -163,8 +163,8 @@ void set_torques(const Parameters &p, Drive &d)
 {
   for (Sprocket &sprocket : d.sprockets)
     {
-      const double speed      = p.loads.driver_speed * d.driver().form.teeth / sprocket.form.teeth;
-      sprocket.mean_torque    = sprocket.program.mean_torque(p.time.start, p.time.end, speed);
+      const double speed   = p.loads.driver_speed * d.driver().form.teeth / sprocket.form.seats();
+      sprocket.mean_torque = sprocket.program.mean_torque(p.time.start, p.time.end, speed);
       sprocket.largest_torque = sprocket.program.largest_torque(p.time.start, p.time.end, speed);
     }
 }
@@ -294,11 +294,17 @@ std::vector<RestingWheel> resting_wheels(const std::vector<Sprocket> &sprockets,
   std::vector<RestingWheel> wheels;
   wheels.reserve(sprockets.size());
   for (std::size_t i = 0; i < sprockets.size(); ++i)
-    wheels.push_back(resting_sprocket(sprockets[i].form,
-                                      sprockets[i].role == Role::driver,
-                                      sprockets[i].role == Role::driven ?
-                                          layout.sprockets[i].turn * torque_of(sprockets[i]) :
-                                          0.));
+    {
+      wheels.push_back(resting_sprocket(sprockets[i].form,
+                                        sprockets[i].role == Role::driver,
+                                        sprockets[i].role == Role::driven ?
+                                            layout.sprockets[i].turn * torque_of(sprockets[i]) :
+                                            0.));
+      if (sprockets[i].carries_plates())
+        wheels.back().plates = {
+            0.5 * (sprockets[i].form.pitch_diameter - sprockets[i].form.root_diameter),
+            sprockets[i].flat_stiffness};
+    }
   return wheels;
 }
 
@@ -349,6 +355,13 @@ void set_chain_and_sprockets(const Parameters &parameters, Drive &d)
   d.chain = d.links.in(d.chain);
   for (unsigned int i = 0; i < sprockets.list.size(); ++i)
     {
+      if (const parameters::Sprocket &wheel = sprockets.list[i];
+          wheel.is_flat() && wheel.flat.runs_on == parameters::RunsOn::plates && model.is_elastic &&
+          !model.is_reduced)
+        throw InputError(
+            "Drive/Wheels/" + wheel.name +
+            "/Flat/Runs on = plates is for the fidelities simple, layered and reduced; "
+            "choose one of these, or rollers.");
       d.sprockets.push_back(make_sprocket(i, sprockets, d.chain, parameters.model.driven_inertia));
       d.sprockets[i].program =
           make_program(sprockets.list[i],
@@ -384,8 +397,9 @@ void set_solids(const Parameters &parameters, Drive &d)
   d.outer_link_solid   = outer_link_solid(d.chain, density);
   for (Sprocket &sprocket : d.sprockets)
     {
-      sprocket.solid   = sprocket_solid(sprocket.form, sprocket.bore, d.sprocket_width, density);
-      sprocket.inertia = sprocket.given_inertia.value_or(sprocket.solid.inertia[2][2]);
+      const double width = sprocket.carries_plates() ? d.chain.pin_length : d.sprocket_width;
+      sprocket.solid     = sprocket_solid(sprocket.form, sprocket.bore, width, density);
+      sprocket.inertia   = sprocket.given_inertia.value_or(sprocket.solid.inertia[2][2]);
     }
   refuse_brake(d);
   d.mass_per_pitch =
@@ -416,6 +430,9 @@ void set_stiffnesses(const Parameters &parameters, const StiffnessOf &stiffness_
   d.roller_bush_stiffness  = contact.roller_bush_stiffness.value_or(parts.roller_bush);
   d.roller_tooth_stiffness = contact.roller_tooth_stiffness.value_or(
       model.has_clearances ? parts.roller_tooth : parts.pressed_roller());
+  for (Sprocket &sprocket : d.sprockets)
+    if (sprocket.form.flat)
+      sprocket.flat_stiffness = sprocket.flat.stiffness.value_or(d.roller_tooth_stiffness);
   for (unsigned int i = 0; i < d.sprockets.size(); ++i)
     d.sprockets[i].tooth_stiffness = contact.tooth_stiffness.value_or(
         parts.teeth.empty() ?
@@ -482,7 +499,15 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
   if (d.layout.tensioner)
     d.layout.tensioner->carry(d.sprockets[d.layout.tensioner->wheel].solid.mass,
                               gravity(parameters));
-  if (d.layout.tensioner && !settled)
+  const auto          &model   = given.capabilities();
+  std::optional<Guide> pressed = make_pressed_guide(
+      entries, d.chain, d.layout, gravity(parameters), model.is_elastic && !model.is_reduced);
+  std::optional<RestingGuide> at_rest;
+  if (pressed)
+    at_rest = resting_guide(*pressed, d.chain);
+  if (pressed && !settled)
+    bring_to_rest(d.layout, resting_chain(parameters, d), unloaded(d), *at_rest);
+  else if (d.layout.tensioner && !settled)
     bring_to_rest(d.layout, resting_chain(parameters, d), unloaded(d));
   else if ((!d.links.are_equal() || has_shifted_gaps(d)) && !settled &&
            !(stretched && layout.pretension > 0.))
@@ -510,7 +535,8 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
                                   }),
                    {std::abs(start_speed),
                     given.mass_per_pitch.value_or(d.mass_per_pitch),
-                    facts.tooth_frequency < facts.driven_frequency});
+                    facts.tooth_frequency < facts.driven_frequency},
+                   at_rest ? &*at_rest : nullptr);
           }
         catch (const InputError &error)
           {
@@ -530,6 +556,11 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
     if (tensioner)
       d.notes.push_back(
           tensioner->in_words(d.sprockets[tensioner->wheel].title, d.layout.slack().slack));
+  if (pressed)
+    {
+      d.notes.push_back(pressed->in_words(d.layout.slack().slack));
+      d.guides.push_back(std::move(*pressed));
+    }
   if (layout.centre_distance_from != CentreDistanceFrom::given && !clamped)
     d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance() * 1e3, 7) +
                       " mm, from " + text_of(layout.centre_distance_from) + ".");
@@ -557,11 +588,12 @@ Drive make_drive(const Parameters  &parameters,
   set_stiffnesses(parameters, stiffness_of, d);
   lay_chain(parameters, shifts, d);
   const auto &model = parameters.model.capabilities();
-  d.guides          = make_guides(parameters.drive,
-                         d.chain,
-                         forms_of(d.sprockets),
-                         d.layout,
-                         model.is_elastic && !model.is_reduced);
+  for (Guide &guide : make_guides(parameters.drive,
+                                  d.chain,
+                                  forms_of(d.sprockets),
+                                  d.layout,
+                                  model.is_elastic && !model.is_reduced))
+    d.guides.push_back(std::move(guide));
   return d;
 }
 } // namespace chaindrive::drive

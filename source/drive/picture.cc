@@ -116,6 +116,20 @@ std::string track_of(const Tensioner &tensioner, const double letter)
                      to_text(force, 4) + (tensioner.is_arm() ? " N m" : " N"));
 }
 
+/// The line of @p guide where it is, and what holds it.
+std::string line_of(const Guide &guide, const double letter)
+{
+  std::string path = "  <path class=\"guide\" d=\"";
+  for (const Point<2> &p : guide.polyline(8))
+    path += (path.back() == '"' ? "M" : "L") + at(p);
+  path += "\"/>\n";
+  if (!guide.held)
+    return path;
+  Tensioner held = *guide.held;
+  held.reference = guide.curve.at(0.5 * guide.curve.n_pieces());
+  return path + track_of(held, letter);
+}
+
 /// The resultant of the spans at its two ends on the shaft of wheel @p i, N.
 Tensor<1, 2> load_on(const Facts &facts, const std::size_t i)
 {
@@ -149,6 +163,9 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
   const std::optional<Tensioner> &held = layout.clamped ? layout.clamped : layout.tensioner;
   if (held && held->is_arm())
     see(held->pivot, 0.);
+  for (const Guide &guide : drive.guides)
+    if (guide.held && guide.held->is_arm())
+      see(guide.held->pivot, 0.);
   const double size = std::max(right - left, high - low), letter = 0.022 * size;
   const double margin = 4. * letter;
 
@@ -191,13 +208,7 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
         << "\"/>\n";
 
   for (const Guide &guide : drive.guides)
-    {
-      out << "  <path class=\"guide\" d=\"M" << at(guide.curve.begin());
-      constexpr unsigned int n = 8;
-      for (unsigned int i = 1; i <= n * guide.curve.n_pieces(); ++i)
-        out << "L" << at(guide.curve.at(static_cast<double>(i) / n));
-      out << "\"/>\n";
-    }
+    out << line_of(guide, letter);
   if (held)
     out << track_of(*held, letter);
   for (std::size_t i = 0; i < facts.spans.size(); ++i)

@@ -31,6 +31,12 @@ struct Sprocket
   double                mean_torque    = 0.; ///< that resists it in operation, N m
   double                largest_torque = 0.; ///< a bound of its magnitude, before it steps, N m
 
+  parameters::Flat flat = {}; ///< in the place of teeth
+
+  /// Whether plates lie on it, and not rollers.
+  bool carries_plates() const { return form.flat && flat.runs_on == parameters::RunsOn::plates; }
+
+  double flat_stiffness  = 0.; ///< of one joint's contact with a drum, given or auto, N/m
   double tooth_stiffness = 0.; ///< of tooth and rim under a roller, given or auto, N/m
 };
 

@@ -68,6 +68,9 @@ struct Tensioner
   dealii::Tensor<1, 2> way(double travel) const;
   dealii::Tensor<1, 2> bend(double travel) const;
 
+  /// Where the arm has taken what is at @p p without travel.
+  dealii::Point<2> turned(const dealii::Point<2> &p) const;
+
   /// Takes the mass of its wheel [kg], of which its weight and the damping of its stops follow: a
   /// fifth of critical damping.
   void carry(double wheel, double gravity);
@@ -75,8 +78,11 @@ struct Tensioner
   /// A travel with the unit of its entry, such as "12 degrees".
   std::string with_unit(double travel) const;
 
-  /// A sentence that says where it is and how it presses, with this @p slack [m] in the chain.
-  std::string in_words(const std::string &wheel, double slack) const;
+  /// A sentence that says where it is and how it presses, with this @p slack [m] in the chain; @p
+  /// point is where an arm's lever ends.
+  std::string in_words(const std::string &wheel,
+                       double             slack,
+                       const std::string &point = "the wheel's axis") const;
 
   /// y -> -y.
   void mirror();

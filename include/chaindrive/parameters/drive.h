@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/parameters/choice.h>
+#include <chaindrive/parameters/flat.h>
 #include <chaindrive/parameters/guide.h>
 #include <chaindrive/parameters/sections.h>
 #include <chaindrive/parameters/tensioner.h>
@@ -169,6 +170,7 @@ struct Sprocket
   double                               direction = 0.; ///< from the first one to what is found, rad
   Holders                              held{};         ///< what holds its axis
   Guide                                guide{};        ///< of the span behind it
+  Flat                                 flat{};         ///< in the place of teeth
   double                               runout          = 0.; ///< total indicator reading, m
   double                               runout_phase    = 0.; ///< rad
   double                               index_tolerance = 0.; ///< of gaps along the pitch circle, m
@@ -181,6 +183,8 @@ struct Sprocket
   /// What its shaft is given besides what section Loads says: its speed where it is a driver, and
   /// the torque that resists it where it is driven. functions/terms.h knows what they are.
   Sections speed_terms = Sections("speed"), torque_terms = Sections("torque");
+
+  bool is_flat() const { return flat.diameter.has_value(); }
 
   std::string in_words() const;   ///< what sentences call it
   std::string in_entries() const; ///< what names of entries begin with
