@@ -272,7 +272,7 @@ std::unique_ptr<PlanarFlanks> PlanarFlanks::make(const scene::ToothFamily   &tee
                                                  const scene::SurfaceFamily &on_flanks,
                                                  const World                &world)
 {
-  if (teeth.facets || teeth.slaves.empty())
+  if (teeth.facets || teeth.at_centres || teeth.slaves.empty())
     return nullptr;
   for (const scene::SlavePoint &slave : teeth.slaves)
     if (world.planar->slot_of(slave.body) == PlanarBodies::none || slave.point[0] != 0. ||

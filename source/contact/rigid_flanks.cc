@@ -67,7 +67,7 @@ Touch RigidFlanks::project_on_rigid(const World                &world,
   if (touch.gap < 0.)
     {
       touch.normal = master.rotation * normal;
-      touch.point  = x - radius * touch.normal;
+      touch.point  = family_.at_centres ? x : x - radius * touch.normal;
       set_tangents(touch, master);
     }
   return touch;

@@ -56,7 +56,7 @@ std::vector<double> ends_of(const ToothForm &form, const double radius)
   double all = 0.;
   for (const drive::Segment &segment : form.half_profile)
     all += segment.length();
-  const double seat = form.half_profile.front().length();
+  const double seat = form.flat ? 0. : form.half_profile.front().length();
   // from the end of the seat to the bottom wider and wider, made up to a whole number
   std::vector<double> widths;
   double              sum = 0.;

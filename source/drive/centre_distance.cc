@@ -212,12 +212,13 @@ void check_loop(const std::vector<path::Wheel> &wheels)
 
 unsigned int number_of_links(const parameters::Drive &drive)
 {
-  parameters::Chain chain = drive.chain;
-  chain.elongation        = 0.;
-  const double pitch      = make_chain(chain).loaded_pitch();
-  const double c          = drive.layout.centre_distance;
-  Fitter       fitter;
-  fitter.sprockets                      = wheels_of(drive.sprockets);
+  parameters::Chain chain          = drive.chain;
+  chain.elongation                 = 0.;
+  const ChainDimensions dimensions = make_chain(chain);
+  const double          pitch      = dimensions.loaded_pitch();
+  const double          c          = drive.layout.centre_distance;
+  Fitter                fitter;
+  fitter.sprockets                      = wheels_of(drive.sprockets, dimensions);
   fitter.chain.seats                    = {pitch, pitch};
   const std::vector<path::Wheel> wheels = fitter.wheels(c);
   finds_one(drive.sprockets, drive.layout, fitter);

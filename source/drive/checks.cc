@@ -147,7 +147,7 @@ struct Checks
                 (is_given() ? "a larger Drive/Layout/Centre distance in mm with more links" :
                               "more links for a larger centre distance") +
                 ", or a smaller ratio.");
-        add(sprocket.teeth < least_teeth && facts.chain_speed > slow,
+        add(sprocket.teeth > 0 && sprocket.teeth < least_teeth && facts.chain_speed > slow,
             "teeth",
             "The " + sprocket.title + " has " + std::to_string(sprocket.teeth) +
                 " teeth at a chain speed of " + to_text(facts.chain_speed, 3) +

@@ -44,8 +44,10 @@ DesignLife design_life(const Facts &facts, const ChainDimensions &chain, const b
     {
       const Facts::Sprocket &sprocket = facts.sprockets[i];
       const double           tension  = tension_of(i);
-      force_angle +=
-          2. * dealii::numbers::PI / sprocket.teeth * (tension + tension_of((i + n - 1) % n));
+      const double           turn     = sprocket.teeth > 0 ?
+                                            2. * dealii::numbers::PI / sprocket.teeth :
+                                            2. * std::asin(facts.loaded_pitch / sprocket.pitch_diameter);
+      force_angle += turn * (tension + tension_of((i + n - 1) % n));
       least   = std::min(least, tension);
       most    = std::max(most, tension);
       largest = std::max(largest, sprocket.teeth);

@@ -150,8 +150,8 @@ void set_torques(const Parameters &p, Drive &d)
 {
   for (Sprocket &sprocket : d.sprockets)
     {
-      const double speed      = p.loads.driver_speed * d.driver().form.teeth / sprocket.form.teeth;
-      sprocket.mean_torque    = sprocket.program.mean_torque(p.time.start, p.time.end, speed);
+      const double speed   = p.loads.driver_speed * d.driver().form.teeth / sprocket.form.seats();
+      sprocket.mean_torque = sprocket.program.mean_torque(p.time.start, p.time.end, speed);
       sprocket.largest_torque = sprocket.program.largest_torque(p.time.start, p.time.end, speed);
     }
 }
@@ -291,6 +291,10 @@ std::vector<RestingWheel> resting_wheels(const std::vector<Sprocket> &sprockets,
                                             0.));
       if (sprockets[i].bearing)
         wheels.back().bearing = sprockets[i].bearing->stiffness;
+      if (sprockets[i].carries_plates())
+        wheels.back().plates = {
+            0.5 * (sprockets[i].form.pitch_diameter - sprockets[i].form.root_diameter),
+            sprockets[i].flat_stiffness};
     }
   return wheels;
 }
@@ -355,6 +359,13 @@ void set_chain_and_sprockets(const Parameters &parameters, Drive &d)
   d.chain = d.links.in(d.chain);
   for (unsigned int i = 0; i < sprockets.list.size(); ++i)
     {
+      if (const parameters::Sprocket &wheel = sprockets.list[i];
+          wheel.is_flat() && wheel.flat.runs_on == parameters::RunsOn::plates && model.is_elastic &&
+          !model.is_reduced)
+        throw InputError(
+            "Drive/Wheels/" + wheel.name +
+            "/Flat/Runs on = plates is for the fidelities simple, layered and reduced; "
+            "choose one of these, or rollers.");
       d.sprockets.push_back(make_sprocket(
           i, sprockets, d.chain, parameters.model.driven_inertia, parameters.drive.chain.share()));
       d.sprockets[i].program =
@@ -405,8 +416,9 @@ void set_solids(const Parameters &parameters, Drive &d)
   set_chain_mass(parameters, d);
   for (Sprocket &sprocket : d.sprockets)
     {
-      sprocket.solid   = sprocket_solid(sprocket.form, sprocket.bore, d.sprocket_width, density);
-      sprocket.inertia = sprocket.given_inertia.value_or(sprocket.solid.inertia[2][2]);
+      const double width = sprocket.carries_plates() ? d.chain.pin_length : d.sprocket_width;
+      sprocket.solid     = sprocket_solid(sprocket.form, sprocket.bore, width, density);
+      sprocket.inertia   = sprocket.given_inertia.value_or(sprocket.solid.inertia[2][2]);
       set_shaft(parameters.drive.sprockets.list[&sprocket - d.sprockets.data()],
                 parameters.drive.chain.share(),
                 sprocket);
@@ -437,6 +449,9 @@ void set_stiffnesses(const Parameters &parameters, const StiffnessOf &stiffness_
   d.roller_bush_stiffness  = contact.roller_bush_stiffness.value_or(parts.roller_bush);
   d.roller_tooth_stiffness = contact.roller_tooth_stiffness.value_or(
       model.has_clearances ? parts.roller_tooth : parts.pressed_roller());
+  for (Sprocket &sprocket : d.sprockets)
+    if (sprocket.form.flat)
+      sprocket.flat_stiffness = sprocket.flat.stiffness.value_or(d.roller_tooth_stiffness);
   for (unsigned int i = 0; i < d.sprockets.size(); ++i)
     d.sprockets[i].tooth_stiffness = contact.tooth_stiffness.value_or(
         parts.teeth.empty() ?
@@ -503,7 +518,15 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
   if (d.layout.tensioner)
     d.layout.tensioner->carry(d.sprockets[d.layout.tensioner->wheel].solid.mass,
                               gravity(parameters));
-  if (d.layout.tensioner && !settled)
+  const auto          &model   = given.capabilities();
+  std::optional<Guide> pressed = make_pressed_guide(
+      entries, d.chain, d.layout, gravity(parameters), model.is_elastic && !model.is_reduced);
+  std::optional<RestingGuide> at_rest;
+  if (pressed)
+    at_rest = resting_guide(*pressed, d.chain);
+  if (pressed && !settled)
+    bring_to_rest(d.layout, resting_chain(parameters, d), unloaded(d), *at_rest);
+  else if (d.layout.tensioner && !settled)
     bring_to_rest(d.layout, resting_chain(parameters, d), unloaded(d));
   else if ((!d.links.are_equal() || has_shifted_gaps(d)) && !settled &&
            !(stretched && layout.pretension > 0.))
@@ -531,7 +554,8 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
                                   }),
                    {std::abs(start_speed),
                     given.mass_per_pitch.value_or(d.mass_per_pitch),
-                    facts.tooth_frequency < facts.driven_frequency});
+                    facts.tooth_frequency < facts.driven_frequency},
+                   at_rest ? &*at_rest : nullptr);
           }
         catch (const InputError &error)
           {
@@ -551,6 +575,11 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
     if (tensioner)
       d.notes.push_back(tensioner->in_words(
           d.sprockets[tensioner->wheel].title, d.layout.slack().slack, d.strands));
+  if (pressed)
+    {
+      d.notes.push_back(pressed->in_words(d.layout.slack().slack, d.strands));
+      d.guides.push_back(std::move(*pressed));
+    }
   if (layout.centre_distance_from != CentreDistanceFrom::given && !clamped)
     d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance() * 1e3, 7) +
                       " mm, from " + text_of(layout.centre_distance_from) + ".");
@@ -587,11 +616,12 @@ Drive make_drive(const Parameters  &parameters,
         d.swings.emplace(i, swing);
       }
   const auto &model = parameters.model.capabilities();
-  d.guides          = make_guides(parameters.drive,
-                         d.chain,
-                         forms_of(d.sprockets),
-                         d.layout,
-                         model.is_elastic && !model.is_reduced);
+  for (Guide &guide : make_guides(parameters.drive,
+                                  d.chain,
+                                  forms_of(d.sprockets),
+                                  d.layout,
+                                  model.is_elastic && !model.is_reduced))
+    d.guides.push_back(std::move(guide));
   return d;
 }
 } // namespace chaindrive::drive

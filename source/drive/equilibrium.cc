@@ -36,38 +36,62 @@ bool positive_definite(const Equilibrium::Matrix &m) { return m[0][0] > 0. && de
 Equilibrium::Equilibrium(Layout                          &layout,
                          const RestingChain              &chain,
                          const std::vector<RestingWheel> &wheels,
-                         const double                     centrifugal)
+                         const double                     centrifugal,
+                         const RestingGuide              *guide)
     : layout_(layout)
     , chain_(chain)
     , wheels_(wheels)
     , n_(layout.joints.size())
+    , n_wheels_(wheels.size())
+    , guide_(guide)
+    , frames_(layout.sprockets)
     , contact_radius_(chain.roller_radius - chain.bush_clearance)
     , seat_stiffness_(chain.bush_clearance > 0. ?
                           chain.tooth_stiffness * chain.bush_stiffness /
                               (chain.tooth_stiffness + chain.bush_stiffness) :
                           chain.tooth_stiffness)
     , centrifugal_(centrifugal)
-    , turned_(wheels.size(), 0.)
 {
-  for (unsigned int i = 0; i < wheels.size(); ++i)
-    if (!wheels[i].held)
+  if (layout.tensioner)
+    moving_ = &*layout.tensioner;
+  if (guide != nullptr)
+    {
+      const Tensioner &held = *guide->held;
+      const bool       arm  = held.is_arm();
+      wheels_.push_back({guide->outline, held.lever(), 0., !arm, 0., {}, guide->plates});
+      frames_.push_back({arm ? held.pivot : held.centre(held.travel),
+                         arm ? held.sense * held.travel : 0.,
+                         0.,
+                         0,
+                         1});
+      if (!arm)
+        moving_ = &held;
+    }
+  turned_.assign(wheels_.size(), 0.);
+  for (unsigned int i = 0; i < wheels_.size(); ++i)
+    if (!wheels_[i].held)
       free_.push_back(i);
   for (const Layout::Joint &joint : layout.joints)
     at_.push_back(joint.bush);
-  for (unsigned int i = 0; i < wheels.size(); ++i)
-    if (wheels[i].bearing)
+  for (unsigned int i = 0; i < n_wheels_; ++i)
+    if (wheels_[i].bearing)
       on_bearings_.push_back({i,
                               static_cast<unsigned int>(free_.size() + 2 * on_bearings_.size()),
                               layout.sprockets[i].deflection});
-  if (layout.tensioner)
-    travel_ = layout.tensioner->travel;
+  if (moving_ != nullptr)
+    travel_ = moving_->travel;
+}
+
+double Equilibrium::travel_of_guide() const
+{
+  return guide_->held->travel + guide_->held->sense * turned_[n_wheels_];
 }
 
 void Equilibrium::move_shaft(const double by)
 {
   const auto   wheel = layout_.clamped ? layout_.clamped->wheel : layout_.moved;
-  Point<2>    &shaft = layout_.sprockets[wheel].centre;
-  const Vector arm   = layout_.sprockets[wheel].axis() - layout_.sprockets[0].axis();
+  Point<2>    &shaft = frames_[wheel].centre;
+  const Vector arm   = frames_[wheel].axis() - frames_[0].axis();
   Vector       way   = (layout_.rises ? -by : by) / arm.norm() * arm;
   if (layout_.clamped)
     {
@@ -75,7 +99,7 @@ void Equilibrium::move_shaft(const double by)
       clamped.travel += by / clamped.lever();
       way = clamped.centre(clamped.travel) - shaft;
     }
-  if (wheels_.size() == 2 && arm[1] == 0.)
+  if (n_wheels_ == 2 && arm[1] == 0.)
     for (Point<2> &p : at_)
       p[0] += std::clamp(p[0] / shaft[0], 0., 1.) * by;
   else
@@ -136,8 +160,8 @@ bool Equilibrium::minimize(const double tolerance)
       for (OnBearing &on : on_bearings_)
         for (unsigned int d = 0; d < 2; ++d)
           on.way[d] += part * wheel_step_[on.first + d];
-      if (layout_.tensioner)
-        travel_ += part * wheel_step_.back() / layout_.tensioner->lever();
+      if (moving_ != nullptr)
+        travel_ += part * wheel_step_.back() / moving_->lever();
       const double now = assemble();
       if (now <= energy + 1e-14 * std::abs(energy))
         {
@@ -194,6 +218,8 @@ void Equilibrium::store() const
     torques.push_back(wheels_[i].held ? moment_on(i) : wheels_[i].torque);
   if (layout_.tensioner)
     layout_.tensioner->travel = travel_;
+  else if (guide_ != nullptr)
+    guide_->held->travel = moving_ != nullptr ? travel_ : travel_of_guide();
   layout_.prestress = 0.;
   for (unsigned int k = 0; k < n_; ++k)
     {
@@ -202,7 +228,11 @@ void Equilibrium::store() const
       joint.pin_force  = std::abs(tension(k % 2 == 1 ? k : (k + n_ - 1) % n_));
       joint.seat_force = 0.;
       for (unsigned int i = 0; i < wheels_.size(); ++i)
-        joint.seat_force += seat_force(k, overlap(i, at_[k], 0., normal));
+        {
+          const double force = seat_force(k, i, overlap(i, at_[k], 0., normal));
+          joint.seat_force += wheels_[i].plates ? 0. : force;
+          layout_.prestress = std::max(layout_.prestress, force);
+        }
       layout_.prestress = std::max({layout_.prestress, std::abs(tension(k)), joint.seat_force});
     }
   for (unsigned int k = 0; k < n_; ++k)
@@ -210,10 +240,11 @@ void Equilibrium::store() const
       layout_.joints[k].bush   = at_[k];
       layout_.joints[k].roller = roller(k);
     }
-  for (unsigned int i = 0; i < wheels_.size(); ++i)
+  for (unsigned int i = 0; i < n_wheels_; ++i)
     {
       Layout::Sprocket &wheel = layout_.sprockets[i];
-      const Point<2>    axis  = wheel.axis();
+      wheel                   = frames_[i];
+      const Point<2> axis     = wheel.axis();
       wheel.centre            = centre(i, 0.);
       if (wheel.eccentricity != Vector())
         wheel.eccentricity = wheel.centre - axis;
@@ -241,14 +272,21 @@ double Equilibrium::length(const unsigned int k) const
          (k % 2 == 0 ? 0. : chain_.shifts.pin_of(k) + chain_.shifts.pin_of((k + 1) % n_));
 }
 
-double Equilibrium::seat_force(const unsigned int k, const double depth) const
+double Equilibrium::contact_stiffness(const unsigned int i) const
 {
-  return seat_stiffness_ * std::max(0., depth - chain_.shifts.seat_of(k));
+  return wheels_[i].plates ? std::min(seat_stiffness_, wheels_[i].plates->stiffness) :
+                             seat_stiffness_;
+}
+
+double Equilibrium::seat_force(const unsigned int k, const unsigned int i, const double depth) const
+{
+  const double shift = wheels_[i].plates ? 0. : chain_.shifts.seat_of(k);
+  return contact_stiffness(i) * std::max(0., depth - shift);
 }
 
 Point<2> Equilibrium::centre(const unsigned int i, const double turn) const
 {
-  const Layout::Sprocket &wheel = layout_.sprockets[i];
+  const Layout::Sprocket &wheel = frames_[i];
   const Vector           &e     = wheel.eccentricity;
   if (wheels_[i].held || e == Vector())
     return wheel.centre;
@@ -265,10 +303,12 @@ double Equilibrium::overlap(const unsigned int i,
                             Vector            &normal) const
 {
   const path::Obstacle   &outline = *wheels_[i].outline;
-  const Layout::Sprocket &wheel   = layout_.sprockets[i];
+  const Layout::Sprocket &wheel   = frames_[i];
   const Vector            arm     = p - centre(i, turn);
+  const auto             &plates  = wheels_[i].plates;
+  const double            radius  = plates ? plates->radius : contact_radius_;
   normal                          = Vector();
-  if (arm.norm() > outline.reach() + chain_.roller_radius)
+  if (arm.norm() > outline.reach() + (plates ? radius : chain_.roller_radius))
     return -1.;
   const double        angle = wheels_[i].held ? wheel.angle : wheel.angle + turned_[i] + turn;
   const double        c = std::cos(angle), s = std::sin(angle);
@@ -276,7 +316,7 @@ double Equilibrium::overlap(const unsigned int i,
       outline.nearest(Point<2>(c * arm[0] + s * arm[1], c * arm[1] - s * arm[0]));
   normal[0] = c * nearest.normal[0] - s * nearest.normal[1];
   normal[1] = s * nearest.normal[0] + c * nearest.normal[1];
-  return contact_radius_ - nearest.distance;
+  return radius - nearest.distance;
 }
 
 Point<2> Equilibrium::roller(const unsigned int k) const
@@ -290,9 +330,11 @@ Point<2> Equilibrium::roller(const unsigned int k) const
   bool     free = true;
   for (unsigned int i = 0; i < wheels_.size(); ++i)
     {
+      if (wheels_[i].plates)
+        continue;
       const double depth = overlap(i, bush, 0., normal);
       if (depth > -clearance)
-        at += (clearance + (depth > 0. ? seat_force(k, depth) / chain_.bush_stiffness : depth)) *
+        at += (clearance + (depth > 0. ? seat_force(k, i, depth) / chain_.bush_stiffness : depth)) *
               normal;
       free = free && depth <= -clearance;
     }
@@ -300,7 +342,7 @@ Point<2> Equilibrium::roller(const unsigned int k) const
     {
       at[1] -= clearance;
       for (unsigned int i = 0; i < wheels_.size(); ++i)
-        if (overlap(i, at, 0., normal) > -clearance)
+        if (!wheels_[i].plates && overlap(i, at, 0., normal) > -clearance)
           return bush;
     }
   return at;
@@ -313,14 +355,14 @@ double Equilibrium::contact(const unsigned int     k,
                             std::array<double, 3> &gradient) const
 {
   Vector       normal;
-  const double force = seat_force(k, overlap(i, p, turn, normal));
-  const Vector arm   = p - layout_.sprockets[i].axis();
+  const double force = seat_force(k, i, overlap(i, p, turn, normal));
+  const Vector arm   = p - frames_[i].axis();
   gradient           = {{-force * normal[0],
                          -force * normal[1],
                wheels_[i].held ?
                              0. :
                              force * (normal[1] * arm[0] - normal[0] * arm[1]) / wheels_[i].lever}};
-  return 0.5 * force * force / seat_stiffness_;
+  return 0.5 * force * force / contact_stiffness(i);
 }
 
 void Equilibrium::add_contact(const unsigned int k, const unsigned int i, const unsigned int f)
@@ -353,7 +395,7 @@ void Equilibrium::add_contact(const unsigned int k, const unsigned int i, const 
             to_wheel_[f][k][a] += second;
         }
     }
-  if (layout_.tensioner && i == layout_.tensioner->wheel)
+  if (moving_ != nullptr && i == moving_->wheel)
     add_travel(k, here, all);
   for (const OnBearing &on : on_bearings_)
     if (on.wheel == i)
@@ -401,7 +443,7 @@ void Equilibrium::add_travel(const unsigned int                          k,
                              const std::array<double, 3>                &gradient,
                              const std::array<std::array<double, 3>, 3> &second)
 {
-  const Tensioner &tensioner = *layout_.tensioner;
+  const Tensioner &tensioner = *moving_;
   const double     lever     = tensioner.lever();
   const Vector     w = tensioner.way(travel_) / lever, b = tensioner.bend(travel_);
   for (unsigned int i = 0; i < 2; ++i)
@@ -418,15 +460,12 @@ void Equilibrium::add_travel(const unsigned int                          k,
     }
 }
 
-void Equilibrium::place_tensioner()
-{
-  layout_.sprockets[layout_.tensioner->wheel].centre = layout_.tensioner->centre(travel_);
-}
+void Equilibrium::place_tensioner() { frames_[moving_->wheel].centre = moving_->centre(travel_); }
 
 double Equilibrium::assemble()
 {
   const std::size_t n_unknowns =
-      free_.size() + 2 * on_bearings_.size() + (layout_.tensioner ? 1 : 0);
+      free_.size() + 2 * on_bearings_.size() + (moving_ != nullptr ? 1 : 0);
   energy_ = 0.;
   wheel_gradient_.clear();
   for (const unsigned int i : free_)
@@ -437,10 +476,18 @@ double Equilibrium::assemble()
   wheel_diagonal_.assign(n_unknowns, 0.);
   wheel_to_travel_ = 0.;
   between_.assign(on_bearings_.empty() ? 0 : n_unknowns, std::vector<double>(n_unknowns));
-  add_bearings();
-  if (layout_.tensioner)
+  if (!free_.empty() && is_arm(free_.back()))
     {
-      const Tensioner &tensioner = *layout_.tensioner;
+      const Tensioner &arm    = *guide_->held;
+      const double     travel = travel_of_guide(), lever = arm.lever();
+      energy_ += arm.law.energy(travel);
+      wheel_gradient_.back() -= arm.sense * arm.law.elastic(travel) / lever;
+      wheel_diagonal_[free_.size() - 1] = arm.law.rate(travel) / (lever * lever);
+    }
+  add_bearings();
+  if (moving_ != nullptr)
+    {
+      const Tensioner &tensioner = *moving_;
       const double     lever     = tensioner.lever();
       place_tensioner();
       energy_ += tensioner.law.energy(travel_) + tensioner.weight * tensioner.centre(travel_)[1];
@@ -508,9 +555,9 @@ bool Equilibrium::newton_step(const double shift)
   for (unsigned int a = 0; a < between_.size(); ++a)
     for (unsigned int b = 0; b < a; ++b)
       corner[2 + a][2 + b] = corner[2 + b][2 + a] = between_[a][b];
-  if (layout_.tensioner)
+  if (moving_ != nullptr)
     {
-      const auto wheel = std::find(free_.begin(), free_.end(), layout_.tensioner->wheel);
+      const auto wheel = std::find(free_.begin(), free_.end(), moving_->wheel);
       if (wheel != free_.end())
         {
           const auto f     = static_cast<unsigned int>(2 + (wheel - free_.begin()));

@@ -68,10 +68,12 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
     {
       const Layout::Sprocket &at   = d.layout.sprockets[i];
       const dealii::Point<2>  axis = at.axis();
-      wheels.emplace_back(d.sprockets[i].form.teeth,
-                          dealii::Point<2>(axis[0], d.layout.sense * axis[1]),
-                          lengths,
-                          at.turn);
+      const ToothForm        &form = d.sprockets[i].form;
+      const dealii::Point<2>  place(axis[0], d.layout.sense * axis[1]);
+      if (form.flat)
+        wheels.push_back(path::Wheel::flat(0.5 * form.pitch_diameter, place, lengths, at.turn));
+      else
+        wheels.emplace_back(form.teeth, place, lengths, at.turn);
     }
   // where a line with this normal touches a pitch circle, in the drive as it turns
   const auto touch = [&d](const path::Wheel &wheel, const double tangent) {
@@ -102,12 +104,31 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
   facts.spans.front().label = Facts::Label::slack;
   facts.spans.back().label  = Facts::Label::tight;
 
+  const auto held = [](const Tensioner &tensioner) {
+    const bool arm = tensioner.is_arm();
+    return Facts::Held{arm,
+                       arm ? tensioner.pivot : dealii::Point<2>(tensioner.direction),
+                       arm ? tensioner.sense : 1,
+                       tensioner.travel};
+  };
+  if (d.layout.tensioner)
+    {
+      facts.tensioner = held(*d.layout.tensioner);
+      facts.tensioned = d.layout.tensioner->wheel;
+    }
+  for (const Guide &guide : d.guides)
+    {
+      facts.guides.push_back({facts.spans[guide.span].name, guide.polyline(4)});
+      if (guide.held)
+        facts.guides.back().held = held(*guide.held);
+    }
+
   const double speed = std::abs(p.loads.driver_speed);
   double       pulls = 0.; // of all loads, torque over number of teeth
   for (std::size_t i = 0; i < n; ++i)
     {
       const Sprocket &sprocket = d.sprockets[i];
-      const double    z = sprocket.form.teeth, w = speed / (z / z_driver);
+      const double    z = sprocket.form.seats(), w = speed / (z / z_driver);
       const double    in   = path::tangent_angle(wheels[(i + n - 1) % n], wheels[i]);
       const double    out  = path::tangent_angle(wheels[i], wheels[(i + 1) % n]);
       double          wrap = wheels[i].turn * (out - in);
@@ -120,12 +141,12 @@ void set_geometry(Facts &facts, const Parameters &p, const Drive &d)
                                  d.layout.sprockets[i].axis(),
                                  d.layout.sense * wheels[i].turn,
                                  d.layout.sense * path::touching(wheels[i], in),
-                                 sprocket.form.teeth,
+                                 sprocket.form.flat ? 0 : sprocket.form.teeth,
                                  sprocket.form.pitch_diameter, // teeth do not grow with wear
                                  wrap,
                                  w,
                                  loaded ? torque : 0.,
-                                 1. - std::cos(PI / z),
+                                 sprocket.form.flat ? 0. : 1. - std::cos(PI / z),
                                  facts.loaded_pitch * w,
                                  sprocket.inertia,
                                  sprocket.role == Role::idler});
@@ -157,8 +178,10 @@ std::vector<double> tensions_of_loads(const Facts &facts)
 {
   std::vector<double> tensions(facts.spans.size(), 0.);
   for (std::size_t i = 1; i < tensions.size(); ++i)
-    tensions[i] = tensions[i - 1] + 2. * PI * facts.sprockets[i].torque /
-                                        (facts.sprockets[i].teeth * facts.loaded_pitch);
+    tensions[i] = tensions[i - 1] + (facts.sprockets[i].torque == 0. ?
+                                         0. :
+                                         2. * PI * facts.sprockets[i].torque /
+                                             (facts.sprockets[i].teeth * facts.loaded_pitch));
   return tensions;
 }
 
@@ -195,6 +218,9 @@ double kept_tension(const Facts               &facts,
 {
   if (const auto kept = tension_of_tensioner(facts, d, effective))
     return *kept;
+  for (const Guide &guide : d.guides)
+    if (const auto kept = guide.held ? tension_of(guide, d.layout) : std::nullopt)
+      return *kept;
   const parameters::Layout &layout = p.drive.layout;
   HangingSpan               slack  = hanging(facts, facts.slack(), p, d);
   slack.length       = facts.slack().links * facts.loaded_pitch; // slack and sag are between seats
@@ -285,8 +311,9 @@ double driven_frequency(const Facts &facts, const Parameters &p, const Drive &d)
       const double links    = facts.spans[i].length / facts.loaded_pitch; // mean over a pitch
       const auto  &coupling = d.sprockets[i].coupling;
       const double inertia  = coupling ? coupling->before : facts.sprockets[i].inertia;
-      mass[i] =
-          inertia / (radius * radius) + pitch_mass * (d.layout.sprockets[i].seats + links / 3.);
+      // the inertia of a drum hangs on friction alone
+      mass[i] = (d.sprockets[i].form.flat ? 0. : inertia / (radius * radius)) +
+                pitch_mass * (d.layout.sprockets[i].seats + links / 3.);
       const auto on = [&](const std::size_t sprocket, const double tight, const double kept) {
         return wrap_flexibility(d,
                                 p.model.capabilities().has_clearances,

@@ -78,6 +78,23 @@ files::Json to_json(const Facts &facts)
       if (sprocket.bearing_frequency)
         json["sprockets"].back()["bearing_frequency"] = *sprocket.bearing_frequency;
     }
+  const auto held_by = [](const Facts::Held &held) {
+    return files::Json{{"holder", held.arm ? "arm" : "slide"},
+                       {held.arm ? "pivot" : "direction", {held.of[0], held.of[1]}},
+                       {"sense", held.sense},
+                       {"travel", held.travel}};
+  };
+  if (facts.tensioner)
+    json["sprockets"][facts.tensioned]["held"] = held_by(*facts.tensioner);
+  for (const Facts::Guide &guide : facts.guides)
+    {
+      files::Json points = files::Json::array();
+      for (const dealii::Point<2> &p : guide.points)
+        points.push_back({p[0], p[1]});
+      json["guides"].push_back({{"span", guide.span}, {"points", points}});
+      if (guide.held)
+        json["guides"].back()["held"] = held_by(*guide.held);
+    }
   for (const Facts::Span &span : facts.spans)
     json["spans"].push_back({{"name", span.name},
                              {"label", text_of_label(span.label)},
@@ -129,7 +146,7 @@ std::vector<files::Described> described_facts()
       {"drive/sprockets/*/centre/*", "m", "x and y of its axis"},
       {"drive/sprockets/*/sense", "1", "of its rotation, 1 is counter-clockwise"},
       {"drive/sprockets/*/arrival", "rad", "polar angle at which the chain arrives"},
-      {"drive/sprockets/*/teeth", "1", "number of teeth"},
+      {"drive/sprockets/*/teeth", "1", "number of teeth; 0 of a wheel without teeth"},
       {"drive/sprockets/*/pitch_diameter", "m", "pitch diameter"},
       {"drive/sprockets/*/wrap", "rad", "wrap of the chain around it"},
       {"drive/sprockets/*/speed", "rad/s", "mean speed"},
@@ -146,6 +163,18 @@ std::vector<files::Described> described_facts()
       {"drive/sprockets/*/bearing_frequency/*",
        "Hz",
        "of its mass on its bearing, if that yields, along x and y, without the chain"},
+      {"drive/sprockets/*/held/holder", "", "arm or slide, of the tensioner that its wheel is"},
+      {"drive/sprockets/*/held/pivot/*", "m", "x and y of the arm's pivot"},
+      {"drive/sprockets/*/held/direction/*", "1", "x and y of the slide's direction"},
+      {"drive/sprockets/*/held/sense", "1", "1: travel turns the arm counter-clockwise"},
+      {"drive/sprockets/*/held/travel", "rad or m", "at the start"},
+      {"drive/guides/*/span", "", "name of the span beside which it is"},
+      {"drive/guides/*/points/*/*", "m", "x and y of points of its line at the start"},
+      {"drive/guides/*/held/holder", "", "arm or slide of one that a spring presses"},
+      {"drive/guides/*/held/pivot/*", "m", "x and y of the arm's pivot"},
+      {"drive/guides/*/held/direction/*", "1", "x and y of the slide's direction"},
+      {"drive/guides/*/held/sense", "1", "1: travel turns the arm counter-clockwise"},
+      {"drive/guides/*/held/travel", "rad or m", "at the start"},
       {"drive/spans/*/name", "", "of the sprockets at its ends, in the direction of travel"},
       {"drive/spans/*/label", "", "tight or slack, by its tension, or nothing"},
       {"drive/spans/*/begin/*", "m", "x and y of the point where it leaves the first pitch circle"},
@@ -205,10 +234,12 @@ Lines lines_of(const Facts &facts)
                                    ", strength not listed"));
   for (const Facts::Sprocket &s : facts.sprockets)
     line(s.title,
-         std::to_string(s.teeth) + " teeth, pitch diameter " + mm(s.pitch_diameter) + ", wrap " +
-             to_text(s.wrap * 180. / PI, 4) + " deg, " + rpm(s.speed) + ", " +
-             to_text(s.torque, 4) + " N m, polygon effect " + to_text(100. * s.polygon_effect, 3) +
-             " %, links seat at " + to_text(s.seating_velocity, 3) + " m/s");
+         (s.teeth > 0 ? std::to_string(s.teeth) + " teeth, pitch" :
+                        std::string("no teeth, joints'")) +
+             " diameter " + mm(s.pitch_diameter) + ", wrap " + to_text(s.wrap * 180. / PI, 4) +
+             " deg, " + rpm(s.speed) + ", " + to_text(s.torque, 4) + " N m, polygon effect " +
+             to_text(100. * s.polygon_effect, 3) + " %, links seat at " +
+             to_text(s.seating_velocity, 3) + " m/s");
   line("centre distance",
        mm(facts.centre_distance) + ", " + to_text(facts.centre_distance / facts.pitch, 4) +
            " pitches; ratio " + to_text(facts.ratio, 4));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/fit.h>
+#include <chaindrive/drive/tooth_form.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,11 @@ std::vector<path::Wheel> Fitter::wheels(const double centre_distance) const
       else if (wheel.moves)
         centre = Point<2>(sprockets[0].centre[0] + centre_distance * std::cos(wheel.direction),
                           sprockets[0].centre[1] + centre_distance * std::sin(wheel.direction));
-      at.emplace_back(wheel.teeth, centre + wheel.eccentricity, chain.seats, wheel.turn);
+      centre += wheel.eccentricity;
+      if (wheel.joints > 0.)
+        at.push_back(path::Wheel::flat(wheel.joints, centre, chain.seats, wheel.turn));
+      else
+        at.emplace_back(wheel.teeth, centre, chain.seats, wheel.turn);
     }
   return at;
 }
@@ -49,7 +54,8 @@ bool Fitter::moves() const
          });
 }
 
-std::vector<Fitter::Wheel> wheels_of(const parameters::Sprockets &sprockets)
+std::vector<Fitter::Wheel> wheels_of(const parameters::Sprockets &sprockets,
+                                     const ChainDimensions       &chain)
 {
   std::vector<Fitter::Wheel> wheels;
   for (const parameters::Sprocket &sprocket : sprockets.list)
@@ -58,6 +64,8 @@ std::vector<Fitter::Wheel> wheels_of(const parameters::Sprockets &sprockets)
       wheels.push_back({sprocket.teeth, sprocket.turn, !sprocket.centre && !at_origin});
       if (sprocket.centre)
         wheels.back().centre = Point<2>((*sprocket.centre)[0], (*sprocket.centre)[1]);
+      if (sprocket.is_flat())
+        wheels.back().joints = joint_radius(sprocket.flat, chain);
       wheels.back().direction       = sprocket.direction;
       wheels.back().eccentricity[0] = 0.5 * sprocket.runout * std::cos(sprocket.runout_phase);
       wheels.back().eccentricity[1] = 0.5 * sprocket.runout * std::sin(sprocket.runout_phase);
@@ -68,6 +76,8 @@ std::vector<Fitter::Wheel> wheels_of(const parameters::Sprockets &sprockets)
 int Fitter::bulge(const std::vector<path::Wheel> &at) const
 {
   // the angle is that of the outward normal
+  if (!pressing.empty())
+    return path::beside(at[0], at[1], pressing) > 0. ? -1 : 1;
   return gravity * std::sin(path::tangent_angle(at[0], at[1])) < 0. ? -1 : 1;
 }
 

@@ -46,10 +46,13 @@ Fitter make_fitter(const parameters::Drive &drive,
 {
   const parameters::Layout &layout = drive.layout;
   Fitter                    fitter;
-  fitter.sprockets  = wheels_of(drive.sprockets);
+  fitter.sprockets  = wheels_of(drive.sprockets, chain);
   path::Chain &laid = fitter.chain;
   laid.n_links      = drive.n_links;
   laid.phase        = layout.start_phase;
+  if (const parameters::Guide &guide = drive.sprockets.driver().guide; guide.is_sprung())
+    for (const auto &p : guide.points)
+      fitter.pressing.emplace_back(p[0], p[1]);
   if (weightless)
     fitter.gravity = 0;
   else if (layout.tight_span == parameters::TightSide::lower) // the drive is mirrored

@@ -128,6 +128,20 @@ std::string track_of(const Swing &swing, const Point<2> &now, const double lette
          mm(0. - swing.pivot[1]) + "\" r=\"" + mm(0.4 * letter) + "\"/>\n";
 }
 
+/// The line of @p guide where it is, and what holds it.
+std::string line_of(const Guide &guide, const double letter, const unsigned int strands)
+{
+  std::string path = "  <path class=\"guide\" d=\"";
+  for (const Point<2> &p : guide.polyline(8))
+    path += (path.back() == '"' ? "M" : "L") + at(p);
+  path += "\"/>\n";
+  if (!guide.held)
+    return path;
+  Tensioner held = *guide.held;
+  held.reference = guide.curve.at(0.5 * guide.curve.n_pieces());
+  return path + track_of(held, letter, strands);
+}
+
 /// The resultant of the spans at its two ends on the shaft of wheel @p i, N.
 Tensor<1, 2> load_on(const Facts &facts, const std::size_t i)
 {
@@ -168,6 +182,9 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
         see(swing.centre(layout.sprockets[wheel].centre, turned),
             0.5 * drive.sprockets[wheel].form.outside_diameter);
       }
+  for (const Guide &guide : drive.guides)
+    if (guide.held && guide.held->is_arm())
+      see(guide.held->pivot, 0.);
   const double size = std::max(right - left, high - low), letter = 0.022 * size;
   const double margin = 4. * letter;
 
@@ -210,13 +227,7 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
         << "\"/>\n";
 
   for (const Guide &guide : drive.guides)
-    {
-      out << "  <path class=\"guide\" d=\"M" << at(guide.curve.begin());
-      constexpr unsigned int n = 8;
-      for (unsigned int i = 1; i <= n * guide.curve.n_pieces(); ++i)
-        out << "L" << at(guide.curve.at(static_cast<double>(i) / n));
-      out << "\"/>\n";
-    }
+    out << line_of(guide, letter, drive.strands);
   if (held)
     out << track_of(*held, letter, drive.strands);
   for (const auto &[wheel, swing] : drive.swings)

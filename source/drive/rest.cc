@@ -39,12 +39,10 @@ void set_speed(Layout &layout, const unsigned int i, const double speed)
   wheel.speed = speed;
 }
 
-/// Of the tensioner's spring at the axis of its wheel, N; 0: there is none.
-double force_of(const Layout &layout)
+/// Of its spring at the axis of its wheel or the middle of its guide, N.
+double force_of(const Tensioner &tensioner)
 {
-  return layout.tensioner ? std::abs(layout.tensioner->law.elastic(layout.tensioner->travel)) /
-                                layout.tensioner->lever() :
-                            0.;
+  return std::abs(tensioner.law.elastic(tensioner.travel)) / tensioner.lever();
 }
 } // namespace
 
@@ -100,7 +98,7 @@ void bring_to_rest(Layout                          &layout,
 {
   if (layout.tensioner->travel >= layout.tensioner->law.most)
     return; // it leans on its stop, and the chain has slack
-  const double scale = force_of(layout);
+  const double scale = force_of(*layout.tensioner);
   Equilibrium  equilibrium(layout, chain, wheels);
   if (!equilibrium.solve(1e-6 * scale + 1e-3) && equilibrium.largest_force() > creeping * scale)
     throw InputError("Drive/Wheels: no balance of the tensioner's spring, " + to_text(scale, 4) +
@@ -109,18 +107,37 @@ void bring_to_rest(Layout                          &layout,
   equilibrium.store();
 }
 
+void bring_to_rest(Layout                          &layout,
+                   const RestingChain              &chain,
+                   const std::vector<RestingWheel> &wheels,
+                   const RestingGuide              &guide)
+{
+  const double scale = force_of(*guide.held);
+  Equilibrium  equilibrium(layout, chain, wheels, 0., &guide);
+  if (!equilibrium.solve(1e-6 * scale + 1e-3) && equilibrium.largest_force() > creeping * scale)
+    throw InputError("Drive/Wheels/driver/Guide: no balance of its spring, " + to_text(scale, 4) +
+                     " N at the middle of its line, with the tension of the chain is found; choose "
+                     "another force of the spring, or less slack.");
+  equilibrium.store();
+}
+
 void settle(Layout                          &layout,
             const RestingChain              &chain,
             const std::vector<RestingWheel> &wheels,
-            const Operation                 &operation)
+            const Operation                 &operation,
+            const RestingGuide              *guide)
 {
   // a chain that runs takes m v^2 of its tension to turn its own momentum
   const double speed = wheels[0].lever * operation.driver_speed;
   const double pitch = 0.5 * (chain.length.inner + chain.length.outer);
   const double flux  = operation.mass_per_pitch / pitch * speed * speed;
 
-  Equilibrium equilibrium(layout, chain, wheels, flux);
-  double      scale = flux + force_of(layout);
+  Equilibrium equilibrium(layout, chain, wheels, flux, guide);
+  double      scale = flux;
+  if (layout.tensioner)
+    scale += force_of(*layout.tensioner);
+  if (guide != nullptr)
+    scale += force_of(*guide->held);
   for (const RestingWheel &wheel : wheels)
     scale += std::abs(wheel.torque) / wheel.lever;
   if (!equilibrium.solve(1e-6 * scale + 1e-3) && equilibrium.largest_force() > creeping * scale)

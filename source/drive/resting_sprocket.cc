@@ -27,10 +27,6 @@ private:
 
 RestingWheel resting_sprocket(const ToothForm &form, const bool held, const double torque)
 {
-  return {std::make_shared<Teeth>(form),
-          0.5 * form.pitch_diameter,
-          static_cast<double>(form.teeth),
-          held,
-          torque};
+  return {std::make_shared<Teeth>(form), 0.5 * form.pitch_diameter, form.seats(), held, torque};
 }
 } // namespace chaindrive::drive

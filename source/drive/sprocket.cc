@@ -20,7 +20,9 @@ Sprocket make_sprocket(const unsigned int           number,
   sprocket.title      = given.in_words();
   sprocket.in_entries = given.in_entries();
   sprocket.role       = given.role;
-  sprocket.form       = make_tooth_form(given.teeth, chain, sprockets, number);
+  sprocket.flat       = given.flat;
+  sprocket.form       = given.is_flat() ? make_drum(chain, sprockets, number) :
+                                          make_tooth_form(given.teeth, chain, sprockets, number);
   if (const std::vector<double> index = index_deviations(given); !index.empty())
     {
       sprocket.form.shift_gaps(index);

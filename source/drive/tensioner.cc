@@ -87,6 +87,11 @@ Point<2> Tensioner::centre(const double travel) const
                     reference + travel * direction;
 }
 
+Point<2> Tensioner::turned(const Point<2> &p) const
+{
+  return pivot + rotated_by(p - pivot, sense * travel);
+}
+
 Tensor<1, 2> Tensioner::way(const double travel) const
 {
   return is_arm() ? sense * quarter_turn(centre(travel) - pivot) : direction;
@@ -109,8 +114,10 @@ std::string Tensioner::with_unit(const double travel) const
   return is_arm() ? to_text(travel * 180. / dealii::numbers::PI, 4) + " degrees" : in_mm(travel, 4);
 }
 
-std::string
-Tensioner::in_words(const std::string &wheel, const double slack, const unsigned int strands) const
+std::string Tensioner::in_words(const std::string &wheel,
+                                const double       slack,
+                                const unsigned int strands,
+                                const std::string &point) const
 {
   const std::string place = "The " + text_of(holder) + " of the " + wheel + " has " +
                             (is_arm() ? "turned by " : "moved by ") + with_unit(travel);
@@ -123,7 +130,7 @@ Tensioner::in_words(const std::string &wheel, const double slack, const unsigned
           travel <= law.least ? " onto its least stop" :
                                 "") +
          " and presses with " + to_text(force, 4) +
-         (is_arm() ? " N m, " + to_text(force / lever(), 4) + " N at the wheel's axis." : " N.");
+         (is_arm() ? " N m, " + to_text(force / lever(), 4) + " N at " + point + "." : " N.");
 }
 
 void Tensioner::mirror()

@@ -257,6 +257,57 @@ ToothForm make_tooth_form(const unsigned int           teeth,
   return t;
 }
 
+double joint_radius(const parameters::Flat &flat, const ChainDimensions &chain)
+{
+  return 0.5 * (*flat.diameter + (flat.runs_on == parameters::RunsOn::rollers ?
+                                      chain.roller_diameter :
+                                      chain.inner_plate_height));
+}
+
+ToothForm make_drum(const ChainDimensions       &chain,
+                    const parameters::Sprockets &sprockets,
+                    const unsigned int           number)
+{
+  const parameters::Sprocket &given = sprockets.list.at(number);
+  const std::string           entry =
+      "Drive/Wheels/" + given.name + "/Flat/Diameter in mm = " + number_in_mm(*given.flat.diameter);
+  const double radius = joint_radius(given.flat, chain), least = chain.pitch;
+  if (given.role != parameters::Role::idler)
+    throw InputError(entry + " is for an idler: friction alone does not carry a load; choose Role "
+                             "= idler, or none.");
+  if (!(radius >= least))
+    throw InputError(entry +
+                     " leaves a chain of this pitch less than six joints in a turn; choose "
+                     "at least " +
+                     to_text_at_least(1e3 * (2. * (least - radius) + *given.flat.diameter), 7) +
+                     ".");
+  if (given.index_tolerance > 0. || !given.index_deviations.empty())
+    throw InputError(entry + " has no teeth, but Index tolerance in um and Index deviations in um "
+                             "are on where they stand; leave these at their defaults.");
+  ToothForm t{};
+  t.flat             = true;
+  t.pitch            = chain.pitch;
+  t.pitch_diameter   = 2. * radius;
+  t.roller_diameter  = chain.roller_diameter;
+  t.root_diameter    = *given.flat.diameter;
+  t.outside_diameter = t.pointed_diameter = t.root_diameter;
+  // contact of a roller is at most that on a flat: that in a seat of twice its radius
+  t.seat_radius     = chain.roller_diameter;
+  t.flank_radius    = 0.5 * t.root_diameter;
+  t.teeth           = static_cast<unsigned int>(std::lround(t.seats()));
+  const double half = PI / t.teeth;
+  t.half_profile    = {arc_segment(Point<2>(), t.flank_radius, 0., half)};
+  t.corners.resize(2, ToothForm::Corner::none);
+  for (unsigned int k = 0; k < t.teeth; ++k)
+    t.rotations.push_back(Point<2>(std::cos(2. * k * half), std::sin(2. * k * half)));
+  return t;
+}
+
+double ToothForm::seats() const
+{
+  return flat ? PI / std::asin(pitch / pitch_diameter) : static_cast<double>(teeth);
+}
+
 double ToothForm::pitch_angle() const { return 2. * PI / teeth; }
 
 void ToothForm::shift_gaps(const std::vector<double> &deviations)

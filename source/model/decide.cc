@@ -104,6 +104,8 @@ elastic_sprocket(const Parameters &p, const parameters::Sprocket &sprocket, cons
             sprocket.name};
   if (rim.on && p.model.capabilities().is_reduced)
     return {effect, false, "rigid next to reduced rollers", sprocket.name};
+  if (rim.on && sprocket.is_flat())
+    return {effect, false, "a drum is rigid", sprocket.name};
   if (rim.on && is_sprung(sprocket.held.holder))
     return {effect, false, "rigid on its tensioner, whose mass it is a part of", sprocket.name};
   if (rim.on && sprocket.swing.is_active())

@@ -16,6 +16,7 @@ std::vector<ToothForces> make_tooth_forces(const scene::Scene     &scene,
         const scene::Sprocket &sprocket =
             scene.drive.sprockets.at(scene.bodies[teeth.sprocket].number);
         result.emplace_back(sprocket.name, scene.drive.n_joints, sprocket.teeth);
+        result.back().flat = sprocket.flat;
         for (const contact::Family *family :
              system.contacts.find({scene::Interface::roller_teeth, teeth.sprocket}))
           result.back().families.push_back(dynamic_cast<const contact::SurfaceContact *>(family));

@@ -42,7 +42,7 @@ std::string text_of_points(const std::vector<std::array<double, 2>> &points)
 
 Guide::Guide() = default;
 
-void Guide::declare(Declarations &declarations)
+void Guide::declare(Declarations &declarations, const bool may_move)
 {
   const Subsection section(declarations, "Guide");
   declarations.add(
@@ -74,5 +74,7 @@ void Guide::declare(Declarations &declarations)
       above(0., 1e12),
       "Of the contact of the plates at one joint with the guide. Default: of the order of a "
       "plastic guide on a steel carrier.");
+  if (may_move)
+    held.declare_of_guide(declarations);
 }
 } // namespace chaindrive::parameters

@@ -15,9 +15,38 @@ struct Spring
   double      most_preload, most_stiffness, most_damping;
 };
 
+/// What is held: in sentences, where it is without travel, and where a stop bears.
+struct Held
+{
+  std::string subject, reference, bears;
+};
+
+const Held &wheel()
+{
+  static const Held held{"wheel",
+                         "its centre is where Centre in mm says",
+                         "where Centre in mm puts the wheel, and is "
+                         "positive where it takes up slack; a stop "
+                         "that bears 1e6 N/m at the wheel's axis"};
+  return held;
+}
+
+const Held &guide()
+{
+  static const Held held{"guide",
+                         "it is where Points in mm says",
+                         "where Points in mm puts the guide, and is positive "
+                         "towards the chain; a stop that bears 1e6 N/m at "
+                         "the middle of its line"};
+  return held;
+}
+
 /// @p add_stop adds an entry of which name, member and meaning are given.
 template <typename AddStop>
-void declare_spring(Declarations &declarations, const Spring &spring, const AddStop &add_stop)
+void declare_spring(Declarations  &declarations,
+                    const Held    &held,
+                    const Spring  &spring,
+                    const AddStop &add_stop)
 {
   Tensioner &values = spring.values;
   add(declarations,
@@ -25,8 +54,8 @@ void declare_spring(Declarations &declarations, const Spring &spring, const AddS
       values.preload,
       unit::si,
       between(0., spring.most_preload),
-      "With which the spring presses the wheel against the chain while its centre is where Centre "
-      "in mm says.");
+      "With which the spring presses the " + held.subject + " against the chain while " +
+          held.reference + ".");
   add(declarations,
       spring.stiffness,
       values.stiffness,
@@ -44,27 +73,29 @@ void declare_spring(Declarations &declarations, const Spring &spring, const AddS
       values.retracting_damping,
       unit::si,
       between(0., spring.most_damping),
-      "The same while the chain pushes the wheel back. auto: as above. A greater one, with none "
-      "above, is a hydraulic tensioner: oil flows in freely behind the plunger and leaks out "
-      "slowly.");
-  const auto at_stop = [](const std::string &which) {
-    return "Travel counts from where Centre in mm puts the wheel, and is positive where it takes "
-           "up slack; a stop that bears 1e6 N/m at the wheel's axis begins at the " +
-           which + " one. none: there is no stop.";
+      "The same while the chain pushes the " + held.subject +
+          " back. auto: as above. A greater one, with none "
+          "above, is a hydraulic tensioner: oil flows in freely behind the plunger and leaks out "
+          "slowly.");
+  const auto at_stop = [&held](const std::string &which) {
+    return "Travel counts from " + held.bears + " begins at the " + which +
+           " one. none: there is no stop.";
   };
   add_stop("Least " + spring.travel, values.least, at_stop("least"));
   add_stop("Greatest " + spring.travel, values.most, at_stop("greatest"));
 }
 
-void declare_arm(Declarations &declarations, Holders &held)
+void declare_arm(Declarations &declarations, Holders &held, const bool of_wheel)
 {
   const Subsection section(declarations, "Arm");
   add_point(declarations,
             "Pivot in mm",
             held.pivot,
-            "About which the arm turns, x and y as in Centre in mm. An arm must have one: auto is "
-            "for wheels without.");
+            std::string("About which the arm turns, x and y as in Centre in mm. An arm must have "
+                        "one: auto is for ") +
+                (of_wheel ? "wheels" : "guides") + " without.");
   declare_spring(declarations,
+                 of_wheel ? wheel() : guide(),
                  {held.arm,
                   "arm",
                   "moment",
@@ -83,20 +114,26 @@ void declare_arm(Declarations &declarations, Holders &held)
       held.arm.inertia,
       unit::si,
       between(0., 1e6),
-      "Of the arm about its pivot, without the wheel, whose mass is that of its solid. The arm's "
-      "own weight is part of the moment above.");
+      of_wheel ?
+          "Of the arm about its pivot, without the wheel, whose mass is that of its solid. The "
+          "arm's own weight is part of the moment above." :
+          "Of the arm with the guide about its pivot, above 0 where there is an arm. Their weight "
+          "is part of the moment above.");
 }
 
-void declare_slide(Declarations &declarations, Holders &held)
+void declare_slide(Declarations &declarations, Holders &held, const bool of_wheel)
 {
   const Subsection section(declarations, "Slide");
   add_angle(declarations,
             "Direction in degrees",
             held.direction,
             between(-180., 180.),
-            "Of the line along which the wheel moves, counter-clockwise from x. Which way along it "
-            "takes up slack is found.");
+            of_wheel ? "Of the line along which the wheel moves, counter-clockwise from x. Which "
+                       "way along it takes up slack is found." :
+                       "Of the line along which the guide moves, counter-clockwise from x. Which "
+                       "way along it leads to the chain is found.");
   declare_spring(declarations,
+                 of_wheel ? wheel() : guide(),
                  {held.slide,
                   "slide",
                   "force",
@@ -115,7 +152,8 @@ void declare_slide(Declarations &declarations, Holders &held)
       held.slide.inertia,
       unit::milli,
       between(0., 1e7),
-      "Of all that moves with the wheel, whose own mass is that of its solid.");
+      of_wheel ? "Of all that moves with the wheel, whose own mass is that of its solid." :
+                 "Of the guide and all that moves with it, above 0 where there is a slide.");
 }
 } // namespace
 
@@ -130,7 +168,24 @@ void Holders::declare(Declarations &declarations)
       "chain has the slack, sag or pre-tension of Layout/Centre distance from, and clamped there; "
       "stops limit its travel, and springs have no meaning. One wheel of a drive, an idler with a "
       "centre of its own.");
-  declare_arm(declarations, *this);
-  declare_slide(declarations, *this);
+  declare_arm(declarations, *this, true);
+  declare_slide(declarations, *this, true);
+}
+
+void Holders::declare_of_guide(Declarations &declarations)
+{
+  add_choice(declarations,
+             "Held by",
+             "nothing",
+             {"nothing", text_of(Holder::arm), text_of(Holder::slide)},
+             "nothing: the guide stands still. arm, slide: it is a tensioner, a blade that turns "
+             "about a pivot or a shoe that moves along a line, pressed against the slack span by "
+             "the spring in section Arm or Slide. Where Points in mm puts it, it stands clear of "
+             "the straight span; the start has it in balance with the chain.",
+             [this](const std::string &text) {
+               holder = value_of<Holder>(text).value_or(Holder::bearing);
+             });
+  declare_arm(declarations, *this, false);
+  declare_slide(declarations, *this, false);
 }
 } // namespace chaindrive::parameters

@@ -174,13 +174,52 @@ void declare_wheel(Declarations &declarations,
   sprocket.bearing.declare(declarations);
   sprocket.coupling.declare(declarations);
   if (is_own)
-    sprocket.held.declare(declarations);
+    {
+      sprocket.flat.declare(declarations);
+      sprocket.held.declare(declarations);
+    }
   if (!is_first)
     sprocket.swing.declare(declarations);
-  sprocket.guide.declare(declarations);
+  sprocket.guide.declare(declarations, is_first);
 }
 } // namespace
 
+void Flat::declare(Declarations &declarations)
+{
+  const Subsection section(declarations, "Flat");
+  add(declarations,
+      "Diameter in mm",
+      diameter,
+      unit::milli,
+      above(0., 1e5),
+      "Of a wheel without teeth, a drum or a flat pulley: an idler. none: the wheel has teeth.",
+      "none");
+  add(declarations,
+      "Runs on",
+      runs_on,
+      "With what the chain lies on a wheel without teeth. rollers: it is narrower than the chain's "
+      "inner width, and rollers roll on it; joints run on its diameter and that of a roller. "
+      "plates: it is wider than the chain, and the round ends of the inner plates, the higher "
+      "ones, "
+      "lie on it; joints run on its diameter and the height of these plates. For fidelities "
+      "simple, "
+      "layered and reduced.");
+  add(declarations,
+      "Friction coefficient",
+      friction,
+      unit::si,
+      between(0., 2.),
+      "Of rollers or plates on a wheel without teeth, by Coulomb's law: it is what turns the "
+      "wheel. auto: Contact/Roller-tooth friction.");
+  add(declarations,
+      "Stiffness in N/m",
+      stiffness,
+      unit::si,
+      above(0., 1e12),
+      "Of the contact of what lies there of one joint with a wheel without teeth, where rollers "
+      "are "
+      "rigid or plates lie on it. auto: Contact/Roller-tooth stiffness in N/m.");
+}
 void Sprockets::set_order(const std::vector<std::string> &names)
 {
   if (const std::string wrong = wrong_with(names); !wrong.empty())

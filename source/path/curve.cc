@@ -102,6 +102,12 @@ Curve Curve::arc(const std::vector<Point<2>> &points)
   return curve;
 }
 
+void Curve::move(const Vector &by)
+{
+  for (Piece &piece : pieces_)
+    piece.a += by;
+}
+
 Point<2> Curve::at(const double s) const
 {
   const auto   i = std::min(static_cast<std::size_t>(std::max(0., s)), pieces_.size() - 1);

@@ -70,6 +70,16 @@ double tangent_angle(const Wheel &from, const Wheel &to)
          std::asin((from.turn * from.roller_radius - to.turn * to.roller_radius) / way.norm());
 }
 
+double beside(const Wheel &from, const Wheel &to, const std::vector<Point<2>> &points)
+{
+  const double tangent = tangent_angle(from, to);
+  double       sum     = 0.;
+  for (const Point<2> &p : points)
+    sum +=
+        std::cos(tangent) * (p[0] - from.centre[0]) + std::sin(tangent) * (p[1] - from.centre[1]);
+  return sum / static_cast<double>(points.size()) - from.turn * from.roller_radius;
+}
+
 double touching(const Wheel &wheel, const double tangent)
 {
   return wheel.turn > 0 ? tangent : tangent + PI;

@@ -38,7 +38,8 @@ void describe(const drive::Drive &drive, DriveView &view)
     view.seated.push_back(joint.tooth_gap >= 0);
   const auto n      = static_cast<unsigned int>(drive.sprockets.size());
   const auto radius = [&](const unsigned int i) {
-    return view.pitch_radius_of(drive.sprockets[i].form.teeth);
+    const drive::ToothForm &form = drive.sprockets[i].form;
+    return form.flat ? 0.5 * form.pitch_diameter : view.pitch_radius_of(form.teeth);
   };
   for (unsigned int i = 0; i < n; ++i)
     {

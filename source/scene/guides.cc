@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/scene/build.h>
+#include <chaindrive/scene/placement.h>
 #include <chaindrive/utilities/text.h>
 
 namespace chaindrive::scene
 {
-namespace
-{
-/// What the plates of a joint touch a guide with: the round ends of inner plates, the higher ones,
-/// about its axis. In the simple model they are lumped with the roller and do not turn with its
-/// ring. In space there is one on each side.
-std::vector<SlavePoint> plates_on_guide(const drive::Drive &drive, const Scene &scene)
+std::vector<SlavePoint> plates_of_joints(const drive::Drive &drive, const Scene &scene)
 {
   const drive::ChainDimensions &chain  = drive.chain;
   const double                  radius = 0.5 * chain.inner_plate_height;
@@ -26,6 +22,26 @@ std::vector<SlavePoint> plates_on_guide(const drive::Drive &drive, const Scene &
       }
   return slaves;
 }
+
+namespace
+{
+/// Puts the body of a guide on what presses it. That of an arm has its origin at the pivot, about
+/// which its inertia is, and its weight is part of the moment of its spring.
+void hold(const drive::Tensioner &held, Body &body)
+{
+  body.mass = held.inertia;
+  if (held.is_arm())
+    {
+      Tensor3 z;
+      z[2]            = 1.;
+      body.mount      = Mount::revolute(z, {held.pivot[0], held.pivot[1], 0.});
+      body.inertia[2] = held.inertia;
+      body.initial    = placed(held.pivot, held.sense * held.travel, {}, 0.);
+      return;
+    }
+  body.mount   = Mount::prismatic(dealii::Point<3>(held.direction[0], held.direction[1], 0.));
+  body.initial = placed(held.centre(held.travel), 0., {}, 0.);
+}
 } // namespace
 
 void add_guides(const model::Model &model, const drive::Drive &drive, Scene &scene)
@@ -41,15 +57,24 @@ void add_guides(const model::Model &model, const drive::Drive &drive, Scene &sce
       ground.mass             = 1.;
       ground.inertia[2]       = 1.;
       ground.initial.rotation = to_matrix(Quaternion());
+      if (guide.held)
+        {
+          hold(*guide.held, ground);
+          scene.tensioners.push_back({static_cast<unsigned int>(scene.bodies.size()),
+                                      guide.span,
+                                      guide.held->is_arm() ? guide.held->sense : 1,
+                                      guide.held->travel,
+                                      guide.held->law});
+        }
       GuideFamily family;
       family.name       = "guide of " + scene.drive.spans[guide.span].name;
       family.body       = static_cast<unsigned int>(scene.bodies.size());
-      family.curve      = std::make_shared<const path::Curve>(guide.curve);
+      family.curve      = std::make_shared<const path::Curve>(guide.in_frame());
       family.at_centres = lumped;
       const double mass = lumped ? scene.drive.mass_per_pitch : drive.inner_link_solid.mass;
       family.law =
           make_law(model.contact, guide.stiffness, mass, guide.friction).shared_by(lumped ? 1 : 2);
-      family.slaves = plates_on_guide(drive, scene);
+      family.slaves = plates_of_joints(drive, scene);
       scene.bodies.push_back(ground);
       scene.guides.push_back(std::move(family));
     }

@@ -57,8 +57,10 @@ std::shared_ptr<const mesh::Part> make_sprocket_part(const model::Meshes   &mesh
                                                      const drive::Drive    &drive,
                                                      const drive::Sprocket &sprocket)
 {
-  const mesh::SprocketDimensions dimensions{
-      sprocket.bore, sprocket.hub_diameter, drive.sprocket_width};
+  const mesh::SprocketDimensions dimensions{sprocket.bore,
+                                            sprocket.hub_diameter,
+                                            sprocket.carries_plates() ? drive.chain.pin_length :
+                                                                        drive.sprocket_width};
   return shared(
       mesh::make_sprocket(sprocket.form,
                           dimensions,

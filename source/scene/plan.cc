@@ -13,6 +13,7 @@
 #include <iomanip>
 #include <map>
 #include <ostream>
+#include <tuple>
 #include <utility>
 
 namespace chaindrive::scene
@@ -44,6 +45,11 @@ std::string name_of(const Scene &scene, const Body &body)
   return "";
 }
 
+bool is_pressed_guide(const Body &body)
+{
+  return body.kind == Kind::guide && body.mount.kind != Mount::Kind::fixed;
+}
+
 std::string motion_of(const Scene &scene, const Body &body)
 {
   const std::string carrier =
@@ -62,7 +68,7 @@ std::string motion_of(const Scene &scene, const Body &body)
   if (body.mount.kind == Mount::Kind::motor)
     return rim + "hub turned by the speed program" +
            (body.mount.carrier ? ", carried by its " + carrier : "");
-  if (body.kind == Kind::tensioner)
+  if (body.kind == Kind::tensioner || body.kind == Kind::guide)
     return body.mount.kind == Mount::Kind::prismatic ? "a slide, pressed by its spring" :
                                                        "an arm, turned by its spring";
   const bool coupled =
@@ -131,9 +137,9 @@ std::string columns_text(const Scene &scene, const ToothFamily &teeth)
 void print_plan(std::ostream &out, const Scene &scene)
 {
   out << "Bodies\n";
-  std::map<std::pair<PartOf, Motion>, std::vector<const Body *>> alike;
+  std::map<std::tuple<PartOf, Motion, bool>, std::vector<const Body *>> alike;
   for (const Body &body : scene.bodies)
-    alike[{body.part(), body.motion}].push_back(&body);
+    alike[{body.part(), body.motion, is_pressed_guide(body)}].push_back(&body);
   for (const auto &[sort, bodies] : alike)
     {
       const Body &body = *bodies.front();

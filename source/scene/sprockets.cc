@@ -126,7 +126,7 @@ ToothFamily make_flanks(const model::Model    &model,
                         Scene                 &scene)
 {
   const bool         imported = !sprocket.mesh.empty();
-  const unsigned int facets   = model.tooth_facets;
+  const unsigned int facets   = sprocket.form.flat ? 0 : model.tooth_facets;
   ToothFamily        teeth;
   teeth.name     = name_of_teeth(sprocket.name);
   teeth.sprocket = body;
@@ -137,7 +137,9 @@ ToothFamily make_flanks(const model::Model    &model,
                           " chords instead of their arcs");
   teeth.teeth        = sprocket.form.teeth;
   teeth.outer_radius = 0.5 * sprocket.form.outside_diameter;
-  teeth.half_width   = 0.5 * (imported ? mesh::flank_width(*part) : drive.sprocket_width);
+  teeth.half_width   = 0.5 * (imported                  ? mesh::flank_width(*part) :
+                              sprocket.carries_plates() ? drive.chain.pin_length :
+                                                          drive.sprocket_width);
   if (imported)
     {
       const auto sector = scene.sectors.find(scene.bodies[body].part());
@@ -150,6 +152,32 @@ ToothFamily make_flanks(const model::Model    &model,
   return teeth;
 }
 
+/// The friction coefficient of what lies on @p sprocket.
+double friction_on(const model::Model &model, const drive::Sprocket &sprocket)
+{
+  const double of_teeth = model.contact.roller_tooth_friction;
+  return sprocket.form.flat && model.effects.is_on(Effect::friction) ?
+             sprocket.flat.friction.value_or(of_teeth) :
+             of_teeth;
+}
+
+/// The family of the plates that lie on a drum.
+ToothFamily with_plates(const model::Model    &model,
+                        const drive::Drive    &drive,
+                        const drive::Sprocket &sprocket,
+                        const Scene           &scene,
+                        const ToothFamily     &flanks)
+{
+  const bool   lumped = scene.drive.links.empty();
+  const double mass   = lumped ? scene.drive.mass_per_pitch : drive.inner_link_solid.mass;
+  ToothFamily  plates = flanks;
+  plates.law = make_law(model.contact, sprocket.flat_stiffness, mass, friction_on(model, sprocket))
+                   .shared_by(lumped ? 1 : 2);
+  plates.at_centres = lumped;
+  plates.slaves     = plates_of_joints(drive, scene);
+  return plates;
+}
+
 /// The family of the rollers that move by @p motion, whose nodes meet the flanks of @p flanks.
 /// These deflect by @p tooth_stiffness [N/m] where they are rigid.
 ToothFamily with_elastic_rollers(const model::Model &model,
@@ -157,6 +185,7 @@ ToothFamily with_elastic_rollers(const model::Model &model,
                                  const Scene        &scene,
                                  const ToothFamily  &flanks,
                                  const double        tooth_stiffness,
+                                 const double        friction,
                                  const Motion        motion)
 {
   ToothFamily              teeth  = flanks;
@@ -170,8 +199,7 @@ ToothFamily with_elastic_rollers(const model::Model &model,
       thickness              = std::max(
           thickness, mesh::SurfaceNodes(part, mesh::Nodes(part), mesh::tooth_flanks).thickness);
     }
-  teeth.law =
-      make_area_law(model.contact, model.material, thickness, model.contact.roller_tooth_friction);
+  teeth.law             = make_area_law(model.contact, model.material, thickness, friction);
   teeth.elastic         = true;
   const bool   exact    = model.effects.is_on(Effect::exact_teeth);
   const double pressure = exact ? drive::working_pressure(drive.chain, drive.reference_load) :
@@ -190,8 +218,8 @@ ToothFamily with_elastic_rollers(const model::Model &model,
           model.contact.tangential_ratio * drive.reference_load /
           drive::conforming_contact(radius, seat, q, scene.material).approach);
     }
-  const bool deflects =
-      model.effects.is_on(Effect::tooth_compliance) && sector == scene.sectors.end();
+  const bool deflects = model.effects.is_on(Effect::tooth_compliance) &&
+                        sector == scene.sectors.end() && !teeth.form->flat;
   if (deflects && exact)
     {
       // strips have what a tooth dents by themselves
@@ -224,6 +252,7 @@ ToothFamily with_elastic_rollers(const model::Model &model,
 ToothFamily with_rigid_rollers(const model::Model &model,
                                const drive::Drive &drive,
                                const double        stiffness,
+                               const double        friction,
                                const Scene        &scene,
                                const ToothFamily  &flanks)
 {
@@ -235,7 +264,7 @@ ToothFamily with_rigid_rollers(const model::Model &model,
           std::vector<double>{0.} :
           axial_positions(std::min(drive.chain.roller_length, 2. * flanks.half_width), scene.half);
   ToothFamily teeth = flanks;
-  teeth.law = make_law(model.contact, stiffness, roller.mass, model.contact.roller_tooth_friction)
+  teeth.law         = make_law(model.contact, stiffness, roller.mass, friction)
                   .shared_by(roller.motion == Motion::lumped ? 1 : 2);
   for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
     for (const double z : positions)
@@ -293,8 +322,11 @@ void add_sprockets(const model::Model             &model,
                                        number,
                                        sprocket.form.teeth,
                                        sense,
-                                       scene.drive.pitch_radius_of(sprocket.form.teeth),
-                                       entry_normal(drive.layout, i, scene.drive)});
+                                       sprocket.form.flat ?
+                                           0.5 * sprocket.form.pitch_diameter :
+                                           scene.drive.pitch_radius_of(sprocket.form.teeth),
+                                       entry_normal(drive.layout, i, scene.drive),
+                                       sprocket.form.flat});
       scene.shafts.push_back({number, sense, sprocket.program});
       if (part)
         scene.parts[body.part()] = part;
@@ -305,16 +337,33 @@ void add_sprockets(const model::Model             &model,
         }
 
       const ToothFamily flanks = make_flanks(model, drive, sprocket, number, part.get(), scene);
-      if (model.effects.is_on(Effect::tooth_compliance) && body.motion == Motion::rigid)
+      if (sprocket.carries_plates())
+        {
+          scene.teeth.push_back(with_plates(model, drive, sprocket, scene, flanks));
+          continue;
+        }
+      if (model.effects.is_on(Effect::tooth_compliance) && body.motion == Motion::rigid &&
+          !sprocket.form.flat)
         scene.notes.push_back(flanks.name + ": tooth and rim deflect under a roller by " +
                               to_text(model.tooth_stiffness[i].value, 4) + " N/m (" +
                               (model.tooth_stiffness[i].given ? "given" : "auto") + ")");
       for (const Motion motion : {Motion::elastic, Motion::reduced})
         if (any_roller([motion](const Body &roller) { return roller.motion == motion; }))
-          scene.teeth.push_back(with_elastic_rollers(
-              model, drive, scene, flanks, model.tooth_stiffness[i].value, motion));
+          scene.teeth.push_back(with_elastic_rollers(model,
+                                                     drive,
+                                                     scene,
+                                                     flanks,
+                                                     model.tooth_stiffness[i].value,
+                                                     friction_on(model, sprocket),
+                                                     motion));
       if (any_rigid)
-        scene.teeth.push_back(with_rigid_rollers(model, drive, stiffness, scene, flanks));
+        scene.teeth.push_back(
+            with_rigid_rollers(model,
+                               drive,
+                               sprocket.form.flat ? sprocket.flat_stiffness : stiffness,
+                               friction_on(model, sprocket),
+                               scene,
+                               flanks));
     }
 }
 } // namespace chaindrive::scene

@@ -56,34 +56,43 @@ drive::PartStiffness compute(const model::PartStiffnesses &wanted,
   if (wanted.rollers)
     {
       // all sprockets have the same roller: the mean of the approaches
-      double tooth = 0., bush = 0.;
+      double     tooth = 0., bush = 0.;
+      const auto n_toothed =
+          std::count_if(drive.sprockets.begin(),
+                        drive.sprockets.end(),
+                        [](const drive::Sprocket &sprocket) { return !sprocket.form.flat; });
       for (const drive::Sprocket &sprocket : drive.sprockets)
         {
+          if (sprocket.form.flat)
+            continue;
           const ContactSolution pressed = at_force(
               [&](const unsigned int n_angles) {
                 return library.pressed_roller(
                     drive.chain, sprocket, drive.sprocket_width, n_angles);
               },
               load);
-          tooth += pressed.approach[0] / drive.sprockets.size();
-          bush += pressed.approach[1] / drive.sprockets.size();
+          tooth += pressed.approach[0] / n_toothed;
+          bush += pressed.approach[1] / n_toothed;
         }
       result.roller_tooth = rounded(load / tooth);
       result.roller_bush  = rounded(load / bush);
     }
   if (wanted.teeth)
     for (const drive::Sprocket &sprocket : drive.sprockets)
-      result.teeth.push_back(rounded(load / at_force(
-                                                [&](const unsigned int n_angles) {
-                                                  return library.pressed_roller(
-                                                      drive.chain,
-                                                      sprocket,
-                                                      drive.sprocket_width,
-                                                      n_angles,
-                                                      seat_end(sprocket.form));
-                                                },
-                                                load)
-                                                .given_way.back()));
+      {
+        if (sprocket.form.flat) // it has none that deflect: the driver's, in their place
+          {
+            result.teeth.push_back(result.teeth.front());
+            continue;
+          }
+        const ContactSolution pressed = at_force(
+            [&](const unsigned int n_angles) {
+              return library.pressed_roller(
+                  drive.chain, sprocket, drive.sprocket_width, n_angles, seat_end(sprocket.form));
+            },
+            load);
+        result.teeth.push_back(rounded(load / pressed.given_way.back()));
+      }
   if (!library.entries().empty())
     result.notes.push_back(origin(library, load));
   for (const std::string &note : library.notes())

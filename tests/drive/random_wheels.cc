@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Two hundred random drives of three to eight wheels, inside and outside of the loop, one of them
-// found from slack: each link of the chain has its length, spans are common tangents, each wheel
-// has as many seats as its tangents leave, to a pitch, all teeth are met in their gaps, and the
-// chain is as long as tangents and arcs together and the slack that was asked for. These are
-// computed here from the centres alone.
+// Two hundred random drives of sprockets, and fifty with drums among them, on which rollers or
+// plates lie, of three to eight wheels, inside and outside of the loop, one of them found from
+// slack: each link of the chain has its length, spans are common tangents, each wheel has as many
+// seats as its tangents leave, to a pitch, all teeth are met in their gaps, and the chain is as
+// long as tangents and arcs together and the slack that was asked for. These are computed here from
+// the centres alone.
 #include <chaindrive/drive/centre_distance.h>
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/utilities/errors.h>
@@ -28,6 +29,7 @@ struct Circle
 {
   double x, y, radius;
   int    turn;
+  double seats; ///< joints on a whole turn
 };
 
 /// The direction of the line that leaves @p a and arrives at @p b: with n to its right, the line
@@ -53,8 +55,9 @@ double wrap(const std::vector<Circle> &wheels, const std::size_t i)
   return angle - 2. * PI * std::floor(angle / (2. * PI));
 }
 
-/// Wheels on an ellipse in the order of travel, some of those in between pushed in from outside.
-Parameters random_drive(std::mt19937 &random)
+/// Wheels on an ellipse in the order of travel, some of those in between pushed in from outside;
+/// where @p drums are wanted, those that are neither driver nor driven.
+Parameters random_drive(std::mt19937 &random, const bool drums)
 {
   const auto uniform = [&random](const double low, const double high) {
     return low + (high - low) * (random() / 4294967296.);
@@ -88,6 +91,13 @@ Parameters random_drive(std::mt19937 &random)
               std::array<double, 2>{{0.62 * a * std::cos(at), 0.62 * b * std::sin(at)}};
         }
     }
+  for (unsigned i = 1; drums && i < n; ++i)
+    if (i != n / 2)
+      {
+        list[i].flat.diameter = uniform(30e-3, 90e-3);
+        list[i].flat.runs_on =
+            random() % 2 == 0 ? parameters::RunsOn::rollers : parameters::RunsOn::plates;
+      }
   // the driven sprocket is found, or a wheel outside: along the line to it from the driver
   unsigned found = n / 2;
   for (unsigned i = 1; i < n; ++i)
@@ -105,17 +115,17 @@ void verdict(const std::string &what, const bool holds)
 {
   std::cout << what << ": " << (holds ? "yes" : "NO") << '\n';
 }
-} // namespace
 
-int main()
+void lay(const unsigned int wanted, const bool drums)
 {
   std::mt19937 random(11);
+  unsigned int on_plates = 0, on_rollers = 0;
   unsigned int laid = 0, outside = 0, refused = 0, largest = 0;
   double worst_link = 0., worst_length = 0., worst_wrap = 0., worst_tangent = 0., worst_seat = 0.;
   std::string why;
-  while (laid < 200 && refused < 2000)
+  while (laid < wanted && refused < 2000)
     {
-      Parameters p = random_drive(random);
+      Parameters p = random_drive(random, drums);
       try
         {
           // a chain that reaches: from the drawing above, to an even number of links
@@ -128,11 +138,21 @@ int main()
           std::vector<Circle>  wheels;
           for (const auto &sprocket : layout.sprockets)
             {
-              const std::size_t i = wheels.size();
+              const std::size_t           i     = wheels.size();
+              const parameters::Sprocket &given = p.drive.sprockets.list[i];
+              const parameters::Flat     &flat  = given.flat;
+              const bool plates = flat.diameter && flat.runs_on == parameters::RunsOn::plates;
+              on_plates += plates;
+              on_rollers += flat.diameter && !plates;
+              // 08B: plates of inner links 11.81 mm high, rollers of 8.51 mm
+              const double radius = flat.diameter ?
+                                        0.5 * (*flat.diameter + (plates ? 11.81e-3 : 8.51e-3)) :
+                                        0.5 * pitch / std::sin(PI / given.teeth);
               wheels.push_back({sprocket.centre[0],
                                 layout.sense * sprocket.centre[1],
-                                0.5 * pitch / std::sin(PI / p.drive.sprockets.list[i].teeth),
-                                sprocket.turn});
+                                radius,
+                                sprocket.turn,
+                                PI / std::asin(0.5 * pitch / radius)});
               outside += sprocket.turn < 0 ? 1 : 0;
             }
           // bars between bushes, all but those of the slack span straight
@@ -158,12 +178,11 @@ int main()
             {
               const double angle = wrap(wheels, i);
               whole += length(wheels[i], wheels[(i + 1) % n]) +
-                       angle / (2. * PI) * p.drive.sprockets.list[i].teeth * pitch;
+                       angle / (2. * PI) * wheels[i].seats * pitch;
               if (i > 1) // the slack span arrives and leaves as it hangs
-                worst_wrap =
-                    std::max(worst_wrap,
-                             std::abs((layout.sprockets[i].seats - 1.) -
-                                      angle / (2. * PI) * p.drive.sprockets.list[i].teeth));
+                worst_wrap = std::max(worst_wrap,
+                                      std::abs((layout.sprockets[i].seats - 1.) -
+                                               angle / (2. * PI) * wheels[i].seats));
               const double along = direction(wheels[i], wheels[(i + 1) % n]);
               if (i > 0) // within half a pitch of the tangent's ends, over the length of the span
                 worst_tangent =
@@ -189,7 +208,10 @@ int main()
         }
     }
   std::cout << laid << " drives of up to " << largest << " wheels\n";
-  verdict("some wheels are outside", outside > 40);
+  verdict("some wheels are outside", outside > wanted / 5);
+  if (drums)
+    verdict("there are drums on which rollers lie, and such on which plates do",
+            on_rollers > 30 && on_plates > 30);
   verdict("more are laid than refused", refused < laid);
   if (refused >= laid)
     std::cout << why << '\n';
@@ -200,4 +222,12 @@ int main()
   verdict(
       "the chain is as long as tangents, arcs and slack, to a twentieth of a pitch at each wheel",
       worst_length < 0.05);
+}
+} // namespace
+
+int main()
+{
+  lay(200, false);
+  std::cout << "with drums: ";
+  lay(50, true);
 }

@@ -26,7 +26,8 @@ public:
   Equilibrium(Layout                          &layout,
               const RestingChain              &chain,
               const std::vector<RestingWheel> &wheels,
-              double                           centrifugal = 0.);
+              double                           centrifugal = 0.,
+              const RestingGuide              *guide       = nullptr);
 
   /// Moves the shaft that the layout found away from that of wheel 0, and the chain with it, as if
   /// what leads to it were stretched alike.
@@ -57,8 +58,15 @@ private:
   /// Of the link from joint @p k on, without load, m. Joints are at the ends of outer links.
   double length(unsigned int k) const;
 
-  /// Of joint @p k on a tooth from which it overlaps by @p depth, N.
-  double seat_force(unsigned int k, double depth) const;
+  /// Of joint @p k on wheel @p i, which it overlaps by @p depth, N.
+  double seat_force(unsigned int k, unsigned int i, double depth) const;
+
+  /// Of the contact of one joint with wheel @p i, N/m.
+  double contact_stiffness(unsigned int i) const;
+
+  /// The guide's arm turns as a wheel does, by the moment of its spring.
+  bool   is_arm(const unsigned int i) const { return guide_ && i == n_wheels_ && !wheels_[i].held; }
+  double travel_of_guide() const;
 
   /// Of the pitch circle of wheel @p i, turned on by @p turn.
   dealii::Point<2> centre(unsigned int i, double turn) const;
@@ -93,7 +101,7 @@ private:
                   const std::array<double, 3>                &gradient,
                   const std::array<std::array<double, 3>, 3> &second);
 
-  /// Moves the wheel of the tensioner to its present travel.
+  /// Moves the wheel of the tensioner, or the guide on a slide, to its present travel.
   void place_tensioner();
 
   /// A wheel whose axis yields.
@@ -125,17 +133,20 @@ private:
   /// matrix is not positive definite.
   bool newton_step(double shift);
 
-  Layout                          &layout_;
-  const RestingChain              &chain_;
-  const std::vector<RestingWheel> &wheels_;
-  const unsigned int               n_;
-  const double                     contact_radius_;
-  double                           seat_stiffness_;
-  const double centrifugal_; ///< what turning its momentum takes of the tension, N
+  Layout                       &layout_;
+  const RestingChain           &chain_;
+  std::vector<RestingWheel>     wheels_; ///< behind those of the layout the guide
+  const unsigned int            n_, n_wheels_;
+  const RestingGuide           *guide_;
+  const Tensioner              *moving_ = nullptr; ///< what moves by travel_
+  std::vector<Layout::Sprocket> frames_;           ///< of wheels, and the guide
+  const double                  contact_radius_;
+  double                        seat_stiffness_;
+  const double                  centrifugal_; ///< what turning its momentum takes of the tension, N
 
   std::vector<unsigned int>     free_;        ///< wheels that are not held
   std::vector<dealii::Point<2>> at_;          ///< of the joints, m
-  std::vector<double>           turned_;      ///< per wheel, rad
+  std::vector<double>           turned_;      ///< per wheel and guide, rad
   double                        travel_ = 0.; ///< of the tensioner
   std::vector<OnBearing>        on_bearings_;
   double                        energy_ = 0.;

@@ -66,6 +66,23 @@ struct Facts
     dealii::Point<2> begin, end; ///< where its straight line touches the pitch circles
   };
 
+  /// What moves with the travel of a tensioner.
+  struct Held
+  {
+    bool             arm; ///< its travel is a turn about the pivot, else a way along direction
+    dealii::Point<2> of;  ///< pivot [m], or direction
+    int              sense = 1; ///< of an arm, +1: travel turns it counter-clockwise
+    double           travel;    ///< at the start, rad or m
+  };
+
+  /// The line of a guide at the start.
+  struct Guide
+  {
+    std::string                   span; ///< name of the one beside which it is
+    std::vector<dealii::Point<2>> points;
+    std::optional<Held>           held = {}; ///< none: it stands still
+  };
+
   std::string  chain;
   unsigned int strands;
   unsigned int links;
@@ -82,6 +99,10 @@ struct Facts
   double                ratio;     ///< teeth of that one over those of the driver
   double                centre_distance;
   std::vector<Span>     spans; ///< span i leads from sprocket i to the next one
+
+  std::vector<Guide>  guides;
+  std::optional<Held> tensioner = {}; ///< of a wheel
+  unsigned int        tensioned = 0;  ///< that wheel, in sprockets
 
   double power;
   double chain_speed;

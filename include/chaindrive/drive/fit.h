@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/drive/chain.h>
 #include <chaindrive/drive/tensioner.h>
 #include <chaindrive/parameters/drive.h>
 #include <chaindrive/path/route.h>
@@ -31,6 +32,7 @@ struct Fitter
     double           direction = 0.;    ///< from wheel 0 to one that moves, from x, rad
 
     dealii::Tensor<1, 2> eccentricity = {}; ///< of the pitch circle, from the axis, m
+    double               joints       = 0.; ///< radius on which they run on one without teeth, m
   };
   std::vector<Wheel> sprockets; ///< in the order in which the chain runs over them
   path::Chain        chain{};   ///< its bulge follows from the wheels, see bulge()
@@ -38,6 +40,10 @@ struct Fitter
   /// Which way along y gravity pulls while the chain is laid, counter-clockwise: -1, +1 in a drive
   /// that is mirrored afterwards, 0 without gravity.
   int gravity = -1;
+
+  /// The line of a guide that a spring presses against the slack span, as entries have it: this
+  /// bulges away from it. Empty: there is none.
+  std::vector<dealii::Point<2>> pressing = {};
 
   /// Whether slack grows with the centre distance, as where a wheel outside of the loop goes away,
   /// and does not fall.
@@ -66,8 +72,8 @@ struct Fitter
   /// Whether there is one that moves.
   bool moves() const;
 
-  /// Which way the slack span bulges between these wheels (path::slack_span()): along gravity,
-  /// outwards where there is none.
+  /// Which way the slack span bulges between these wheels (path::slack_span()): away from a guide
+  /// that presses it, along gravity, outwards where there is none.
   int bulge(const std::vector<path::Wheel> &at) const;
 
   /// Routes at this centre distance, the best first; at least one unless the sprockets are within
@@ -88,7 +94,8 @@ struct Fitter
   std::optional<Fit> solve(const Target &target, const path::Route &route, double guess) const;
 };
 
-/// The sprockets of a drive, as the chain is laid on them. Without a centre of its own the driver,
+/// The sprockets of a drive, as @p chain is laid on them. Without a centre of its own the driver,
 /// the first one, is at the origin, and another one moves.
-std::vector<Fitter::Wheel> wheels_of(const parameters::Sprockets &sprockets);
+std::vector<Fitter::Wheel> wheels_of(const parameters::Sprockets &sprockets,
+                                     const ChainDimensions       &chain);
 } // namespace chaindrive::drive

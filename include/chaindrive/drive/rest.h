@@ -32,6 +32,13 @@ struct RestingChain
   std::vector<double> deviations = {}; ///< of single links from these lengths, m; empty: none
 };
 
+/// What plates touch something with, in the place of rollers: their round ends.
+struct RestingPlates
+{
+  double radius;    ///< m
+  double stiffness; ///< of those of one joint, N/m
+};
+
 /// A wheel, as statics see it.
 struct RestingWheel
 {
@@ -43,10 +50,19 @@ struct RestingWheel
 
   /// Of the springs that hold its axis along x and y, N/m; empty: it stands still.
   std::optional<dealii::Tensor<1, 2>> bearing = {};
+  std::optional<RestingPlates>        plates  = {}; ///< they lie on it, and not rollers
 };
 
 /// A sprocket, of which @p form must live as long.
 RestingWheel resting_sprocket(const ToothForm &form, bool held, double torque = 0.);
+
+/// A guide that a spring presses against the chain, as statics see it.
+struct RestingGuide
+{
+  std::shared_ptr<const path::Obstacle> outline; ///< without travel, about the pivot of an arm
+  RestingPlates                         plates;
+  Tensioner                            *held; ///< whose travel is found
+};
 
 /// Moves chain, wheels and the shaft of wheel 1 so that the drive of @p layout, whose wheels turn
 /// freely unless they are held, rests in equilibrium with the mean tension @p tension [N] in the
@@ -67,6 +83,15 @@ void bring_to_rest(Layout                          &layout,
                    const RestingChain              &chain,
                    const std::vector<RestingWheel> &wheels);
 
+/// The same where @p guide keeps the tension. It moves alone where it leans on its greatest stop,
+/// clear of the chain.
+///
+/// @throws InputError, naming the guide's entries, when there is no such state.
+void bring_to_rest(Layout                          &layout,
+                   const RestingChain              &chain,
+                   const std::vector<RestingWheel> &wheels,
+                   const RestingGuide              &guide);
+
 /// How a drive runs.
 struct Operation
 {
@@ -76,14 +101,16 @@ struct Operation
                           ///< below their resonance on straight spans, or with their means
 };
 
-/// Moves chain, free wheels and the tensioner of @p layout to where they balance their torques
-/// while the drive runs, and sets them in motion: minimum of the energy as above, in which the
-/// tension that pulls at a joint is less by what turns the chain's own momentum, m v^2. Teeth take
-/// their shares of the tension at the angles at which rollers bear on them then. Without friction.
+/// Moves chain, free wheels and the tensioner of @p layout, or @p guide, to where they balance
+/// their torques while the drive runs, and sets them in motion: minimum of the energy as above, in
+/// which the tension that pulls at a joint is less by what turns the chain's own momentum, m v^2.
+/// Teeth take their shares of the tension at the angles at which rollers bear on them then. Without
+/// friction.
 ///
 /// @throws InputError, naming Drive/Layout/Start, when no such state is found.
 void settle(Layout                          &layout,
             const RestingChain              &chain,
             const std::vector<RestingWheel> &wheels,
-            const Operation                 &operation);
+            const Operation                 &operation,
+            const RestingGuide              *guide = nullptr);
 } // namespace chaindrive::drive

@@ -41,6 +41,12 @@ struct Sprocket
   double tilt           = 0.; ///< of its axis, rad
   double tilt_direction = 0.; ///< to which it leans in a drive that turns counter-clockwise, rad
 
+  parameters::Flat flat = {}; ///< in the place of teeth
+
+  /// Whether plates lie on it, and not rollers.
+  bool carries_plates() const { return form.flat && flat.runs_on == parameters::RunsOn::plates; }
+
+  double flat_stiffness  = 0.; ///< of one joint's contact with a drum, given or auto, N/m
   double tooth_stiffness = 0.; ///< of tooth and rim under a roller, given or auto, N/m
 };
 

@@ -69,6 +69,9 @@ struct Tensioner
   dealii::Tensor<1, 2> way(double travel) const;
   dealii::Tensor<1, 2> bend(double travel) const;
 
+  /// Where the arm has taken what is at @p p without travel.
+  dealii::Point<2> turned(const dealii::Point<2> &p) const;
+
   /// Takes the mass of its wheel [kg], of which its weight and the damping of its stops follow: a
   /// fifth of critical damping.
   void carry(double wheel, double gravity);
@@ -77,8 +80,11 @@ struct Tensioner
   std::string with_unit(double travel) const;
 
   /// A sentence that says where it is and how it presses on all @p strands, with this @p slack [m]
-  /// in the chain.
-  std::string in_words(const std::string &wheel, double slack, unsigned int strands = 1) const;
+  /// in the chain; @p point is where an arm's lever ends.
+  std::string in_words(const std::string &wheel,
+                       double             slack,
+                       unsigned int       strands,
+                       const std::string &point = "the wheel's axis") const;
 
   /// y -> -y.
   void mirror();

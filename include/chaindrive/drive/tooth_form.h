@@ -28,7 +28,7 @@ struct ToothForm
 {
   unsigned int teeth;
   double       pitch;          ///< nominal pitch of the chain
-  double       pitch_diameter; ///< p / sin(pi / z)
+  double       pitch_diameter; ///< p / sin(pi / z); of a drum twice the radius on which joints run
   double       outside_diameter;
   double       root_diameter; ///< of the bottoms of the gaps
   double       roller_diameter;
@@ -52,6 +52,14 @@ struct ToothForm
   std::vector<Corner> corners;
 
   std::vector<std::string> derived; ///< sentences on values that no entry gave
+
+  /// A drum: the profile is a circle, #teeth are the equal sectors in which it is described, and
+  /// of the members on gaps only the root diameter, its own, has a meaning.
+  bool flat = false;
+
+  /// Joints on a whole turn: teeth, or as many of the pitch as a drum has room for, no whole
+  /// number.
+  double seats() const;
 
   /// Angle between two gaps, rad.
   double pitch_angle() const;
@@ -124,4 +132,15 @@ ToothForm make_tooth_form(unsigned int                 teeth,
                           const ChainDimensions       &chain,
                           const parameters::Sprockets &sprockets,
                           unsigned int                 number);
+
+/// Radius on which the joints of @p chain run round the drum @p flat, whose diameter is given, m:
+/// its own and that of the rollers, or half the height of the inner plates, which lie on it.
+double joint_radius(const parameters::Flat &flat, const ChainDimensions &chain);
+
+/// The drum of sprocket number @p number of @p sprockets for @p chain.
+/// @throws InputError for one with a load, on which less than six joints have room in a turn, or
+/// with entries on teeth.
+ToothForm make_drum(const ChainDimensions       &chain,
+                    const parameters::Sprockets &sprockets,
+                    unsigned int                 number);
 } // namespace chaindrive::drive

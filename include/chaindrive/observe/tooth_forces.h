@@ -31,6 +31,7 @@ struct ToothForces
   std::vector<double>                          in_gap, in_gap_peak; ///< per gap of the sprocket
   std::vector<double>                          pressure;            ///< per joint, Pa
   double                                       penetration = 0.;    ///< largest so far, m
+  bool                                         flat = false; ///< a drum: its gaps are sectors
 
   /// Looks at the present records of the rollers that are near.
   void update()

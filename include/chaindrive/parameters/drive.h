@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/parameters/choice.h>
+#include <chaindrive/parameters/flat.h>
 #include <chaindrive/parameters/guide.h>
 #include <chaindrive/parameters/sections.h>
 #include <chaindrive/parameters/shaft.h>
@@ -181,6 +182,7 @@ struct Sprocket
   Bearing                              bearing{};      ///< how its shaft yields
   Coupling                             coupling{};     ///< between it and what is behind it
   Guide                                guide{};        ///< of the span behind it
+  Flat                                 flat{};         ///< in the place of teeth
   double                               runout          = 0.; ///< total indicator reading, m
   double                               runout_phase    = 0.; ///< rad
   double                               axial_offset    = 0.; ///< of its plane, along z, m
@@ -200,6 +202,7 @@ struct Sprocket
 
   /// Whether its plane is not that of the drive.
   bool is_out_of_line() const { return axial_offset != 0. || tilt != 0.; }
+  bool is_flat() const { return flat.diameter.has_value(); }
 
   std::string in_words() const;   ///< what sentences call it
   std::string in_entries() const; ///< what names of entries begin with

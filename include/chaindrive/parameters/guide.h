@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/parameters/choice.h>
+#include <chaindrive/parameters/tensioner.h>
 
 #include <array>
 #include <string>
@@ -31,9 +32,13 @@ struct Guide
   GuideLine                          line      = GuideLine::arc;
   double                             friction  = 0.1; ///< of plates on it
   double                             stiffness = 1e7; ///< under the plates of one joint, N/m
+  Holders                            held{};          ///< what it is on; bearing: it stands still
 
-  /// Declares an entry for each member, which takes every value that is set. The object must
-  /// outlive @p declarations; @p span is what sentences call the span.
-  void declare(Declarations &declarations);
+  /// Whether a spring presses it against the chain.
+  bool is_sprung() const { return !points.empty() && parameters::is_sprung(held.holder); }
+
+  /// Declares an entry for each member, which takes every value that is set; what it is on only
+  /// where it @p may_move. The object must outlive @p declarations.
+  void declare(Declarations &declarations, bool may_move);
 };
 } // namespace chaindrive::parameters

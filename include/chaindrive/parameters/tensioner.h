@@ -45,9 +45,9 @@ constexpr bool turns(const Holder holder)
   return holder == Holder::arm || holder == Holder::eccentric;
 }
 
-/// What presses a wheel against the chain. Travel, the turn of an arm [rad] or the way of a slide
-/// [m], counts from where the wheel's centre is given and is positive where it takes up slack;
-/// forces are moments [N m] of an arm.
+/// What presses a wheel, or a guide, against the chain. Travel, the turn of an arm [rad] or the way
+/// of a slide [m], counts from where the wheel's centre, or the guide's line, is given and is
+/// positive where it takes up slack; forces are moments [N m] of an arm.
 struct Tensioner
 {
   double                preload            = 0.; ///< at no travel, N m or N
@@ -59,7 +59,7 @@ struct Tensioner
                                       ///< of the slide, kg
 };
 
-/// Sections `Arm` and `Slide` of a wheel, of which Holder says which one is there.
+/// Sections `Arm` and `Slide` of a wheel or a guide, of which Holder says which one is there.
 struct Holders
 {
   Holder                               holder    = Holder::bearing;
@@ -73,5 +73,8 @@ struct Holders
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.
   void declare(Declarations &declarations);
+
+  /// The same of a guide, which is fixed, on an arm, or on a slide.
+  void declare_of_guide(Declarations &declarations);
 };
 } // namespace chaindrive::parameters

@@ -23,6 +23,9 @@ public:
   /// Boor 1978]. Two points make a straight line.
   static Curve spline(const std::vector<dealii::Point<2>> &points);
 
+  /// Moves all of it.
+  void move(const dealii::Tensor<1, 2> &by);
+
   /// Puts the material on the other side.
   void reverse() { side_ = -side_; }
 

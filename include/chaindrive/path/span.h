@@ -13,6 +13,9 @@ namespace chaindrive::path
 /// such line.
 double tangent_angle(const Wheel &from, const Wheel &to);
 
+/// How far the mean of @p points is to the right of that line, m.
+double beside(const Wheel &from, const Wheel &to, const std::vector<dealii::Point<2>> &points);
+
 /// Polar angle, on @p wheel, of the point where a line touches with the normal @p tangent.
 double touching(const Wheel &wheel, double tangent);
 

@@ -88,6 +88,10 @@ void add_swings(const drive::Drive &drive, Scene &scene);
 /// What is behind the couplings of the wheels of @p drive, and what carries those on bearings that
 /// yield. The wheels must be there, and a tensioner.
 void add_shafts(const drive::Drive &drive, Scene &scene);
+/// What the plates of every joint touch a guide or a drum with: the round ends of inner plates, the
+/// higher ones, about its axis. In the simple model they are lumped with the roller and do not turn
+/// with its ring. In space there is one on each side.
+std::vector<SlavePoint> plates_of_joints(const drive::Drive &drive, const Scene &scene);
 
 /// The guides of @p drive, which plates slide on. The wheels must be there.
 void add_guides(const model::Model &model, const drive::Drive &drive, Scene &scene);

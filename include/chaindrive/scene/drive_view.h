@@ -22,6 +22,7 @@ struct Sprocket
   int                  sense;        ///< of its rotation in operation, +1: about +z
   double               pitch_radius; ///< of the loaded pitch, m
   dealii::Tensor<1, 3> entry_normal; ///< unit, outward, of the side on which the chain arrives
+  bool                 flat = false; ///< a drum: its teeth are the sectors in which it is described
 };
 
 /// The chain between two sprockets. Its straight line touches their pitch circles.

@@ -185,7 +185,8 @@ struct ToothFamily
   double                                    half_width;   ///< of the sprocket, m
   ContactLaw                                law; ///< of elastic rollers, whose nodes touch: per m2
   bool                                      elastic = false; ///< the slaves are elastic bodies
-  unsigned int slave_surface = 0; ///< of elastic slaves: the side of their mesh that touches
+  bool         at_centres    = false; ///< forces act at the centres of slaves: plates on a drum
+  unsigned int slave_surface = 0;     ///< of elastic slaves: the side of their mesh that touches
   std::vector<SlavePoint> slaves;
   double tooth_stiffness = 0.;   ///< of a rigid sprocket's tooth and rim behind the contact with an
                                  ///< elastic slave, N/m; 0: they do not deflect

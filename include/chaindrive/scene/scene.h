@@ -142,11 +142,11 @@ struct Shaft
   drive::ShaftProgram program;
 };
 
-/// What presses an arm or a slide that carries a wheel.
+/// What presses an arm or a slide that carries a wheel, or a guide.
 struct Tensioner
 {
   unsigned int body;          ///< on a mount
-  unsigned int sprocket;      ///< its wheel, in DriveView::sprockets
+  unsigned int number;        ///< its wheel in DriveView::sprockets, or of a guide its span
   int          sense;         ///< +1: travel is positive as the body's motion about or along its
                               ///< axis
   double              travel; ///< at the start

@@ -209,13 +209,18 @@ def _thinning(run: Run, start: float, end: float) -> int:
     return max(1, len(run.time[run.rows(start, end)]) // 400)
 
 
+def pitch_angle(drive: Block, about: Block) -> float:
+    """By what a link turns round a wheel, rad; one without teeth has room for no whole number of them."""
+    return float(2 * np.pi / about["teeth"] if about["teeth"] else 2 * np.arcsin(drive["loaded_pitch"] / about["pitch_diameter"]))
+
+
 def round_sprocket(drive: Block, about: Block, x: Array, y: Array) -> tuple[npt.NDArray[np.bool_], Array]:
     """Which points lie on the pitch circle of a sprocket, and their angles, rad.
 
     In the sense of its rotation, from where the pitch line of the arriving span touches the pitch circle; up to a
     pitch angle before it is negative.
     """
-    x, y, pitch = x - about["centre"][0], y - about["centre"][1], 2 * np.pi / about["teeth"]
+    x, y, pitch = x - about["centre"][0], y - about["centre"][1], pitch_angle(drive, about)
     near = np.abs(np.hypot(x, y) - about["pitch_diameter"] / 2) < 0.2 * drive["pitch"]
     return near, np.mod(about["sense"] * (np.arctan2(y, x) - about["arrival"]) + pitch, 2 * np.pi) - pitch
 
@@ -235,7 +240,7 @@ def along_wrap(run: Run, sprocket: str, bins: int = 4) -> Array:
     force = run.values(path, start, end, every)[:, columns]
     about = next(one for one in run.drive["sprockets"] if one["name"] == sprocket)
     near, angle = round_sprocket(run.drive, about, x, y)
-    pitch = 2 * np.pi / about["teeth"]
+    pitch = pitch_angle(run.drive, about)
     position = angle / pitch
     last = about["wrap"] / pitch + 1.
     good = near & (position < last) & np.isfinite(force)

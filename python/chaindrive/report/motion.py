@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from chaindrive.errors import RunError
 from chaindrive.run import Run
@@ -43,18 +44,56 @@ def frames_of(run: Run) -> dict[str, Any]:
     sprockets = []
     for about in drive["sprockets"]:
         radius, sense, path = about["pitch_diameter"] / 2, about["sense"], f"hubs/{about['name']}_angle"
-        across, up = x[0] - about["centre"][0], y[0] - about["centre"][1]
+        moved = _moved(run, f"hubs/{about['name']}", about.get("held"), picked)
+        at = _placed(moved, np.array([complex(*about["centre"])]))[:, 0]
+        across, up = x[0] - at[0].real, y[0] - at[0].imag
         seated = np.abs(np.hypot(across, up) - radius) < 0.03 * drive["pitch"]
-        phase = np.angle(np.mean(np.exp(1j * about["teeth"] * np.arctan2(up, across)[seated]))) / about["teeth"] if seated.any() else 0.
+        has_phase = seated.any() and about["teeth"]
+        phase = np.angle(np.mean(np.exp(1j * about["teeth"] * np.arctan2(up, across)[seated]))) / about["teeth"] if has_phase else 0.
         turns = run[path][picked] if path in run else about["speed"] * run.time[picked]
         sprockets.append({"name": about["name"], "title": about["title"], "teeth": about["teeth"], "radius": _mm(radius),
-                          "x": _mm(about["centre"][0]), "y": _mm(about["centre"][1]),
+                          "x": _track(at.real, moved), "y": _track(at.imag, moved),
                           "angle": np.round(phase + sense * (turns - turns[0]), 4).tolist()})
+    guides = []
+    for guide in drive.get("guides", []):
+        moved = _moved(run, f"guides/{guide['span']}", guide.get("held"), picked)
+        at = _placed(moved, np.array([complex(*point) for point in guide["points"]]))
+        arm = guide.get("held", {}).get("pivot")
+        guides.append({"x": [_track(at[:, k].real, moved) for k in range(at.shape[1])], "y": [_track(at[:, k].imag, moved) for k in range(at.shape[1])],
+                       "pivot": [_mm(arm[0]), _mm(arm[1])] if arm else None})
     finite = tension[np.isfinite(tension)]
     high = float(np.percentile(finite, 99.5)) if len(finite) else 1.
     return {"x": (1e5 * x).round().astype(int).tolist(), "y": (1e5 * y).round().astype(int).tolist(),
             "tension": np.nan_to_num(tension).round().astype(int).tolist(), "time": (1e6 * run.time[picked]).round().astype(int).tolist(),
-            "sprockets": sprockets, "roller": _mm(_diameter(run) / 2), "low": round(min(0., float(np.percentile(finite, 0.5)))), "high": round(high) or 1}
+            "sprockets": sprockets, "guides": guides, "roller": _mm(_diameter(run) / 2), "low": round(min(0., float(np.percentile(finite, 0.5)))), "high": round(high) or 1}
+
+
+#: How a tensioner moves what is on it: from the start by a way, or by a turn about a point; complex numbers of the plane.
+Moved = tuple[npt.NDArray[Any], complex | None] | None
+
+
+def _moved(run: Run, history: str, held: dict[str, Any] | None, picked: npt.NDArray[np.int_]) -> Moved:
+    if not held or f"{history}_travel" not in run:
+        return None
+    by = np.asarray(run[f"{history}_travel"])[picked] - held["travel"]
+    return (by * complex(*held["direction"]), None) if "direction" in held else (np.exp(1j * held["sense"] * by), complex(*held["pivot"]))
+
+
+def _placed(moved: Moved, points: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """Points by instant, or at the only one of what stands still."""
+    if moved is None:
+        return points[np.newaxis, :]
+    by, pivot = moved
+    return points + by[:, np.newaxis] if pivot is None else pivot + (points - pivot) * by[:, np.newaxis]
+
+
+def _track(values: npt.NDArray[Any], moved: Moved) -> float | list[float]:
+    """In mm: a number of what stands still, else one for each instant."""
+    return _mm(values[0]) if moved is None else [_mm(value) for value in values]
+
+
+def at_instant(track: float | list[float], instant: int) -> float:
+    return track[instant] if isinstance(track, list) else track
 
 
 def _mm(length: float) -> float:
@@ -78,6 +117,10 @@ def color(value: float, stops: Sequence[Color] = LIGHT) -> str:
 
 def outline(about: dict[str, Any], angle: float, roller: float) -> list[tuple[float, float]]:
     """A sprocket as a path in mm, y upwards: seats of the rollers and tips of the teeth between them."""
+    if not about["teeth"]:  # a drum, with a notch that shows how it turns
+        turns = angle + np.linspace(0.02, 2 * np.pi - 0.02, 90)
+        drum = about["radius"] - roller
+        return [(0.9 * drum * np.cos(angle), 0.9 * drum * np.sin(angle)), *zip(drum * np.cos(turns), drum * np.sin(turns))]
     points, pitch = [], 2 * np.pi / about["teeth"]
     for tooth in range(about["teeth"]):
         middle = angle + tooth * pitch
@@ -98,7 +141,11 @@ def still(frames: dict[str, Any]) -> str:
            f'aria-label="The chain at the end of the run">']
     for about in frames["sprockets"]:
         points = outline(about, about["angle"][-1], frames["roller"])
-        out.append('<path class="sprocket" d="M' + "L".join(f"{a + about['x']:.1f} {-b - about['y']:.1f}" for a, b in points) + 'z"/>')
+        out.append('<path class="sprocket" d="M' + "L".join(f"{a + at_instant(about['x'], -1):.1f} {-b - at_instant(about['y'], -1):.1f}" for a, b in points) + 'z"/>')
+    for guide in frames["guides"]:
+        line = [(at_instant(a, -1), at_instant(b, -1)) for a, b in zip(guide["x"], guide["y"])]
+        line += [tuple(guide["pivot"])] if guide["pivot"] else []
+        out.append('<path class="guide" fill="none" stroke="currentColor" stroke-width="1.5" d="M' + "L".join(f"{a:.1f} {-b:.1f}" for a, b in line) + '"/>')
     span = frames["high"] - frames["low"]
     for k, tension in enumerate(frames["tension"][-1]):
         n = (k + 1) % len(x)

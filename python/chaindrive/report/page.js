@@ -93,13 +93,16 @@
     const chain = [...extent(data.x), ...extent(data.y)].map((value, i) => value / 100 + (i % 2 ? 1 : -1) * 1.5 * data.roller);
 
     function bounds() {
-      const a = data.sprockets[0], margin = 3 * data.roller, one = data.sprockets.find(s => s.name === view.value);
+      const still = data.sprockets.map(s => ({...s, x: at(s.x), y: at(s.y)}));
+      const a = still[0], margin = 3 * data.roller, one = still.find(s => s.name === view.value);
       const around = s => [s.x - s.radius - margin, s.x + s.radius + margin, s.y - s.radius - margin, s.y + s.radius + margin];
       if (one === a) return [a.x - 1.8 * a.radius, a.x + 2.6 * a.radius, a.y - 1.5 * a.radius, a.y + 1.5 * a.radius];
       if (one) return around(one);
-      const all = [...data.sprockets.map(around), chain];
+      const all = [...still.map(around), chain];
       return [Math.min(...all.map(r => r[0])), Math.max(...all.map(r => r[1])), Math.min(...all.map(r => r[2])), Math.max(...all.map(r => r[3]))];
     }
+
+    const at = track => Array.isArray(track) ? track[frame] : track;
 
     function show() {
       const [left, right, low, high] = bounds(), ratio = devicePixelRatio || 1, width = box.clientWidth;
@@ -108,9 +111,10 @@
       canvas.width = width * ratio; canvas.height = height * ratio; canvas.style.height = height + "px";
       pen.setTransform(ratio * scale, 0, 0, -ratio * scale, ratio * (width / 2 - scale * (left + right) / 2), ratio * (height / 2 + scale * (low + high) / 2));
       pen.lineJoin = pen.lineCap = "round";
-      for (const s of data.sprockets) {
-        const turn = s.angle[frame], pitch = 2 * Math.PI / s.teeth;
+      for (const about of data.sprockets) {
+        const s = {...about, x: at(about.x), y: at(about.y)}, turn = s.angle[frame], pitch = 2 * Math.PI / s.teeth;
         pen.beginPath();
+        if (!s.teeth) pen.arc(s.x, s.y, s.radius - data.roller, 0, 7);
         for (let k = 0; k < s.teeth; ++k) {
           const middle = turn + k * pitch;
           pen.arc(s.x + s.radius * Math.cos(middle), s.y + s.radius * Math.sin(middle), data.roller, middle + Math.PI + 1.05, middle + Math.PI - 1.05, true);
@@ -123,6 +127,13 @@
         pen.fillStyle = style("--paper"); pen.fill();
         pen.lineWidth = Math.max(0.5, 1 / scale); pen.strokeStyle = style("--soft"); pen.stroke();
         pen.beginPath(); pen.moveTo(s.x, s.y); pen.lineTo(s.x + 0.55 * s.radius * Math.cos(turn), s.y + 0.55 * s.radius * Math.sin(turn)); pen.stroke();
+      }
+      pen.strokeStyle = style("--ink"); pen.lineWidth = Math.max(1.2, 2 / scale);
+      for (const guide of data.guides) {
+        pen.beginPath();
+        guide.x.forEach((x, k) => pen.lineTo(at(x), at(guide.y[k])));
+        if (guide.pivot) pen.lineTo(...guide.pivot);
+        pen.stroke();
       }
       const x = data.x[frame], y = data.y[frame], tension = data.tension[frame];
       for (let k = 0; k < links; ++k) {

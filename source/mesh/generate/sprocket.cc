@@ -93,7 +93,38 @@ private:
   /// Numbers of the points of @p grid. Points of @p known, its row or column ends, are not
   /// repeated.
   unsigned int add(const Point<2> &p, bool gap_line, bool tooth_line);
+
+  using Rows = std::vector<std::vector<unsigned int>>;
+
+  /// Adds to @p rows the numbers of the points of @p line.
+  void add_row(const Line &line, Rows &rows);
+
+  /// The zone of the hub below the last of @p rows. @p circle makes the line of one of a radius.
+  template <typename Circle>
+  void add_hub(const Rows &rows, double hub_radius, double bore_radius, const Circle &circle);
 };
+
+void HalfSector::add_row(const Line &line, Rows &rows)
+{
+  rows.emplace_back();
+  for (std::size_t i = 0; i < line.size(); ++i)
+    rows.back().push_back(add(line[i], i == 0, i + 1 == line.size()));
+}
+
+template <typename Circle>
+void HalfSector::add_hub(const Rows   &rim_rows,
+                         const double  hub_radius,
+                         const double  bore_radius,
+                         const Circle &circle)
+{
+  Rows               rows  = {rim_rows.back()};
+  const double       ratio = bore_radius / hub_radius;
+  const unsigned int n_hub = count(-std::log(ratio), 0.4);
+  for (unsigned int k = 1; k <= n_hub; ++k)
+    add_row(circle(k == n_hub ? bore_radius : hub_radius * std::pow(ratio, double(k) / n_hub)),
+            rows);
+  mesh.add_grid(rows, hub_zone, false);
+}
 
 unsigned int HalfSector::add(const Point<2> &p, const bool gap_line, const bool tooth_line)
 {
@@ -106,11 +137,10 @@ HalfSector::HalfSector(const drive::ToothForm   &form,
                        const SprocketDimensions &dimensions,
                        const unsigned int        refinement)
 {
-  const HalfProfile profile(form);
-  const double      half_pitch_angle = PI / form.teeth;
-  const Point<2>    axis             = polar(1., half_pitch_angle); // middle of the tooth
-  const double      pitch            = form.pitch;
-  const double      root             = 0.5 * form.root_diameter;
+  const double   half_pitch_angle = PI / form.teeth;
+  const Point<2> axis             = polar(1., half_pitch_angle); // middle of the tooth
+  const double   pitch            = form.pitch;
+  const double   root             = 0.5 * form.root_diameter;
 
   constexpr unsigned int n_levels            = 5;
   constexpr double       per_pitch[n_levels] = {8., 10., 14., 20., 28.};
@@ -124,11 +154,32 @@ HalfSector::HalfSector(const drive::ToothForm   &form,
                      " mm cannot be meshed: 0 < bore < hub diameter < root diameter - 0.2 pitch is "
                      "needed.");
 
+  const auto circle_of = [&](const double r, const unsigned int n) {
+    Line line;
+    for (unsigned int i = 0; i <= n; ++i)
+      line.push_back(i == 0 ? Point<2>(r, 0.) :
+                     i == n ? r * axis :
+                              polar(r, half_pitch_angle * i / n));
+    return line;
+  };
+  if (form.flat) // rings
+    {
+      const unsigned int n    = count(half_pitch_angle * root, size);
+      const auto         ring = [&](const double r) { return circle_of(r, n); };
+      Rows               rows;
+      for (const double r : graded(root, hub_radius, size, 1.35))
+        add_row(ring(r), rows);
+      mesh.add_grid(rows, rim, false);
+      add_hub(rows, hub_radius, bore_radius, ring);
+      return;
+    }
+
   // Where the blocks meet: tooth, rim below the tooth and rim below the seat share 180 degrees.
-  const double   meeting = profile.where_turned_by(PI / 3. - half_pitch_angle);
-  const Point<2> q       = profile.at(meeting);
-  const Point<2> d   = (Tensor<1, 2>(q) * Tensor<1, 2>(axis)) * axis; // middle of the tooth's foot
-  const double   tip = profile.tip_start();
+  const HalfProfile profile(form);
+  const double      meeting = profile.where_turned_by(PI / 3. - half_pitch_angle);
+  const Point<2>    q       = profile.at(meeting);
+  const Point<2>    d = (Tensor<1, 2>(q) * Tensor<1, 2>(axis)) * axis; // middle of the tooth's foot
+  const double      tip     = profile.tip_start();
   const unsigned int n_seat = count(meeting, size);
   // across half a tooth, which is narrow at its tip
   const unsigned int n_foot = count(0.5 * (q.distance(d) + profile.length() - tip), size);
@@ -147,14 +198,8 @@ HalfSector::HalfSector(const drive::ToothForm   &form,
     depth = root - hub_radius;
   const double       circle  = root - depth;
   const unsigned int n_depth = count(depth, size), n_columns = n_seat + n_foot;
-  const auto         angle = [&](const unsigned int i) { return half_pitch_angle * i / n_columns; };
-  const auto         arc   = [&](const double r) {
-    Line line;
-    for (unsigned int i = 0; i <= n_columns; ++i)
-      line.push_back(i == 0 ? Point<2>(r, 0.) : i == n_columns ? r * axis : polar(r, angle(i)));
-    return line;
-  };
-  const auto part_of = [](const Line &line, unsigned int first, unsigned int last) {
+  const auto         arc     = [&](const double r) { return circle_of(r, n_columns); };
+  const auto         part_of = [](const Line &line, unsigned int first, unsigned int last) {
     return Line(line.begin() + first, line.begin() + last + 1);
   };
   const Line         below     = arc(circle);
@@ -179,17 +224,11 @@ HalfSector::HalfSector(const drive::ToothForm   &form,
         rows.back().push_back(add(
             i <= n_seat ? under_seat[j][i] : under_foot[j][i - n_seat], i == 0, i == n_columns));
     }
-  const auto add_circle = [&](const double r) {
-    const Line line = arc(r);
-    rows.emplace_back();
-    for (unsigned int i = 0; i <= n_columns; ++i)
-      rows.back().push_back(add(line[i], i == 0, i == n_columns));
-  };
   if (circle > hub_radius)
     {
       const auto radii = graded(circle, hub_radius, size, 1.35);
       for (std::size_t k = 1; k < radii.size(); ++k)
-        add_circle(radii[k]);
+        add_row(arc(radii[k]), rows);
     }
   mesh.add_grid(rows, rim, false);
 
@@ -200,12 +239,7 @@ HalfSector::HalfSector(const drive::ToothForm   &form,
                                                           add(tooth[j][i], false, i == n_foot));
   mesh.add_grid(tooth_rows, rim, false);
 
-  rows                     = {rows.back()};
-  const double       ratio = bore_radius / hub_radius;
-  const unsigned int n_hub = count(-std::log(ratio), 0.4);
-  for (unsigned int k = 1; k <= n_hub; ++k)
-    add_circle(k == n_hub ? bore_radius : hub_radius * std::pow(ratio, double(k) / n_hub));
-  mesh.add_grid(rows, hub_zone, false);
+  add_hub(rows, hub_radius, bore_radius, arc);
 }
 } // namespace
 

@@ -82,7 +82,11 @@ public:
       , strength_(now.model.tensile_strength)
   {
     for (unsigned int i = 0; i < now.scene.drive.sprockets.size(); ++i)
-      sprockets_.emplace_back(now.scene, i);
+      if (!now.scene.drive.sprockets[i].flat) // no chain jumps there, and it is always off teeth
+        {
+          numbers_.push_back(i);
+          sprockets_.emplace_back(now.scene, i);
+        }
   }
 
   static bool exists(const Observation &start)
@@ -136,7 +140,7 @@ public:
   {
     files::Json list = files::Json::array();
     for (unsigned int i = 0; i < sprockets_.size(); ++i)
-      add_sprocket(list, sprockets_[i], now_.scene.drive.sprockets[i]);
+      add_sprocket(list, sprockets_[i], now_.scene.drive.sprockets[numbers_[i]]);
     if (slack_.happened())
       list.push_back(json("tight span slack",
                           slack_,
@@ -327,11 +331,12 @@ private:
   double                  started_;    ///< time from which the start-up is over, s
   Schedule                looks_;
   bool                    knows_tensions_;
-  double                  strength_; ///< of the chain, N; 0: not known
-  std::vector<OnSprocket> sprockets_;
-  Event                   slack_, broken_;
-  Lasting                 slack_since_;
-  OfPitch                 pitch_;
+  double                  strength_;  ///< of the chain, N; 0: not known
+  std::vector<OnSprocket> sprockets_; ///< those with teeth
+  std::vector<unsigned int> numbers_; ///< of these in the drive
+  Event                     slack_, broken_;
+  Lasting                   slack_since_;
+  OfPitch                   pitch_;
 };
 
 const Registered<Events> registered_events(

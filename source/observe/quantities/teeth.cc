@@ -50,8 +50,11 @@ public:
         channels.add(histories[0], joints, copy_of(forces.roller));
         channels.add(histories[1], joints, copy_of(forces.roller_peak));
         channels.add(histories[2], joints, smallest_gaps_of(forces.families));
-        channels.add(histories[3], gaps, copy_of(forces.in_gap));
-        channels.add(histories[4], gaps, copy_of(forces.in_gap_peak));
+        if (!forces.flat)
+          {
+            channels.add(histories[3], gaps, copy_of(forces.in_gap));
+            channels.add(histories[4], gaps, copy_of(forces.in_gap_peak));
+          }
         if (know_pressure(forces.families))
           channels.add(histories[5], joints, copy_of(forces.pressure));
       }

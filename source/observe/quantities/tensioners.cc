@@ -22,8 +22,11 @@ public:
   static Contents contents()
   {
     Contents contents;
-    contents.histories = {
-        travel_of(any_sprocket, "rad or m"), moment_of(any_sprocket), force_of(any_sprocket)};
+    for (const std::string &name :
+         {std::string("hubs/") + any_sprocket, std::string("guides/") + any_span})
+      for (const files::Described &history :
+           {travel_of(name, "rad or m"), moment_of(name), force_of(name)})
+        contents.histories.push_back(history);
     return contents;
   }
 
@@ -35,7 +38,10 @@ public:
       {
         const bool slides =
             now_.scene.bodies[tensioner.body].mount.kind == scene::Mount::Kind::prismatic;
-        const std::string &name = now_.scene.drive.sprockets[tensioner.sprocket].name;
+        const bool        guide = now_.scene.bodies[tensioner.body].kind == scene::Kind::guide;
+        const std::string name  = guide ?
+                                      "guides/" + now_.scene.drive.spans[tensioner.number].name :
+                                      "hubs/" + now_.scene.drive.sprockets[tensioner.number].name;
         channels.add(travel_of(name, slides ? "m" : "rad"),
                      [this, &tensioner](const Channels::Row row) {
                        row[0] = state_of(tensioner, now_.system.world).travel;
@@ -50,20 +56,20 @@ public:
 private:
   static files::Described travel_of(const std::string &name, const std::string &unit)
   {
-    return {"hubs/" + name + "_travel",
+    return {name + "_travel",
             unit,
-            "Turn of the tensioner's arm, or way of its slide, from where the centre of the wheel "
-            "is given, positive where it takes up slack"};
+            "Turn of the tensioner's arm, or way of its slide, from where the centre of the wheel, "
+            "or the line of the guide, is given, positive where it takes up slack"};
   }
 
   static files::Described force_of(const std::string &name)
   {
-    return {"hubs/" + name + "_tensioner_force", "N", of_the_spring};
+    return {name + "_tensioner_force", "N", of_the_spring};
   }
 
   static files::Described moment_of(const std::string &name)
   {
-    return {"hubs/" + name + "_tensioner_moment", "N m", of_the_spring};
+    return {name + "_tensioner_moment", "N m", of_the_spring};
   }
 
   static constexpr const char *of_the_spring =
