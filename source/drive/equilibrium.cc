@@ -203,8 +203,8 @@ double Equilibrium::moment_on(const unsigned int i) const
     {
       const auto   k = static_cast<unsigned int>(&at - at_.data());
       Vector       normal;
-      const double force = seat_force(k, overlap(i, at, 0., normal));
-      const Vector arm   = at - layout_.sprockets[i].axis();
+      const double force = seat_force(k, i, overlap(i, at, 0., normal));
+      const Vector arm   = at - frames_[i].axis();
       moment += force * (arm[0] * normal[1] - arm[1] * normal[0]);
     }
   return moment;
@@ -214,7 +214,7 @@ void Equilibrium::store() const
 {
   // before frames of wheels change, on which it depends
   std::vector<double> torques;
-  for (unsigned int i = 0; i < wheels_.size(); ++i)
+  for (unsigned int i = 0; i < n_wheels_; ++i)
     torques.push_back(wheels_[i].held ? moment_on(i) : wheels_[i].torque);
   if (layout_.tensioner)
     layout_.tensioner->travel = travel_;
@@ -424,7 +424,7 @@ void Equilibrium::add_bearings()
 {
   for (const OnBearing &on : on_bearings_)
     {
-      Layout::Sprocket &wheel = layout_.sprockets[on.wheel];
+      Layout::Sprocket &wheel = frames_[on.wheel];
       wheel.centre += on.way - wheel.deflection;
       wheel.deflection = on.way;
       for (unsigned int d = 0; d < 2; ++d)

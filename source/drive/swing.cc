@@ -19,7 +19,7 @@ using dealii::Point;
 
 namespace
 {
-constexpr double degree = dealii::numbers::PI / 180.; // rad
+constexpr double one_degree = dealii::numbers::PI / 180.; // rad
 
 /// Half cosine waves from one of the angles to the next.
 functions::Pointer waves(const parameters::Swing &given, const std::string &section, double start)
@@ -57,10 +57,10 @@ table(const parameters::Swing &given, const std::string &section, const Paramete
   try
     {
       swing.file       = files::find_file(given.file, p.folders);
-      const auto found = functions::read_csv(swing.file, 1e-3, degree, p.time.start);
+      const auto found = functions::read_csv(swing.file, 1e-3, one_degree, p.time.start);
       for (const double angle : found->y())
         if (std::abs(angle) > dealii::numbers::PI)
-          throw InputError("'" + swing.file + "' has the angle " + to_text(angle / degree) +
+          throw InputError("'" + swing.file + "' has the angle " + to_text(angle / one_degree) +
                            " degrees; numbers from -180 to 180 are allowed.");
       for (std::size_t i = 1; i < found->x().size(); ++i)
         if (found->x()[i] - found->x()[i - 1] < 1e-6)
@@ -134,8 +134,8 @@ std::string in_words(const Swing                 &swing,
   if (n > 2)
     neighbours.push_back((i + 1) % n);
   std::string words = "The arm of the " + wheels.list[i].name + " turns between " +
-                      to_text(swing.least / degree, 4) + " and " + to_text(swing.most / degree, 4) +
-                      " degrees";
+                      to_text(swing.least / one_degree, 4) + " and " +
+                      to_text(swing.most / one_degree, 4) + " degrees";
   for (const unsigned int other : neighbours)
     {
       double least = at[other].centre.distance(at[i].centre), most = least;

@@ -43,7 +43,7 @@ enum class Effect
 namespace chaindrive::parameters
 {
 template <>
-inline constexpr Texts<model::Effect, 24> texts_of<model::Effect>{
+inline constexpr Texts<model::Effect, 25> texts_of<model::Effect>{
     {{model::Effect::roller_bush_clearance, "roller-bush clearance"},
      {model::Effect::bush_pin_clearance, "bush-pin clearance"},
      {model::Effect::chain_bars, "chain bars"},
