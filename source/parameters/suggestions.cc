@@ -158,9 +158,9 @@ const std::vector<NotModelled> &not_modelled()
 {
   static const std::vector<NotModelled> all = {
       {{"misalignment", "skew", "axial stiffness", "lateral"},
-       "wheels are out of line by the entries Axial offset in mm and Tilt in degrees of each in "
-       "Drive/Wheels; shafts do not give way along their axes, and nothing else pushes the chain "
-       "sideways"},
+       "shafts do not deflect along their axes, and nothing pushes the chain sideways but wheels "
+       "that are out of line, by their entries Axial offset in mm and Tilt in degrees in "
+       "Drive/Wheels"},
       {{"strand", "multiplex", "duplex", "triplex"},
        "the chain has one strand; divide torque and driven inertia by the number of strands; only "
        "new strands share the load evenly"},
