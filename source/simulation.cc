@@ -200,7 +200,7 @@ scene::Scene make_scene(const model::Model             &model,
   return scene;
 }
 
-/// A refusal names the meshes whose flanks may be to blame.
+/// A refusal names what may be to blame: meshes with their flanks, wheels that are out of line.
 std::unique_ptr<dynamics::System> make_system(const model::Model &model,
                                               const drive::Drive &drive,
                                               const scene::Scene &scene,
@@ -214,12 +214,15 @@ std::unique_ptr<dynamics::System> make_system(const model::Model &model,
     }
   catch (const InputError &error)
     {
-      std::string meshes;
+      std::string advice;
       for (const drive::Sprocket &sprocket : drive.sprockets)
         if (!sprocket.mesh.empty())
-          meshes += " The " + sprocket.title + " touches with the flanks of the mesh '" +
+          advice += " The " + sprocket.title + " touches with the flanks of the mesh '" +
                     sprocket.mesh + "', which must fit as well.";
-      throw InputError(error.what() + meshes);
+      if (model.effects.is_on(model::Effect::misalignment))
+        advice += " Wheels are out of line: a smaller Axial offset in mm or Tilt in degrees, or a "
+                  "greater Drive/Sprockets/Side relief in mm, lets plates clear the teeth.";
+      throw InputError(error.what() + advice);
     }
 }
 } // namespace

@@ -158,9 +158,9 @@ const std::vector<NotModelled> &not_modelled()
 {
   static const std::vector<NotModelled> all = {
       {{"misalignment", "skew", "axial stiffness", "lateral"},
-       "wheels are out of line by the entries Axial offset in mm and Tilt in degrees of each in "
-       "Drive/Wheels; shafts do not give way along their axes, and nothing else pushes the chain "
-       "sideways"},
+       "shafts do not deflect along their axes, and nothing pushes the chain sideways but wheels "
+       "that are out of line, by their entries Axial offset in mm and Tilt in degrees in "
+       "Drive/Wheels"},
       {{"flank error", "wobble"},
        "all teeth have the same flanks and do not wobble; a sprocket of any shape can be imported, "
        "Drive/Sprockets/Driver mesh"},

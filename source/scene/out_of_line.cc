@@ -121,15 +121,28 @@ std::vector<Place> places(const drive::Drive &drive)
       const Tensor3 rise  = b.displacement - a.displacement;
       const Tensor3 along = in_space(last.bush - first.bush);
       check_span(drive, i, along + rise, {from, to});
+      // what the planes of the wheels ask for at the ends, over the whole span
+      const auto in_plane = [&](const WheelPlane &plane, const unsigned int link) {
+        const Tensor3 step =
+            in_space(layout.joints[(link + 1) % n].bush - layout.joints[link % n].bush);
+        return span.links * (plane.turn * step - step);
+      };
+      const Tensor3 leave = in_plane(from, span.first),
+                    enter = in_plane(to, span.first + span.links - 1);
       for (unsigned int m = 1; m < span.links; ++m)
         {
-          const drive::Layout::Joint &joint  = layout.joints[(span.first + m) % n];
-          const double                part   = static_cast<double>(m) / span.links;
-          const Tensor3               v      = in_space(joint.velocity);
-          Tensor3                     normal = (1. - part) * a.normal + part * b.normal;
+          const drive::Layout::Joint &joint = layout.joints[(span.first + m) % n];
+          const double                s     = static_cast<double>(m) / span.links;
+          // Hermite's cubic polynomials and their derivatives
+          const Tensor3 displacement = a.displacement + s * s * (3. - 2. * s) * rise +
+                                       s * (1. - s) * ((1. - s) * leave - s * enter),
+                        slope = 6. * s * (1. - s) * rise + (1. - s) * (1. - 3. * s) * leave -
+                                s * (2. - 3. * s) * enter;
+          const Tensor3 v      = in_space(joint.velocity);
+          Tensor3       normal = (1. - s) * a.normal + s * b.normal;
           normal /= normal.norm();
           all[(span.first + m) % n] = {
-              a.displacement + part * rise, v + v * along / along.norm_square() * rise, normal};
+              displacement, v + v * along / along.norm_square() * slope, normal};
         }
     }
   return all;

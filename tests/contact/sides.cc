@@ -77,6 +77,7 @@ void limit()
   scene::Scene scene = block_between_faces(0., vector(0., 0., 1e-3));
   for (scene::SidePair &pair : scene.sides[0].pairs)
     pair.slave.point[2] += (pair.slave.point[2] > 0. ? 1. : -1.) * (play + 1e-5);
+  scene.start_overlap   = 2e-5;
   const double critical = dynamics::System(scene, false).critical_time_step();
   ratio("critical step", critical, 2. / std::sqrt(2. * k / mass));
   for (const double share : {0.99, 1.01})
@@ -134,8 +135,8 @@ void shape()
   double worst = 0.;
   for (const double r : {60e-3, 74e-3, 76e-3, 79e-3, 80.5e-3})
     {
-      const Vector3 x     = at(r, 1., family.half_width - 1.9e-3);
-      const Touch   touch = project(side, x);
+      const Vector3        x     = at(r, 1., family.half_width - 1.9e-3);
+      const contact::Touch touch = project(side, x);
       if (touch.gap >= 0.)
         continue;
       for (unsigned int d = 0; d < 3; ++d)

@@ -101,10 +101,11 @@ void add_guides(const model::Model &model, const drive::Drive &drive, Scene &sce
 void add_sides(const model::Model &model, const drive::Drive &drive, Scene &scene);
 
 /// Takes the wheels of @p drive out of the plane, and the chain with them. On a wheel the chain is
-/// in the wheel's plane; a span, laid in line, is displaced by what its two ends are and, between
-/// them, in proportion. Links point from joint to joint, and twist from one plane to the other. So
-/// spans are longer by d^2 / (2 L), and where they run on and off pins are askew in their bushes:
-/// Scene::start_overlap. Throws InputError where a span would be askew by more than a tooth guides.
+/// in the wheel's plane; a span, laid in line, is displaced by a cubic polynomial that leaves each
+/// wheel in its plane (Hermite's). Links point from joint to joint, and twist from one plane to the
+/// other. So spans are longer by 3 d^2 / (5 L) for an offset d, and pins somewhat askew in their
+/// bushes: Scene::start_overlap. Throws InputError where a span would be askew by more than a tooth
+/// guides.
 void move_out_of_line(const drive::Drive &drive, Scene &scene);
 
 /// The law per area of a contact of elastic bodies of @p steel whose elements below the surface are
