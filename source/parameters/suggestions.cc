@@ -159,6 +159,11 @@ const std::vector<NotModelled> &not_modelled()
   static const std::vector<NotModelled> all = {
       {{"misalignment", "offset", "skew", "axial", "lateral"},
        "both sprockets lie in one plane and their shafts are parallel"},
+      {{"uneven strand", "load sharing", "multiplex", "duplex", "triplex"},
+       "strands are alike and share the load equally, see Drive/Chain/Strands; what tells them apart "
+       "is only in ratings and life"},
+      {{"rollerless", "bush chain"},
+       "the bushes of chains without rollers are taken as rollers on thinner bushes"},
       {{"flank error", "wobble"},
        "all teeth have the same flanks and do not wobble; a sprocket of any shape can be imported, "
        "Drive/Sprockets/Driver mesh"},
