@@ -160,7 +160,8 @@ const std::vector<NotModelled> &not_modelled()
       {{"misalignment", "offset", "skew", "axial", "lateral"},
        "both sprockets lie in one plane and their shafts are parallel"},
       {{"uneven strand", "load sharing", "multiplex", "duplex", "triplex"},
-       "strands are alike and share the load equally, see Drive/Chain/Strands; what tells them apart "
+       "strands are alike and share the load equally, see Drive/Chain/Strands; what tells them "
+       "apart "
        "is only in ratings and life"},
       {{"rollerless", "bush chain"},
        "the bushes of chains without rollers are taken as rollers on thinner bushes"},
