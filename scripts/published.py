@@ -392,9 +392,10 @@ def catalogue_topic(runs):
     return page("Masses, bearing areas, ratings", "catalogue", """Masses per metre of catalogues of chain makers; bearing areas of DIN 8187
         (recalled); rated powers of R. G. Budynas and J. K. Nisbett, Shigley's Mechanical Engineering Design, table 17-20 (recalled).""",
                 table("chain", rows),
-                """Masses that are `auto` are those of the solids of the model with a density of 7600 kg/m3, 3 % below
-        that of most steels; dimensions that no table has, such as pins' ends and the waists of plates, are
-        estimates. Why 06B and 32B deviate more is not explained. `Mass per pitch in g` takes a catalogue's value.""")
+                """Masses here are those of the solids of the model (`Mass from = dimensions`) with a density of 7600 kg/m3,
+        3 % below that of most steels; dimensions that no table has, such as pins' ends and the waists of plates, are
+        estimates. Why 06B and 32B deviate more is not explained. `Mass from = catalogue`, the default, takes a
+        catalogue's value.""")
 
 
 def sagging(run, case):

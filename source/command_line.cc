@@ -180,7 +180,7 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   visible.add_options()(
       "strands",
       value_of(c.design.strands)->value_name("N"),
-      "template: strands of the chain, 1 by default; select: at most so many, 3 by "
+      "template, select: strands of the chain, 1 by default; of a selection at most so many, 3 by "
       "default");
   visible.add_options()(
       "plugin",

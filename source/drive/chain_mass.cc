@@ -55,11 +55,8 @@ void set_chain_mass(const Parameters &parameters, Drive &d)
   set_solids();
   d.mass_per_pitch = listed; // but for round-off
   d.notes.push_back("Mass of the chain " + per_metre(listed) +
-                    ", of catalogues (Model/Mass from): "
-                    "plates, bushes and pins have " +
+                    ", of catalogues (Model/Mass from): plates, bushes and pins have " +
                     to_text(factor, 3) + " times the density " + to_text(density) +
-                    " kg/m3, for their solids and the "
-                    "rollers have " +
-                    per_metre(solids) + ".");
+                    " kg/m3, with which all solids have " + per_metre(solids) + ".");
 }
 } // namespace chaindrive::drive

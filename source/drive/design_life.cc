@@ -33,12 +33,11 @@ DesignLife design_life(const Facts &facts, const ChainDimensions &chain, const b
   unsigned int      largest = 0, smallest = 0;
   double            fastest = 0.; // of the loaded sprockets and the driver
   const std::size_t n       = facts.sprockets.size();
-  // of the strand that pulls most; flung are all alike
+  // of the strand that pulls most of what loads add to the tension of the slack span
   const double more       = uneven_share(facts.strands);
   const auto   tension_of = [&](const std::size_t span) {
-    return facts.strands == 1 ? facts.spans[span].tension :
-                                  more * (facts.spans[span].tension - facts.centrifugal_tension) +
-                                    facts.centrifugal_tension;
+    const double tension = facts.spans[span].tension;
+    return tension + (more - 1.) * (tension - facts.slack().tension);
   };
   for (std::size_t i = 0; i < n; ++i)
     {

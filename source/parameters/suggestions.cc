@@ -161,6 +161,12 @@ const std::vector<NotModelled> &not_modelled()
        "shafts do not deflect along their axes, and nothing pushes the chain sideways but wheels "
        "that are out of line, by their entries Axial offset in mm and Tilt in degrees in "
        "Drive/Wheels"},
+      {{"uneven strand", "load sharing", "multiplex", "duplex", "triplex"},
+       "strands are alike and share the load equally, see Drive/Chain/Strands; what tells them "
+       "apart "
+       "is only in ratings and life"},
+      {{"rollerless", "bush chain"},
+       "the bushes of chains without rollers are taken as rollers on thinner bushes"},
       {{"flank error", "wobble"},
        "all teeth have the same flanks and do not wobble; a sprocket of any shape can be imported, "
        "Drive/Sprockets/Driver mesh"},

@@ -246,10 +246,13 @@ int main()
               facts_of(p).tensile_strength == 0. && same == f.tensile_strength);
     }
   std::cout << "== masses of solids and of catalogues\n";
-  for (const char *name : {"06B", "08B"})
+  for (const auto &[name, from] : {std::pair{"06B", parameters::MassFrom::dimensions},
+                                   {"08B", parameters::MassFrom::dimensions},
+                                   {"06B", parameters::MassFrom::catalogue}})
     {
       Parameters p;
       p.drive.chain.designation = name;
+      p.model.mass_from         = from;
       for (const std::string &note : drive::make_drive(p).notes)
         if (note.find("catalogues") != std::string::npos)
           std::cout << "  " << name << ": " << note << '\n';

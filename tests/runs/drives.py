@@ -369,6 +369,5 @@ def picture(drive):
 
 
 drive = Drive()
-{"two-loads": two_loads, "idler": idler, "tensioner": tensioner, "guides": guides, "emergency-stop": emergency_stop, "camshaft": camshaft, "conveyor": conveyor, "motorcycle": motorcycle}[NAME](drive)
-{"two-loads": two_loads, "idler": idler, "tensioner": tensioner, "guides": guides, "emergency-stop": emergency_stop, "camshaft": camshaft, "conveyor": conveyor, "out-of-line": out_of_line}[NAME](drive)
+{"two-loads": two_loads, "idler": idler, "tensioner": tensioner, "guides": guides, "emergency-stop": emergency_stop, "camshaft": camshaft, "conveyor": conveyor, "out-of-line": out_of_line, "motorcycle": motorcycle}[NAME](drive)
 picture(drive)

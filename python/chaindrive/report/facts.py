@@ -125,6 +125,13 @@ def life_rows(life: dict[str, Any]) -> list[tuple[str, str]]:
     ]
 
 
+def strands_in_words(drive: dict[str, Any]) -> str:
+    """What tells that figures of a chain are those of one of its strands; nothing for a simplex chain."""
+    strands = drive.get("strands", 1)
+    return "" if strands == 1 else f"{strands} strands, of which one is described here and elsewhere; torques, loads of shafts, " \
+        "power, losses and energies are those of all: "
+
+
 def drive_tables(run: Run) -> str:
     """The drive's block. RunError when the summary has none."""
     drive = run.drive
@@ -134,7 +141,7 @@ def drive_tables(run: Run) -> str:
     q, alike = quantity, loads_are_alike(drive)
     pitches = number(drive["centre_distance"] / drive["pitch"], 4)
     chain = [
-        ("chain", f"{escape(drive['chain'])}, {drive['links']} links, pitch {q(drive['pitch'], 'm', 6)} ({q(drive['loaded_pitch'], 'm', 6)} under load), "
+        ("chain", f"{strands_in_words(drive)}{escape(drive['chain'])}, {drive['links']} links, pitch {q(drive['pitch'], 'm', 6)} ({q(drive['loaded_pitch'], 'm', 6)} under load), "
          f"{q(drive['mass_per_metre'], 'kg/m', 3)}"),
         ("centre distance, ratio", f"{q(drive['centre_distance'], 'm', 6)}, {pitches} pitches; {number(drive['ratio'], 4)}"),
         ("power, chain speed", f"{q(drive['power'], 'W')}, {q(drive['chain_speed'], 'm/s')}"),
