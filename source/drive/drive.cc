@@ -518,9 +518,13 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
   if (d.layout.tensioner)
     d.layout.tensioner->carry(d.sprockets[d.layout.tensioner->wheel].solid.mass,
                               gravity(parameters));
-  const auto          &model   = given.capabilities();
-  std::optional<Guide> pressed = make_pressed_guide(
-      entries, d.chain, d.layout, gravity(parameters), model.is_elastic && !model.is_reduced);
+  const auto                 &model   = given.capabilities();
+  std::optional<Guide>        pressed = make_pressed_guide(entries,
+                                                    d.chain,
+                                                    forms,
+                                                    d.layout,
+                                                    gravity(parameters),
+                                                    model.is_elastic && !model.is_reduced);
   std::optional<RestingGuide> at_rest;
   if (pressed)
     at_rest = resting_guide(*pressed, d.chain);

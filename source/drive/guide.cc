@@ -119,6 +119,18 @@ Tensor<1, 2> left_of(const Tensor<1, 2> &v)
   return result;
 }
 
+/// The normal, outwards, of the line that touches the pitch circles at the ends of the slack span.
+Tensor<1, 2> normal_of_slack(const Layout &layout, const std::vector<ToothForm> &forms)
+{
+  const Tensor<1, 2> line   = layout.sprockets[1].centre - layout.sprockets[0].centre;
+  const auto         radius = [&](const unsigned int i) {
+    return 0.5 * layout.sprockets[i].turn * forms[i].pitch_diameter;
+  };
+  const double along = (radius(0) - radius(1)) / line.norm();
+  return (along * line - std::sqrt(1. - along * along) * layout.sense * left_of(line)) /
+         line.norm();
+}
+
 /// How deep the plates of any joint of the slack span are in @p guide at @p travel, m; below zero
 /// as far as they are from it.
 double depth_at(const Guide &guide, const Layout &layout, const double radius, const double travel)
@@ -250,11 +262,12 @@ std::string Guide::in_words(const double slack, const unsigned int strands) cons
   return held->in_words("guide", slack, strands, "the middle of its line");
 }
 
-std::optional<Guide> make_pressed_guide(const parameters::Drive &drive,
-                                        const ChainDimensions   &chain,
-                                        const Layout            &layout,
-                                        const double             gravity,
-                                        const bool               has_nodes)
+std::optional<Guide> make_pressed_guide(const parameters::Drive      &drive,
+                                        const ChainDimensions        &chain,
+                                        const std::vector<ToothForm> &forms,
+                                        const Layout                 &layout,
+                                        const double                  gravity,
+                                        const bool                    has_nodes)
 {
   const parameters::Guide &given = drive.sprockets.driver().guide;
   if (!given.is_sprung())
@@ -263,16 +276,18 @@ std::optional<Guide> make_pressed_guide(const parameters::Drive &drive,
   Guide guide{0, line_of(given, of_driver, layout.sense), given.friction, given.stiffness};
 
   // on which side of the straight span it is, and how far
-  const double        half    = 0.5 * chain.inner_plate_height;
-  const Layout::Span &span    = layout.slack();
-  const Point<2>      from    = layout.joints[span.first].bush;
-  const auto          beside  = [&](const Point<2> &p) { return span.normal * (p - from); };
-  const unsigned int  n       = guide.curve.n_pieces();
-  const Point<2>      middle  = guide.curve.at(0.5 * n);
-  const Tensor<1, 2>  towards = (beside(middle) > 0. ? -1. : 1.) * span.normal;
-  double              nearest = std::numeric_limits<double>::infinity();
+  const double       half    = 0.5 * chain.inner_plate_height;
+  const Tensor<1, 2> normal  = normal_of_slack(layout, forms);
+  const double       touches = 0.5 * layout.sprockets[0].turn * forms[0].pitch_diameter;
+  const auto         beside  = [&](const Point<2> &p) {
+    return normal * (p - layout.sprockets[0].centre) - touches;
+  };
+  const unsigned int n       = guide.curve.n_pieces();
+  const Point<2>     middle  = guide.curve.at(0.5 * n);
+  const Tensor<1, 2> towards = (beside(middle) > 0. ? -1. : 1.) * normal;
+  double             nearest = std::numeric_limits<double>::infinity();
   for (unsigned int i = 0; i <= 8 * n; ++i)
-    nearest = std::min(nearest, -(towards * span.normal) * beside(guide.curve.at(0.125 * i)));
+    nearest = std::min(nearest, -(towards * normal) * beside(guide.curve.at(0.125 * i)));
   if (nearest < half)
     throw InputError(of_driver +
                      "Points in mm: without travel the guide must stand clear of the "
@@ -281,7 +296,7 @@ std::optional<Guide> make_pressed_guide(const parameters::Drive &drive,
                      in_mm(half, 4) + "; move its points away by " + in_mm(half - nearest, 4) +
                      ", or turn them away from the chain.");
   unsigned int hint = n;
-  if (guide.curve.nearest(middle - beside(middle) * span.normal, hint).distance < 0.)
+  if (guide.curve.nearest(middle - beside(middle) * normal, hint).distance < 0.)
     guide.curve.reverse();
 
   // which way it moves

@@ -39,6 +39,22 @@ void set_speed(Layout &layout, const unsigned int i, const double speed)
   wheel.speed = speed;
 }
 
+/// Lets the joints in @p span, which a guide bends, run along their polygon.
+void run_along(Layout &layout, const Layout::Span &span)
+{
+  const unsigned int n     = layout.joints.size();
+  const auto         joint = [&](const unsigned int i) -> Layout::Joint         &{
+    return layout.joints[(span.first + i) % n];
+  };
+  const double before = joint(0).velocity.norm(), behind = joint(span.links).velocity.norm();
+  for (unsigned int i = 1; i < span.links; ++i)
+    {
+      const Vector along = joint(i + 1).bush - joint(i - 1).bush;
+      joint(i).velocity =
+          (before + static_cast<double>(i) / span.links * (behind - before)) / along.norm() * along;
+    }
+}
+
 /// Of its spring at the axis of its wheel or the middle of its guide, N.
 double force_of(const Tensioner &tensioner)
 {
@@ -153,5 +169,7 @@ void settle(Layout                          &layout,
                 i,
                 layout.sprockets[i].turn * layout.sprockets[0].speed * wheels[0].seats /
                     wheels[i].seats);
+  if (guide != nullptr)
+    run_along(layout, layout.slack());
 }
 } // namespace chaindrive::drive

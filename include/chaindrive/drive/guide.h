@@ -51,11 +51,12 @@ std::vector<Guide> make_guides(const parameters::Drive      &drive,
 /// @param gravity  that acts, m/s2
 /// @throws InputError for one that a drive cannot have, whose points are not beside the straight
 /// span, or that does not come to the chain.
-std::optional<Guide> make_pressed_guide(const parameters::Drive &drive,
-                                        const ChainDimensions   &chain,
-                                        const Layout            &layout,
-                                        double                   gravity,
-                                        bool                     has_nodes);
+std::optional<Guide> make_pressed_guide(const parameters::Drive      &drive,
+                                        const ChainDimensions        &chain,
+                                        const std::vector<ToothForm> &forms,
+                                        const Layout                 &layout,
+                                        double                        gravity,
+                                        bool                          has_nodes);
 
 /// The same for statics, which moves @p guide; it must live as long.
 RestingGuide resting_guide(Guide &guide, const ChainDimensions &chain);
