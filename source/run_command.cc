@@ -17,6 +17,7 @@
 #include <chaindrive/observe/until.h>
 #include <chaindrive/plugins.h>
 #include <chaindrive/scene/plan.h>
+#include <chaindrive/simulated_life.h>
 #include <chaindrive/simulation.h>
 #include <chaindrive/statics/part_stiffness.h>
 #include <chaindrive/utilities/announce.h>
@@ -379,6 +380,7 @@ void end_files(Prepared &prepared)
   warn(log, hourglass_sentence(summary.values));
   warn(log, overload);
   observe::print_summary(log, summary.values);
+  log << simulated_life_in_words(summary.values["life"]);
   if (!errors.empty())
     log << accuracy_sentence(errors) << '\n';
   PhaseTimer::print(log, summary.phases);

@@ -6,6 +6,7 @@
 #include <chaindrive/observe/elastic_bodies.h>
 #include <chaindrive/reduction/kept_basis.h>
 #include <chaindrive/scene/build.h>
+#include <chaindrive/simulated_life.h>
 #include <chaindrive/simulation.h>
 #include <chaindrive/statics/part_stiffness.h>
 #include <chaindrive/utilities/errors.h>
@@ -55,26 +56,6 @@ void add_validity(files::Json &values)
         std::none_of(values["events"].begin(),
                      values["events"].end(),
                      [](const files::Json &event) { return event["in_window"].get<bool>(); });
-}
-
-/// Adds to `life` what the friction work of the joints in the window says of their wear.
-/// They are those of all @p strands.
-void add_simulated_wear(files::Json             &values,
-                        const drive::DesignLife &life,
-                        const double             mu,
-                        const unsigned int       strands)
-{
-  const std::string joint = parameters::text_of(scene::Interface::bush_pin);
-  if (!(mu > 0.) || !values.contains("losses") || !values["losses"].contains(joint))
-    return;
-  const files::Json &work = values["losses"][joint]["friction"];
-  const double       time = values["window_energy"]["duration"];
-  if (!work.is_number() || !std::isfinite(work.get<double>()) || !(time > 0.))
-    return;
-  const double rate = life.joints.rate_of_losses(work.get<double>() / (strands * time), mu);
-  values["life"]["simulated_wear_rate"] = rate;
-  if (rate > 0.)
-    values["life"]["simulated_wear_hours"] = life.elongation / rate / 3600.;
 }
 
 /// The shift of one joint that lets it carry the force that it is placed for: Newton's method with
@@ -304,16 +285,19 @@ observe::Summary Simulation::summary() const
   values["checks"]             = drive::to_json(drive::check_design(parameters, facts));
   values["drive"]              = drive::to_json(facts);
   const drive::DesignLife life = this->life();
-  values["life"]               = drive::to_json(life);
-  add_simulated_wear(values, life, model.contact.bush_pin_friction, facts.strands);
   values["critical_time_step"] = step.limit;
   values["time_step"]          = step.step;
   values["steps"]              = done_;
   values["window"]             = window().summary(system_->world.time);
-  values["ranks"]              = n_ranks_in(communicator());
-  values["memory_peak"]        = observe::memory_peak(communicator());
-  values["wall_seconds"]       = system_->timer.elapsed();
-  values["cpu_seconds"]        = observe::cpu_seconds(summary.phases);
+  files::Json estimates        = drive::to_json(life);
+  if (values.contains("life")) // what was observed
+    estimates.update(values["life"]);
+  values["life"] = estimates;
+  add_simulated_life(values, life, facts, model.contact.bush_pin_friction);
+  values["ranks"]        = n_ranks_in(communicator());
+  values["memory_peak"]  = observe::memory_peak(communicator());
+  values["wall_seconds"] = system_->timer.elapsed();
+  values["cpu_seconds"]  = observe::cpu_seconds(summary.phases);
   add_validity(values);
   values = observe::in_order(values);
   return summary;

@@ -8,12 +8,22 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <optional>
 #include <ostream>
 
 namespace chaindrive::drive
 {
 namespace
 {
+/// What the standard lists.
+std::optional<double> listed_strength(const ChainDimensions &chain)
+{
+  return has_own_dimensions(chain) ? std::nullopt : minimum_dynamic_strength(chain.designation);
+}
+
+std::string in_mpa(const double stress) { return to_text(1e-6 * stress, 3); }
+} // namespace
+
 std::string in_hours(const double hours)
 {
   return !std::isfinite(hours) ? "endless" :
@@ -22,8 +32,18 @@ std::string in_hours(const double hours)
                                  std::to_string(100 * std::lround(0.01 * hours)) + " h";
 }
 
-std::string in_mpa(const double stress) { return to_text(1e-6 * stress, 3); }
-} // namespace
+PlateFatigue plate_fatigue(const ChainDimensions &chain)
+{
+  const CatalogueChain *row    = find_chain(chain.designation);
+  const auto            listed = listed_strength(chain);
+  return {listed ? *listed :
+                   dynamic_strength_of_plates(chain.pitch,
+                                              chain.inner_plate_height,
+                                              chain.inner_plate_thickness,
+                                              chain.roller_diameter,
+                                              chain.pin_diameter),
+          row != nullptr && !has_own_dimensions(chain) ? row->tensile_strength : 0.};
+}
 
 DesignLife design_life(const Facts &facts, const ChainDimensions &chain, const bool kept)
 {
@@ -66,22 +86,16 @@ DesignLife design_life(const Facts &facts, const ChainDimensions &chain, const b
                          frame_hours(facts.rated_power / facts.power, life.elongation, n_links) :
                          endless;
 
-  const auto listed     = minimum_dynamic_strength(facts.chain);
-  life.strength_listed  = listed && !facts.own_dimensions;
-  life.dynamic_strength = life.strength_listed ?
-                              *listed :
-                              dynamic_strength_of_plates(facts.pitch,
-                                                         chain.inner_plate_height,
-                                                         chain.inner_plate_thickness,
-                                                         chain.roller_diameter,
-                                                         chain.pin_diameter);
-  const PlateFatigue plates{life.dynamic_strength, facts.tensile_strength};
-  const double       range = plates.from_zero(least, most);
-  life.plate_safety        = range > 0. ? plates.endurance() / range : endless;
-  life.plate_hours         = facts.tooth_frequency > 0. ?
-                                 hours(plates.cycles(least, most) * n_links / facts.tooth_frequency) :
-                                 endless;
-  const Ratings ratings    = ratings_of(facts.chain,
+  life.plates                = plate_fatigue(chain);
+  life.dynamic_strength      = life.plates.dynamic_strength;
+  life.strength_listed       = listed_strength(chain).has_value();
+  const PlateFatigue &plates = life.plates;
+  const double        range  = plates.from_zero(least, most);
+  life.plate_safety          = range > 0. ? plates.endurance() / range : endless;
+  life.plate_hours           = facts.tooth_frequency > 0. ?
+                                   hours(plates.cycles(least, most) * n_links / facts.tooth_frequency) :
+                                   endless;
+  const Ratings ratings      = ratings_of(facts.chain,
                                      facts.pitch,
                                      smallest,
                                      fastest * 30. / dealii::numbers::PI,
@@ -90,6 +104,11 @@ DesignLife design_life(const Facts &facts, const ChainDimensions &chain, const b
       facts.power > 0. ?
           hours_of_rollers(ratings.rollers(), facts.power / strand_factor(facts.strands), n_links) :
           endless;
+  life.capacity =
+      facts.power > 0. ? ratings.rollers() * strand_factor(facts.strands) / facts.power : 0.;
+  life.tension       = most;
+  life.pressure      = facts.joint_pressure;
+  life.galling_speed = facts.highest_speed;
 
   const auto stress = [most](const double height, const double waist, const double hole, double t) {
     return plate_stress(most, height, waist * height, hole, t);
@@ -143,7 +162,19 @@ std::vector<files::Described> described_life()
       {"life/simulated_wear_rate",
        "1/s",
        "elongation per second of the friction work in the window"},
-      {"life/simulated_wear_hours", "h", "hours until that elongation by this rate"}};
+      {"life/simulated_wear_hours", "h", "hours until that elongation by this rate"},
+      {"life/simulated_roller_hours",
+       "h",
+       "hours until rollers or bushes fail, by the peaks of impacts on the driver"},
+      {"life/impacts/peak", "N", "peak that does the damage of these impacts"},
+      {"life/impacts/rated_peak", "N", "their mean at the rated power of rollers and bushes"},
+      {"life/fatigue/pin/bending", "Pa", "range of the bending stress of a pin, largest"},
+      {"life/fatigue/pin/pressure", "Pa", "pressure between pin and bush, largest"}};
+  for (const std::string plate : {"life/fatigue/inner_plate", "life/fatigue/outer_plate"})
+    for (const auto &[name, meaning] :
+         {std::make_pair("waist", "largest range of the mean stress of the waist"),
+          std::make_pair("hole", "largest range of the stress at the edge of the hole")})
+      all.push_back({plate + "/" + name, "Pa", meaning});
   for (const std::string plate : {"life/inner_plate", "life/outer_plate"})
     for (const auto &[name, meaning] : {std::make_pair("waist", "mean stress of the waist"),
                                         std::make_pair("net", "mean stress beside the hole"),
@@ -174,6 +205,6 @@ void print(std::ostream &out, const DesignLife &life)
            " and " + in_mpa(life.outer.waist) + " MPa");
   line("rollers, bushes", in_hours(life.roller_hours) + " of impacts");
   line("pins",
-       "bending " + in_mpa(life.pin.bending) + " MPa, shear " + in_mpa(life.pin.shear) + " MPa");
+       "bending " + in_mpa(life.pin.bending) + ", shear " + in_mpa(life.pin.shear) + " MPa");
 }
 } // namespace chaindrive::drive

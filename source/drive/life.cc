@@ -58,6 +58,11 @@ double PlateFatigue::endurance() const
   return dynamic_strength * std::pow(test_cycles / limit_cycles, 1. / plate_exponent);
 }
 
+PlateFatigue PlateFatigue::weaker(const double deviations) const
+{
+  return {dynamic_strength * (1. - deviations * plate_scatter), tensile_strength};
+}
+
 double PlateFatigue::cycles(const double least, const double most) const
 {
   const double force = from_zero(least, most);
@@ -108,6 +113,15 @@ std::vector<Cycle> rainflow(const std::vector<double> &history)
   return cycles;
 }
 
+std::vector<Cycle> rainflow_of_turn(const std::vector<double> &turn)
+{
+  std::vector<double> values = turn;
+  std::rotate(values.begin(), std::max_element(values.begin(), values.end()), values.end());
+  if (!values.empty())
+    values.push_back(values.front());
+  return rainflow(values);
+}
+
 double turns_of(const PlateFatigue &plates, const std::vector<Cycle> &cycles)
 {
   double damage = 0.;
@@ -127,6 +141,30 @@ PlateStress plate_stress(const double tension,
   const double net    = force / ((height - hole) * thickness);
   const double factor = 12.882 + x * (-52.714 + x * (89.762 - 51.667 * x)); // 0.15 <= x <= 0.75
   return {force / (waist_height * thickness), net, factor * net};
+}
+
+double seat_force(const double tension, const double teeth)
+{
+  const double a = 2. * PI / teeth, phi = PI / 180. * (35. - 120. / teeth);
+  return tension * std::sin(a) / std::sin(a + phi);
+}
+
+PeakLife life_of_peaks(const std::vector<double> &peaks,
+                       const double               seat,
+                       const double               capacity,
+                       const double               links)
+{
+  double mean = 0., damage = 0.;
+  for (const double peak : peaks)
+    {
+      mean += peak / static_cast<double>(peaks.size());
+      damage += std::pow(peak, roller_exponent) / static_cast<double>(peaks.size());
+    }
+  const double peak  = std::pow(damage, 1. / roller_exponent);
+  const double rated = std::min(mean + (capacity - 1.) * seat, capacity * mean);
+  return {peak,
+          rated,
+          peak > 0. ? 15000. * (links / 100.) * std::pow(rated / peak, roller_exponent) : endless};
 }
 
 PinStress pin_stress(const double tension,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/catalogue.h>
+#include <chaindrive/drive/design_life.h>
 #include <chaindrive/model/arriving_joints.h>
 #include <chaindrive/model/decide.h>
 #include <chaindrive/model/model.h>
@@ -131,6 +132,7 @@ Model make_model(const Parameters &p, const drive::Drive &drive, const Effects &
   model.loads = loads_of(p.loads, effects);
   if (const drive::CatalogueChain *row = drive::find_chain(p.drive.chain.designation))
     model.tensile_strength = row->strength_of(drive.strands) / drive.strands;
+  model.plates = drive::plate_fatigue(drive.chain);
 
   model.time   = p.time;
   model.output = p.output;

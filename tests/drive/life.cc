@@ -7,6 +7,7 @@
 #include <chaindrive/drive/catalogue.h>
 #include <chaindrive/drive/life.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -107,6 +108,24 @@ int main()
   }());
   verdict("nothing of a constant", rainflow({1., 1., 1.}).empty() && rainflow({}).empty());
 
+  // the same history again and again: ASTM E1049-85, Fig. 7, wherever it begins
+  std::map<double, double> repeated;
+  for (const Cycle &cycle : rainflow_of_turn({-2., 1., -3., 5., -1., 3., -4., 4.}))
+    repeated[cycle.range] += cycle.count;
+  verdict("repeating history of ASTM E1049, Fig. 7: 3, 4, 7 and 9",
+          repeated == std::map<double, double>{{3., 1.}, {4., 1.}, {7., 1.}, {9., 1.}});
+  bool same = true;
+  for (int first = 0; first < 8; ++first)
+    {
+      std::vector<double> turn = {-2., 1., -3., 5., -1., 3., -4., 4.};
+      std::rotate(turn.begin(), turn.begin() + first, turn.end());
+      std::map<double, double> found;
+      for (const Cycle &cycle : rainflow_of_turn(turn))
+        found[cycle.range] += cycle.count;
+      same = same && found == repeated;
+    }
+  verdict("wherever a turn begins", same && rainflow_of_turn({}).empty());
+
   // Goodman: F_max = F_d + F_min (F_u - F_d) / F_u
   const PlateFatigue plates{3850., 21800.};
   verdict("dynamic strength: 3e6 cycles", near(plates.cycles(0., 3850.), 3e6, 1e-12));
@@ -119,6 +138,32 @@ int main()
           near(turns_of(plates, {{5000., 2500., 1.}, {5000., 2500., 0.5}}),
                plates.cycles(0., 5000.) / 1.5,
                1e-12));
+
+  verdict("two deviations are a tenth of the force, a factor of 2.87 in cycles",
+          near(plates.weaker(2.).cycles(0., 5000.) * std::pow(0.9, -10.),
+               plates.cycles(0., 5000.),
+               1e-12));
+
+  // impacts: 15,000 hours at the rated power with equal peaks; as the power where a roller has its
+  // force from the power alone; hardly by it where the force is of impacts
+  verdict("peaks at the rated power",
+          near(life_of_peaks({900., 900.}, 400., 1., 100.).hours, 15000., 1e-12));
+  verdict("half of the rated power, without impacts",
+          near(life_of_peaks({400., 400.}, 400., 2., 100.).hours, 15000. * std::sqrt(32.), 1e-12));
+  verdict(
+      "and with impacts of the same size",
+      near(life_of_peaks({800., 800.}, 400., 2., 100.).hours, 15000. * std::pow(1.5, 2.5), 1e-12));
+  verdict("peaks that scatter do more",
+          near(life_of_peaks({600., 1200.}, 400., 1., 100.).hours,
+               15000. * 2. / (std::pow(600. / 900., 2.5) + std::pow(1200. / 900., 2.5)),
+               1e-12));
+  verdict("above the rated power as the power",
+          near(life_of_peaks({900., 900.}, 400., 0.5, 100.).hours, 15000. / std::sqrt(32.), 1e-12));
+  verdict("without peaks", life_of_peaks({}, 400., 2., 100.).hours == endless);
+  // Binder: forces on the first roller of 6 teeth with a pressure angle of 15 degrees
+  verdict(
+      "force of the first roller",
+      near(seat_force(1000., 6.), 1000. * std::sqrt(0.75) / std::sin(75. * M_PI / 180.), 1e-12));
 
   // a joint under a constant force: friction work mu F r angle at each turn
   const JointWear joints{15.875e-3, 5.08e-3, 70e-6, 120.};

@@ -23,15 +23,24 @@ struct DesignLife
   double      wear_hours; ///< until then; known within a factor of wear_scatter
   double frame_hours; ///< the same in the frame of ISO 10823: 15,000 hours of 3 % at rated power
 
-  double dynamic_strength; ///< of ISO 606, or of its formula for the plates; N
-  bool   strength_listed;  ///< whether the standard lists it
-  double plate_safety;     ///< endurance over the force from zero that does the same; 0: no force
-  double plate_hours;      ///< until plates fail, in the mean
-  double roller_hours;     ///< until rollers or bushes fail under their impacts
+  double       dynamic_strength; ///< of ISO 606, or of its formula for the plates; N
+  bool         strength_listed;  ///< whether the standard lists it
+  PlateFatigue plates;           ///< by that strength
+  double       plate_safety; ///< endurance over the force from zero that does the same; 0: no force
+  double       plate_hours;  ///< until plates fail, in the mean
+  double       roller_hours; ///< until rollers or bushes fail under their impacts
 
-  PlateStress inner, outer; ///< under the tension of the tight span
-  PinStress   pin;          ///< under the same
+  double      capacity; ///< rated power of rollers and bushes over that of the drive; 0: no power
+  double      tension;  ///< largest of a span, N
+  PlateStress inner, outer;  ///< under that tension
+  PinStress   pin;           ///< under the same
+  double      pressure;      ///< of the joints under the same, Pa
+  double      galling_speed; ///< of the driver, above which joints gall, rad/s
 };
+
+/// What plates of this @p chain endure: the dynamic strength that ISO 606 lists, or that of its
+/// formula for plates that no table knows.
+PlateFatigue plate_fatigue(const ChainDimensions &chain);
 
 /// @p kept: the shafts cannot be moved when the chain wears.
 DesignLife design_life(const Facts &facts, const ChainDimensions &chain, bool kept);
@@ -42,4 +51,7 @@ std::vector<files::Described> described_life();
 
 /// The block of the plan.
 void print(std::ostream &out, const DesignLife &life);
+
+/// Hours in words: two digits, or "endless".
+std::string in_hours(double hours);
 } // namespace chaindrive::drive

@@ -66,7 +66,13 @@ struct PlateFatigue
 
   /// Force that is endured endlessly, from zero.
   double endurance() const;
+
+  /// Plates that are weaker than these by the standard deviation of their strength, so many times.
+  PlateFatigue weaker(double deviations) const;
 };
+
+/// Standard deviation of the dynamic strength of plates over its mean.
+inline constexpr double plate_scatter = 0.05;
 
 /// A cycle of a history: range, mean, and how often it is counted, 0.5 or 1.
 struct Cycle
@@ -80,6 +86,10 @@ void add_turning_point(std::vector<double> &points, double value);
 /// Rainflow cycles of a @p history in the order in which they close, then those that do not: ASTM
 /// E1049-85, 5.4.4. Values between turning points do not matter.
 std::vector<Cycle> rainflow(const std::vector<double> &history);
+
+/// Cycles of a @p turn that repeats, all of which close: it is counted from its largest value on,
+/// as ASTM E1049-85, 5.4.5, does.
+std::vector<Cycle> rainflow_of_turn(const std::vector<double> &turn);
 
 /// Turns of the chain until the plates fail by the cycles of one turn (Palmgren and Miner).
 double turns_of(const PlateFatigue &plates, const std::vector<Cycle> &cycles);
@@ -95,6 +105,28 @@ struct PlateStress
 };
 PlateStress
 plate_stress(double tension, double height, double waist_height, double hole, double thickness);
+
+/// Exponent of the life of rollers and bushes: (15000 / hours)^0.4 of the rating.
+inline constexpr double roller_exponent = 2.5;
+
+/// Force [N] between the first roller on a sprocket of so many @p teeth and its tooth under a
+/// @p tension [N] of the span before it, without impact: F sin(2 pi / z) / sin(2 pi / z + phi),
+/// phi = 35 - 120 / z degrees (Binder, Mechanics of the Roller Chain Drive, 1956).
+double seat_force(double tension, double teeth);
+
+/// Hours that rollers and bushes endure impacts with @p peaks [N]. The drive with the rated power
+/// of the ANSI equation endures its own for 15,000 hours and 100 links. These are the same but that
+/// the force of a roller without impact is that of its power: @p seat [N] is that force here, @p
+/// capacity the rated power over that of the drive. Peaks of different size do damage as their
+/// power roller_exponent. Never better than by the powers alone. Endless without peaks.
+struct PeakLife
+{
+  double peak;  ///< that does the damage of them all, N
+  double rated; ///< mean peak at the rated power, N
+  double hours;
+};
+PeakLife
+life_of_peaks(const std::vector<double> &peaks, double seat, double capacity, double links);
 
 /// Stress of a solid or hollow pin [Pa] that the outer plates hold at the distance @p length of
 /// their middles, and whose bush presses evenly on @p bush_length.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/drive/drive.h>
+#include <chaindrive/drive/life.h>
 #include <chaindrive/model/effects.h>
 #include <chaindrive/parameters/parameters.h>
 
@@ -70,14 +71,15 @@ struct Model
   unsigned int         tooth_facets = 0; ///< chords of a rigid tooth; 0: smooth
 
   // what acts between them
-  Contact            contact;
-  Value              roller_tooth_stiffness, roller_bush_stiffness; ///< N/m
-  Value              side_stiffness;  ///< N/m, of rigid plates; acts with misalignment
-  std::vector<Value> tooth_stiffness; ///< of each sprocket, N/m; acts with tooth compliance
-  double             stiffness_per_pitch = 0.; ///< of the chain, N/m
-  double             chain_damping_ratio = 0.; ///< of two lumps on their bar; 0: off
-  parameters::Loads  loads; ///< with coefficients of effects that are off set to zero
-  double             tensile_strength = 0.; ///< of one strand, N; 0: not known
+  Contact             contact;
+  Value               roller_tooth_stiffness, roller_bush_stiffness; ///< N/m
+  Value               side_stiffness;  ///< N/m, of rigid plates; acts with misalignment
+  std::vector<Value>  tooth_stiffness; ///< of each sprocket, N/m; acts with tooth compliance
+  double              stiffness_per_pitch = 0.; ///< of the chain, N/m
+  double              chain_damping_ratio = 0.; ///< of two lumps on their bar; 0: off
+  parameters::Loads   loads; ///< with coefficients of effects that are off set to zero
+  double              tensile_strength = 0.;       ///< of one strand, N; 0: not known
+  drive::PlateFatigue plates           = {0., 0.}; ///< what its plates endure
 
   // what the run is, and what is observed of it
   parameters::Time     time;

@@ -116,13 +116,24 @@ def life_rows(life: dict[str, Any]) -> list[tuple[str, str]]:
 
     simulated = life.get("simulated_wear_hours")
     safety = f"safety {number(life['plate_safety'], 3)}, " if "plate_safety" in life else ""
-    return [
+    rows = [
         (f"wear to {number(100 * life['elongation'], 3)}\u00a0%", f"{hours(life.get('wear_hours'))}, within a factor of 3"
          + (f"; by the friction work of this run {hours(simulated)}" if simulated else "")
          + f"; frame of ISO\u00a010823 {hours(life.get('frame_hours'))}; lubrication {escape(life['lubrication'])} or better"),
         ("plates", f"dynamic strength {quantity(life['dynamic_strength'], 'N')}, {safety}{hours(life.get('plate_hours'))}"),
-        ("rollers and bushes", f"{hours(life.get('roller_hours'))} of impacts"),
     ]
+    if "fatigue" in life:
+        fatigue = life["fatigue"]
+        safety = f"safety {number(life['simulated_plate_safety'], 3)}, " if "simulated_plate_safety" in life else ""
+        rows.append(("plates, by the tensions of this run",
+                     f"{safety}{hours(life.get('simulated_plate_hours'))}, weak ones {hours(life.get('early_plate_hours'))}; largest ranges at the hole "
+                     f"{quantity(fatigue['inner_plate']['hole'], 'Pa', 3)} inside, {quantity(fatigue['outer_plate']['hole'], 'Pa', 3)} outside; "
+                     f"pins bend by {quantity(fatigue['pin']['bending'], 'Pa', 3)}, press with {quantity(fatigue['pin']['pressure'], 'Pa', 3)}. "
+                     f"Turns of the chain from {number(fatigue['pitches'])} pitches of each link, which differ by "
+                     f"{number(100 * fatigue['step'], 2)}\u00a0% of the range where they join"))
+    rows.append(("rollers and bushes", f"{hours(life.get('roller_hours'))} of impacts"
+                 + (f"; by the peaks of this run {hours(life.get('simulated_roller_hours'))}" if "impacts" in life else "")))
+    return rows
 
 
 def strands_in_words(drive: dict[str, Any]) -> str:
