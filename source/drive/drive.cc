@@ -438,6 +438,15 @@ void set_stiffnesses(const Parameters &parameters, const StiffnessOf &stiffness_
   for (const Sprocket &sprocket : d.sprockets)
     if (sprocket.role == Role::driven)
       d.nominal_tension += sprocket.mean_torque / (0.5 * sprocket.form.pitch_diameter);
+  for (const Sprocket &sprocket : d.sprockets)
+    refuse_soft_shaft(sprocket.name,
+                      sprocket.bearing,
+                      sprocket.coupling,
+                      d.nominal_tension,
+                      sprocket.role == Role::driver ?
+                          d.nominal_tension * 0.5 * sprocket.form.pitch_diameter :
+                          sprocket.mean_torque,
+                      d.chain.pitch);
   // contact stiffness depends on the load: without one, a load that strains steel visibly
   d.reference_load          = d.nominal_tension > 0. ?
                                   d.nominal_tension :

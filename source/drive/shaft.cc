@@ -93,4 +93,27 @@ make_bearing(const parameters::Sprocket &wheel, const double share, const double
                         2. * given.damping_ratio * std::sqrt(bearing.stiffness[d] * bearing.mass);
   return bearing;
 }
+
+void refuse_soft_shaft(const std::string             &name,
+                       const std::optional<Bearing>  &bearing,
+                       const std::optional<Coupling> &coupling,
+                       const double                   tension,
+                       const double                   torque,
+                       const double                   pitch)
+{
+  const std::string section = "Drive/Wheels/" + name + "/";
+  for (const unsigned int d : {0U, 1U})
+    if (bearing && tension > 0.5 * pitch * bearing->stiffness[d])
+      throw InputError(section + "Bearing/Stiffness " + (d == 0 ? "" : "along y ") + "in N/m = " +
+                       to_text(bearing->stiffness[d]) + " lets the tension of the load, " +
+                       to_text(tension, 4) + " N, move the wheel by " +
+                       in_mm(tension / bearing->stiffness[d], 4) + "; at most half a pitch, " +
+                       in_mm(0.5 * pitch, 4) + ", is accepted. Choose at least " +
+                       to_text_at_least(2. * tension / pitch, 4) + " N/m, or a smaller load.");
+  if (coupling && torque > PI * coupling->stiffness)
+    throw InputError(section + "Coupling/Stiffness in N m/rad = " + to_text(coupling->stiffness) +
+                     " lets the torque of the load, " + to_text(torque, 4) +
+                     " N m, twist it by more than half a turn. Choose at least " +
+                     to_text_at_least(torque / PI, 4) + " N m/rad, or a smaller load.");
+}
 } // namespace chaindrive::drive

@@ -192,12 +192,14 @@ void frequencies()
 
   // soft behind the driven sprocket: the machine on its coupling, all else as good as held
   p                                            = a_drive(false);
+  p.loads.resisting_torque                     = 1.; // which they must not twist by half a turn
   p.drive.sprockets.list[1].coupling.stiffness = 0.5;
   compare("lowest frequency over that of the machine on a soft coupling",
           make_facts(p, make_drive(p)).driven_frequency / (std::sqrt(0.5 / 0.03) / (2. * PI)),
           1.,
           3);
   // stiff: as if the inertias were one
+  p.loads.resisting_torque                     = 30.;
   p.drive.sprockets.list[1].coupling.stiffness = 1e9;
   p.drive.sprockets.list[1].coupling.sprocket  = 0.01;
   p.model.driven_inertia                       = 0.02;
@@ -207,6 +209,7 @@ void frequencies()
           1.,
           4);
   // soft before the driver: all that turns on the coupling of the motor, as one
+  p.loads.resisting_torque                     = 1.;
   p.drive.sprockets.list[0].coupling.stiffness = 0.5;
   p.drive.sprockets.list[0].coupling.sprocket  = 0.2;
   const double square                          = std::pow(17. / 38., 2); // of the ratio
@@ -254,6 +257,15 @@ void refusals()
       driven.bearing.stiffness = 1e6;
       driven.bearing.mass      = 0.01;
     });
+  });
+  expect_refusal("too soft a bearing", [&]() {
+    with([](Parameters &, auto &, auto &driven) {
+      driven.bearing.stiffness         = 1e6;
+      driven.bearing.stiffness_along_y = 1e3;
+    });
+  });
+  expect_refusal("too soft a coupling", [&]() {
+    with([](Parameters &p, auto &, auto &) { p.drive.sprockets.driver().coupling.stiffness = 1.; });
   });
   expect_refusal("an imported mesh without a mass", [&]() {
     with([](Parameters &, auto &, auto &driven) {

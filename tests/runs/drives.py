@@ -5,6 +5,9 @@
   an idler          takes no tension and turns by its teeth
   a tensioner       its spring's moment is that of its travel, and in the mean that of the chain on its wheel
                     with elastic links too: without and with penalty, and finite elements
+  a coupling        its torque is that of its twist, the motor keeps its speed and feels little of the teeth; a bearing's force
+                    is that of its displacement, and that of the chain in the mean and at a settled start; in all fidelities
+                    stiff ones change nothing
   guides            the chain keeps half of a plate's height from them, and rubs on them with their coefficient of friction
   an arm            turns as is prescribed, by the moment of the chain on its wheel, which is turned back as the tight span asks
                     with elastic links, on two ranks and resumed too
@@ -149,6 +152,112 @@ def tensioner_in_space():
             program.check(np.array_equal(np.asarray(whole[history]), np.asarray(run[history])), f"{history} of {other} differs")
     plane = np.asarray(chaindrive.open("plane")["hubs/idler_travel"])
     below("travel in the plane off that in space, m", np.abs(plane - np.asarray(whole["hubs/idler_travel"])).max(), 1e-9)
+
+
+SOFT = {"Drive/Wheels/driven/Coupling/Stiffness in N m/rad": 2000, "Drive/Wheels/driver/Bearing/Stiffness in N/m": 8e6}
+
+
+def rms(values):
+    return np.sqrt(np.mean(np.square(values[2:-2])))
+
+
+def laws(what, run, couplings, bearings, within):
+    """Torques and forces off those of springs and dampers, over those of the dampers."""
+    for name, stiffness, damping in couplings:
+        twist, torque = (np.asarray(run[f"hubs/{name}_coupling_{of}"]) for of in ("twist", "torque"))
+        viscous = damping * np.gradient(twist, run.time)
+        below(f"{what}: torque of the {name}'s coupling off its law", rms(torque - stiffness * twist - viscous) / rms(viscous), within)
+    for name, stiffness, damping in bearings:
+        for axis in "xy":
+            way, force = (np.asarray(run[f"hubs/{name}_{of}_{axis}"]) for of in ("displacement", "bearing_force"))
+            viscous = damping * np.gradient(way, run.time)
+            below(f"{what}: force of the {name}'s bearing off its law along {axis}", rms(force + stiffness * way + viscous) / rms(viscous), within)
+
+
+def coupling(drive):
+    file = FOLDER / f"{NAME}.prm"
+    soft, bearing = [("driver", 300, 2 * 0.1 * math.sqrt(300 * 9e-4))], [("driven", 4e6, 2 * 0.05 * math.sqrt(4e6 * 6))]
+    speed = drive.of("hubs/driver_machine_speed", False)
+    below("speed of the motor off 960 rpm, rad/s", np.abs(speed - 960 * math.pi / 30).max(), 1e-9)
+    program.run(file, {"Output/History precision": "double", "Output/History interval in us": 5, "Time/End time in ms": 20, "Output/Window start in ms": 0},
+                "--output", "dense", program=PROGRAM)
+    laws("simple", chaindrive.open("dense"), soft, bearing, 0.05)
+    # a settled start is in balance; in the mean the chain's force is that of the bearing
+    force, load = (np.array([drive.of(f"hubs/driven_{of}_{axis}", False) for axis in "xy"]) for of in ("bearing_force", "load"))
+    below("force of chain and bearing at the start, N", np.abs(force[:, 0] + load[:, 0]).max(), 0.05)
+    mean = drive.summary["statistics"]
+    near("mean displacement, um", 1e6 * mean["driven_displacement_x"]["mean"], -1e6 * mean["driven_load"]["mean"] / 4e6, 2)
+    near("mean twist of the coupling, rad", mean["driver_coupling_twist"]["mean"], mean["driver_torque"]["mean"] / 300, 5e-5)
+    near("torque at the start over that without losses", drive.of("hubs/driver_coupling_torque", False)[0] / 30, 1, 0.03)
+    losses, window = drive.summary["losses"], drive.summary["window_energy"]
+    near("losses by name over all", sum(loss["energy"] for loss in losses.values()) / window["lost"], 1, 1e-9)
+    program.check(min(losses[of]["energy"] for of in ("coupling of the driver", "bearing of the driven sprocket")) > 0, f"losses: {losses}")
+    # what the teeth do to the motor, and what stiff springs do
+    rigid = {"Drive/Wheels/driver/Coupling/Stiffness in N m/rad": "rigid"}
+    program.run(file, rigid, "--output", "rigid_coupling", program=PROGRAM)
+    felt = program.summary("rigid_coupling")["statistics"]["driver_torque"]["harmonics"][0]
+    below("first harmonic of the motor's torque over that with a rigid coupling", mean["driver_torque"]["harmonics"][0] / felt, 0.1)
+    program.run(file, {**rigid, "Drive/Wheels/driven/Bearing/Stiffness in N/m": "rigid"}, "--output", "rigid", program=PROGRAM)
+    stiff = {"Drive/Wheels/driver/Coupling/Stiffness in N m/rad": 1e7, "Drive/Wheels/driven/Bearing/Stiffness in N/m": 1e11}
+    program.run(file, stiff, "--output", "stiff", program=PROGRAM)
+    one, other = (program.summary(name)["statistics"] for name in ("rigid", "stiff"))
+    near("tension with stiff springs over that without", other["tight_tension"]["mean"] / one["tight_tension"]["mean"], 1, 0.006)
+    near("first harmonic of the torque with stiff springs over that without", other["driver_torque"]["harmonics"][0] / one["driver_torque"]["harmonics"][0], 1, 0.03)
+    first, second = (np.asarray(chaindrive.open(name)["hubs/driven_speed"]) for name in ("rigid", "stiff"))
+    n = len(first) // 10
+    below("driven speed with stiff springs off that without, over its range", np.abs(first[:n] - second[:n]).max() / np.ptp(first), 0.05)
+    shafts_in_all_fidelities(soft, bearing)
+    shafts_resumed()
+
+
+def shafts_in_all_fidelities(soft, bearing):
+    """On both wheels; whole and half models agree."""
+    file = FOLDER / f"{NAME}.prm"
+    for name, end, changes in (("layered", 2, {"Model/Fidelity": "layered"}),
+                               ("half", 2, {"Model/Fidelity": "reduced", "Model/Symmetry model": "true"}),
+                               ("whole", 0.5, {"Model/Fidelity": "reduced", "Model/Symmetry model": "false"}),
+                               ("penalty", 0.5, {"Model/Fidelity": "reduced", "Contact/Enforcement": "penalty"}),
+                               ("full", 0.1, {"Model/Fidelity": "full", "Elements/Formulation": "one point", "Model/Symmetry model": "true"})):
+        entries = {**SOFT, **changes, "Time/End time in ms": end, "Output/Window start in ms": 0, "Output/History precision": "double",
+                   "Output/History interval in us": 2}
+        program.run(file, entries, "--output", name, program=PROGRAM)
+        run, summary = chaindrive.open(name), program.summary(name)
+        before, behind = (wheel["inertia"] for wheel in summary["drive"]["sprockets"])
+        program.check(abs(before - 9e-4) < 1e-12, f"inertia {before}")
+        machine = ("driven", 2000, 2 * 0.05 * math.sqrt(2000 / (1 / (behind - 0.05) + 1 / 0.05)))
+        laws(name, run, [*soft, machine], bearing, 0.05)
+        near(f"{name}: torque of the driven coupling at the start, N m", run["hubs/driven_coupling_torque"][0], 60, 1e-6)
+        below(f"{name}: energy imbalance", summary["energy_imbalance_max"], 1e-4)
+        below(f"{name}: momentum imbalance", summary["momentum_imbalance_max"], 1e-11)
+    half, whole = (np.asarray(chaindrive.open(name)["hubs/driven_displacement_x"]) for name in ("half", "whole"))
+    below("displacement of the half model off the whole one, m", np.abs(half[:len(whole)] - whole).max(), 1e-9)
+
+
+def shafts_resumed():
+    """In space and resumed, on one and on two ranks: the same histories; those in the plane to round-off."""
+    file = FOLDER / f"{NAME}.prm"
+    layered = {**SOFT, "Model/Fidelity": "layered", "Effects/Planar motion": "off", "Output/History precision": "double", "Time/End time in ms": 3,
+               "Output/Window start in ms": 1, "Output/Checkpoint interval in ms": 1, "Drive/Layout/Tight span": "lower", "Time/Time step in us": 0.2}
+    program.run(file, layered, "--output", "space", program=PROGRAM)
+    program.run(file, layered, "--output", "space_ranks", program=PROGRAM, ranks=2)
+    program.run(file, {**layered, "Time/End time in ms": 2}, "--output", "resumed", program=PROGRAM)
+    program.run(file, layered, "--output", "resumed", "--resume", "auto", program=PROGRAM)
+    program.run(file, {**layered, "Effects/Planar motion": "auto"}, "--output", "plane", program=PROGRAM)
+    space = chaindrive.open("space")
+    histories = ("driver_coupling_twist", "driven_coupling_torque", "driven_machine_speed", "driver_displacement_y", "driven_bearing_force_x")
+    for other in ("space_ranks", "resumed"):
+        for history in [f"hubs/{name}" for name in histories] + ["links/tension", "energy/spring", "energy/spring_damping_loss"]:
+            same = np.array_equal(np.asarray(space[history]), np.asarray(chaindrive.open(other)[history]))
+            program.check(same, f"{history} of {other} differs")
+        program.check(program.summary(other)["losses"] == program.summary("space")["losses"], f"losses of {other} differ")
+    plane = np.asarray(chaindrive.open("plane")["hubs/driver_displacement_x"])
+    below("displacement in the plane off that in space, m", np.abs(plane - np.asarray(space["hubs/driver_displacement_x"])).max(), 1e-9)
+    reduced = {**SOFT, "Model/Fidelity": "reduced", "Time/End time in ms": 0.5, "Output/Window start in ms": 0, "Output/History precision": "double"}
+    program.run(file, reduced, "--output", "one", program=PROGRAM)
+    program.run(file, reduced, "--output", "two", program=PROGRAM, ranks=2)
+    for history in histories:
+        one, two = (np.asarray(chaindrive.open(name)[f"hubs/{history}"]) for name in ("one", "two"))
+        below(f"{history} on two ranks off that on one", np.abs(one - two).max() / np.abs(one).max(), 1e-9)
 
 
 def circle(points):
@@ -369,5 +478,5 @@ def picture(drive):
 
 
 drive = Drive()
-{"two-loads": two_loads, "idler": idler, "tensioner": tensioner, "guides": guides, "emergency-stop": emergency_stop, "camshaft": camshaft, "conveyor": conveyor, "out-of-line": out_of_line, "motorcycle": motorcycle}[NAME](drive)
+globals()[NAME.replace("-", "_")](drive)
 picture(drive)

@@ -49,4 +49,14 @@ std::optional<Coupling> make_coupling(const parameters::Sprocket  &wheel,
 /// the sprocket's solid for one strand.
 /// @throws InputError for a mass below that, for a wheel on a tensioner, and for one with runout.
 std::optional<Bearing> make_bearing(const parameters::Sprocket &wheel, double share, double solid);
+
+/// Refuses (InputError) a @p bearing of the wheel @p name that the @p tension [N] in the spans
+/// moves by more than half a @p pitch [m], and a @p coupling that the @p torque [N m] twists by
+/// more than half a turn: there is no sense in a drive beyond that.
+void refuse_soft_shaft(const std::string             &name,
+                       const std::optional<Bearing>  &bearing,
+                       const std::optional<Coupling> &coupling,
+                       double                         tension,
+                       double                         torque,
+                       double                         pitch);
 } // namespace chaindrive::drive
