@@ -3,7 +3,7 @@
 
 Drives of every fidelity, one of which jumps and breaks: each history and each member of their summaries is in the
 schema, histories with their unit and description; and nothing is in the schema that none of them has. The histories
-of drives with guides, tensioners and three wheels have other names, for which there is a star in the schema."""
+of drives with guides, tensioners and three wheels, also out of line, have other names, for which there is a star in the schema."""
 import json
 import re
 import subprocess
@@ -22,6 +22,7 @@ SHORT = {**RIGID, "Drive/Layout/Start": "settled", "Time/End time in ms": 0.3}
 RUNS = {
     "simple": (HARD, {**SHORT, "Model/Fidelity": "simple", "Loads/Drag in 1/s": 1, "Output/Until": "tight_tension_mean=5"}),
     "layered": (HARD, {**SHORT, "Model/Fidelity": "layered"}),
+    "out of line": (HARD, {**SHORT, "Model/Fidelity": "layered", "Drive/Wheels/driven/Axial offset in mm": 1}),
     "reduced": (HARD, {**SHORT, "Model/Fidelity": "reduced", "Time/End time in ms": 0.1}),
     "full": (HARD, {**ELASTIC, **TOUCHING_PLATES, "Elements/Formulation": "one point", "Time/End time in ms": 0.03}),
     "jumped": (SIMPLE, {"Drive/Layout/Centre distance from": "slack", "Drive/Layout/Slack in mm": 70,
@@ -32,6 +33,7 @@ SLIDE = {"Drive/Wheels/idler/Held by": "slide", "Drive/Wheels/idler/Slide/Direct
          "Drive/Wheels/idler/Slide/Force in N": 80}
 NAMED = {"guides": ("prm/drives/guides.prm", {}), "arm": ("prm/drives/tensioner.prm", {}), "slide": ("prm/drives/tensioner.prm", SLIDE),
          "three": ("prm/drives/two-loads.prm", {}),
+         "three out of line": ("prm/drives/two-loads.prm", {"Model/Fidelity": "layered", "Drive/Wheels/compressor/Axial offset in mm": 1}),
          "elastic": ("prm/drives/two-loads.prm", {"Model/Fidelity": "reduced", "Mesh/Refinement": 0, "Time/End time in ms": 0.02,
                                                   "Output/Field interval in ms": 0})}
 # places of events that tests/observe/events.cc has, and none of these drives; plug-ins, and forces that they add: plugin.py;

@@ -210,7 +210,7 @@ private:
     return {{"hubs/" + name + "_side_force",
              "N",
              "Force of the chain on the " + name + " along its axis, where wheels are out of line"},
-            {"teeth/" + name + "_plate_force",
+            {"hubs/" + name + "_plate_force",
              "N",
              "Sum of the normal forces of plates on the sides of the " + name + "'s teeth"},
             {"teeth/" + name + "_load_at_edge",
