@@ -63,6 +63,7 @@ void check_choices()
                                    check_choice<Start>("start"),
                                    check_choice<ElasticLinks>("elastic links"),
                                    check_choice<StiffnessFrom>("stiffness from"),
+                                   check_choice<MassFrom>("mass from"),
                                    check_choice<Switch>("switch"),
                                    check_choice<Formulation>("formulation"),
                                    check_choice<SymmetryModel>("symmetry model"),
