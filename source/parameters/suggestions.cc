@@ -171,9 +171,11 @@ const std::vector<NotModelled> &not_modelled()
        "all teeth have the same flanks and do not wobble; a sprocket of any shape can be imported, "
        "Drive/Sprockets/Driver mesh"},
       {{"driver inertia", "motor", "engine", "driver torque"},
-       "the driver follows its prescribed speed, whatever the load"},
-      {{"shaft stiffness", "shaft damping", "bearing", "housing"},
-       "the shafts and bearings of both sprockets are rigid"},
+       "the driver, or the motor behind its coupling, follows its prescribed speed, whatever the "
+       "load; sections Coupling of Drive/Wheels"},
+      {{"shaft tilt", "gyroscop", "bearing play", "bearing clearance", "housing"},
+       "shafts stay parallel; bearings and their housings are springs without play, sections "
+       "Bearing of Drive/Wheels"},
       {{"tensioner", "guide", "snubber", "rail", "slipper"},
        "nothing but the wheels of Drive/Wheels and their guides touches the chain; one of them may "
        "be a tensioner, see its entry Held by and its section Guide"},
