@@ -40,16 +40,11 @@ std::string name_of(const Scene &scene, const Body &body)
   return "";
 }
 
-bool is_pressed_guide(const Body &body)
-{
-  return body.kind == Kind::guide && body.mount.kind != Mount::Kind::fixed;
-}
-
 std::string motion_of(const Body &body)
 {
   const std::string rim = body.motion == Motion::elastic ? "elastic rim, " : "rigid, ";
   if (body.mount.kind == Mount::Kind::fixed)
-    return "fixed";
+    return body.mount.carrier ? "carried by its tensioner" : "fixed";
   if (body.mount.kind == Mount::Kind::motor)
     return rim + "hub turned by the speed program";
   if (body.kind == Kind::tensioner || body.kind == Kind::guide)
@@ -114,9 +109,9 @@ std::string columns_text(const Scene &scene, const ToothFamily &teeth)
 void print_plan(std::ostream &out, const Scene &scene)
 {
   out << "Bodies\n";
-  std::map<std::tuple<PartOf, Motion, bool>, std::vector<const Body *>> alike;
+  std::map<std::tuple<PartOf, Motion, std::string>, std::vector<const Body *>> alike;
   for (const Body &body : scene.bodies)
-    alike[{body.part(), body.motion, is_pressed_guide(body)}].push_back(&body);
+    alike[{body.part(), body.motion, motion_of(body)}].push_back(&body);
   for (const auto &[sort, bodies] : alike)
     {
       const Body &body = *bodies.front();
