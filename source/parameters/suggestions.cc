@@ -170,7 +170,8 @@ const std::vector<NotModelled> &not_modelled()
       {{"shaft stiffness", "shaft damping", "bearing", "housing"},
        "the shafts and bearings of both sprockets are rigid"},
       {{"tensioner", "guide", "snubber", "rail", "slipper"},
-       "nothing but the wheels of Drive/Wheels and their guides touches the chain; one wheel, or the "
+       "nothing but the wheels of Drive/Wheels and their guides touches the chain; one wheel, or "
+       "the "
        "guide of the slack span, may be a tensioner, see its entry Held by and its section Guide"},
       {{"lubric", "oil", "grease", "viscos"},
        "friction follows Coulomb's law; set Contact/Friction coefficient for the lubrication"},

@@ -28,7 +28,7 @@ namespace
 /// Puts the body of a guide on what presses it. An arm is one with it: its origin is at the pivot,
 /// about which its inertia is, and its weight is part of the moment of its spring. A slide is a
 /// body of its own, as that of a wheel, on which nothing acts but its spring and its weight.
-void hold(const drive::Guide &guide, Body &body, Scene &scene)
+void put_on_holder(const drive::Guide &guide, Body &body, Scene &scene)
 {
   const drive::Tensioner &held = *guide.held;
   if (held.is_arm())
@@ -69,7 +69,7 @@ void add_guides(const model::Model &model, const drive::Drive &drive, Scene &sce
       ground.inertia[2]       = 1.;
       ground.initial.rotation = to_matrix(Quaternion());
       if (guide.held)
-        hold(guide, ground, scene);
+        put_on_holder(guide, ground, scene);
       GuideFamily family;
       family.name       = "guide of " + scene.drive.spans[guide.span].name;
       family.body       = static_cast<unsigned int>(scene.bodies.size());
