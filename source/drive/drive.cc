@@ -527,16 +527,10 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
   if (d.layout.tensioner)
     d.layout.tensioner->carry(d.sprockets[d.layout.tensioner->wheel].solid.mass,
                               gravity(parameters));
-  const auto                 &model   = given.capabilities();
-  std::optional<Guide>        pressed = make_pressed_guide(entries,
-                                                    d.chain,
-                                                    forms,
-                                                    d.layout,
-                                                    gravity(parameters),
-                                                    model.is_elastic && !model.is_reduced);
-  std::optional<RestingGuide> at_rest;
-  if (pressed)
-    at_rest = resting_guide(*pressed, d.chain);
+  std::optional<Guide> pressed = make_pressed_guide(
+      entries, d.chain, forms, d.layout, gravity(parameters), given.capabilities());
+  const auto at_rest =
+      pressed ? std::make_optional(resting_guide(*pressed, d.chain)) : std::nullopt;
   if (pressed && !settled)
     bring_to_rest(d.layout, resting_chain(parameters, d), unloaded(d), *at_rest);
   else if (d.layout.tensioner && !settled)
@@ -628,12 +622,11 @@ Drive make_drive(const Parameters  &parameters,
           d.sprockets[i].program.files.push_back(swing.file);
         d.swings.emplace(i, swing);
       }
-  const auto &model = parameters.model.capabilities();
   for (Guide &guide : make_guides(parameters.drive,
                                   d.chain,
                                   forms_of(d.sprockets),
                                   d.layout,
-                                  model.is_elastic && !model.is_reduced))
+                                  parameters.model.capabilities()))
     d.guides.push_back(std::move(guide));
   return d;
 }

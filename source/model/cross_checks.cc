@@ -282,10 +282,8 @@ void check_model(const Parameters &p, Findings &findings)
                                " needs Drive/Layout/Start = settled.");
   findings.contradiction(elastic && p.drive.sprockets.driver().guide.is_sprung() &&
                              start != Start::settled,
-                         "The spring of the guide, Drive/Wheels/driver/Guide/Held by = " +
-                             text_of(p.drive.sprockets.driver().guide.held.holder) +
-                             ", stretches the chain at the start, for which " + chosen +
-                             " needs Drive/Layout/Start = settled.");
+                         "The spring of Drive/Wheels/driver/Guide stretches the chain, for which " +
+                             chosen + " needs Drive/Layout/Start = settled.");
   findings.contradiction(p.model.half == SymmetryModel::yes && !elastic,
                          "Model/Symmetry model = true is for elastic bodies: " + chosen +
                              " has none.");

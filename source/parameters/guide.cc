@@ -52,7 +52,7 @@ void Guide::declare(Declarations &declarations, const bool may_move)
       "by a comma, numbers from -100000 to 100000",
       "Of a guide beside the span that leads from this wheel to the next one, as in "
       "Centre in mm: the line on which the edges of the plates slide, from end to end. "
-      "The chain must run beside it at the start; simple and layered fidelity. Nothing: "
+      "The chain must run beside it at the start; all fidelities but full. Nothing: "
       "there is no guide.",
       [](const std::string &text) { return text.empty() || !points_in(text).empty(); },
       [this](const std::string &text) { points = points_in(text); });

@@ -177,8 +177,9 @@ const std::vector<NotModelled> &not_modelled()
        "shafts stay parallel; bearings and their housings are springs without play, sections "
        "Bearing of Drive/Wheels"},
       {{"tensioner", "guide", "snubber", "rail", "slipper"},
-       "nothing but the wheels of Drive/Wheels and their guides touches the chain; one of them may "
-       "be a tensioner, see its entry Held by and its section Guide"},
+       "nothing but the wheels of Drive/Wheels and their guides touches the chain; one wheel, or "
+       "the "
+       "guide of the slack span, may be a tensioner, see its entry Held by and its section Guide"},
       {{"lubric", "oil", "grease", "viscos"},
        "friction follows Coulomb's law; set Contact/Friction coefficient for the lubrication"},
       {{"temperature", "thermal", "heat"}, "temperatures are constant"},

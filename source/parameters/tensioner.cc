@@ -164,7 +164,7 @@ void Holders::declare(Declarations &declarations)
       holder,
       "bearing: its axis stands still. arm, slide: it is a tensioner, whose axis turns about a "
       "pivot or moves along a line, pressed against the chain by the spring in section Arm or "
-      "Slide; simple and layered fidelity. eccentric, slot: its axis is moved likewise until the "
+      "Slide. eccentric, slot: its axis is moved likewise until the "
       "chain has the slack, sag or pre-tension of Layout/Centre distance from, and clamped there; "
       "stops limit its travel, and springs have no meaning. One wheel of a drive, an idler with a "
       "centre of its own.");

@@ -25,22 +25,33 @@ std::vector<SlavePoint> plates_of_joints(const drive::Drive &drive, const Scene 
 
 namespace
 {
-/// Puts the body of a guide on what presses it. That of an arm has its origin at the pivot, about
-/// which its inertia is, and its weight is part of the moment of its spring.
-void hold(const drive::Tensioner &held, Body &body)
+/// Puts the body of a guide on what presses it. An arm is one with it: its origin is at the pivot,
+/// about which its inertia is, and its weight is part of the moment of its spring. A slide is a
+/// body of its own, as that of a wheel, on which nothing acts but its spring and its weight.
+void put_on_holder(const drive::Guide &guide, Body &body, Scene &scene)
 {
-  body.mass = held.inertia;
+  const drive::Tensioner &held = *guide.held;
   if (held.is_arm())
     {
       Tensor3 z;
       z[2]            = 1.;
       body.mount      = Mount::revolute(z, {held.pivot[0], held.pivot[1], 0.});
+      body.mass       = held.inertia;
       body.inertia[2] = held.inertia;
       body.initial    = placed(held.pivot, held.sense * held.travel, {}, 0.);
-      return;
     }
-  body.mount   = Mount::prismatic(dealii::Point<3>(held.direction[0], held.direction[1], 0.));
-  body.initial = placed(held.centre(held.travel), 0., {}, 0.);
+  const auto number = static_cast<unsigned int>(scene.bodies.size());
+  scene.tensioners.push_back(
+      {number, guide.span, held.is_arm() ? held.sense : 1, held.travel, held.law});
+  if (held.is_arm())
+    return;
+  Body slide    = body;
+  slide.mount   = Mount::prismatic(dealii::Point<3>(held.direction[0], held.direction[1], 0.));
+  slide.mass    = held.inertia;
+  slide.initial = placed(held.centre(held.travel), 0., {}, 0.);
+  scene.bodies.push_back(slide);
+  body.initial       = slide.initial;
+  body.mount.carrier = number;
 }
 } // namespace
 
@@ -58,14 +69,7 @@ void add_guides(const model::Model &model, const drive::Drive &drive, Scene &sce
       ground.inertia[2]       = 1.;
       ground.initial.rotation = to_matrix(Quaternion());
       if (guide.held)
-        {
-          hold(*guide.held, ground);
-          scene.tensioners.push_back({static_cast<unsigned int>(scene.bodies.size()),
-                                      guide.span,
-                                      guide.held->is_arm() ? guide.held->sense : 1,
-                                      guide.held->travel,
-                                      guide.held->law});
-        }
+        put_on_holder(guide, ground, scene);
       GuideFamily family;
       family.name       = "guide of " + scene.drive.spans[guide.span].name;
       family.body       = static_cast<unsigned int>(scene.bodies.size());

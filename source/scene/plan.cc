@@ -45,11 +45,6 @@ std::string name_of(const Scene &scene, const Body &body)
   return "";
 }
 
-bool is_pressed_guide(const Body &body)
-{
-  return body.kind == Kind::guide && body.mount.kind != Mount::Kind::fixed;
-}
-
 std::string motion_of(const Scene &scene, const Body &body)
 {
   const std::string carrier =
@@ -62,7 +57,7 @@ std::string motion_of(const Scene &scene, const Body &body)
     return "a way along x or y, held by springs";
   const std::string rim = body.motion == Motion::elastic ? "elastic rim, " : "rigid, ";
   if (body.mount.kind == Mount::Kind::fixed)
-    return "fixed";
+    return body.mount.carrier ? "carried by its tensioner" : "fixed";
   if (body.mount.kind == Mount::Kind::motor && body.kind == Kind::tensioner)
     return "an arm, turned as is prescribed";
   if (body.mount.kind == Mount::Kind::motor)
@@ -137,9 +132,9 @@ std::string columns_text(const Scene &scene, const ToothFamily &teeth)
 void print_plan(std::ostream &out, const Scene &scene)
 {
   out << "Bodies\n";
-  std::map<std::tuple<PartOf, Motion, bool>, std::vector<const Body *>> alike;
+  std::map<std::tuple<PartOf, Motion, std::string>, std::vector<const Body *>> alike;
   for (const Body &body : scene.bodies)
-    alike[{body.part(), body.motion, is_pressed_guide(body)}].push_back(&body);
+    alike[{body.part(), body.motion, motion_of(body)}].push_back(&body);
   for (const auto &[sort, bodies] : alike)
     {
       const Body &body = *bodies.front();

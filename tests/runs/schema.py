@@ -31,7 +31,9 @@ RUNS = {
 MOVED = {"Time/End time in ms": 0.3, "Output/Window start in ms": 0, "Output/Window end in ms": "auto"}
 SLIDE = {"Drive/Wheels/idler/Held by": "slide", "Drive/Wheels/idler/Slide/Direction in degrees": 90,
          "Drive/Wheels/idler/Slide/Force in N": 80}
-NAMED = {"guides": ("prm/drives/guides.prm", {}), "arm": ("prm/drives/tensioner.prm", {}), "slide": ("prm/drives/tensioner.prm", SLIDE),
+SHOE = {"Drive/Wheels/driver/Guide/Held by": "slide", "Drive/Wheels/driver/Guide/Slide/Direction in degrees": 90,
+        "Drive/Wheels/driver/Guide/Slide/Force in N": 40, "Drive/Wheels/driver/Guide/Slide/Mass in g": 60}
+NAMED = {"blade": ("prm/drives/blade.prm", {}), "shoe": ("prm/drives/blade.prm", SHOE), "drum": ("prm/drives/flat-idler.prm", {}), "guides": ("prm/drives/guides.prm", {}), "arm": ("prm/drives/tensioner.prm", {}), "slide": ("prm/drives/tensioner.prm", SLIDE),
          "three": ("prm/drives/two-loads.prm", {}),
          "three out of line": ("prm/drives/two-loads.prm", {"Model/Fidelity": "layered", "Drive/Wheels/compressor/Axial offset in mm": 1}),
          "elastic": ("prm/drives/two-loads.prm", {"Model/Fidelity": "reduced", "Mesh/Refinement": 0, "Time/End time in ms": 0.02,

@@ -6,6 +6,7 @@
 #include <chaindrive/drive/rest.h>
 #include <chaindrive/drive/tensioner.h>
 #include <chaindrive/drive/tooth_form.h>
+#include <chaindrive/parameters/fidelity.h>
 #include <chaindrive/path/curve.h>
 
 #include <optional>
@@ -39,24 +40,24 @@ struct Guide
 /// @param forms  of all sprockets
 /// @throws InputError for one through which the chain runs at the start, that passes through a
 /// sprocket within its root circle, for points that make no line, and where links are of finite
-/// elements, @p has_nodes, which a guide would have to press one by one.
-std::vector<Guide> make_guides(const parameters::Drive      &drive,
-                               const ChainDimensions        &chain,
-                               const std::vector<ToothForm> &forms,
-                               const Layout                 &layout,
-                               bool                          has_nodes);
+/// elements in this @p model, which a guide would have to press one by one.
+std::vector<Guide> make_guides(const parameters::Drive        &drive,
+                               const ChainDimensions          &chain,
+                               const std::vector<ToothForm>   &forms,
+                               const Layout                   &layout,
+                               const parameters::Capabilities &model);
 
 /// The guide of @p drive that a spring presses against the slack span of @p layout, if there is
 /// one, where it touches the chain as it is laid, or on its greatest stop.
 /// @param gravity  that acts, m/s2
 /// @throws InputError for one that a drive cannot have, whose points are not beside the straight
 /// span, or that does not come to the chain.
-std::optional<Guide> make_pressed_guide(const parameters::Drive      &drive,
-                                        const ChainDimensions        &chain,
-                                        const std::vector<ToothForm> &forms,
-                                        const Layout                 &layout,
-                                        double                        gravity,
-                                        bool                          has_nodes);
+std::optional<Guide> make_pressed_guide(const parameters::Drive        &drive,
+                                        const ChainDimensions          &chain,
+                                        const std::vector<ToothForm>   &forms,
+                                        const Layout                   &layout,
+                                        double                          gravity,
+                                        const parameters::Capabilities &model);
 
 /// The same for statics, which moves @p guide; it must live as long.
 RestingGuide resting_guide(Guide &guide, const ChainDimensions &chain);

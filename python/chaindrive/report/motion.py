@@ -84,7 +84,7 @@ def _placed(moved: Moved, points: npt.NDArray[Any]) -> npt.NDArray[Any]:
     if moved is None:
         return points[np.newaxis, :]
     by, pivot = moved
-    return points + by[:, np.newaxis] if pivot is None else pivot + (points - pivot) * by[:, np.newaxis]
+    return np.asarray(points + by[:, np.newaxis] if pivot is None else pivot + (points - pivot) * by[:, np.newaxis])
 
 
 def _track(values: npt.NDArray[Any], moved: Moved) -> float | list[float]:
@@ -93,6 +93,7 @@ def _track(values: npt.NDArray[Any], moved: Moved) -> float | list[float]:
 
 
 def at_instant(track: float | list[float], instant: int) -> float:
+    """A coordinate of what may move."""
     return track[instant] if isinstance(track, list) else track
 
 
@@ -132,19 +133,25 @@ def outline(about: dict[str, Any], angle: float, roller: float) -> list[tuple[fl
     return points
 
 
+def _line(guide: dict[str, Any]) -> list[tuple[float, float]]:
+    """At the last instant, with the pivot of its arm at the end."""
+    points = [(at_instant(a, -1), at_instant(b, -1)) for a, b in zip(guide["x"], guide["y"])]
+    return [*points, (guide["pivot"][0], guide["pivot"][1])] if guide["pivot"] else points
+
+
 def still(frames: dict[str, Any]) -> str:
     """One instant as an svg element, for print."""
     x, y = (np.array(frames[axis][-1]) / 100. for axis in "xy")
     margin = 12.
-    left, right, low, high = x.min() - margin, x.max() + margin, y.min() - margin, y.max() + margin
+    lines = [_line(guide) for guide in frames["guides"]]
+    across, up = (np.concatenate([one, [point[axis] for line in lines for point in line]]) for axis, one in enumerate((x, y)))
+    left, right, low, high = across.min() - margin, across.max() + margin, up.min() - margin, up.max() + margin
     out = [f'<svg class="still chain" viewBox="{left:.1f} {-high:.1f} {right - left:.1f} {high - low:.1f}" role="img" '
            f'aria-label="The chain at the end of the run">']
     for about in frames["sprockets"]:
         points = outline(about, about["angle"][-1], frames["roller"])
         out.append('<path class="sprocket" d="M' + "L".join(f"{a + at_instant(about['x'], -1):.1f} {-b - at_instant(about['y'], -1):.1f}" for a, b in points) + 'z"/>')
-    for guide in frames["guides"]:
-        line = [(at_instant(a, -1), at_instant(b, -1)) for a, b in zip(guide["x"], guide["y"])]
-        line += [tuple(guide["pivot"])] if guide["pivot"] else []
+    for line in lines:
         out.append('<path class="guide" fill="none" stroke="currentColor" stroke-width="1.5" d="M' + "L".join(f"{a:.1f} {-b:.1f}" for a, b in line) + '"/>')
     span = frames["high"] - frames["low"]
     for k, tension in enumerate(frames["tension"][-1]):

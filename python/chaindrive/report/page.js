@@ -98,7 +98,8 @@
       const around = s => [s.x - s.radius - margin, s.x + s.radius + margin, s.y - s.radius - margin, s.y + s.radius + margin];
       if (one === a) return [a.x - 1.8 * a.radius, a.x + 2.6 * a.radius, a.y - 1.5 * a.radius, a.y + 1.5 * a.radius];
       if (one) return around(one);
-      const all = [...still.map(around), chain];
+      const lines = data.guides.flatMap(g => [...g.x.map((x, k) => [at(x), at(g.y[k])]), ...(g.pivot ? [g.pivot] : [])]).map(([x, y]) => [x - 2, x + 2, y - 2, y + 2]);
+      const all = [...still.map(around), ...lines, chain];
       return [Math.min(...all.map(r => r[0])), Math.max(...all.map(r => r[1])), Math.min(...all.map(r => r[2])), Math.max(...all.map(r => r[3]))];
     }
 

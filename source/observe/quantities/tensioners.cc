@@ -64,7 +64,9 @@ private:
 
   static files::Described force_of(const std::string &name)
   {
-    return {name + "_tensioner_force", "N", of_the_spring};
+    // forces of guides on the chain end so
+    const bool guide = name.compare(0, 7, "guides/") == 0;
+    return {name + (guide ? "_tensioner_push" : "_tensioner_force"), "N", of_the_spring};
   }
 
   static files::Described moment_of(const std::string &name)
