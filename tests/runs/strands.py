@@ -4,7 +4,7 @@
   simple, layered  The drive of prm/drives/duplex.prm, with a guide and a load that grows with the speed: of two strands with twice
                    the torques, the inertia and the spring every number is that of one strand, bit by bit, or twice as great: by its
                    unit (J, W, N m) or because it is the force on a shaft or guide
-  reduced, full    the same of the first steps of a small drive
+  reduced, full    the same of the first steps of a small drive, and of its half model
   resume           a run of three strands that is interrupted and resumed has the histories of one that is not; the number of
                    strands cannot change; and on two ranks a reduced drive of two has those of one rank
   noise            the pressure of two strands is twice that of one, 6 dB
@@ -115,7 +115,8 @@ def pair(file, common, shares, strands=2):
 if CASE in ("simple", "layered"):
     print("OK", *pair(DUPLEX, {**COMMON, "Model/Fidelity": CASE}, SHARES))
 elif CASE in ("reduced", "full"):
-    print("OK", *pair("prm/verification/hard.prm", {**SMALL, "Model/Fidelity": CASE}, SMALL_SHARES))
+    for half in ("false", "true"):
+        print("OK", *pair("prm/verification/hard.prm", {**SMALL, "Model/Fidelity": CASE, "Model/Symmetry model": half}, SMALL_SHARES))
 elif CASE == "resume":
     entries = {**COMMON, **SHARES, "Drive/Chain/Strands": 3, "Output/Checkpoint interval in ms": 3}
     program.run(DUPLEX, entries, "--output", "whole", program=PROGRAM)
