@@ -134,7 +134,7 @@ void print_plan(std::ostream &out, const Scene &scene)
   out << "Bodies\n";
   std::map<std::tuple<PartOf, Motion, std::string>, std::vector<const Body *>> alike;
   for (const Body &body : scene.bodies)
-    alike[{body.part(), body.motion, motion_of(body)}].push_back(&body);
+    alike[{body.part(), body.motion, motion_of(scene, body)}].push_back(&body);
   for (const auto &[sort, bodies] : alike)
     {
       const Body &body = *bodies.front();

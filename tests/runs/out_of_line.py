@@ -12,6 +12,8 @@
   hard      Worn, fast, at the largest offset that is accepted: no guard trips
 """
 import math
+import re
+import shutil
 import sys
 
 import h5py
@@ -43,10 +45,10 @@ DRIVE = {
 OFFSET, TILT, DIRECTION = (f"Drive/Wheels/driven/{name}" for name in ("Axial offset in mm", "Tilt in degrees", "Tilt direction in degrees"))
 
 
-def run(directory, changes, options=(), ranks=1):
-    program.run(
-        "prm/verification/hard.prm", {**DRIVE, **changes}, "--output", directory, *options, program=PROGRAM, ranks=ranks
-    )
+def run(directory, changes, options=(), ranks=1, says=""):
+    words = ("--output", directory, *options)
+    said = program.run("prm/verification/hard.prm", {**DRIVE, **changes}, *words, program=PROGRAM, ranks=ranks)
+    check(re.search(says, said), f"it does not say {says}:\n{said}")
     histories = {}
     with h5py.File(f"{directory}/histories.h5") as file:
         file.visititems(lambda name, item: histories.update({name: item[:]}) if isinstance(item, h5py.Dataset) else None)
@@ -155,10 +157,15 @@ def tilted():
 
 
 def resume():
-    entries = {OFFSET: 2, TILT: 0.3, "Time/End time in ms": 4}
+    entries = {OFFSET: 8, TILT: 0.3, "Time/End time in ms": 3}
+    middle = 2
+    for directory in ("whole", "parts", "two"):
+        shutil.rmtree(directory, ignore_errors=True)
     whole, _ = run("whole", entries)
-    run("parts", {**entries, "Time/End time in ms": 2})
-    parts, _ = run("parts", entries, ("--resume", "auto"))
+    touching = np.abs(whole["time"] - 1e-3 * middle) < 0.15e-3
+    check(whole["hubs/driver_plate_force"][touching].min() > 0, "plates do not touch teeth where the run goes on")
+    run("parts", {**entries, "Time/End time in ms": middle, "Output/Checkpoint interval in ms": middle})
+    parts, _ = run("parts", entries, ("--resume", "auto"), says=f"Resumed from .* at {middle}")
     two, _ = run("two", entries, ranks=2)
     for name, values in whole.items():
         check(values.tobytes() == parts[name].tobytes(), f"{name} is not the same after going on")
