@@ -128,6 +128,9 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
   visible.add_options()("picture",
                         options::value(&c.picture)->value_name("FILE"),
                         "plan: draw wheels, chain and shaft loads into this SVG file");
+  visible.add_options()("chart",
+                        options::value(&c.chart)->value_name("FILE"),
+                        "select: draw life, safety, size, impacts and sound into this SVG file");
   visible.add_options()(
       "accuracy",
       options::value(&c.accuracy)->value_name("\"OUTPUT=PERCENT\""),
@@ -229,6 +232,8 @@ void check_values(const options::variables_map &values, const CommandLine &c)
     check("resume", c.resume, "auto or a checkpoint");
   if (values.count("picture") > 0)
     check("picture", c.picture, "a file");
+  if (values.count("chart") > 0)
+    check("chart", c.chart, "a file");
   for (const std::string &text : c.overrides)
     check("set", text, "Section/Entry=value");
   for (const std::string &file : c.plugins)
@@ -385,11 +390,13 @@ void check_belonging(const CommandLine &c)
     throw InputError("The option --accuracy belongs to plans: chaindrive plan FILE.prm.");
   if (!c.picture.empty() && c.command != Command::plan && c.command != Command::help)
     throw InputError("The option --picture belongs to plans: chaindrive plan FILE.prm.");
+  if (!c.chart.empty() && c.command != Command::select && c.command != Command::help)
+    throw InputError("The option --chart belongs to selections: chaindrive select.");
   // a picture replaces the file of its name, which might be that of the parameters
-  if (!c.picture.empty() && c.command == Command::plan &&
-      (c.picture.size() < 4 || c.picture.compare(c.picture.size() - 4, 4, ".svg") != 0))
-    throw InputError("The option --picture writes an SVG file, but '" + c.picture +
-                     "' is not called so; choose a name that ends in .svg.");
+  for (const auto &[option, file] : {std::make_pair("--picture", c.picture), {"--chart", c.chart}})
+    if (!file.empty() && (file.size() < 4 || file.compare(file.size() - 4, 4, ".svg") != 0))
+      throw InputError(std::string("The option ") + option + " writes an SVG file, but '" + file +
+                       "' is not called so; choose a name that ends in .svg.");
   if (c.design.is_given() && c.command != Command::template_file && c.command != Command::select &&
       c.command != Command::help)
     throw InputError("The options --chain, --teeth, --centre, --rpm, --kW and --Nm belong to "

@@ -86,6 +86,13 @@ void select_command(const CommandLine &command_line, std::ostream &out)
       << "; frame h: 15,000 h of 3 % at the rated power; dB(A): at 0.3 m,\nscaled from one "
          "measured "
          "level. Sources of all figures: doc/theory.md, section 9.\n";
+  if (!command_line.chart.empty())
+    {
+      std::ostringstream chart;
+      draw(chart, demand, found, meets ? 12 : 4);
+      files::write_text(command_line.chart, chart.str());
+      out << "The chart is in " << command_line.chart << '\n';
+    }
   const std::string &path = command_line.output_directory;
   if (path.empty())
     return;

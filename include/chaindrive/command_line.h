@@ -41,6 +41,7 @@ struct CommandLine
   bool                     strict = false;   ///< run, plan: no drive that a check finds fault with
   bool                     report = false;   ///< run: a page on it at its end
   std::string              picture;          ///< plan: SVG file of the layout; empty: none
+  std::string              chart;            ///< select: SVG file; empty: none
   std::vector<std::string> accuracy;         ///< plan: "OUTPUT=PERCENT"
   std::string              wheel;            ///< sprocket: its name; empty: the driver
   unsigned int             cores   = 0;      ///< study: runs at a time; 0: as many as there are

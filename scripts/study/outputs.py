@@ -150,6 +150,8 @@ OUTPUTS = {
        for name in (*(f"{wheel.name}_peak_{which}" for which in ("mean", "max", "cv", "max_over_min")),
                     *(f"{wheel.name}_impulse_{which}" for which in ("mean", "cv")))},
     "driver_normal_speed_mean": lambda run: _engagements(run, "driver_normal_mean"),
+    **{name: lambda run, member=member: run.summary.get("life", {}).get(member)
+       for name, member in (("wear_rate", "simulated_wear_rate"), ("plate_safety", "simulated_plate_safety"), ("roller_life", "simulated_roller_hours"))},
     "sound_level": lambda run: _sound(run, "level"),
     "sound_level_a": lambda run: _sound(run, "level_a"),
     "sound_spectrum": _sound_spectrum,

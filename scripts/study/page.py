@@ -160,6 +160,11 @@ def draw_all(study, folder, name="chart", kind="svg", dpi=100):
     sweep.draw(of, chart, dpi)
     pictures = [(f"Outputs against {of.label}", chart, ("Bars: 95 % intervals over start phases." if _phases(study) >= stats.FEWEST else NO_INTERVALS) + (
         " Dashed and dotted lines: the order of tooth frequency meets the frequency of the driven inertia." if of.resonances() else ""))]
+    worn = folder / f"{name}-wear.{kind}"
+    if sweep.draw_wear(of, worn, dpi):
+        pictures.insert(0, ("Elongation over hours", worn, "From the friction work of each state; dotted: by the rate of the first state alone, which "
+                            "is all that one run knows. Dashed: the elongation at which the chain is replaced. The wear coefficient is known within "
+                            "a factor of 3, and with it all hours."))
     orders = folder / f"{name}-orders.{kind}"
     if sweep.draw_orders(of, orders, dpi):
         pictures.append(("Orders of tooth frequency at each speed", orders, "A row for each speed; lines: the frequencies "

@@ -7,6 +7,7 @@ import matplotlib
 import numpy as np
 
 import outputs
+import wear
 from chaindrive.drive import span_title
 
 matplotlib.use("Agg")
@@ -191,6 +192,17 @@ def _waterfall(sweep, figure, axis, title, decades, rows):
         axis.legend(fontsize=7, labelcolor="white", frameon=False, loc="upper right")
 
 
+def draw_wear(sweep, file, dpi=100):
+    """Elongation over hours, of a study of wear; nothing is drawn, and False returned, of others."""
+    found = wear.curves(sweep) if wear.applies(sweep.study.about) else []
+    if not found:
+        return False
+    figure, axis = plt.subplots(figsize=(6, 3.6), layout="constrained")
+    wear.draw(found, axis, COLOURS * 9, MARKS * 9, plain)
+    _save(figure, file, dpi)
+    return True
+
+
 def _save(figure, file, dpi):
     svg = str(file).endswith("svg")
     figure.savefig(file, dpi=dpi, metadata={"Date": None} if svg else None)
@@ -207,6 +219,8 @@ def tables(sweep, heading, number):
     if sweep.resonances():
         found.append((["what may resonate", "first frequency (Hz)", "tooth frequency meets it at (rpm)", "its second order (rpm)"],
                       [[what, number(hertz), number(speed), number(speed / 2)] for what, hertz, speed in sweep.resonances()]))
+    if wear.applies(study.about):
+        found += wear.tables(wear.curves(sweep))
     for label, variants in sweep.curves.items():
         head = [sweep.label + (f", {label}" if label else ""), *(heading(study, c) for c in study.columns), "CPU (s)"]
         found.append((head, [[number(sweep.abscissa(v)), v["row"]["message"]] if v["row"]["not valid"] else

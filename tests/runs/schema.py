@@ -27,6 +27,7 @@ RUNS = {
     "full": (HARD, {**ELASTIC, **TOUCHING_PLATES, "Elements/Formulation": "one point", "Time/End time in ms": 0.03}),
     "jumped": (SIMPLE, {"Drive/Layout/Centre distance from": "slack", "Drive/Layout/Slack in mm": 70,
                         "Loads/Resisting torque in N m": 2000, "Time/End time in ms": 16, "Output/Window start in ms": 8}),
+    "impacts": (SIMPLE, {"Time/End time in ms": 36, "Output/Window start in ms": 14, "Output/Field interval in ms": 0}),
 }
 MOVED = {"Time/End time in ms": 0.3, "Output/Window start in ms": 0, "Output/Window end in ms": "auto"}
 SLIDE = {"Drive/Wheels/idler/Held by": "slide", "Drive/Wheels/idler/Slide/Direction in degrees": 90,

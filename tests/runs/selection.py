@@ -8,6 +8,7 @@ import pathlib
 import re
 import resource
 import sys
+import xml.etree.ElementTree
 
 import program
 from program import check
@@ -38,6 +39,21 @@ check("set Designation = 08A" in text and "set Number of links = 122" in text, t
 plan = program.run(pathlib.Path("best.prm").absolute(), ESTIMATES, "--plan", program=PROGRAM)
 for line in ("  wear ", "  plates ", "  rollers, bushes", "  pins "):
     check(line in plan, f"the plan has no line{line}:\n{plan}")
+
+chart = said("--chart", "chart.svg")
+rows = chart.stdout.splitlines()[2:14]
+svg = xml.etree.ElementTree.parse("chart.svg").getroot()
+bars = [float(one.get("width")) for one in svg.iter("{http://www.w3.org/2000/svg}rect") if one.get("class") in ("bar", "bad")]
+words = [one.text for one in svg.iter("{http://www.w3.org/2000/svg}text")]
+check(chart.returncode == 0 and len(bars) == 5 * len(rows), f"{len(bars)} bars for {len(rows)} drives: {chart.stderr}")
+masses = [float(row.split()[6]) for row in rows]
+check(max(abs(bar / bars[2 * len(rows)] - mass / masses[0]) for bar, mass in zip(bars[2 * len(rows):], masses)) < 0.03, f"bars of mass {bars}, {masses}")
+check(f"{rows[0].split()[0]}, {rows[0].split()[1]}" in words and rows[0].split()[-2] in words, f"words of the chart: {words}")
+for options, sentence in ((("--chart", "chart.png"), "ends in .svg"), (("--chart",), "--chart")):
+    done = said(*options)
+    check(done.returncode == 2 and sentence in done.stderr, f"{options}: {done.stderr}")
+done = program.start([PROGRAM, "plan", "best.prm", "--chart", "chart.svg"])
+check(done.returncode == 2 and "--chart belongs to selections" in done.stderr, done.stderr)
 
 nothing = said("--output", "none.prm", kW=4000)
 check(nothing.returncode == 2 and "none of the table meets the demand" in nothing.stderr, nothing.stderr)

@@ -73,4 +73,10 @@ void print(std::ostream                 &out,
            const Demand                 &demand,
            const std::vector<Candidate> &candidates,
            unsigned int                  rows);
+
+/// A chart of the same as SVG: bars of life, safety, size, speed of impact and sound for each.
+void draw(std::ostream                 &out,
+          const Demand                 &demand,
+          const std::vector<Candidate> &candidates,
+          unsigned int                  rows);
 } // namespace chaindrive::drive
