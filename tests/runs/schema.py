@@ -3,7 +3,7 @@
 
 Drives of every fidelity, one of which jumps and breaks: each history and each member of their summaries is in the
 schema, histories with their unit and description; and nothing is in the schema that none of them has. The histories
-of drives with guides, tensioners and three wheels have other names, for which there is a star in the schema."""
+of drives with guides, tensioners, shafts that yield and three wheels have other names, for which there is a star in the schema."""
 import json
 import re
 import subprocess
@@ -26,6 +26,7 @@ RUNS = {
     "full": (HARD, {**ELASTIC, **TOUCHING_PLATES, "Elements/Formulation": "one point", "Time/End time in ms": 0.03}),
     "jumped": (SIMPLE, {"Drive/Layout/Centre distance from": "slack", "Drive/Layout/Slack in mm": 70,
                         "Loads/Resisting torque in N m": 2000, "Time/End time in ms": 16, "Output/Window start in ms": 8}),
+    "shafts": ("prm/drives/coupling.prm", {"Time/End time in ms": 0.3, "Output/Window start in ms": 0}),
 }
 MOVED = {"Time/End time in ms": 0.3, "Output/Window start in ms": 0, "Output/Window end in ms": "auto"}
 SLIDE = {"Drive/Wheels/idler/Held by": "slide", "Drive/Wheels/idler/Slide/Direction in degrees": 90,
