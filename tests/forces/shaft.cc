@@ -4,7 +4,8 @@
 // with sqrt(k/m) along each axis, while it turns as it did; dampers let them decay as exp(-zeta
 // omega t); a constant torque and a constant force end in their static twist and deflection; a
 // weight bends nothing; energies balance; and critical time steps are those of these masses on
-// these springs, also of a contact with a wheel that moves on its bearing.
+// these springs, also of a contact with a wheel that moves on its bearing; an impact gives it its
+// momentum.
 #include "../support/scenes.h"
 
 #include <chaindrive/contact/drum.h>
@@ -202,6 +203,26 @@ void bearings()
     advance(system, 1000, 1e-5, []() {});
     verdict("a weight moves nothing", std::abs(system.world.frames[0].position[1]) < 1e-15);
   }
+  for (const unsigned int d : {0U, 1U})
+    {
+      // a lump flies against a wheel that nothing holds: it gets its share of the momentum
+      const double light = 0.3;
+      scene::Scene scene = on_bearing({}, {});
+      name_wheel(scene);
+      scene.bearings[0].stiffness = {};
+      Vector3 along;
+      along[d] = 1.;
+      scene.bodies.push_back(lump(light, -(20e-3 + 1e-4) * along, 2. * along));
+      scene.surfaces.push_back(on_surface(std::make_shared<const contact::Drum>(0, 15e-3),
+                                          {1e7, 0., 0., 0., 0.},
+                                          {{3, dealii::Point<3>(), 5e-3, 0}}));
+      dynamics::System system(scene, false);
+      advance(system, 4000, 1e-6, []() {});
+      ratio(d == 0 ? "speed after an impact along x" : "speed after an impact along y",
+            state_of(scene.bearings[0], system.world).speed[d],
+            2. * 2. * light / (light + m),
+            5);
+    }
   // a lump leans on the wheel by its weight, from above: the bearing yields by m g / k
   for (const bool planar : {false, true})
     {

@@ -3,7 +3,8 @@
 
 Drives of every fidelity, one of which jumps and breaks: each history and each member of their summaries is in the
 schema, histories with their unit and description; and nothing is in the schema that none of them has. The histories
-of drives with guides, tensioners and three wheels, also out of line, have other names, for which there is a star in the schema."""
+of drives with guides, tensioners, shafts that yield, arms that move and three wheels, also out of line, have other names,
+for which there is a star in the schema."""
 import json
 import re
 import subprocess
@@ -28,13 +29,15 @@ RUNS = {
     "jumped": (SIMPLE, {"Drive/Layout/Centre distance from": "slack", "Drive/Layout/Slack in mm": 70,
                         "Loads/Resisting torque in N m": 2000, "Time/End time in ms": 16, "Output/Window start in ms": 8}),
     "impacts": (SIMPLE, {"Time/End time in ms": 36, "Output/Window start in ms": 14, "Output/Field interval in ms": 0}),
+    "shafts": ("prm/drives/coupling.prm", {"Time/End time in ms": 0.3, "Output/Window start in ms": 0}),
 }
 MOVED = {"Time/End time in ms": 0.3, "Output/Window start in ms": 0, "Output/Window end in ms": "auto"}
 SLIDE = {"Drive/Wheels/idler/Held by": "slide", "Drive/Wheels/idler/Slide/Direction in degrees": 90,
          "Drive/Wheels/idler/Slide/Force in N": 80}
 SHOE = {"Drive/Wheels/driver/Guide/Held by": "slide", "Drive/Wheels/driver/Guide/Slide/Direction in degrees": 90,
         "Drive/Wheels/driver/Guide/Slide/Force in N": 40, "Drive/Wheels/driver/Guide/Slide/Mass in g": 60}
-NAMED = {"blade": ("prm/drives/blade.prm", {}), "shoe": ("prm/drives/blade.prm", SHOE), "drum": ("prm/drives/flat-idler.prm", {}), "guides": ("prm/drives/guides.prm", {}), "arm": ("prm/drives/tensioner.prm", {}), "slide": ("prm/drives/tensioner.prm", SLIDE),
+NAMED = {"blade": ("prm/drives/blade.prm", {}), "shoe": ("prm/drives/blade.prm", SHOE), "drum": ("prm/drives/flat-idler.prm", {}), "guides": ("prm/drives/guides.prm", {}), "swing": ("prm/drives/motorcycle.prm", {}),
+         "arm": ("prm/drives/tensioner.prm", {}), "slide": ("prm/drives/tensioner.prm", SLIDE),
          "three": ("prm/drives/two-loads.prm", {}),
          "three out of line": ("prm/drives/two-loads.prm", {"Model/Fidelity": "layered", "Drive/Wheels/compressor/Axial offset in mm": 1}),
          "elastic": ("prm/drives/two-loads.prm", {"Model/Fidelity": "reduced", "Mesh/Refinement": 0, "Time/End time in ms": 0.02,
