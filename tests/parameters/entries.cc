@@ -75,6 +75,7 @@ void check_choices()
                                    check_choice<Side>("side"),
                                    check_choice<Holder>("what holds a wheel"),
                                    check_choice<GuideLine>("line of a guide"),
+                                   check_choice<RunsOn>("what lies on a drum"),
                                    check_choice<Precision>("history precision")};
 
   std::string list = check_choice<QuantityGroup>("quantity group");
@@ -85,6 +86,7 @@ void check_choices()
   choices.insert("time in s, time in ms, angle in rad or angle in degrees");
   choices.insert("time in s or time in ms");
   choices.insert("rad/s or rpm");
+  choices.insert("nothing, arm or slide"); // holds a guide
   {
     chaindrive::Parameters defaults;
     Declarations           all;
