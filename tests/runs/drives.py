@@ -168,7 +168,7 @@ def rms(values):
 def laws(what, run, couplings, bearings, within):
     """Torques and forces off those of springs and dampers, over those of the dampers."""
     for name, stiffness, damping in couplings:
-        twist, torque = (np.asarray(run[f"hubs/{name}_coupling_{of}"]) for of in ("twist", "torque"))
+        twist, torque = (np.asarray(run[f"hubs/{name}_coupling_{of}"]) for of in ("twist", "moment"))
         viscous = damping * np.gradient(twist, run.time)
         below(f"{what}: torque of the {name}'s coupling off its law", rms(torque - stiffness * twist - viscous) / rms(viscous), within)
     for name, stiffness, damping in bearings:
@@ -181,7 +181,7 @@ def laws(what, run, couplings, bearings, within):
 def coupling(drive):
     file = FOLDER / f"{NAME}.prm"
     soft, bearing = [("driver", 300, 2 * 0.1 * math.sqrt(300 * 9e-4))], [("driven", 4e6, 2 * 0.05 * math.sqrt(4e6 * 6))]
-    speed = drive.of("hubs/driver_machine_speed", False)
+    speed = drive.of("hubs/driver_machine_velocity", False)
     below("speed of the motor off 960 rpm, rad/s", np.abs(speed - 960 * math.pi / 30).max(), 1e-9)
     program.run(file, {"Output/History precision": "double", "Output/History interval in us": 5, "Time/End time in ms": 20, "Output/Window start in ms": 0},
                 "--output", "dense", program=PROGRAM)
@@ -192,7 +192,7 @@ def coupling(drive):
     mean = drive.summary["statistics"]
     near("mean displacement, um", 1e6 * mean["driven_displacement_x"]["mean"], -1e6 * mean["driven_load"]["mean"] / 4e6, 2)
     near("mean twist of the coupling, rad", mean["driver_coupling_twist"]["mean"], mean["driver_torque"]["mean"] / 300, 5e-5)
-    near("torque at the start over that without losses", drive.of("hubs/driver_coupling_torque", False)[0] / 30, 1, 0.03)
+    near("torque at the start over that without losses", drive.of("hubs/driver_coupling_moment", False)[0] / 30, 1, 0.03)
     losses, window = drive.summary["losses"], drive.summary["window_energy"]
     near("losses by name over all", sum(loss["energy"] for loss in losses.values()) / window["lost"], 1, 1e-9)
     program.check(min(losses[of]["energy"] for of in ("coupling of the driver", "bearing of the driven sprocket")) > 0, f"losses: {losses}")
@@ -230,7 +230,7 @@ def shafts_in_all_fidelities(soft, bearing):
         program.check(abs(before - 9e-4) < 1e-12, f"inertia {before}")
         machine = ("driven", 2000, 2 * 0.05 * math.sqrt(2000 / (1 / (behind - 0.05) + 1 / 0.05)))
         laws(name, run, [*soft, machine], bearing, 0.05)
-        near(f"{name}: torque of the driven coupling at the start, N m", run["hubs/driven_coupling_torque"][0], 60, 1e-6)
+        near(f"{name}: torque of the driven coupling at the start, N m", run["hubs/driven_coupling_moment"][0], 60, 1e-6)
         below(f"{name}: energy imbalance", summary["energy_imbalance_max"], 1e-4)
         below(f"{name}: momentum imbalance", summary["momentum_imbalance_max"], 1e-11)
     # elastic bodies begin with forces that are a few percent wrong
@@ -250,7 +250,7 @@ def shafts_resumed():
     program.run(file, layered, "--output", "resumed", "--resume", "auto", program=PROGRAM)
     program.run(file, {**layered, "Effects/Planar motion": "auto"}, "--output", "plane", program=PROGRAM)
     space = chaindrive.open("space")
-    histories = ("driver_coupling_twist", "driven_coupling_torque", "driven_machine_speed", "driver_displacement_y", "driven_bearing_force_x")
+    histories = ("driver_coupling_twist", "driven_coupling_moment", "driven_machine_velocity", "driver_displacement_y", "driven_bearing_force_x")
     for other in ("space_ranks", "resumed"):
         for history in [f"hubs/{name}" for name in histories] + ["links/tension", "energy/spring", "energy/spring_damping_loss"]:
             same = np.array_equal(np.asarray(space[history]), np.asarray(chaindrive.open(other)[history]))

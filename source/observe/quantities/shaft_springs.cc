@@ -98,8 +98,8 @@ private:
              "rad",
              "Of what drives ahead of what is driven, while the drive drives; the static twist is "
              "part of it"},
-            {path + "_coupling_torque", "N m", "Of its spring and damper, positive likewise"},
-            {path + "_machine_speed",
+            {path + "_coupling_moment", "N m", "Of its spring and damper, positive likewise"},
+            {path + "_machine_velocity",
              "rad/s",
              "Of the motor or machine behind the coupling, in the sense of its motion in "
              "operation"}};
@@ -119,7 +119,7 @@ private:
   static std::vector<WindowStatistics::Signal> coupling_signals(const std::string &name)
   {
     return {{name + "_coupling_twist", "rad", "twist of the coupling of " + name},
-            {name + "_coupling_torque", "N m", "torque of the coupling of " + name}};
+            {name + "_coupling_moment", "N m", "torque of the coupling of " + name}};
   }
 
   static std::vector<WindowStatistics::Signal> bearing_signals(const std::string &name)
