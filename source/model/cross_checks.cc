@@ -275,11 +275,18 @@ void check_model(const Parameters &p, Findings &findings)
       "which " +
           chosen + " cannot do with its elastic parts; choose given, slack or sag.");
   for (const Sprocket &wheel : p.drive.sprockets.list)
-    findings.contradiction(elastic && is_sprung(wheel.held.holder) && start != Start::settled,
-                           "The spring of the tensioner, Drive/Wheels/" + wheel.name +
-                               "/Held by = " + text_of(wheel.held.holder) +
-                               ", stretches the chain at the start, for which " + chosen +
-                               " needs Drive/Layout/Start = settled.");
+    {
+      findings.contradiction(elastic && is_sprung(wheel.held.holder) && start != Start::settled,
+                             "The spring of the tensioner, Drive/Wheels/" + wheel.name +
+                                 "/Held by = " + text_of(wheel.held.holder) +
+                                 ", stretches the chain at the start, for which " + chosen +
+                                 " needs Drive/Layout/Start = settled.");
+      findings.contradiction(
+          wheel.role == parameters::Role::idler &&
+              (wheel.resisting_torque || wheel.torque_terms.any_active()),
+          "Loads/" + wheel.name + " has a torque, but Drive/Wheels/" + wheel.name +
+              "/Role = idler turns freely; choose driven, or leave the torque out.");
+    }
   findings.contradiction(elastic && p.drive.sprockets.driver().guide.is_sprung() &&
                              start != Start::settled,
                          "The spring of Drive/Wheels/driver/Guide stretches the chain, for which " +
@@ -330,7 +337,6 @@ void check_model(const Parameters &p, Findings &findings)
   findings.note(
       start != Start::settled && p.loads.ramp_time > p.time.end,
       "Loads/Ramp time in ms ends after the run: the driver does not reach its full speed.");
-
   findings.note(
       p.loads.torque_after_step != 0. && !p.loads.torque_step_time,
       "Loads/Torque after step in N m has no effect, since Torque step time in ms is auto.");
@@ -380,17 +386,6 @@ void check_enforcement(const Parameters &p, const Effects &effects, Findings &fi
             ", in which only modes tell one end of a link what happens at the "
             "other; choose at least " +
             to_entry_text(least_modes_of_exact_joints, unit::kilo) + ", or auto.");
-}
-
-/// What is asked of an idler.
-void check_wheels(const Parameters &p, Findings &findings)
-{
-  for (const Sprocket &sprocket : p.drive.sprockets.list)
-    findings.contradiction(
-        sprocket.role == parameters::Role::idler &&
-            (sprocket.resisting_torque || sprocket.torque_terms.any_active()),
-        "Loads/" + sprocket.name + " has a torque, but Drive/Wheels/" + sprocket.name +
-            "/Role = idler turns freely; choose driven, or leave the torque out.");
 }
 
 /// What is switched on or off in an elastic model must fit together.
@@ -583,7 +578,6 @@ std::vector<std::string> cross_check(const Parameters &parameters, const Effects
   check_times(parameters, effects, findings);
   check_chain(parameters, effects, findings);
   check_model(parameters, findings);
-  check_wheels(parameters, findings);
   check_effects(parameters, effects, findings);
   check_elasticity(parameters, effects, findings);
   check_enforcement(parameters, effects, findings);
