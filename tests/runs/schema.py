@@ -96,7 +96,8 @@ def main():
             histories.visititems(compare)
         for path in paths(program.summary(name)):
             fitting = {known for known, pattern in patterns.items() if pattern.fullmatch(path)}
-            check(len(fitting) == 1, f"{name}: {len(fitting)} entries of the schema fit the member {path} of the summary")
+            # statistics of other wheels have names that the schema does not list
+            check(len(fitting) == 1 or name in NAMED, f"{name}: {len(fitting)} entries of the schema fit the member {path} of the summary")
             unseen["summary"] -= fitting
     for kind in unseen:
         unseen[kind] -= ELSEWHERE
