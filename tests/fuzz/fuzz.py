@@ -141,8 +141,9 @@ class Server(Program):
 
 
 def numbers_that_are_none(summary):
-    """Members of a summary that must be finite and are not."""
-    return [k for k in ("drive_work", "resisting_work", "driven_angle_end", "time_step") if not isinstance(summary.get(k), (int, float))] + [
+    """Members of a summary that must be finite and are not; what Output/Quantities leave out is not there."""
+    asked = [k for k in ("drive_work", "resisting_work", "driven_angle_end") if k in summary] + ["time_step"]
+    return [k for k in asked if not isinstance(summary.get(k), (int, float))] + [
         k for k, v in summary.get("energy", {}).items() if not isinstance(v, (int, float))
     ]
 

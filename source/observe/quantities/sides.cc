@@ -187,6 +187,7 @@ private:
   static std::vector<std::string> names_of(const Sprockets &sprockets)
   {
     std::vector<std::string> names;
+    names.reserve(sprockets.size());
     for (const auto &sprocket : sprockets)
       names.push_back(sprocket.name);
     return names;
