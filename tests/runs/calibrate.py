@@ -6,6 +6,7 @@ Without Snakemake, h5py, matplotlib or pandas it ends with 77: left out."""
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -49,6 +50,7 @@ def refused(words, *said, changes=None):
 
 
 def main():
+    shutil.rmtree(CACHE / "drives", ignore_errors=True)  # of another version of the program
     refused(["calibrate", "--quick"], "--quick belongs to studies")
     refused(["calibrate"], "A drive that stands", changes={"Loads/Driver speed in rad/s": 0})
     refused(["calibrate"], "cannot be calibrated", "exact: ", changes={"Drive/Sprockets/Driver mesh": REPOSITORY / "meshes/sprocket-15.msh",
