@@ -50,7 +50,8 @@ def refused(words, *said, changes=None):
 
 
 def main():
-    shutil.rmtree(CACHE / "drives", ignore_errors=True)  # of another version of the program
+    for left in (CACHE / "drives", FOLDER):  # by another version of the program
+        shutil.rmtree(left, ignore_errors=True)
     refused(["calibrate", "--quick"], "--quick belongs to studies")
     refused(["calibrate"], "A drive that stands", changes={"Loads/Driver speed in rad/s": 0})
     refused(["calibrate"], "cannot be calibrated", "exact: ", changes={"Drive/Sprockets/Driver mesh": REPOSITORY / "meshes/sprocket-15.msh",
