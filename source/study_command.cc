@@ -574,6 +574,9 @@ std::vector<std::string> study_command(const CommandLine                    &com
     return {};
   claim(directory);
   write(directory, models, as_json(input, models, command_line, calibration), command_line.retry);
+  std::error_code missing;
+  if (calibration) // is kept anew, for the cache may have lost it
+    std::filesystem::remove(directory + "/calibration.txt", missing);
   log << "Results: " << directory << std::endl;
   return snakemake(command_line, directory);
 }
