@@ -328,34 +328,25 @@ std::optional<Guide> make_pressed_guide(const parameters::Drive        &drive,
       held.direction[0] = std::cos(given.held.direction);
       held.direction[1] = layout.sense * std::sin(given.held.direction);
       held.direction *= held.direction * towards > 0. ? 1. : -1.;
-      held.weight = gravity * held.inertia;
     }
   if (!(held.way(0.) * towards > least_gain * held.lever()))
     throw InputError(of_driver + "Held by = " + text_of(held.holder) +
                      " moves the guide along the chain, and not against it; choose another " +
                      (held.is_arm() ? "Arm/Pivot in mm." : "Slide/Direction in degrees."));
-  TensionerLaw &law      = held.law;
-  law.preload            = share * spring.preload;
-  law.stiffness          = share * spring.stiffness;
-  law.damping            = share * spring.damping;
-  law.retracting_damping = share * spring.retracting_damping.value_or(spring.damping);
-  law.least              = spring.least.value_or(law.least);
-  law.most               = spring.most.value_or(law.most);
-  if (spring.least || spring.most)
-    law.stop_stiffness = 1e6 * held.lever() * held.lever();
-  law.stop_damping = 2. * 0.2 * std::sqrt(law.stop_stiffness * held.inertia);
-  guide.held       = held;
+  held.law = make_law(spring, share, held.lever());
+  held.carry(0., gravity);
+  guide.held = held;
 
   // up to the chain as it is laid
-  const double farthest = std::min(law.most, held.is_arm() ? 1.5 : 0.5);
-  double       low = std::max(0., law.least), high = low;
+  const double farthest = std::min(held.law.most, held.is_arm() ? 1.5 : 0.5);
+  double       low = std::max(0., held.law.least), high = low;
   const double step = 0.5e-3 / held.lever();
   while (high < farthest && depth_at(guide, layout, half, high) < 0.)
     {
       low  = high;
       high = std::min(farthest, high + step);
     }
-  if (depth_at(guide, layout, half, high) < 0. && farthest < law.most)
+  if (depth_at(guide, layout, half, high) < 0. && farthest < held.law.most)
     throw InputError(of_driver + "Points in mm: the guide does not come to the slack span within " +
                      held.with_unit(farthest) + " of travel; choose other points, or stops.");
   for (unsigned int i = 0; i < 60; ++i)

@@ -148,6 +148,20 @@ unsigned int tensioned_wheel(const parameters::Sprockets &sprockets)
   return 0;
 }
 
+TensionerLaw make_law(const parameters::Tensioner &given, const double share, const double lever)
+{
+  TensionerLaw law;
+  law.preload            = share * given.preload;
+  law.stiffness          = share * given.stiffness;
+  law.damping            = share * given.damping;
+  law.retracting_damping = share * given.retracting_damping.value_or(given.damping);
+  law.least              = given.least.value_or(law.least);
+  law.most               = given.most.value_or(law.most);
+  if (given.least || given.most)
+    law.stop_stiffness = stop_at_the_axis * lever * lever;
+  return law;
+}
+
 Tensioner make_tensioner(const parameters::Drive &drive, const bool reverse)
 {
   Tensioner tensioner{};
@@ -162,18 +176,9 @@ Tensioner make_tensioner(const parameters::Drive &drive, const bool reverse)
   tensioner.direction[1]             = tensioner.sense * std::sin(wheel.held.direction);
   const double share                 = drive.chain.share();
   tensioner.inertia                  = share * given.inertia;
-
-  TensionerLaw &law      = tensioner.law;
-  law.preload            = share * given.preload;
-  law.stiffness          = share * given.stiffness;
-  law.damping            = share * given.damping;
-  law.retracting_damping = share * given.retracting_damping.value_or(given.damping);
-  law.least              = given.least.value_or(law.least);
-  law.most               = given.most.value_or(law.most);
+  tensioner.law                      = make_law(given, share, tensioner.lever());
   if (tensioner.is_clamped())
-    law = {0., 0., 0., 0., law.least, law.most};
-  else if (given.least || given.most)
-    law.stop_stiffness = stop_at_the_axis * tensioner.lever() * tensioner.lever();
+    tensioner.law = {0., 0., 0., 0., tensioner.law.least, tensioner.law.most};
   return tensioner;
 }
 
