@@ -93,8 +93,8 @@ struct Tensioner
 /// Number of the wheel of @p sprockets that is a tensioner; 0, that of the driver: there is none.
 unsigned int tensioned_wheel(const parameters::Sprockets &sprockets);
 
-/// The law that entries ask for, of which a strand has its @p share; @p lever as Tensioner::lever().
-/// Without the damping of its stops, see Tensioner::carry().
+/// The law that entries ask for, of which a strand has its @p share; @p lever as
+/// Tensioner::lever(). Without the damping of its stops, see Tensioner::carry().
 TensionerLaw make_law(const parameters::Tensioner &given, double share, double lever);
 
 /// The tensioner of @p drive, which has one, in a drive that turns counter-clockwise, before it is
