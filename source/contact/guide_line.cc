@@ -28,15 +28,14 @@ Touch GuideLine::project(const World                &world,
   const Frame               &frame   = world.frames[body()];
   const dealii::Tensor<1, 3> local   = transpose(frame.rotation) * (x - frame.position);
   const path::Nearest        nearest = curve_->nearest(dealii::Point<2>(local[0], local[1]), hint);
+  const double               side    = nearest.distance < 0. ? -1. : 1.;
   Touch                      touch;
-  if (nearest.distance < -radius)
-    return touch;
-  touch.gap = nearest.distance - radius;
+  touch.gap = side * nearest.distance - radius;
   if (touch.gap < 0.)
     {
       dealii::Tensor<1, 3> normal;
-      normal[0]    = nearest.normal[0];
-      normal[1]    = nearest.normal[1];
+      normal[0]    = side * nearest.normal[0];
+      normal[1]    = side * nearest.normal[1];
       touch.normal = frame.rotation * normal;
       touch.point  = at_centres_ ? x : x - radius * touch.normal;
       set_tangents(touch, frame);

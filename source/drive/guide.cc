@@ -222,9 +222,10 @@ std::vector<Guide> make_guides(const parameters::Drive        &drive,
       unsigned int joint   = n;
       for (unsigned int k = 0; k < n; ++k)
         {
-          unsigned int any      = guide.curve.n_pieces();
-          const double distance = guide.curve.nearest(layout.joints[k].bush, any).distance;
-          if (half - distance > deepest && distance > -half) // else it is behind the guide
+          unsigned int any = guide.curve.n_pieces();
+          const double distance =
+              std::abs(guide.curve.nearest(layout.joints[k].bush, any).distance);
+          if (half - distance > deepest)
             {
               deepest = half - distance;
               joint   = k;

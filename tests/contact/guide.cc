@@ -52,6 +52,48 @@ void pull(const std::string &name, const bool spline, const bool at_centres)
                                  system.world.spins[n_on_capstan / 2].speed == 0.);
                      });
 }
+/// A lump without friction meets a straight guide: from the front, from behind, at its end along
+/// the line and past it. It comes back as fast as it has come, without having been deeper in than
+/// its speed carries it.
+void throw_back()
+{
+  const double radius = 5e-3, mass = 0.1, stiffness = 1e6, speed = 2.;
+  const struct
+  {
+    const char *name;
+    Vector3     from, towards;
+  } throws[] = {{"from the front", vector(0.05, 0.02, 0.), vector(0., -1., 0.)},
+                {"from behind", vector(0.05, -0.02, 0.), vector(0., 1., 0.)},
+                {"at the end", vector(0.12, 0., 0.), vector(-1., 0., 0.)},
+                {"from behind, past the end", vector(0.102, -0.02, 0.), vector(0., 1., 0.)}};
+  for (const auto &thrown : throws)
+    {
+      scene::Scene scene = empty_scene();
+      scene.bodies       = {
+                lump(mass, thrown.from, speed * thrown.towards),
+                body(scene::Motion::rigid, scene::Mount::fixed(), 1., vector(1., 1., 1.), Vector3())};
+      scene.guides.push_back({"guide",
+                              1,
+                              std::make_shared<const path::Curve>(
+                                  path::Curve::spline({Point<2>(), Point<2>(0.1, 0.)})),
+                              {stiffness, 0., 0., stiffness, 0.},
+                              {{0, Point<3>(), radius, 0}},
+                              true});
+      dynamics::System system(scene, false);
+      const Frame     &frame   = system.world.frames[0];
+      double           nearest = 1.;
+      advance(system, 15000, 1e-6, [&]() {
+        Vector3 arm = frame.position;
+        arm[0] -= std::clamp(arm[0], 0., 0.1);
+        nearest = std::min(nearest, arm.norm());
+      });
+      const double depth = speed * std::sqrt(mass / stiffness);
+      std::cout << thrown.name << std::endl;
+      ratio("  speed afterwards", frame.velocity.norm(), speed, 4);
+      verdict("  it has touched, and not deeper than by its speed",
+              nearest < radius && nearest > radius - 1.001 * depth);
+    }
+}
 } // namespace
 
 int main()
@@ -88,4 +130,5 @@ int main()
             4);
       ratio("  behind the guide nothing holds it", system.world.frames[1].velocity[1], -g * 0.2, 6);
     }
+  throw_back();
 }

@@ -12,7 +12,8 @@ class GuideLine : public Surface
 public:
   explicit GuideLine(const scene::GuideFamily &family);
 
-  /// A slave that is behind the line by more than its radius is on another side of the guide.
+  /// The line is a thin strip, both sides of which keep slaves off: one that has gone round an end
+  /// and comes back from behind meets it as from the front, without a jump of the gap.
   Touch project(const World                &world,
                 const dealii::Tensor<1, 3> &x,
                 double                      radius,
