@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs random drives within the ranges of the entries, each for 0.3 ms.
+"""Runs random drives within the ranges of the entries, each for a short time: 0.3 ms.
 
-    random_drives.py [-n 200] [--seed 0] [--fidelities simple,layered] [--refusals] [--program PROGRAM]
+    random_drives.py [-n 200] [--seed 0] [--fidelities simple,layered] [--kinds] [--refusals] [--program PROGRAM]
 
-Fidelity `exact` stands for `reduced` without penalty.
+Fidelity `exact` stands for `reduced` without penalty. With --kinds drives have what random_kinds.py adds, and run 0.5 ms.
 
 A drive must run to its end with energy and momentum balanced, or be refused by a sentence that names an entry; anything
 else is an error: a signal, a hang, a stop without advice. Prints a line for each drive that did not run, with the message of
@@ -20,13 +20,14 @@ import subprocess
 import tempfile
 
 import program
+import random_kinds
 
 PITCH = {"06B": 9.525, "08B": 12.7, "10B": 15.875, "12B": 19.05, "16A": 25.4, "40": 12.7, "60": 19.05, "428": 12.7, "525": 15.875}
 ELASTIC = ("reduced", "exact", "full")
 
 
-def draw(rng, fidelity):
-    """Entries of a drive. The chains of elastic ones are few, since a new chain has to be solved first."""
+def draw(rng, fidelity, kinds=False):
+    """Entries of a drive, and what kinds of things it has besides two sprockets. The chains of elastic ones are few, since a new chain has to be solved first."""
     elastic = fidelity in ELASTIC
     chain = rng.choice(("525", "08B") if elastic else sorted(PITCH))
     driver, driven = rng.randint(9, 19 if elastic else 40), rng.randint(9, 19 if elastic else 90)
@@ -76,7 +77,10 @@ def draw(rng, fidelity):
             entries[f"Effects/Elastic {body}"] = rng.choice(("auto", "off"))
         entries["Elements/Plates"] = rng.choice(("solid", "solid-shell", "membrane"))
         entries["Elements/Bushes"] = rng.choice(("solid", "solid-shell"))
-    return entries
+    if kinds:
+        entries["Time/End time in ms"] = 0.05 if fidelity == "full" else 0.5
+        return entries, random_kinds.add(rng, fidelity, pitch, radii, entries)
+    return entries, []
 
 
 def outcome(entries, directory, path, limit, refusals):
@@ -109,17 +113,20 @@ def main():
     parser.add_argument("--fidelities", default="simple,layered")
     parser.add_argument("--limit", type=float, default=120, help="time limit of one drive in seconds")
     parser.add_argument("--only", type=int)
+    parser.add_argument("--kinds", action="store_true", help="drives with more than two sprockets in a plane")
     parser.add_argument("--refusals", action="store_true", help="print why drives are refused")
     parser.add_argument("--program", default=program.PROGRAM)
     options = parser.parse_args()
-    fidelities, counts, wrong = options.fidelities.split(","), collections.Counter(), 0
+    fidelities, counts, of_kinds, wrong = options.fidelities.split(","), collections.Counter(), collections.Counter(), 0
     with tempfile.TemporaryDirectory() as scratch:
         for k in range(options.n) if options.only is None else (options.only,):
             fidelity = fidelities[k % len(fidelities)]
-            entries = draw(random.Random(f"{options.seed} {k}"), fidelity)
+            entries, kinds = draw(random.Random(f"{options.seed} {k}"), fidelity, options.kinds)
             directory = pathlib.Path(scratch) / str(k) if options.only is None else pathlib.Path(f"results/random-{k}")
             became, fault = outcome(entries, directory, options.program, options.limit, options.refusals)
             counts[fidelity, became] += 1
+            for kind in kinds:
+                of_kinds[kind, became] += 1
             if fault:
                 wrong += 1
                 sets = " ".join(f'--set "{name}={value}"' for name, value in entries.items())
@@ -128,6 +135,8 @@ def main():
                 print(f"drive {k}: {became}")
     for (fidelity, became), count in sorted(counts.items()):
         print(f"{fidelity}: {count} {became}")
+    for kind in sorted({kind for kind, _ in of_kinds}):
+        print(f"  with {kind}: " + ", ".join(f"{count} {became}" for (what, became), count in sorted(of_kinds.items()) if what == kind))
     runs = sum(count for (_, became), count in counts.items() if became == "runs")
     program.check(not wrong, f"{wrong} drives ended as none should")
     program.check(runs > 0.5 * sum(counts.values()), "most drives were refused: nothing was tried")
