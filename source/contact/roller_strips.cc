@@ -539,12 +539,14 @@ void RollerStrips::raise_pressures(std::vector<double> &largest) const
     {
       if (!(states_[i].normal > 0.))
         continue;
-      double &of_joint = largest[records_[i].joint];
-      for (unsigned int a = 0; a < flexibility_->n(); ++a)
-        of_joint =
-            std::max(of_joint,
-                     rollers_[i].force[a] / (2. * flexibility_->grid().half_width[a / n_rings] *
-                                             radius_ * length_[a % n_rings]));
+      double             &of_joint = largest[records_[i].joint];
+      const StripProblem &problem  = rollers_[i].problem; // nothing else has a force
+      for (unsigned int k = 0; k < problem.n(); ++k)
+        if (const unsigned int a = problem.unknown[k]; problem.force[k] > 0.)
+          of_joint =
+              std::max(of_joint,
+                       problem.force[k] / (2. * flexibility_->grid().half_width[a / n_rings] *
+                                           radius_ * length_[a % n_rings]));
     }
 }
 

@@ -45,6 +45,39 @@ CHAINDRIVE_ALWAYS_INLINE bool visit_window(const JointArguments &arg,
   return true;
 }
 
+/// What measure_window() finds: the frames of the bores in front, then one meeting for each node;
+/// lanes after lanes.
+template <int width>
+struct Met
+{
+  Meeting<width> meeting;
+  unsigned int   index[width];
+  bool           active[width];
+  bool           is_there; ///< in some lane
+};
+
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE Joints<width> &joints_of(const WindowNodes &nodes, const int lane)
+{
+  return reinterpret_cast<Joints<width> *>(nodes.met)[lane / width];
+}
+
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE Met<width>                          &
+met_of(const WindowNodes &nodes, const int lane, const unsigned int node)
+{
+  constexpr int n_packs = n_lanes / width;
+  char *const   first   = nodes.met + n_packs * sizeof(Joints<width>);
+  return reinterpret_cast<Met<width> *>(first)[node * n_packs + lane / width];
+}
+
+template <int width>
+std::size_t room(const std::size_t n_nodes)
+{
+  static_assert(sizeof(Joints<width>) % alignof(Met<width>) == 0, "what follows is not aligned");
+  return n_lanes / width * (sizeof(Joints<width>) + n_nodes * sizeof(Met<width>));
+}
+
 /// The largest window of the lanes from @p lane on.
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE unsigned int
@@ -60,7 +93,7 @@ largest_window(const JointArguments &arg, const int lane, const Joints<width> &j
 template <int width>
 void measure_window_of(const JointArguments &arg, const WindowNodes &nodes, const int lane)
 {
-  Joints<width> joints;
+  Joints<width> &joints = joints_of<width>(nodes, lane);
   if (!take_lanes(arg, lane, joints))
     return;
   const unsigned int visits = largest_window(arg, lane, joints);
@@ -72,14 +105,15 @@ void measure_window_of(const JointArguments &arg, const WindowNodes &nodes, cons
 #pragma GCC unroll 1
     for (unsigned int k = 0; k < nodes.n_rings; ++k)
       {
-        Meeting<width> m;
-        unsigned int   index[width];
-        bool           active[width];
-        if (!visit_window(arg, lane, joints, nodes.ring[k], place, index, active, m))
+        const unsigned int node = place * nodes.n_rings + k;
+        Met<width>        &met  = met_of<width>(nodes, lane, node);
+        met.is_there            = visit_window(
+            arg, lane, joints, nodes.ring[k], place, met.index, met.active, met.meeting);
+        if (!met.is_there)
           continue;
-        double *gap = nodes.gap + (place * nodes.n_rings + k) * n_lanes + lane;
+        double *gap = nodes.gap + node * n_lanes + lane;
         for (int l = 0; l < width; ++l)
-          gap[l] = active[l] ? m.gap[l] : 1.;
+          gap[l] = met.active[l] ? met.meeting.gap[l] : 1.;
       }
 }
 
@@ -108,12 +142,15 @@ void press_of(const JointArguments &arg, const WindowNodes &nodes, const int lan
   const JointGrid &grid = *arg.grid;
   JointSums       &sums = *arg.sums;
   clear_sums<width>(lane, sums);
-  Joints<width> joints;
-  if (!take_lanes(arg, lane, joints))
-    return;
   if (nodes.n_pressed == 0)
     return;
-  find_frame(grid, joints);
+  const Joints<width> &joints = joints_of<width>(nodes, lane);
+  unsigned int         visits = 0;
+  for (int l = 0; l < width; ++l)
+    if (arg.master_position[lane + l] != nullptr && arg.window->count[lane + l] > visits)
+      visits = arg.window->count[lane + l];
+  if (visits == 0)
+    return;
 
   const P            zero(0.);
   ContactEnergies<P> energies{zero, zero, zero};
@@ -137,12 +174,8 @@ void press_of(const JointArguments &arg, const WindowNodes &nodes, const int lan
         }
       if (!any)
         continue;
-      Meeting<width> m;
-      unsigned int   index[width];
-      bool           active[width];
-      if (!visit_window(arg, lane, joints, s, place, index, active, m))
-        continue;
-      alignas(64) double in[n_touch_entries + 1][width];
+      const Meeting<width> &m = met_of<width>(nodes, lane, nodes.pressed[i]).meeting;
+      alignas(64) double    in[n_touch_entries + 1][width];
       for (int l = 0; l < width; ++l)
         {
           for (unsigned int entry = 0; entry < n_touch_entries; ++entry)
@@ -199,6 +232,11 @@ void press(const JointArguments &arg, const WindowNodes &nodes)
 template <int width>
 constexpr JointKernels make_joint_kernels()
 {
-  return {width, add_forces<width>, measure_gaps<width>, measure_window<width>, press<width>};
+  return {width,
+          add_forces<width>,
+          measure_gaps<width>,
+          measure_window<width>,
+          room<width>,
+          press<width>};
 }
 } // namespace chaindrive::contact::packed
