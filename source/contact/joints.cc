@@ -100,10 +100,12 @@ void JointBatch::set_joint(const int lane, const JointBody &master, const JointB
   arguments_.master_position[lane] = master.position;
   arguments_.master_velocity[lane] = master.velocity;
   arguments_.master_force[lane]    = master.force;
+  arguments_.master_pressed[lane]  = master.pressed;
   arguments_.slave_node[lane]      = slave.node;
   arguments_.slave_position[lane]  = slave.position;
   arguments_.slave_velocity[lane]  = slave.velocity;
   arguments_.slave_force[lane]     = slave.force;
+  arguments_.slave_pressed[lane]   = slave.pressed;
 }
 
 JointBatch::Exact::Exact(const JointFlexibility &flexibility, std::shared_ptr<JointRoom> room)
@@ -270,8 +272,19 @@ void JointBatch::press()
   room.forces.resize_fast(n);
   std::fill(room.forces.begin(), room.forces.end(), 0.);
   room.met.resize_fast(kernels_.room(std::size_t(n_places) * n_rings));
-  WindowNodes nodes{
-      n_rings, rings.data(), room.gaps.data(), room.forces.data(), room.met.data(), 0, nullptr};
+  if (e.new_windows)
+    {
+      e.known.resize_fast(kernels_.known_room(std::size_t(n_places) * n_rings));
+      std::fill(e.known.begin(), e.known.end(), 0);
+    }
+  WindowNodes nodes{n_rings,
+                    rings.data(),
+                    room.gaps.data(),
+                    room.forces.data(),
+                    e.known.data(),
+                    room.met.data(),
+                    0,
+                    nullptr};
   kernels_.measure_window(arguments_, nodes);
 
   e.is_pressed.assign(std::size_t(n_places) * n_rings, 0);

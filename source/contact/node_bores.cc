@@ -32,20 +32,23 @@ double search_reach(const double dt, const double unforeseen)
   return std::max(least_reach, steps * unforeseen * dt);
 }
 
-JointBody
-body_at(BodyBatches &copies, const std::size_t first, const std::vector<unsigned int> &nodes)
+JointBody body_at(BodyBatches                     &copies,
+                  const unsigned int               copy,
+                  const std::size_t                first,
+                  const std::vector<unsigned int> &nodes)
 {
   return {nodes.data(),
           copies.position.begin() + first,
           copies.velocity.begin() + first,
-          copies.force.begin() + first};
+          copies.force.begin() + first,
+          copies.pressed(copies.batch_of(copy))};
 }
 
 /// A body all of whose nodes this rank has.
 JointBody
 whole_body(BodyBatches &copies, const unsigned int copy, const std::vector<unsigned int> &nodes)
 {
-  return body_at(copies, copies.index(copy, 0), nodes);
+  return body_at(copies, copy, copies.index(copy, 0), nodes);
 }
 
 /// A body of another rank, of which the nodes @p offsets are ghosts: @p nodes become their places.
@@ -59,7 +62,7 @@ JointBody ghost_body(BodyBatches                     &copies,
     for (const unsigned int offset : offsets)
       nodes.push_back(
           static_cast<unsigned int>(copies.index(copy, offset / numbers_per_node) - lane));
-  return body_at(copies, lane, nodes);
+  return body_at(copies, copy, lane, nodes);
 }
 } // namespace
 

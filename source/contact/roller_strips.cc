@@ -438,9 +438,12 @@ RollerStrips::Pressed RollerStrips::press(World &world, const unsigned int i)
   const BodyBatches   &copies = world.copies[group_];
   const NodeView       at     = NodeView(copies.position);
   const NodeView       force_on(world.copies[group_].force);
+  char *const          is_pressed = world.copies[group_].pressed(copies.batch_of(copy_[i]));
   dealii::Tensor<1, 3> of_nodes; // the couple of what acts on them
   for (const Load &load : loads_)
     {
+      if (is_pressed != nullptr)
+        is_pressed[(load.node - first) / numbers_per_node] = 1;
       const dealii::Tensor<1, 3> f = -load.force * load.direction;
       force_on.add(load.node, f);
       of_nodes += dealii::cross_product_3d(at[load.node] - centre, f);

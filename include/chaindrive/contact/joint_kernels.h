@@ -76,8 +76,10 @@ struct JointArguments
   const double       *slave_velocity[n_lanes];
   double             *master_force[n_lanes]; ///< to which contact forces are added, N
   double             *slave_force[n_lanes];
-  scene::ContactLaw   law;   ///< per m2
-  double              dt;    ///< since the last call, s; 0 at the first one
+  char               *master_pressed[n_lanes]; ///< [node] of the body, 1 where there is a force;
+  char               *slave_pressed[n_lanes];  ///< null: nobody wants to know
+  scene::ContactLaw   law;                     ///< per m2
+  double              dt;                      ///< since the last call, s; 0 at the first one
   double             *state; ///< [slave node][TouchEntry][lane], zero at the start
   unsigned int       *ring;  ///< [slave ring][lane], master ring that it met last
   unsigned int       *cell;  ///< [slave column][lane], master column that it met last
@@ -105,7 +107,9 @@ struct WindowNodes
   const unsigned int *ring;  ///< slave rings
   double             *gap;   ///< m; a metre where a lane has no such node
   const double       *force; ///< normal forces, N
-  char               *met;   ///< room for what measure_window() finds and press() reads again, see
+  char               *known; ///< which nodes these are in the bodies, JointKernels::known_room():
+                             ///< zeros where the window is new, otherwise what was left there
+  char *met;                 ///< room for what measure_window() finds and press() reads again, see
                              ///< JointKernels::room(); bodies must not move in between
 
   unsigned int        n_pressed;
@@ -123,8 +127,9 @@ struct JointKernels
   void (*measure)(const JointArguments &, GapArguments &);
   /// Gaps of the slave nodes of each lane's window.
   void (*measure_window)(const JointArguments &, const WindowNodes &);
-  /// Bytes of WindowNodes::met for so many nodes in each lane's window.
+  /// Bytes of WindowNodes::met and of WindowNodes::known for so many nodes in each lane's window.
   std::size_t (*room)(std::size_t n_nodes);
+  std::size_t (*known_room)(std::size_t n_nodes);
   /// After measure_window(), adds the normal forces to both sides of each lane, with friction. What
   /// a node remembers as its penetration is its normal force.
   void (*press)(const JointArguments &, const WindowNodes &);

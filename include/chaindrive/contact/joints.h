@@ -49,6 +49,7 @@ struct JointBody
   const double       *position = nullptr;
   const double       *velocity = nullptr;
   double             *force    = nullptr;
+  char               *pressed  = nullptr; ///< BodyBatches::pressed() of its batch, if it wants them
 };
 
 /// Numbers of WindowNodes that joints without penalty need while forces are added, and no longer.
@@ -203,6 +204,7 @@ private:
     ComplementaritySolver          solver;
     std::array<ClosedSet, n_lanes> sets;               ///< of nodes [place in the window][ring]
     bool                           new_windows = true; ///< which the sets do not refer to
+    dealii::AlignedVector<char>    known;              ///< of WindowNodes
     std::vector<char>              is_pressed;         ///< nodes of any lane, see WindowNodes
     std::vector<unsigned int>      pressed;
 

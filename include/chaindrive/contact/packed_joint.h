@@ -78,10 +78,15 @@ CHAINDRIVE_ALWAYS_INLINE void scatter(const JointArguments              &arg,
             double *f = arg.master_force[lane + l] + m.node[q][l];
             for (int i = 0; i < 3; ++i)
               f[i * n_lanes] += part[q][i][l];
+            if (arg.master_pressed[lane + l] != nullptr)
+              arg.master_pressed[lane + l][m.node[q][l] / (3 * n_lanes)] = 1;
           }
-        double *f = arg.slave_force[lane + l] + (m.slave[l] - joints.slave_position[l]);
+        const unsigned long slave = m.slave[l] - joints.slave_position[l];
+        double             *f     = arg.slave_force[lane + l] + slave;
         for (int i = 0; i < 3; ++i)
           f[i * n_lanes] += part[4][i][l];
+        if (arg.slave_pressed[lane + l] != nullptr)
+          arg.slave_pressed[lane + l][slave / (3 * n_lanes)] = 1;
       }
 }
 
