@@ -170,8 +170,11 @@ void BodyBatches::count_readers()
 {
   readers_.assign(std::size_t(n_batches()) * n_nodes(), 0);
   reader_changes_.assign(n_batches(), 0);
+  pressed_.assign(readers_.size(), 0);
   moved_by_modes.assign(n_copies(), 0.);
 }
+
+void BodyBatches::press_all() { std::fill(pressed_.begin(), pressed_.end(), 1); }
 
 void BodyBatches::add_readers(const unsigned int               batch,
                               const std::vector<unsigned int> &nodes,
@@ -262,6 +265,6 @@ std::size_t BodyBatches::memory_consumption() const
          force.memory_consumption() +
          nodes.size() * (2 * sizeof(unsigned int) + sizeof(dealii::Point<3>) + sizeof(double)) +
          nodes.cells.size() * sizeof(nodes.cells[0]) + readers_.size() * sizeof(unsigned short) +
-         reader_changes_.size() * sizeof(unsigned long);
+         pressed_.size() + reader_changes_.size() * sizeof(unsigned long);
 }
 } // namespace chaindrive

@@ -284,6 +284,7 @@ void ReducedBodies::gather_forces(World &world)
       kernels_.gather({modal_nodes(nodes.known, nodes),
                        copies.position.begin() + copies.start_of(batch),
                        copies.force.begin() + copies.start_of(batch),
+                       copies.pressed(batch),
                        modal_force,
                        moment_.data(),
                        measures_.size(),

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -85,6 +86,8 @@ JointBatch::JointBatch(const JointTables       &tables,
   covered_.resize(tables.n_slave_nodes() * n_lanes, 0.);
   ring_.assign(grid_.slave_rings * n_lanes, 0);
   cell_.assign(grid_.slave_circumferential * n_lanes, 0);
+  wanted_.assign(cell_.size(), 1);
+  at_least_.assign(cell_.size(), 0.);
   searched_cell_ = cell_;
   arguments_.law = law;
 }
@@ -97,20 +100,24 @@ void JointBatch::set_joint(const int lane, const JointBody &master, const JointB
   arguments_.master_position[lane] = master.position;
   arguments_.master_velocity[lane] = master.velocity;
   arguments_.master_force[lane]    = master.force;
+  arguments_.master_pressed[lane]  = master.pressed;
   arguments_.slave_node[lane]      = slave.node;
   arguments_.slave_position[lane]  = slave.position;
   arguments_.slave_velocity[lane]  = slave.velocity;
   arguments_.slave_force[lane]     = slave.force;
+  arguments_.slave_pressed[lane]   = slave.pressed;
 }
 
-JointBatch::Exact::Exact(const JointFlexibility &flexibility)
-    : flexibility(flexibility), solver(simd_width())
+JointBatch::Exact::Exact(const JointFlexibility &flexibility, std::shared_ptr<JointRoom> room)
+    : flexibility(flexibility), room(std::move(room)), solver(simd_width())
 {
 }
 
-void JointBatch::set_flexibility(const JointFlexibility &flexibility)
+void JointBatch::set_flexibility(const JointFlexibility    &flexibility,
+                                 std::shared_ptr<JointRoom> room)
 {
-  exact_ = std::make_unique<Exact>(flexibility);
+  exact_ =
+      std::make_unique<Exact>(flexibility, room ? std::move(room) : std::make_shared<JointRoom>());
 }
 
 void JointBatch::recall_touching(const int lane)
@@ -188,7 +195,6 @@ void JointBatch::Exact::Coupled::need(const unsigned int row)
     {
       const unsigned int place = row / n_rings, begin = place * n_rings;
       const double       angle = first + place * column;
-      of_place.resize(n_rings);
       for (unsigned int r = begin; r < begin + n_rings; ++r)
         {
           double *number = matrix.data() + std::size_t(r) * stride;
@@ -196,12 +202,20 @@ void JointBatch::Exact::Coupled::need(const unsigned int row)
           std::fill(number + m + k, number + stride, 0.);
           is_there[r] = 1;
         }
-      double *number = matrix.data() + std::size_t(begin) * stride + m;
+      double            *number = matrix.data() + std::size_t(begin) * stride + m;
+      const unsigned int of     = wall->n_rings();
+      unsigned int       known  = std::numeric_limits<unsigned int>::max(); // strip
+      of_place.resize(std::size_t(of) * n_rings);
       for (unsigned int a = 0; a < k; ++a)
         {
-          wall->at(strips->unknown[a], angle - strips->direction[a], column, 1, of_place.data());
+          const unsigned int strip = strips->unknown[a] / of;
+          if (strip != known)
+            wall->at(strip, angle - strips->direction[a], of_place.data());
+          known = strip;
+
+          const double *of_ring = of_place.data() + std::size_t(strips->unknown[a] % of) * n_rings;
           for (unsigned int q = 0; q < n_rings; ++q)
-            number[q * stride + a] = -of_place[q];
+            number[q * stride + a] = -of_ring[q];
         }
       return;
     }
@@ -253,10 +267,24 @@ void JointBatch::press()
   const auto                       n_rings   = static_cast<unsigned int>(rings.size());
   const unsigned int n_places = *std::max_element(window_.count, window_.count + n_lanes);
   const std::size_t  n        = std::size_t(n_places) * n_rings * n_lanes;
-  e.gaps.resize_fast(n);
-  e.forces.resize_fast(n);
-  std::fill(e.forces.begin(), e.forces.end(), 0.);
-  WindowNodes nodes{n_rings, rings.data(), e.gaps.data(), e.forces.data(), 0, nullptr};
+  JointRoom         &room     = *e.room;
+  room.gaps.resize_fast(n);
+  room.forces.resize_fast(n);
+  std::fill(room.forces.begin(), room.forces.end(), 0.);
+  room.met.resize_fast(kernels_.room(std::size_t(n_places) * n_rings));
+  if (e.new_windows)
+    {
+      e.known.resize_fast(kernels_.known_room(std::size_t(n_places) * n_rings));
+      std::fill(e.known.begin(), e.known.end(), 0);
+    }
+  WindowNodes nodes{n_rings,
+                    rings.data(),
+                    room.gaps.data(),
+                    room.forces.data(),
+                    e.known.data(),
+                    room.met.data(),
+                    0,
+                    nullptr};
   kernels_.measure_window(arguments_, nodes);
 
   e.is_pressed.assign(std::size_t(n_places) * n_rings, 0);
@@ -277,7 +305,7 @@ void JointBatch::press()
       const JointFlexibility::Matrix &matrix = e.flexibility.of_columns(count);
       e.gap[lane].resize_fast(matrix.stride);
       for (unsigned int i = 0; i < matrix.n; ++i)
-        e.gap[lane][i] = e.gaps[i * n_lanes + lane];
+        e.gap[lane][i] = room.gaps[i * n_lanes + lane];
       if (e.new_windows)
         recall_touching(lane);
       mark_pressed(lane); // the search begins with what touched last time
@@ -300,8 +328,8 @@ void JointBatch::press()
   for (int lane = 0; lane < n_lanes; ++lane)
     for (unsigned int a = 0; a < e.sets[lane].number.size(); ++a)
       {
-        const unsigned int i         = e.sets[lane].number[a];
-        e.forces[i * n_lanes + lane] = e.sets[lane].pressure[a];
+        const unsigned int i            = e.sets[lane].number[a];
+        room.forces[i * n_lanes + lane] = e.sets[lane].pressure[a];
         stored[lane] -= 0.5 * e.sets[lane].pressure[a] * e.gap[lane][i]; // p C p / 2
       }
   kernels_.press(arguments_, nodes);
@@ -325,13 +353,38 @@ void JointBatch::connect()
   arguments_.sums   = &sums_;
 }
 
-const dealii::AlignedVector<double> &JointBatch::measure_gaps()
+void JointBatch::measure(const bool closing)
 {
   connect();
-  GapArguments gaps{gap_.data(), covered_.data(), {}};
+  GapArguments gaps{wanted_.data(), closing, gap_.data(), covered_.data(), {}};
   kernels_.measure(arguments_, gaps);
   std::copy(gaps.closing, gaps.closing + n_lanes, closing_.begin());
+}
+
+const dealii::AlignedVector<double> &JointBatch::measure_gaps()
+{
+  std::fill(wanted_.begin(), wanted_.end(), 1);
+  measure(true);
   return gap_;
+}
+
+void JointBatch::choose_columns(const double reach, const double margin)
+{
+  for (std::size_t i = 0; i < wanted_.size(); ++i)
+    wanted_[i] = at_least_[i] < reach + margin ? 1 : 0;
+}
+
+void JointBatch::bound_gaps(const int lane, const double near_gap)
+{
+  const unsigned int n = grid_.slave_circumferential;
+  for (unsigned int c = 0; c < n; ++c)
+    if (wanted_[c * n_lanes + lane] != 0)
+      {
+        double &least = at_least_[c * n_lanes + lane];
+        least         = near_gap + let_alone;
+        for (unsigned int s = 0; s < grid_.slave_rings; ++s)
+          least = std::min(least, gap_[(s * n + c) * n_lanes + lane]);
+      }
 }
 
 unsigned int
@@ -339,13 +392,16 @@ JointBatch::search(const double reach, const std::optional<double> unforeseen, c
 {
   if (!(reach >= 0.) || (unforeseen && !(*unforeseen > 0.)))
     throw std::logic_error("JointBatch: a search needs a reach and a speed");
-  measure_gaps();
+  if (unforeseen)
+    std::fill(wanted_.begin(), wanted_.end(), 1);
+  measure(unforeseen.has_value());
   double       fastest = 0.;
   unsigned int missed  = 0;
   for (int lane = 0; lane < n_lanes; ++lane)
     if (arguments_.master_position[lane] != nullptr)
       {
         missed += search_lane(lane, reach + margin);
+        bound_gaps(lane, reach + margin);
         fastest = std::max(fastest, closing_[lane]);
       }
   fresh_         = true;
@@ -363,6 +419,9 @@ unsigned int JointBatch::search_lane(const int lane, const double near_gap)
   // or has touched last time.
   const unsigned int n     = grid_.slave_circumferential;
   const unsigned int first = window_.first[lane], count = window_.count[lane];
+  // With a penalty the surface between a near column and the next can touch: that one is in the
+  // window as well, outermost, with a neighbour that is not there. Without, nodes alone touch.
+  const unsigned int outermost = exact_ ? 0 : 1;
 
   std::vector<bool> near(n, false);
   bool              any    = false;
@@ -373,9 +432,9 @@ unsigned int JointBatch::search_lane(const int lane, const double near_gap)
         const unsigned int node        = s * n + c;
         const double       gap         = gap_[node * n_lanes + lane];
         const bool         penetration = gap < 0. && covered_[node * n_lanes + lane] > 0.;
-        // the outermost columns of a window have neighbours that are not there
-        const unsigned int place = (c + n - first) % n;
-        if (penetration && cadence_.left_alone() && count < n && !(place > 0 && place + 1 < count))
+        const unsigned int place       = (c + n - first) % n;
+        if (penetration && cadence_.left_alone() && count < n &&
+            !(place >= outermost && place + outermost < count))
           ++missed;
         // what touched last time has a spring to let go
         if (penetration || gap < near_gap ||
@@ -383,8 +442,7 @@ unsigned int JointBatch::search_lane(const int lane, const double near_gap)
           near[c] = any = true;
       }
 
-  // The window leaves out the longest run of columns that are not near, but for their outermost
-  // ones: the surface between a near column and the next can touch.
+  // The window leaves out the longest run of columns that are not near, but for outermost ones.
   unsigned int longest = 0, end = 0, run = 0;
   for (unsigned int i = 0; any && i < 2 * n; ++i)
     {
@@ -395,10 +453,28 @@ unsigned int JointBatch::search_lane(const int lane, const double near_gap)
           end     = i;
         }
     }
-  const unsigned int left_out = longest > 2 ? longest - 2 : 0;
-  window_.first[lane]         = left_out > 0 ? end % n : 0;
+  const unsigned int left_out = longest > 2 * outermost ? longest - 2 * outermost : 0;
+  window_.first[lane]         = left_out > 0 ? (end + 1 - outermost) % n : 0;
   window_.count[lane]         = any ? n - left_out : 0;
   return missed;
+}
+
+void JointBatch::mark_wanted(const int lane, const bool of_slave, std::vector<char> &columns) const
+{
+  const unsigned int n = grid_.slave_circumferential, n_master = grid_.master_circumferential;
+  unsigned int       n_wanted = 0;
+  for (unsigned int c = 0; c < n; ++c)
+    if (wanted_[c * n_lanes + lane] != 0)
+      {
+        ++n_wanted;
+        if (of_slave)
+          columns[c] = 1;
+        else
+          for (unsigned int side = 0; side < 6; ++side)
+            columns[(cell_[c * n_lanes + lane] + 2 * n_master - 2 + side) % n_master] = 1;
+      }
+  if (n_wanted == n) // nobody may know yet where they meet the bore
+    std::fill(columns.begin(), columns.end(), 1);
 }
 
 void JointBatch::mark_circumferential(const int          lane,
@@ -426,7 +502,11 @@ void JointBatch::add_forces(const double dt, const double use)
   else
     kernels_.add_forces(arguments_);
   if (!fresh_)
-    cadence_.use(use);
+    {
+      cadence_.use(use);
+      for (double &least : at_least_)
+        least -= use;
+    }
   fresh_ = false;
 }
 
@@ -436,6 +516,7 @@ void JointBatch::serialize(const int lane, const Archive &archive)
   archive.numbers("rings", ring_.data() + lane, ring_.size() / n_lanes, n_lanes);
   archive.numbers("cells", cell_.data() + lane, cell_.size() / n_lanes, n_lanes);
   archive.numbers("searched cells", searched_cell_.data() + lane, cell_.size() / n_lanes, n_lanes);
+  archive.numbers("at least", at_least_.data() + lane, at_least_.size() / n_lanes, n_lanes);
   archive("first", window_.first[lane]);
   archive("count", window_.count[lane]);
   archive("cell", window_.cell[lane]);
@@ -464,7 +545,8 @@ void JointBatch::clear_losses()
 
 std::size_t JointBatch::memory_consumption() const
 {
-  return sizeof(*this) + (state_.size() + gap_.size() + covered_.size()) * sizeof(double) +
-         (ring_.size() + 2 * cell_.size()) * sizeof(unsigned int);
+  return sizeof(*this) +
+         (state_.size() + gap_.size() + covered_.size() + at_least_.size()) * sizeof(double) +
+         wanted_.size() + (ring_.size() + 2 * cell_.size()) * sizeof(unsigned int);
 }
 } // namespace chaindrive::contact

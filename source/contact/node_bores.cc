@@ -32,20 +32,23 @@ double search_reach(const double dt, const double unforeseen)
   return std::max(least_reach, steps * unforeseen * dt);
 }
 
-JointBody
-body_at(BodyBatches &copies, const std::size_t first, const std::vector<unsigned int> &nodes)
+JointBody body_at(BodyBatches                     &copies,
+                  const unsigned int               copy,
+                  const std::size_t                first,
+                  const std::vector<unsigned int> &nodes)
 {
   return {nodes.data(),
           copies.position.begin() + first,
           copies.velocity.begin() + first,
-          copies.force.begin() + first};
+          copies.force.begin() + first,
+          copies.pressed(copies.batch_of(copy))};
 }
 
 /// A body all of whose nodes this rank has.
 JointBody
 whole_body(BodyBatches &copies, const unsigned int copy, const std::vector<unsigned int> &nodes)
 {
-  return body_at(copies, copies.index(copy, 0), nodes);
+  return body_at(copies, copy, copies.index(copy, 0), nodes);
 }
 
 /// A body of another rank, of which the nodes @p offsets are ghosts: @p nodes become their places.
@@ -59,7 +62,7 @@ JointBody ghost_body(BodyBatches                     &copies,
     for (const unsigned int offset : offsets)
       nodes.push_back(
           static_cast<unsigned int>(copies.index(copy, offset / numbers_per_node) - lane));
-  return body_at(copies, lane, nodes);
+  return body_at(copies, copy, lane, nodes);
 }
 } // namespace
 
@@ -178,6 +181,7 @@ NodeBores::NodeBores(const scene::Scene      &scene,
   const unsigned int rank = rank_in(world.communicator());
 
   const JointKernels &kernels = *joint_kernels(simd_width());
+  const auto          room    = std::make_shared<JointRoom>();
   for (auto &[sides, pairs] : kinds_of(bores, world))
     {
       const auto &[master_group, master_surface, slave_group, slave_surface] = sides;
@@ -264,7 +268,7 @@ NodeBores::NodeBores(const scene::Scene      &scene,
             {
               placed.batches.push_back(std::make_unique<JointBatch>(*placed.tables, law_, kernels));
               if (placed.flexibility)
-                placed.batches.back()->set_flexibility(*placed.flexibility);
+                placed.batches.back()->set_flexibility(*placed.flexibility, room);
             }
           const scene::BorePair &pair   = bores.pairs[pairs[i]];
           const unsigned int     master = world.node_address[pair.master].copy,
@@ -287,12 +291,19 @@ void NodeBores::announce(World &world, const std::optional<double> dt)
   for (Group &group : groups_)
     for (unsigned int b = 0; b < group.batches.size(); ++b)
       if (!dt)
-        announce_joints(world, group, b, every_step_);
+        announce_joints(world, group, b, every_step_ ? Readers::search : Readers::forces);
       else
         {
           group.use[b] = group.by_distance ? moved(world, group, b, least_reach) : *dt;
           if (every_step_ || group.batches[b]->search_due(group.use[b]))
-            announce_joints(world, group, b, true);
+            {
+              if (group.by_distance && !every_step_)
+                {
+                  const auto [reach, margin] = reach_by_distance(group, b);
+                  group.batches[b]->choose_columns(reach, margin);
+                }
+              announce_joints(world, group, b, Readers::search);
+            }
         }
 }
 
@@ -337,7 +348,7 @@ NodeBores::moved(const World &world, const Group &group, const unsigned int b, c
 void NodeBores::announce_joints(World             &world,
                                 Group             &group,
                                 const unsigned int b,
-                                const bool         all) const
+                                const Readers      readers) const
 {
   const JointBatch &batch = *group.batches[b];
   const JointGrid  &grid  = batch.grid();
@@ -353,8 +364,10 @@ void NodeBores::announce_joints(World             &world,
            ++i)
         {
           std::vector<char> &near = columns[copies.batch_of(side.copy[i])];
-          near.resize(side.n_columns, all ? 1 : 0);
-          if (!all)
+          near.resize(side.n_columns, 0);
+          if (readers == Readers::search)
+            batch.mark_wanted(i % n_lanes, is_slave != 0, near);
+          else
             batch.mark_circumferential(i % n_lanes, is_slave != 0, near);
         }
       for (auto &[bodies, nodes] : side.read[b])
@@ -363,9 +376,11 @@ void NodeBores::announce_joints(World             &world,
       for (const auto &[bodies, near] : columns)
         {
           std::vector<unsigned int> &nodes = side.read[b][bodies];
-          for (unsigned int n = 0; n < side.node.size(); ++n)
+          const std::size_t last = side.node.size() - side.n_columns; // ring; the axis of a bore
+          for (unsigned int n = 0; n < side.node.size(); ++n)         // is that of its ends
             if (near[n % side.n_columns] != 0 ||
-                (is_slave == 0 && n % side.n_columns % grid.axis_stride == 0))
+                (is_slave == 0 && (n < side.n_columns || n >= last) &&
+                 n % side.n_columns % grid.axis_stride == 0))
               nodes.push_back(side.node[n]);
           copies.add_readers(bodies, nodes, 1);
         }
@@ -418,17 +433,30 @@ void NodeBores::couple_lanes(const World &world, Group &group, const unsigned in
     }
 }
 
-void NodeBores::search(Group &group, const unsigned int b, const double dt, const double unforeseen)
+double NodeBores::margin_of(const Group &group)
 {
   // Without a penalty forces deflect surfaces beside where bodies and modes have moved them; teeth
   // do so through the walls of rollers.
-  const double margin = !group.flexibility ? 0. : group.coupled.empty() ? 1e-6 : 1e-5;
-  JointBatch  &batch  = *group.batches[b];
-  const double step   = group.use[b]; // by which a search may come late, a little more or less
-  n_missed_ +=
-      every_step_       ? batch.search(0., unforeseen, margin) :
-      group.by_distance ? batch.search(std::max(least_reach, 4. * step), {}, margin + 2. * step) :
-                          batch.search(search_reach(dt, unforeseen), unforeseen, margin);
+  return !group.flexibility ? 0. : group.coupled.empty() ? 1e-6 : 1e-5;
+}
+
+std::pair<double, double> NodeBores::reach_by_distance(const Group &group, const unsigned int b)
+{
+  const double step = group.use[b]; // by which a search may come late, a little more or less
+  return {std::max(least_reach, 4. * step), margin_of(group) + 2. * step};
+}
+
+void NodeBores::search(Group &group, const unsigned int b, const double dt, const double unforeseen)
+{
+  JointBatch &batch = *group.batches[b];
+  if (group.by_distance && !every_step_)
+    {
+      const auto [reach, margin] = reach_by_distance(group, b);
+      n_missed_ += batch.search(reach, {}, margin);
+    }
+  else
+    n_missed_ +=
+        batch.search(every_step_ ? 0. : search_reach(dt, unforeseen), unforeseen, margin_of(group));
 }
 
 void NodeBores::add_forces(World &world, const double dt)
@@ -441,7 +469,7 @@ void NodeBores::add_forces(World &world, const double dt)
         if (every_step_ || batch.search_due(group.use[b]))
           {
             search(group, b, dt, unforeseen);
-            announce_joints(world, group, b, every_step_);
+            announce_joints(world, group, b, every_step_ ? Readers::search : Readers::forces);
           }
         if (!group.coupled.empty())
           couple_lanes(world, group, b);

@@ -213,6 +213,8 @@ void NodeFaces::add_face_forces(World &world, FaceContact &contact, const double
   const NodeValues   x{NodeView(slaves.position), contact.slaves},
       v{NodeView(slaves.velocity), contact.slaves};
   const NodeView f(world.copies[sides.slave_group].force);
+  for (BodyBatches &copies : world.copies) // of either side
+    copies.press_all();
 
   Record              &record = records_[contact.pair];
   Surface::Projection  projection;

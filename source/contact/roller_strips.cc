@@ -438,9 +438,12 @@ RollerStrips::Pressed RollerStrips::press(World &world, const unsigned int i)
   const BodyBatches   &copies = world.copies[group_];
   const NodeView       at     = NodeView(copies.position);
   const NodeView       force_on(world.copies[group_].force);
+  char *const          is_pressed = world.copies[group_].pressed(copies.batch_of(copy_[i]));
   dealii::Tensor<1, 3> of_nodes; // the couple of what acts on them
   for (const Load &load : loads_)
     {
+      if (is_pressed != nullptr)
+        is_pressed[(load.node - first) / numbers_per_node] = 1;
       const dealii::Tensor<1, 3> f = -load.force * load.direction;
       force_on.add(load.node, f);
       of_nodes += dealii::cross_product_3d(at[load.node] - centre, f);
@@ -539,12 +542,14 @@ void RollerStrips::raise_pressures(std::vector<double> &largest) const
     {
       if (!(states_[i].normal > 0.))
         continue;
-      double &of_joint = largest[records_[i].joint];
-      for (unsigned int a = 0; a < flexibility_->n(); ++a)
-        of_joint =
-            std::max(of_joint,
-                     rollers_[i].force[a] / (2. * flexibility_->grid().half_width[a / n_rings] *
-                                             radius_ * length_[a % n_rings]));
+      double             &of_joint = largest[records_[i].joint];
+      const StripProblem &problem  = rollers_[i].problem; // nothing else has a force
+      for (unsigned int k = 0; k < problem.n(); ++k)
+        if (const unsigned int a = problem.unknown[k]; problem.force[k] > 0.)
+          of_joint =
+              std::max(of_joint,
+                       problem.force[k] / (2. * flexibility_->grid().half_width[a / n_rings] *
+                                           radius_ * length_[a % n_rings]));
     }
 }
 

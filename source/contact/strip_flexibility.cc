@@ -213,7 +213,7 @@ WallFlexibility::WallFlexibility(const reduction::RoundFlexibility          &out
                                  const std::vector<JointFlexibility::Place> &places)
     : n_rings_(static_cast<unsigned int>(rings.size()))
     , n_places_(static_cast<unsigned int>(places.size()))
-    , n_angles_(8 * outside.n_columns + 1)
+    , n_turn_(16 * outside.n_columns)
 {
   const unsigned int n_columns = outside.n_columns,
                      n_bore =
@@ -228,40 +228,60 @@ WallFlexibility::WallFlexibility(const reduction::RoundFlexibility          &out
       if (found == widths.end())
         widths.push_back(w);
     }
-  table_.reserve(widths.size() * n_rings_ * n_angles_ * n_places_);
+  const unsigned int half = n_turn_ / 2;
+  table_.reserve(widths.size() * (n_turn_ + 1) * n_in_row());
   for (const double w : widths)
-    for (const unsigned int r : rings)
-      for (unsigned int a = 0; a < n_angles_; ++a)
-        {
-          const std::size_t first = table_.size();
-          table_.resize(first + n_places_, 0.);
-          for (unsigned int k = 0; k <= n_columns / 2; ++k)
-            {
-              const double part = mean_over_strip(k, w) * std::cos(k * PI * a / (n_angles_ - 1));
-              for (unsigned int q = 0; q < n_places_; ++q)
-                {
-                  const JointFlexibility::Place &place = places[q];
-                  const double                  *of_ring =
-                      &harmonics[k * all + std::size_t(r) * n_bore + place.first];
-                  table_[first + q] +=
-                      part * ((1. - place.part) * of_ring[0] + place.part * of_ring[1]);
-                }
-            }
-        }
+    {
+      const std::size_t of_width = table_.size();
+      for (unsigned int a = 0; a <= half; ++a)
+        for (const unsigned int r : rings)
+          {
+            const std::size_t first = table_.size();
+            table_.resize(first + n_places_, 0.);
+            for (unsigned int k = 0; k <= n_columns / 2; ++k)
+              {
+                const double part = mean_over_strip(k, w) * std::cos(k * PI * a / half);
+                for (unsigned int q = 0; q < n_places_; ++q)
+                  {
+                    const JointFlexibility::Place &place = places[q];
+                    const double                  *of_ring =
+                        &harmonics[k * all + std::size_t(r) * n_bore + place.first];
+                    table_[first + q] +=
+                        part * ((1. - place.part) * of_ring[0] + place.part * of_ring[1]);
+                  }
+              }
+          }
+      for (unsigned int a = half; a-- > 0;) // the other half of a turn is alike
+        for (unsigned int i = 0; i < n_in_row(); ++i)
+          table_.push_back(table_[of_width + std::size_t(a) * n_in_row() + i]);
+    }
 }
 
-const double *WallFlexibility::table_of(const unsigned int i) const
+const double *WallFlexibility::table_of(const unsigned int strip) const
 {
-  return &table_[(std::size_t(width_[i / n_rings_]) * n_rings_ + i % n_rings_) * n_angles_ *
-                 n_places_];
+  return &table_[std::size_t(width_[strip]) * (n_turn_ + 1) * n_in_row()];
 }
 
-WallFlexibility::Place WallFlexibility::place_of(const double turns) const
+double WallFlexibility::row_of(const double angle) const
 {
-  const double apart  = turns - static_cast<int>(turns + (turns < 0. ? -0.5 : 0.5));
-  const double place  = 2. * std::abs(apart) * (n_angles_ - 1);
-  const auto   before = std::min(static_cast<unsigned int>(place), n_angles_ - 2);
-  return {before, place - before, apart < 0. ? -1. : 1.};
+  const double turns = angle / (2. * PI), part = turns - static_cast<int>(turns);
+  return (part < 0. ? part + 1. : part) * n_turn_;
+}
+
+WallFlexibility::Place WallFlexibility::place_of(const double row) const
+{
+  const auto before = std::min(static_cast<unsigned int>(row), n_turn_ - 1);
+  return {before, row - before};
+}
+
+void WallFlexibility::at(const unsigned int strip, const double angle, double *value) const
+{
+  const Place        place = place_of(row_of(angle));
+  const unsigned int n     = n_in_row();
+  const double      *from  = table_of(strip) + std::size_t(place.row) * n;
+  const double       rest  = 1. - place.part;
+  for (unsigned int i = 0; i < n; ++i)
+    value[i] = rest * from[i] + place.part * from[n + i];
 }
 
 void WallFlexibility::at(const unsigned int i,
@@ -270,21 +290,28 @@ void WallFlexibility::at(const unsigned int i,
                          const unsigned int n,
                          double            *value) const
 {
-  const double *table = table_of(i);
-  const double  first = angle / (2. * PI), turns = step / (2. * PI);
-  for (unsigned int k = 0; k < n; ++k, value += n_places_)
+  const unsigned int m = n_places_, stride = n_in_row();
+  const double      *table = table_of(i / n_rings_) + std::size_t(i % n_rings_) * m;
+  const double       rows = step / (2. * PI) * n_turn_, all = n_turn_, first = row_of(angle);
+  double             row = first;
+  for (unsigned int k = 0; k < n; ++k, value += m)
     {
-      const Place   place = place_of(first + k * turns);
-      const double *row   = table + std::size_t(place.row) * n_places_;
-      for (unsigned int q = 0; q < n_places_; ++q)
-        value[q] = (1. - place.part) * row[q] + place.part * row[n_places_ + q];
+      const Place   place = place_of(row);
+      const double *from  = table + std::size_t(place.row) * stride;
+      const double  rest  = 1. - place.part;
+      for (unsigned int q = 0; q < m; ++q)
+        value[q] = rest * from[q] + place.part * from[stride + q];
+      row = first + (k + 1) * rows;
+      if (row >= all)
+        row -= all;
     }
 }
 
 double WallFlexibility::slope(const unsigned int i, const double angle, const unsigned int q) const
 {
-  const Place   place = place_of(angle / (2. * PI));
-  const double *row   = table_of(i) + std::size_t(place.row) * n_places_;
-  return place.side * (row[n_places_ + q] - row[q]) * (n_angles_ - 1) / PI;
+  const Place   place = place_of(row_of(angle));
+  const double *row   = table_of(i / n_rings_) + std::size_t(place.row) * n_in_row() +
+                      std::size_t(i % n_rings_) * n_places_ + q;
+  return (row[n_in_row()] - row[0]) * n_turn_ / (2. * PI);
 }
 } // namespace chaindrive::contact

@@ -151,16 +151,17 @@ void ComplementaritySolver::solve(const std::array<ComplementarityProblem, n_lan
           continue;
         }
       ++statistics_.problems;
-      search.closed.assign(problem.n, 0);
-      for (const unsigned int i : sets[lane].number)
-        if (i < problem.n)
-          search.closed[i] = 1;
-      if (sets[lane].number.empty())
+      std::vector<unsigned int> &number = sets[lane].number;
+      while (!number.empty() && number.back() >= problem.n)
+        number.pop_back();
+      if (number.empty())
         for (unsigned int i = 0; i < problem.n; ++i)
-          search.closed[i] = problem.gap[i] < -tolerance ? 1 : 0;
+          if (problem.gap[i] < -tolerance)
+            number.push_back(i);
+      sets[lane].pressure.resize(number.size());
+      search.closed.clear();
       search.fewest = problem.n + 1;
       search.tries  = n_tries;
-      list(search.closed, sets[lane]);
       if (!problem.same)
         factored_[lane] = {std::numeric_limits<unsigned int>::max()}; // no set
     }
@@ -199,6 +200,12 @@ void ComplementaritySolver::solve(const std::array<ComplementarityProblem, n_lan
           search.is_done = search.wrong.empty();
           if (search.is_done)
             continue;
+          if (search.closed.empty())
+            {
+              search.closed.assign(problems[lane].n, 0);
+              for (const unsigned int i : set.number)
+                search.closed[i] = 1;
+            }
           if (change_sides(search.wrong, search.fewest, search.tries, search.closed))
             ++statistics_.singly;
           list(search.closed, set);

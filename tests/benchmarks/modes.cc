@@ -67,6 +67,7 @@ int main(int argc, char **argv)
                 rate = numbers(modes), pushed = numbers(field);
   Numbers position = numbers(field), velocity = numbers(field), force = numbers(field),
           modal_force = numbers(modes), moment = numbers(3 * n_lanes), in_body = numbers(field);
+  std::vector<char> pressed_nodes(n_nodes);
   std::printf("%u nodes, %u images each, %u modes; ns per body, node and mode\n%6s%14s%14s%14s\n",
               n_nodes,
               n_images,
@@ -97,9 +98,11 @@ int main(int argc, char **argv)
       const double with_step  = time_of([&] { kernels->place(place); });
       const double gather     = time_of([&] {
         std::copy(pushed.begin(), pushed.end(), force.begin());
+        std::fill(pressed_nodes.begin(), pressed_nodes.end(), 1);
         kernels->gather({nodes,
                          position.data(),
                          force.data(),
+                         pressed_nodes.data(),
                          modal_force.data(),
                          moment.data(),
                          0,

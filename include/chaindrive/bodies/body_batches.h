@@ -168,6 +168,16 @@ public:
     return readers_[batch * n_nodes() + node] > 0;
   }
 
+  /// Of bodies whose readers are counted, 1 for each node of @p batch that may have a force in any
+  /// lane: whoever adds one says so here, and who uses forces up takes it back. Null for others.
+  char *pressed(const unsigned int batch)
+  {
+    return counts_readers() ? pressed_.data() + std::size_t(batch) * n_nodes() : nullptr;
+  }
+
+  /// Says that any node may have a force.
+  void press_all();
+
   /// How often readers of @p batch have come or gone.
   unsigned long reader_changes(const unsigned int batch) const { return reader_changes_[batch]; }
 
@@ -213,5 +223,6 @@ private:
 
   std::vector<unsigned short> readers_;        ///< [batch][node]; empty: not counted
   std::vector<unsigned long>  reader_changes_; ///< [batch]
+  std::vector<char>           pressed_;        ///< [batch][node]
 };
 } // namespace chaindrive

@@ -61,6 +61,7 @@ struct GatherArguments
   ModalNodes    nodes;
   const double *position;    ///< [node of the part][component][lane], world axes, m
   double       *force;       ///< N
+  char         *pressed;     ///< [node of the part], 0 where there is no force, which all become
   double       *modal_force; ///< Q, [mode][lane], which is set, N/sqrt(kg)
   double       *moment;      ///< [component][lane], which is set, N m
   unsigned int  n_measures;

@@ -246,7 +246,11 @@ CHAINDRIVE_ALWAYS_INLINE bool take_force(const GatherArguments &arg,
                                          Pack<double, width> (&moment)[3],
                                          Pack<double, width> (&in_body)[3])
 {
-  using P               = Pack<double, width>;
+  using P = Pack<double, width>;
+  if (arg.pressed[node] == 0)
+    return false;
+  if (lane + width == n_lanes)
+    arg.pressed[node] = 0;
   const unsigned int at = 3 * node * n_lanes + lane;
   P                  f[3], arm[3], couple[3];
   for (int d = 0; d < 3; ++d)

@@ -7,6 +7,8 @@
 #include <chaindrive/scene/contact_law.h>
 #include <chaindrive/utilities/pack.h>
 
+#include <cstddef>
+
 namespace chaindrive::contact
 {
 /// What the two sides of all joints of one kind have in common. The bore is the master, the
@@ -74,8 +76,10 @@ struct JointArguments
   const double       *slave_velocity[n_lanes];
   double             *master_force[n_lanes]; ///< to which contact forces are added, N
   double             *slave_force[n_lanes];
-  scene::ContactLaw   law;   ///< per m2
-  double              dt;    ///< since the last call, s; 0 at the first one
+  char               *master_pressed[n_lanes]; ///< [node] of the body, 1 where there is a force;
+  char               *slave_pressed[n_lanes];  ///< null: nobody wants to know
+  scene::ContactLaw   law;                     ///< per m2
+  double              dt;                      ///< since the last call, s; 0 at the first one
   double             *state; ///< [slave node][TouchEntry][lane], zero at the start
   unsigned int       *ring;  ///< [slave ring][lane], master ring that it met last
   unsigned int       *cell;  ///< [slave column][lane], master column that it met last
@@ -83,12 +87,15 @@ struct JointArguments
   JointSums          *sums;
 };
 
-/// The gaps of all slave nodes, for the search. Arrays of numbers are aligned to 64 bytes.
+/// The gaps of slave nodes, for the search. Arrays of numbers are aligned to 64 bytes.
 struct GapArguments
 {
-  double *gap;              ///< [slave node][lane], m; beyond the bore's ends, that to its end
-  double *covered;          ///< [slave node][lane], from 0 beyond the bore's ends to 1 inside
-  double  closing[n_lanes]; ///< greatest rate at which a gap becomes smaller, m/s; 0 if none does
+  const char *wanted; ///< [slave column][lane]: columns where it is 0 for all lanes are let alone
+  bool        wants_closing;
+  double     *gap;         ///< [slave node][lane], m; beyond the bore's ends, that to its end
+  double     *covered;     ///< [slave node][lane], from 0 beyond the bore's ends to 1 inside
+  double closing[n_lanes]; ///< greatest rate at which a gap becomes smaller, m/s; 0 if none does,
+                           ///< or unless wants_closing
 };
 
 /// Nodes of joints whose normal forces are found for all nodes of a joint together, without a
@@ -100,6 +107,10 @@ struct WindowNodes
   const unsigned int *ring;  ///< slave rings
   double             *gap;   ///< m; a metre where a lane has no such node
   const double       *force; ///< normal forces, N
+  char               *known; ///< which nodes these are in the bodies, JointKernels::known_room():
+                             ///< zeros where the window is new, otherwise what was left there
+  char *met;                 ///< room for what measure_window() finds and press() reads again, see
+                             ///< JointKernels::room(); bodies must not move in between
 
   unsigned int        n_pressed;
   const unsigned int *pressed; ///< nodes that have a force in any lane or had one before: place
@@ -112,12 +123,15 @@ struct JointKernels
   int width; ///< numbers that the machine computes at a time
   /// Contact forces on both sides of each lane, for the slave nodes of its window.
   void (*add_forces)(const JointArguments &);
-  /// Geometry alone, for all slave nodes of each lane, whatever the window.
+  /// Geometry alone, for slave nodes of each lane, whatever the window.
   void (*measure)(const JointArguments &, GapArguments &);
   /// Gaps of the slave nodes of each lane's window.
   void (*measure_window)(const JointArguments &, const WindowNodes &);
-  /// Adds the normal forces to both sides of each lane, with friction. What a node remembers as its
-  /// penetration is its normal force.
+  /// Bytes of WindowNodes::met and of WindowNodes::known for so many nodes in each lane's window.
+  std::size_t (*room)(std::size_t n_nodes);
+  std::size_t (*known_room)(std::size_t n_nodes);
+  /// After measure_window(), adds the normal forces to both sides of each lane, with friction. What
+  /// a node remembers as its penetration is its normal force.
   void (*press)(const JointArguments &, const WindowNodes &);
 };
 

@@ -49,6 +49,14 @@ struct JointBody
   const double       *position = nullptr;
   const double       *velocity = nullptr;
   double             *force    = nullptr;
+  char               *pressed  = nullptr; ///< BodyBatches::pressed() of its batch, if it wants them
+};
+
+/// Numbers of WindowNodes that joints without penalty need while forces are added, and no longer.
+struct JointRoom
+{
+  dealii::AlignedVector<double> gaps, forces;
+  dealii::AlignedVector<char>   met;
 };
 
 /// Up to n_lanes joints of one kind: search -> geometry -> law for the nodes of their sides.
@@ -62,8 +70,10 @@ public:
   JointBatch(const JointTables &tables, const scene::ContactLaw &law, const JointKernels &kernels);
 
   /// From now on normal forces are those that a @p flexibility, which must outlive the batch, asks
-  /// for in place of a penalty: gaps that have no force, and forces that leave no gap.
-  void set_flexibility(const JointFlexibility &flexibility);
+  /// for in place of a penalty: gaps that have no force, and forces that leave no gap. Batches that
+  /// share a @p room do not push each other's numbers out of the cache; null: one of its own.
+  void set_flexibility(const JointFlexibility    &flexibility,
+                       std::shared_ptr<JointRoom> room = nullptr);
 
   /// Of joints without penalty whose bores are those of rollers: until the next call the forces of
   /// these @p strips on the outside of the one in @p lane, which deflect its bore through a @p wall
@@ -79,6 +89,12 @@ public:
   /// for this distance. Returns how many slave nodes overlap that the windows before have let
   /// alone, if forces were added with them later than at once: there must be none.
   unsigned int search(double reach, std::optional<double> unforeseen, double margin = 0.);
+
+  /// Of a search by distance: it measures those columns alone that may have come nearer than what
+  /// it looks for since they have been measured. Others are known to be farther away. To be called
+  /// before the search() with the same @p reach and @p margin, which is 8 um at least; without it
+  /// that measures all of them.
+  void choose_columns(double reach, double margin);
 
   /// Whether search() must come before the next add_forces() with @p use.
   bool search_due(double use) const { return cadence_.is_due(use); }
@@ -99,6 +115,10 @@ public:
   /// side, since nothing slides by a column while a search holds. To be called after search(), at
   /// any time.
   void mark_circumferential(int lane, bool of_slave, std::vector<char> &columns) const;
+
+  /// The same for what a search() reads, after choose_columns(). Since a column has been measured
+  /// it has slid by less than two of the bore's.
+  void mark_wanted(int lane, bool of_slave, std::vector<char> &columns) const;
 
   const JointGrid &grid() const { return grid_; }
 
@@ -131,6 +151,14 @@ public:
   std::size_t memory_consumption() const;
 
 private:
+  static constexpr double let_alone = 16e-6; ///< m: by which columns may come nearer unmeasured
+
+  /// Measures the gaps of columns that are wanted, and if @p closing their fastest approach.
+  void measure(bool closing);
+
+  /// How far away the columns of @p lane that have been measured are at least.
+  void bound_gaps(int lane, double near_gap);
+
   /// Makes one lane's window anew; returns the nodes missed.
   unsigned int search_lane(int lane, double near_gap);
 
@@ -161,18 +189,22 @@ private:
   dealii::AlignedVector<double> state_, gap_, covered_;
   std::vector<unsigned int>     ring_, cell_;
   std::vector<unsigned int>     searched_cell_; ///< cell_ at the last search
+  std::vector<char>             wanted_;        ///< [column][lane], of the slaves
+  std::vector<double>           at_least_;      ///< [column][lane], gaps of all rings, m
   std::array<double, n_lanes>   closing_{};
   SearchCadence                 cadence_; ///< s
 
   /// Of joints without penalty.
   struct Exact
   {
-    explicit Exact(const JointFlexibility &flexibility);
+    Exact(const JointFlexibility &flexibility, std::shared_ptr<JointRoom> room);
 
     const JointFlexibility        &flexibility;
+    std::shared_ptr<JointRoom>     room;
     ComplementaritySolver          solver;
     std::array<ClosedSet, n_lanes> sets;               ///< of nodes [place in the window][ring]
     bool                           new_windows = true; ///< which the sets do not refer to
+    dealii::AlignedVector<char>    known;              ///< of WindowNodes
     std::vector<char>              is_pressed;         ///< nodes of any lane, see WindowNodes
     std::vector<unsigned int>      pressed;
 
@@ -191,13 +223,12 @@ private:
       unsigned int                    stride  = 0;
       dealii::AlignedVector<double>   matrix;
       std::vector<char>               is_there; ///< of its rows
-      std::vector<double>             of_place; ///< room for the rings of one column
+      std::vector<double>             of_place; ///< room for a strip and a column
     };
     std::array<Coupled, n_lanes> coupled;
 
     std::array<dealii::AlignedVector<double>, n_lanes>    gap;
-    std::array<const JointFlexibility::Matrix *, n_lanes> matrix{};     ///< at the last solution
-    dealii::AlignedVector<double>                         gaps, forces; ///< of WindowNodes
+    std::array<const JointFlexibility::Matrix *, n_lanes> matrix{}; ///< at the last solution
   };
   std::unique_ptr<Exact> exact_;
   bool                   fresh_ = false; ///< searched since the last add_forces()

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace chaindrive::contact
@@ -117,6 +118,12 @@ private:
 
   Stance stance(const World &world, unsigned int pair) const;
 
+  /// Without a penalty, how far beyond its reach a search looks [m].
+  static double margin_of(const Group &group);
+
+  /// Reach and margin [m] of a search by distance of the batch of joints number @p b, now.
+  static std::pair<double, double> reach_by_distance(const Group &group, unsigned int b);
+
   /// Makes the windows of the batch of joints number @p b anew.
   void search(Group &group, unsigned int b, double dt, double unforeseen);
 
@@ -127,9 +134,14 @@ private:
   /// Tells the batch of joints number @p b which strips are to be solved with it.
   void couple_lanes(const World &world, Group &group, unsigned int b);
 
-  /// Announces what the batch of joints number @p b reads: the sides of its bodies, or what is in
-  /// its windows.
-  void announce_joints(World &world, Group &group, unsigned int b, bool all) const;
+  enum class Readers
+  {
+    search, ///< what it measures
+    forces  ///< what is in its windows
+  };
+
+  /// Announces what these @p readers of the batch of joints number @p b read.
+  void announce_joints(World &world, Group &group, unsigned int b, Readers readers) const;
 
   std::vector<Group>           groups_;
   std::vector<scene::BorePair> pairs_;

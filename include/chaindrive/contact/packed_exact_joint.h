@@ -45,6 +45,125 @@ CHAINDRIVE_ALWAYS_INLINE bool visit_window(const JointArguments &arg,
   return true;
 }
 
+/// What measure_window() finds: the frames of the bores in front, then one meeting for each node;
+/// lanes after lanes.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE Joints<width> &joints_of(const WindowNodes &nodes, const int lane)
+{
+  return reinterpret_cast<Joints<width> *>(nodes.met)[lane / width];
+}
+
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE Meeting<width>                          &
+met_of(const WindowNodes &nodes, const int lane, const unsigned int node)
+{
+  constexpr int n_packs = n_lanes / width;
+  char *const   first   = nodes.met + n_packs * sizeof(Joints<width>);
+  return reinterpret_cast<Meeting<width> *>(first)[node * n_packs + lane / width];
+}
+
+template <int width>
+std::size_t room(const std::size_t n_nodes)
+{
+  static_assert(sizeof(Joints<width>) % alignof(Meeting<width>) == 0,
+                "what follows is not aligned");
+  return n_lanes / width * (sizeof(Joints<width>) + n_nodes * sizeof(Meeting<width>));
+}
+
+/// Which nodes a visit has found, and where meet() has ended: from there it need not begin anew.
+template <int width>
+struct alignas(64) Known
+{
+  double       counts[width];   ///< 1 in lanes that have the node, 0 in others
+  double       along[2][width]; ///< as meet_again() wants them
+  unsigned int slave[width];    ///< offset
+  unsigned int node[4][width];  ///< as in Meeting
+  unsigned int cell_at[width], cell[width], ring[width];
+  unsigned int state; ///< 0: not known; 1: in some lane there is a node; 2: in none
+  bool         active[width];
+};
+
+template <int width>
+std::size_t known_room(const std::size_t n_nodes)
+{
+  return n_nodes * (n_lanes / width) * sizeof(Known<width>);
+}
+
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE Known<width>                          &
+known_of(const WindowNodes &nodes, const int lane, const unsigned int node)
+{
+  return reinterpret_cast<Known<width> *>(nodes.known)[node * (n_lanes / width) + lane / width];
+}
+
+/// Visits a node in the way of visit_window() and notes what it finds.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE bool visit_anew(const JointArguments &arg,
+                                         const int             lane,
+                                         const Joints<width>  &joints,
+                                         const unsigned int    s,
+                                         const unsigned int    place,
+                                         Known<width>         &known,
+                                         Meeting<width>       &m)
+{
+  unsigned int index[width];
+  known.state = visit_window(arg, lane, joints, s, place, index, known.active, m) ? 1 : 2;
+  if (known.state == 2)
+    return false;
+  constexpr double   nowhere = 1e300;
+  const unsigned int first   = s * arg.grid->slave_circumferential;
+  for (int l = 0; l < width; ++l)
+    {
+      known.counts[l]   = known.active[l] ? 1. : 0.;
+      known.slave[l]    = joints.slave_node[l][index[l]];
+      known.cell_at[l]  = (index[l] - first) * n_lanes + lane + l;
+      known.cell[l]     = arg.cell[known.cell_at[l]];
+      known.ring[l]     = arg.ring[s * n_lanes + lane + l];
+      known.along[0][l] = known.ring[l] == 0 ? -nowhere : -side_tolerance;
+      known.along[1][l] =
+          known.ring[l] + 2 == arg.grid->master_rings ? nowhere : 1. + side_tolerance;
+      for (int q = 0; q < 4; ++q)
+        known.node[q][l] = m.node[q][l];
+    }
+  return true;
+}
+
+/// The same for a node that is known, with the same result to the last bit. Returns false where
+/// visit_anew() must find it out.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE bool visit_again(const JointArguments &arg,
+                                          const int             lane,
+                                          const Joints<width>  &joints,
+                                          const unsigned int    s,
+                                          const Known<width>   &known,
+                                          Meeting<width>       &m)
+{
+  using P      = Pack<double, width>;
+  bool differs = false; // other rings of the column have ended elsewhere
+  for (int l = 0; l < width; ++l)
+    {
+      differs |= known.active[l] && (arg.cell[known.cell_at[l]] != known.cell[l] ||
+                                     arg.ring[s * n_lanes + lane + l] != known.ring[l]);
+      m.slave[l] = joints.slave_position[l] + known.slave[l];
+      for (int q = 0; q < 4; ++q)
+        m.node[q][l] = known.node[q][l];
+    }
+  P x[3];
+  for (int i = 0; i < 3; ++i)
+    x[i] = gather(m.slave, i * n_lanes) - joints.origin[i];
+  into_frame(joints.axes, x, m.x);
+  const P along[2] = {P::load(known.along[0]), P::load(known.along[1])};
+  if (!meet_again(*arg.grid, joints, P::load(known.counts), along, differs, m))
+    return false;
+  for (int l = 0; l < width && differs; ++l)
+    if (known.active[l])
+      {
+        arg.cell[known.cell_at[l]]       = known.cell[l];
+        arg.ring[s * n_lanes + lane + l] = known.ring[l];
+      }
+  return true;
+}
+
 /// The largest window of the lanes from @p lane on.
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE unsigned int
@@ -60,7 +179,7 @@ largest_window(const JointArguments &arg, const int lane, const Joints<width> &j
 template <int width>
 void measure_window_of(const JointArguments &arg, const WindowNodes &nodes, const int lane)
 {
-  Joints<width> joints;
+  Joints<width> &joints = joints_of<width>(nodes, lane);
   if (!take_lanes(arg, lane, joints))
     return;
   const unsigned int visits = largest_window(arg, lane, joints);
@@ -72,14 +191,17 @@ void measure_window_of(const JointArguments &arg, const WindowNodes &nodes, cons
 #pragma GCC unroll 1
     for (unsigned int k = 0; k < nodes.n_rings; ++k)
       {
-        Meeting<width> m;
-        unsigned int   index[width];
-        bool           active[width];
-        if (!visit_window(arg, lane, joints, nodes.ring[k], place, index, active, m))
+        const unsigned int node  = place * nodes.n_rings + k;
+        Known<width>      &known = known_of<width>(nodes, lane, node);
+        Meeting<width>    &met   = met_of<width>(nodes, lane, node);
+        if (known.state == 2)
           continue;
-        double *gap = nodes.gap + (place * nodes.n_rings + k) * n_lanes + lane;
+        if (known.state == 0 || !visit_again(arg, lane, joints, nodes.ring[k], known, met))
+          if (!visit_anew(arg, lane, joints, nodes.ring[k], place, known, met))
+            continue;
+        double *gap = nodes.gap + node * n_lanes + lane;
         for (int l = 0; l < width; ++l)
-          gap[l] = active[l] ? m.gap[l] : 1.;
+          gap[l] = known.active[l] ? met.gap[l] : 1.;
       }
 }
 
@@ -108,12 +230,15 @@ void press_of(const JointArguments &arg, const WindowNodes &nodes, const int lan
   const JointGrid &grid = *arg.grid;
   JointSums       &sums = *arg.sums;
   clear_sums<width>(lane, sums);
-  Joints<width> joints;
-  if (!take_lanes(arg, lane, joints))
-    return;
   if (nodes.n_pressed == 0)
     return;
-  find_frame(grid, joints);
+  const Joints<width> &joints = joints_of<width>(nodes, lane);
+  unsigned int         visits = 0;
+  for (int l = 0; l < width; ++l)
+    if (arg.master_position[lane + l] != nullptr && arg.window->count[lane + l] > visits)
+      visits = arg.window->count[lane + l];
+  if (visits == 0)
+    return;
 
   const P            zero(0.);
   ContactEnergies<P> energies{zero, zero, zero};
@@ -137,12 +262,8 @@ void press_of(const JointArguments &arg, const WindowNodes &nodes, const int lan
         }
       if (!any)
         continue;
-      Meeting<width> m;
-      unsigned int   index[width];
-      bool           active[width];
-      if (!visit_window(arg, lane, joints, s, place, index, active, m))
-        continue;
-      alignas(64) double in[n_touch_entries + 1][width];
+      const Meeting<width> &m = met_of<width>(nodes, lane, nodes.pressed[i]);
+      alignas(64) double    in[n_touch_entries + 1][width];
       for (int l = 0; l < width; ++l)
         {
           for (unsigned int entry = 0; entry < n_touch_entries; ++entry)
@@ -199,6 +320,12 @@ void press(const JointArguments &arg, const WindowNodes &nodes)
 template <int width>
 constexpr JointKernels make_joint_kernels()
 {
-  return {width, add_forces<width>, measure_gaps<width>, measure_window<width>, press<width>};
+  return {width,
+          add_forces<width>,
+          measure_gaps<width>,
+          measure_window<width>,
+          room<width>,
+          known_room<width>,
+          press<width>};
 }
 } // namespace chaindrive::contact::packed

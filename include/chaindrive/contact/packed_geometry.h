@@ -219,29 +219,14 @@ CHAINDRIVE_ALWAYS_INLINE P near_side(const P along)
   return greatest(P(-0.01), least(P(1.01), along));
 }
 
-/// Tries the side of the polygon between the columns @p cell and its next and the rings @p ring
-/// [n_lanes apart] and its next: sets nodes, places along and corners. @p before and @p after are
-/// positive where the ray lies after the first corner and before the second one, m2.
+/// Places along the columns and corners of the side whose nodes @p m has; see try_side().
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE void try_side(const JointGrid     &grid,
-                                       const Joints<width> &joints,
-                                       const unsigned int (&cell)[width],
-                                       const unsigned int  *ring,
-                                       Meeting<width>      &m,
-                                       Pack<double, width> &before,
-                                       Pack<double, width> &after)
+CHAINDRIVE_ALWAYS_INLINE void try_nodes(const Joints<width> &joints,
+                                        Meeting<width>      &m,
+                                        Pack<double, width> &before,
+                                        Pack<double, width> &after)
 {
-  using P                    = Pack<double, width>;
-  const unsigned int columns = grid.master_circumferential;
-  for (int l = 0; l < width; ++l)
-    {
-      const unsigned int *row  = joints.master_node[l] + ring[l] * columns;
-      const unsigned int  next = cell[l] + 1 == columns ? 0 : cell[l] + 1;
-      m.node[0][l]             = row[cell[l]];
-      m.node[1][l]             = row[next];
-      m.node[2][l]             = row[columns + cell[l]];
-      m.node[3][l]             = row[columns + next];
-    }
+  using P = Pack<double, width>;
   P a[4][3];
   for (int q = 0; q < 4; ++q)
     {
@@ -264,6 +249,54 @@ CHAINDRIVE_ALWAYS_INLINE void try_side(const JointGrid     &grid,
   after  = m.corner[1][1] * m.x[0] - m.corner[1][0] * m.x[1];
 }
 
+/// Tries the side of the polygon between the columns @p cell and its next and the rings @p ring
+/// [n_lanes apart] and its next: sets nodes, places along and corners. @p before and @p after are
+/// positive where the ray lies after the first corner and before the second one, m2.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void try_side(const JointGrid     &grid,
+                                       const Joints<width> &joints,
+                                       const unsigned int (&cell)[width],
+                                       const unsigned int  *ring,
+                                       Meeting<width>      &m,
+                                       Pack<double, width> &before,
+                                       Pack<double, width> &after)
+{
+  const unsigned int columns = grid.master_circumferential;
+  for (int l = 0; l < width; ++l)
+    {
+      const unsigned int *row  = joints.master_node[l] + ring[l] * columns;
+      const unsigned int  next = cell[l] + 1 == columns ? 0 : cell[l] + 1;
+      m.node[0][l]             = row[cell[l]];
+      m.node[1][l]             = row[next];
+      m.node[2][l]             = row[columns + cell[l]];
+      m.node[3][l]             = row[columns + next];
+    }
+  try_nodes(joints, m, before, after);
+}
+
+/// Where a ray passes a side that has been tried, and the gap.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void find_gap(const JointGrid          &grid,
+                                       const Pack<double, width> before,
+                                       const Pack<double, width> after,
+                                       Meeting<width>           &m)
+{
+  using P = Pack<double, width>;
+  for (int c = 0; c < 2; ++c)
+    m.along[c] = near_side(m.along[c]);
+
+  m.around       = before / (before + after);
+  const P toward = (m.corner[0][0] + m.around * (m.corner[1][0] - m.corner[0][0])) * m.x[0] +
+                   (m.corner[0][1] + m.around * (m.corner[1][1] - m.corner[0][1])) * m.x[1];
+  m.chord = toward / m.radius;
+  // the undeformed bore is that far outside the side of its polygon
+  const P rest = P(1.) - P(grid.chord_factor) * m.around * (P(1.) - m.around);
+  m.gap        = m.chord - m.radius + P(grid.master_radius) * (P(1.) - square_root(rest));
+}
+
+/// Below this, times r^2, round-off must not send a search to and fro between two neighbours.
+constexpr double side_tolerance = 1e-12;
+
 /// Finds the side of the polygon that the ray passes, from @p cell and @p ring on, which it
 /// updates, and with it the gap. A column's neighbours are told by the signs of cross products: no
 /// angle is computed, and the bore may be deformed.
@@ -277,10 +310,9 @@ CHAINDRIVE_ALWAYS_INLINE void meet(const JointGrid     &grid,
   using P                      = Pack<double, width>;
   const unsigned int columns   = grid.master_circumferential;
   const unsigned int last_ring = grid.master_rings - 2;
-  constexpr double   tolerance = 1e-12;
+  constexpr double   tolerance = side_tolerance;
 
-  m.radius = square_root(m.x[0] * m.x[0] + m.x[1] * m.x[1]);
-  // round-off must not send the search to and fro between two neighbours
+  m.radius       = square_root(m.x[0] * m.x[0] + m.x[1] * m.x[1]);
   const P margin = P(-tolerance) * m.radius * m.radius;
   P       before, after;
   try_side(grid, joints, cell, ring, m, before, after);
@@ -308,16 +340,32 @@ CHAINDRIVE_ALWAYS_INLINE void meet(const JointGrid     &grid,
         break;
       try_side(grid, joints, cell, ring, m, before, after);
     }
-  for (int c = 0; c < 2; ++c)
-    m.along[c] = near_side(m.along[c]);
+  find_gap(grid, before, after, m);
+}
 
-  m.around       = before / (before + after);
-  const P toward = (m.corner[0][0] + m.around * (m.corner[1][0] - m.corner[0][0])) * m.x[0] +
-                   (m.corner[0][1] + m.around * (m.corner[1][1] - m.corner[0][1])) * m.x[1];
-  m.chord = toward / m.radius;
-  // the undeformed bore is that far outside the side of its polygon
-  const P rest = P(1.) - P(grid.chord_factor) * m.around * (P(1.) - m.around);
-  m.gap        = m.chord - m.radius + P(grid.master_radius) * (P(1.) - square_root(rest));
+/// The same on the side whose nodes @p m has. Returns false if meet() would go on from there in a
+/// lane that @p counts, which is 1 there and 0 in others: to another column, or to another ring,
+/// below the first or beyond the second of these places @p along. If @p only, also where it might
+/// have ended on another side, from which it would not have come here.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE bool meet_again(const JointGrid          &grid,
+                                         const Joints<width>      &joints,
+                                         const Pack<double, width> counts,
+                                         const Pack<double, width> (&along)[2],
+                                         const bool      only,
+                                         Meeting<width> &m)
+{
+  using P        = Pack<double, width>;
+  m.radius       = square_root(m.x[0] * m.x[0] + m.x[1] * m.x[1]);
+  const P margin = P(only ? side_tolerance : -side_tolerance) * m.radius * m.radius;
+  P       before, after;
+  try_nodes(joints, m, before, after);
+  const P inside = least(m.along[0] - along[0], along[1] - m.along[0]);
+  if (any_less(counts * least(before, after), counts * margin) ||
+      any_less(counts * inside, counts * P(only ? 2. * side_tolerance : 0.)))
+    return false;
+  find_gap(grid, before, after, m);
+  return true;
 }
 
 /// How a slave node moves against the bore's material: its velocity less that of the point of the

@@ -78,10 +78,15 @@ CHAINDRIVE_ALWAYS_INLINE void scatter(const JointArguments              &arg,
             double *f = arg.master_force[lane + l] + m.node[q][l];
             for (int i = 0; i < 3; ++i)
               f[i * n_lanes] += part[q][i][l];
+            if (arg.master_pressed[lane + l] != nullptr)
+              arg.master_pressed[lane + l][m.node[q][l] / (3 * n_lanes)] = 1;
           }
-        double *f = arg.slave_force[lane + l] + (m.slave[l] - joints.slave_position[l]);
+        const unsigned long slave = m.slave[l] - joints.slave_position[l];
+        double             *f     = arg.slave_force[lane + l] + slave;
         for (int i = 0; i < 3; ++i)
           f[i * n_lanes] += part[4][i][l];
+        if (arg.slave_pressed[lane + l] != nullptr)
+          arg.slave_pressed[lane + l][slave / (3 * n_lanes)] = 1;
       }
 }
 
@@ -379,7 +384,21 @@ CHAINDRIVE_ALWAYS_INLINE void add_forces_of(const JointArguments &arg, const int
     }
 }
 
-/// Gaps of all slave nodes of the joints in lanes @p lane to lane + width - 1.
+/// Whether somebody asks for column @p c of the slaves in lanes @p lane to lane + width - 1.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE bool
+take_wanted(const GapArguments &gaps, const int lane, const unsigned int c, bool (&wanted)[width])
+{
+  bool any = false;
+  for (int l = 0; l < width; ++l)
+    {
+      wanted[l] = gaps.wanted[c * n_lanes + lane + l] != 0;
+      any |= wanted[l];
+    }
+  return any;
+}
+
+/// Gaps of slave nodes of the joints in lanes @p lane to lane + width - 1.
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE void
 measure_gaps_of(const JointArguments &arg, GapArguments &gaps, const int lane)
@@ -401,16 +420,26 @@ measure_gaps_of(const JointArguments &arg, GapArguments &gaps, const int lane)
       {
         Meeting<width> m;
         unsigned int   index[width], column[width];
+        bool           wanted[width];
+        if (!take_wanted(gaps, lane, c, wanted))
+          continue;
         for (int l = 0; l < width; ++l)
           {
             index[l]  = s * grid.slave_circumferential + c;
             column[l] = c;
+            wanted[l] = wanted[l] && joints.present[l];
           }
         take_slave(joints, index, m);
-        meet_and_remember(arg, lane, joints, s, column, joints.present, m);
-        m.gap.store(gaps.gap + index[0] * n_lanes + lane);
-        covered(depth_inside(grid, joints, m, grid.cover[s]))
-            .store(gaps.covered + index[0] * n_lanes + lane);
+        meet_and_remember(arg, lane, joints, s, column, wanted, m);
+        const P depth = covered(depth_inside(grid, joints, m, grid.cover[s]));
+        for (int l = 0; l < width; ++l)
+          if (wanted[l])
+            {
+              gaps.gap[index[0] * n_lanes + lane + l]     = m.gap[l];
+              gaps.covered[index[0] * n_lanes + lane + l] = depth[l];
+            }
+        if (!gaps.wants_closing)
+          continue;
         Motion<P> motion;
         find_motion(joints, m, motion);
         closing = greatest(closing, motion.relative[0]);

@@ -64,7 +64,10 @@ public:
                  const unsigned int          s,
                  const dealii::Tensor<1, 3> &f) const
   {
-    NodeView(world.copies[group_].force).add(index(body, s), f);
+    BodyBatches &copies = world.copies[group_];
+    NodeView(copies.force).add(index(body, s), f);
+    if (char *const pressed = copies.pressed(copies.batch_of(copy_[body])))
+      pressed[side_->node[s]] = 1;
   }
 
 private:

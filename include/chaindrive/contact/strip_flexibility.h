@@ -90,10 +90,16 @@ public:
                   const std::vector<unsigned int>            &rings,
                   const std::vector<JointFlexibility::Place> &places);
 
-  /// What a strip and ring, numbered as in StripFlexibility, move away from the axis under one
-  /// newton outwards at each of the places, @p n times: at the @p angle [rad] from the middle of
-  /// the strip, and so far, @p step, from one time to the next: [time][place], m/N.
+  /// What all rings of a strip move away from the axis under one newton outwards at each of the
+  /// places, at the @p angle [rad] from the middle of the strip: [ring][place], m/N.
+  void at(unsigned int strip, double angle, double *value) const;
+
+  /// What one of these rings moves, a strip and ring being numbered as in StripFlexibility, @p n
+  /// times, at most a whole turn: so far, @p step > 0, from one time to the next: [time][place].
   void at(unsigned int i, double angle, double step, unsigned int n, double *value) const;
+
+  unsigned int n_rings() const { return n_rings_; }
+  unsigned int n_places() const { return n_places_; }
 
   /// By how much more that is for each radian, at place @p q, m/N.
   double slope(unsigned int i, double angle, unsigned int q) const;
@@ -104,13 +110,17 @@ private:
   struct Place
   {
     unsigned int row;
-    double       part, side;
+    double       part;
   };
-  Place         place_of(double turns) const;
-  const double *table_of(unsigned int i) const;
+  double row_of(double angle) const; ///< from 0 to n_turn_, with what is left to the next
+  Place  place_of(double row) const;
 
-  unsigned int              n_rings_, n_places_, n_angles_;
-  std::vector<unsigned int> width_; ///< of each strip, number of its table
-  std::vector<double>       table_; ///< [width][ring][angle from 0 to pi][place]
+  /// The rows for one strip, each n_in_row() long.
+  const double *table_of(unsigned int strip) const;
+  unsigned int  n_in_row() const { return n_rings_ * n_places_; }
+
+  unsigned int              n_rings_, n_places_, n_turn_; ///< n_turn_: rows of a turn
+  std::vector<unsigned int> width_;                       ///< of each strip, number of its table
+  std::vector<double>       table_; ///< [width][angle from 0 to 2 pi][ring][place]
 };
 } // namespace chaindrive::contact

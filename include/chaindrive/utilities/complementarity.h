@@ -91,7 +91,7 @@ private:
   /// Of one lane.
   struct Search
   {
-    std::vector<char>         closed;
+    std::vector<char>         closed;      ///< once something has been wrong
     std::vector<unsigned int> wrong;       ///< unknowns with a negative p or g
     unsigned int              fewest  = 0; ///< that were wrong at a time
     unsigned int              tries   = 0; ///< left to all at once
