@@ -292,7 +292,14 @@ int main(int argc, char **argv)
       const bool  pmi      = (is_there("PMI_RANK") || is_there("PMI_FD")) &&
                        (tasks == nullptr || std::string(tasks) != "1");
       if (!pmi && !is_there("PMIX_RANK") && !is_there("PMIX_NAMESPACE"))
-        unsetenv("SLURM_STEP_ID");
+        {
+          unsetenv("SLURM_STEP_ID");
+          // Nor does it need a network. OpenMPI would look for one, which with libfabric means
+          // reading the kernel's list of symbols twice, and a second of waiting at the end. What a
+          // user has chosen for mpirun holds for ranks that talk to each other.
+          setenv("OMPI_MCA_pml", "ob1", 1);
+          setenv("OMPI_MCA_btl", "self", 1);
+        }
     }
   std::signal(SIGXFSZ, SIG_IGN); // a file at its size limit is a failed write, told in a sentence
   catch_stop_signals(hang_up_was_ignored);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/files/known_repeats.h>
 #include <chaindrive/files/vtu.h>
 
 #include <algorithm>
@@ -21,11 +22,13 @@ class Arrays
 public:
   explicit Arrays(VtuPacked &before) : before_(before) {}
 
+  /// @p stretches, if there are any, of @p values, which are as in append_known_repeats().
   template <typename Number>
-  std::string add(const std::string         &type,
-                  const std::string         &name,
-                  const unsigned int         components,
-                  const std::vector<Number> &values)
+  std::string add(const std::string          &type,
+                  const std::string          &name,
+                  const unsigned int          components,
+                  const std::vector<Number>  &values,
+                  const std::vector<Stretch> &stretches = {})
   {
     std::string xml = "<DataArray type=\"" + type + "\" Name=\"" + name +
                       "\" NumberOfComponents=\"" + std::to_string(components) +
@@ -33,7 +36,9 @@ public:
                       "\"/>\n";
     const char       *bytes = reinterpret_cast<const char *>(values.data());
     const std::size_t size  = values.size() * sizeof(Number);
-    if (std::is_floating_point_v<Number>)
+    if (!stretches.empty())
+      pack_known(bytes, size, stretches);
+    else if (std::is_floating_point_v<Number>)
       binary_ += pack(bytes, size);
     else
       {
@@ -48,16 +53,39 @@ public:
   const std::string &binary() const { return binary_; }
 
 private:
-  /// A header of 64-bit numbers (blocks, their size, size of the last if smaller, compressed sizes)
-  /// and the compressed blocks.
-  std::string pack(const char *bytes, const std::size_t size) const
+  /// What an array begins with: blocks, their size, size of the last if smaller, compressed sizes.
+  static std::vector<std::uint64_t> header_of(const std::size_t size)
   {
-    constexpr std::size_t      block    = 1 << 18;
     const std::size_t          n_blocks = (size + block - 1) / block;
     std::vector<std::uint64_t> header{n_blocks, block, size % block};
     header.resize(3 + n_blocks);
-    const std::size_t header_size = header.size() * sizeof(std::uint64_t);
-    std::string       packed(header_size, '\0');
+    return header;
+  }
+
+  /// Header and blocks, to the end of what there is.
+  void pack_known(const char *bytes, const std::size_t size, const std::vector<Stretch> &stretches)
+  {
+    constexpr std::size_t      word     = 4;
+    std::vector<std::uint64_t> header   = header_of(size);
+    const std::size_t          n_blocks = header[0], begin = binary_.size(),
+                      header_size = header.size() * sizeof(std::uint64_t);
+    binary_.resize(begin + header_size);
+    for (std::size_t b = 0; b < n_blocks; ++b)
+      {
+        const std::size_t before = binary_.size(), length = std::min(block, size - b * block);
+        append_known_repeats(bytes, b * block / word, length / word, stretches, binary_);
+        header[3 + b] = binary_.size() - before;
+      }
+    std::memcpy(&binary_[begin], header.data(), header_size);
+  }
+
+  /// Header and compressed blocks.
+  std::string pack(const char *bytes, const std::size_t size) const
+  {
+    std::vector<std::uint64_t> header      = header_of(size);
+    const std::size_t          n_blocks    = header[0];
+    const std::size_t          header_size = header.size() * sizeof(std::uint64_t);
+    std::string                packed(header_size, '\0');
     for (std::size_t b = 0; b < n_blocks; ++b)
       {
         const char            *begin  = bytes + b * block;
@@ -104,11 +132,31 @@ private:
     return compressor;
   }
 
+  static constexpr std::size_t block = 1 << 18; ///< bytes that are compressed together
+
   static constexpr int level       = 1; ///< as small as 2 and 3, in six tenths of the time
   Compressor           compressor_ = make_compressor(level), stores_ = make_compressor(0);
   VtuPacked           &before_;
   std::string          binary_;
 };
+
+/// Of an array of @p components numbers at each point of rigid bodies; none without these.
+std::vector<Stretch> at_points(const VtuGrid &grid, const unsigned int components)
+{
+  std::vector<Stretch> stretches;
+  for (const VtuGrid::RigidBody &body : grid.rigid_bodies)
+    stretches.push_back({components * body.n_points, {{components, components * body.period}}});
+  return stretches;
+}
+
+/// The same in each of @p n_cells, of which most have what the one before has.
+std::vector<Stretch>
+in_cells(const VtuGrid &grid, const unsigned int components, const std::size_t n_cells)
+{
+  if (grid.rigid_bodies.empty())
+    return {};
+  return {{components * n_cells, {{components, 0}}}};
+}
 } // namespace
 
 void write_vtu(std::ostream &out, const VtuGrid &grid, const double time, VtuPacked &before)
@@ -130,17 +178,23 @@ void write_vtu(std::ostream &out, const VtuGrid &grid, const double time, VtuPac
       << time << "</DataArray>\n</FieldData>\n"
       << "<Piece NumberOfPoints=\"" << grid.points.size() / 3 << "\" NumberOfCells=\"" << n_cells
       << "\">\n<Points>\n"
-      << arrays.add("Float32", "position", 3, grid.points) << "</Points>\n<Cells>\n"
+      << arrays.add("Float32", "position", 3, grid.points, at_points(grid, 3))
+      << "</Points>\n<Cells>\n"
       << arrays.add("Int32", "connectivity", 1, grid.connectivity)
       << arrays.add("Int32", "offsets", 1, offsets) << arrays.add("UInt8", "types", 1, types)
       << "</Cells>\n<PointData>\n";
   for (const VtuGrid::FloatData &data : grid.point_data)
-    out << arrays.add("Float32", data.name, data.components, data.values);
+    out << arrays.add(
+        "Float32", data.name, data.components, data.values, at_points(grid, data.components));
   out << "</PointData>\n<CellData>\n";
   for (const VtuGrid::IntegerData &data : grid.cell_numbers)
     out << arrays.add("Int32", data.name, 1, data.values);
   for (const VtuGrid::FloatData &data : grid.cell_data)
-    out << arrays.add("Float32", data.name, data.components, data.values);
+    out << arrays.add("Float32",
+                      data.name,
+                      data.components,
+                      data.values,
+                      in_cells(grid, data.components, n_cells));
   out << "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_"
       << arrays.binary() << "\n</AppendedData>\n</VTKFile>\n";
 }

@@ -24,6 +24,21 @@ PartPatches::PartPatches(const dealii::Triangulation<3> &mesh, const bool rigid_
       for (unsigned int v = 0; v < 8; ++v)
         cells.back()[v] = cell->vertex_index(lexicographic[v]);
     }
+
+  // what is swept along z has columns of points, mostly of one height
+  constexpr std::size_t most_period = 64;
+  std::size_t           most        = vertices.size() / 4;
+  for (std::size_t p = 2; p <= most_period; ++p)
+    {
+      std::size_t same = 0;
+      for (std::size_t v = p; v < vertices.size(); ++v)
+        same += vertices[v][2] == vertices[v - p][2];
+      if (same > most)
+        {
+          most   = same;
+          period = p;
+        }
+    }
 }
 
 namespace
@@ -111,8 +126,8 @@ Shown shown_of(const std::vector<BodySnapshot> &bodies, MPI_Comm comm)
           dealii::Utilities::MPI::max(pressure, comm) != 0};
 }
 
-/// Normal force [N] in the gap of a sprocket that is nearest to cell @p cell of @p body.
-double load_of_gap(const BodySnapshot &body, const std::array<unsigned int, 8> &cell)
+/// The gap of a sprocket, of which @p body is all or a sector, that is nearest to @p cell.
+unsigned int nearest_gap(const BodySnapshot &body, const std::array<unsigned int, 8> &cell)
 {
   dealii::Tensor<1, 3> centre; // at the start
   for (const unsigned int v : cell)
@@ -124,86 +139,45 @@ double load_of_gap(const BodySnapshot &body, const std::array<unsigned int, 8> &
   const int  n     = static_cast<int>(body.gap_load.size());
   const auto pitch = 2. * dealii::numbers::PI / n;
   const int  gap   = static_cast<int>(std::lround(std::atan2(arm[1], arm[0]) / pitch));
-  return body.gap_load[(gap + n) % n];
+  return static_cast<unsigned int>((gap + n) % n);
 }
 
-files::VtuGrid grid_of(const std::vector<BodySnapshot> &bodies, const Shown &shown)
+/// The points of @p body from @p first on, and what belongs to them.
+void move_points(const BodySnapshot &body,
+                 const std::size_t   first,
+                 float              *point,
+                 float              *displacement,
+                 float              *velocity)
 {
-  std::size_t n_points = 0, n_cells = 0;
-  for (const BodySnapshot &body : bodies)
+  const auto &vertices = body.part->vertices;
+  const bool  elastic  = body.displacement.size() > 0;
+  Assert(!elastic || (body.displacement.size() == vertices.size() &&
+                      body.velocity.size() == vertices.size()),
+         dealii::ExcMessage("One displacement and one velocity per vertex"));
+  for (std::size_t v = 0; v < vertices.size(); ++v)
     {
-      n_points += body.part->vertices.size();
-      n_cells += body.part->cells.size();
+      const dealii::Tensor<1, 3> start =
+          body.initial.position + body.initial.rotation * vertices[v];
+      const dealii::Tensor<1, 3> arm = body.now.rotation * vertices[v];
+      const dealii::Tensor<1, 3> u =
+          elastic ? body.displacement[v] : body.now.position + arm - start;
+      const std::size_t at = 3 * (first + v);
+      write_to(point + at, start + u);
+      write_to(displacement + at, u);
+      write_to(velocity + at,
+               elastic ? body.velocity[v] :
+                         body.now.velocity + cross_product_3d(body.now.angular_velocity, arm));
     }
+}
 
-  std::vector<float>        displacement, velocity, pressure, contact_force, tension, tooth_load;
-  std::vector<std::int32_t> id, kind, deforms;
-  files::VtuGrid            grid;
-  for (auto *values : {&displacement, &velocity, &grid.points})
-    values->resize(3 * n_points);
-  grid.connectivity.reserve(8 * n_cells);
-  contact_force.reserve(3 * n_cells);
-  for (auto *values : {&tension, &tooth_load})
-    values->reserve(n_cells);
-  for (auto *numbers : {&id, &kind, &deforms})
-    numbers->reserve(n_cells);
-
-  std::int32_t first_point = 0;
+/// Contact pressure at all points.
+std::vector<float> pressures_of(const std::vector<BodySnapshot> &bodies)
+{
+  std::vector<float> pressure;
   for (const BodySnapshot &body : bodies)
-    {
-      const auto &vertices = body.part->vertices;
-      const bool  elastic  = body.displacement.size() > 0;
-      Assert(!elastic || (body.displacement.size() == vertices.size() &&
-                          body.velocity.size() == vertices.size()),
-             dealii::ExcMessage("One displacement and one velocity per vertex"));
-      for (std::size_t v = 0; v < vertices.size(); ++v)
-        {
-          const dealii::Tensor<1, 3> start =
-              body.initial.position + body.initial.rotation * vertices[v];
-          const dealii::Tensor<1, 3> arm = body.now.rotation * vertices[v];
-          const dealii::Tensor<1, 3> u =
-              elastic ? body.displacement[v] : body.now.position + arm - start;
-          if (shown.pressure)
-            pressure.push_back(body.pressure.size() > 0 ? static_cast<float>(body.pressure[v]) :
-                                                          0.F);
-          const std::size_t point = 3 * (first_point + v);
-          write_to(&grid.points[point], start + u);
-          write_to(&displacement[point], u);
-          write_to(&velocity[point],
-                   elastic ? body.velocity[v] :
-                             body.now.velocity + cross_product_3d(body.now.angular_velocity, arm));
-        }
-      for (const auto &cell : body.part->cells)
-        {
-          for (const unsigned int v : cell)
-            grid.connectivity.push_back(first_point + v);
-          append(contact_force, body.contact_force);
-          id.push_back(body.id);
-          kind.push_back(body.kind);
-          deforms.push_back(elastic ? 1 : 0);
-          tension.push_back(static_cast<float>(body.tension));
-          tooth_load.push_back(static_cast<float>(
-              body.gap_load.size() > 0 ? load_of_gap(body, cell) : body.tooth_load));
-        }
-      first_point += vertices.size();
-    }
-
-  grid.point_data = {{"displacement", 3, std::move(displacement)},
-                     {"velocity", 3, std::move(velocity)}};
-  if (shown.pressure)
-    grid.point_data.push_back({"contact_pressure", 1, std::move(pressure)});
-  grid.cell_data = {{"contact_force", 3, std::move(contact_force)},
-                    {"tension", 1, std::move(tension)},
-                    {"tooth_load", 1, std::move(tooth_load)}};
-  if (shown.stress)
-    for (files::VtuGrid::FloatData &data : stresses_of(bodies))
-      grid.cell_data.push_back(std::move(data));
-  if (shown.faces)
-    for (files::VtuGrid::FloatData &data : faces_of(bodies))
-      grid.cell_data.push_back(std::move(data));
-  grid.cell_numbers = {
-      {"body", std::move(id)}, {"kind", std::move(kind)}, {"elastic", std::move(deforms)}};
-  return grid;
+    for (std::size_t v = 0; v < body.part->vertices.size(); ++v)
+      pressure.push_back(body.pressure.size() > 0 ? static_cast<float>(body.pressure[v]) : 0.F);
+  return pressure;
 }
 
 files::VtuGrid grid_of(const std::vector<BarSnapshot> &bars)
@@ -229,11 +203,88 @@ files::VtuGrid grid_of(const std::vector<BarSnapshot> &bars)
 }
 } // namespace
 
+void Fields::set_up(const std::vector<BodySnapshot> &bodies)
+{
+  std::vector<Drawn> drawn;
+  for (const BodySnapshot &body : bodies)
+    drawn.push_back(
+        {body.part, body.id, body.kind, body.displacement.size() > 0, body.gap_load.size()});
+  const bool is_first = grid_.cell_numbers.empty();
+  if (!is_first && drawn == drawn_)
+    return;
+  drawn_ = std::move(drawn);
+  grid_  = {};
+  gap_.clear();
+  std::vector<std::int32_t> id, kind, deforms;
+  std::size_t               n_points = 0, n_cells = 0;
+  for (const BodySnapshot &body : bodies)
+    {
+      for (const auto &cell : body.part->cells)
+        {
+          for (const unsigned int v : cell)
+            grid_.connectivity.push_back(static_cast<std::int32_t>(n_points + v));
+          if (body.gap_load.size() > 0)
+            gap_.push_back(nearest_gap(body, cell));
+        }
+      n_points += body.part->vertices.size();
+      n_cells += body.part->cells.size();
+      id.resize(n_cells, body.id);
+      kind.resize(n_cells, body.kind);
+      deforms.resize(n_cells, body.displacement.size() > 0 ? 1 : 0);
+      grid_.rigid_bodies.push_back({body.part->vertices.size(), body.part->period});
+    }
+  if (std::any_of(drawn_.begin(), drawn_.end(), [](const Drawn &body) { return body.elastic; }))
+    grid_.rigid_bodies.clear();
+  grid_.cell_numbers = {
+      {"body", std::move(id)}, {"kind", std::move(kind)}, {"elastic", std::move(deforms)}};
+  grid_.points.resize(3 * n_points);
+  grid_.point_data = {{"displacement", 3, std::vector<float>(3 * n_points)},
+                      {"velocity", 3, std::vector<float>(3 * n_points)}};
+  grid_.cell_data  = {{"contact_force", 3, std::vector<float>(3 * n_cells)},
+                      {"tension", 1, std::vector<float>(n_cells)},
+                      {"tooth_load", 1, std::vector<float>(n_cells)}};
+}
+
 void Fields::write(const double                     time,
                    const std::vector<BodySnapshot> &bodies,
                    const std::vector<BarSnapshot>  &bars)
 {
-  bodies_.write(grid_of(bodies, shown_of(bodies, comm_)), time);
+  const Shown shown = shown_of(bodies, comm_);
+  set_up(bodies);
+  grid_.point_data.resize(2); // without what has been shown before
+  grid_.cell_data.resize(3);
+
+  std::size_t point = 0, cell = 0, gap = 0;
+  float      *force      = grid_.cell_data[0].values.data();
+  float      *tension    = grid_.cell_data[1].values.data();
+  float      *tooth_load = grid_.cell_data[2].values.data();
+  for (const BodySnapshot &body : bodies)
+    {
+      move_points(body,
+                  point,
+                  grid_.points.data(),
+                  grid_.point_data[0].values.data(),
+                  grid_.point_data[1].values.data());
+      point += body.part->vertices.size();
+      const std::size_t end = cell + body.part->cells.size();
+      std::fill(tension + cell, tension + end, static_cast<float>(body.tension));
+      std::fill(tooth_load + cell, tooth_load + end, static_cast<float>(body.tooth_load));
+      for (; cell < end; ++cell)
+        {
+          write_to(force + 3 * cell, body.contact_force);
+          if (body.gap_load.size() > 0)
+            tooth_load[cell] = static_cast<float>(body.gap_load[gap_[gap++]]);
+        }
+    }
+  if (shown.pressure)
+    grid_.point_data.push_back({"contact_pressure", 1, pressures_of(bodies)});
+  if (shown.stress)
+    for (files::VtuGrid::FloatData &data : stresses_of(bodies))
+      grid_.cell_data.push_back(std::move(data));
+  if (shown.faces)
+    for (files::VtuGrid::FloatData &data : faces_of(bodies))
+      grid_.cell_data.push_back(std::move(data));
+  bodies_.write(grid_, time);
   if (!bars.empty())
     bars_.write(grid_of(bars), time);
 }

@@ -32,12 +32,23 @@ struct VtuGrid
     std::vector<std::int32_t> values;
   };
 
+  /// A body that moves without deforming.
+  struct RigidBody
+  {
+    std::size_t n_points;
+    std::size_t
+        period; ///< points, besides one, after which coordinates are often the same; 0: none
+  };
+
   Cell                      cell = Cell::hexahedron;
   std::vector<float>        points;       ///< three coordinates each [m]
   std::vector<std::int32_t> connectivity; ///< 2 or 8 points of each cell, in VTK's order
   std::vector<FloatData>    point_data;
   std::vector<FloatData>    cell_data;
   std::vector<IntegerData>  cell_numbers;
+
+  /// The bodies whose points these are, in their order, if all are rigid: makes files faster.
+  std::vector<RigidBody> rigid_bodies;
 };
 
 /// The arrays of integers of the last output of a series by their names, and what they were packed
@@ -52,7 +63,8 @@ struct VtuPacked
 };
 
 /// Writes @p grid at @p time [s], compressed quickly rather than well; what hardly shrinks is
-/// stored as it is. @p before is used and brought up to date.
+/// stored as it is, and of rigid bodies repeats are looked for where they are (known_repeats.h).
+/// @p before is used and brought up to date.
 ///
 /// deal.II's own writer gives every cell its own copy of its vertices and stores cell data at these
 /// points: for a chain that is five times the numbers and ten times the CPU time.

@@ -26,6 +26,7 @@ struct PartPatches
 
   std::vector<dealii::Point<3>>            vertices; ///< in the part's frame [m], mesh's numbering
   std::vector<std::array<unsigned int, 8>> cells;    ///< vertices of each cell, in VTK's order
+  std::size_t period = 0; ///< vertices, besides one, after which z is most often the same; 0: none
 };
 
 /// A body at one instant. A rigid or lumped body follows its frames; an elastic one gives the
@@ -99,7 +100,30 @@ public:
   }
 
 private:
-  MPI_Comm         comm_;
-  files::VtuSeries bodies_, bars_;
+  /// Makes grid_ for @p bodies, with what does not change as long as they are the same, unless it
+  /// has been made for these.
+  void set_up(const std::vector<BodySnapshot> &bodies);
+
+  /// What grid_ was set up for, of each body.
+  struct Drawn
+  {
+    const PartPatches *part;
+    unsigned int       id;
+    int                kind;
+    bool               elastic;
+    std::size_t        n_gaps;
+
+    bool operator==(const Drawn &other) const
+    {
+      return part == other.part && id == other.id && kind == other.kind &&
+             elastic == other.elastic && n_gaps == other.n_gaps;
+    }
+  };
+
+  MPI_Comm                  comm_;
+  files::VtuSeries          bodies_, bars_;
+  files::VtuGrid            grid_; ///< of bodies
+  std::vector<Drawn>        drawn_;
+  std::vector<unsigned int> gap_; ///< of a sprocket that is nearest to each of its cells, in turn
 };
 } // namespace chaindrive::observe
