@@ -101,7 +101,8 @@ part_bases(const Parameters &parameters, const MPI_Comm comm, const Announce &an
                                   parameters.elements,
                                   reduction::options_of(parameters.reduction,
                                                         !effects.is_on(model::Effect::exact_joints),
-                                                        !effects.is_on(model::Effect::exact_teeth)),
+                                                        !effects.is_on(model::Effect::exact_teeth),
+                                                        effects.is_on(model::Effect::plate_faces)),
                                   cache,
                                   comm,
                                   announce));

@@ -8,6 +8,7 @@
 #include <chaindrive/contact/planar_contact.h>
 #include <chaindrive/contact/point_contact.h>
 #include <chaindrive/contact/roller_strips.h>
+#include <chaindrive/contact/tooth_side.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
@@ -85,7 +86,19 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
   for (const scene::SideFamily &sides : scene.sides)
     families_.push_back(std::make_unique<PointContact>(sides));
   for (const scene::ToothSideFamily &sides : scene.tooth_sides)
-    families_.push_back(std::make_unique<PointContact>(sides));
+    if (sides.elastic)
+      add_family({sides.name,
+                  std::make_shared<const ToothSide>(sides, 0),
+                  sides.law,
+                  sides.slaves,
+                  true,
+                  sides.slave_surface,
+                  0.,
+                  scene::right_angle,
+                  {scene::Interface::plate_teeth, sides.sprocket},
+                  sides.slave_nodes});
+    else
+      families_.push_back(std::make_unique<PointContact>(sides));
   for (const scene::FaceFamily &faces : scene.faces)
     families_.push_back(std::make_unique<NodeFaces>(faces, world, search_every_step));
 

@@ -27,7 +27,7 @@ NodeContact::NodeContact(const scene::SurfaceFamily &scene,
                          const bool                  search_every_step)
     : SurfaceContact(scene.name, scene.interface, scene.law, pairs_on(scene.surface, scene.slaves))
     , surface_(scene.surface)
-    , slaves_(world, bodies_of(scene.slaves), scene.slave_surface)
+    , slaves_(world, bodies_of(scene.slaves), scene.slave_surface, scene.slave_nodes)
     , every_step_(search_every_step)
     , surface_stiffness_(scene.surface_stiffness)
     , half_angle_(scene.half_angle)
@@ -243,6 +243,7 @@ std::vector<ClosedPair> NodeContact::closed_pairs(const World &world) const
   ClosedSide        &slave = pair[1];
   slave.group              = slaves_.group();
   slave.surface            = slaves_.surface();
+  slave.flat               = surface_->facing() == Surface::Facing::anywhere;
   slave.stiffness.resize(batches.n_nodes());
   for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
     slave.add_spring(

@@ -121,13 +121,6 @@ NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool se
       if (!slaves.owns(slave.copy))
         continue;
       const SidePair &sides = side_pairs_[entry->second];
-      for (const Faces &faces : sides.faces)
-        {
-          world.copies[master.group].add_readers(
-              masters.batch_of(master.copy), faces.masters->nodes(), 1);
-          world.copies[slave.group].add_readers(
-              slaves.batch_of(slave.copy), faces.slaves->nodes(), 1);
-        }
       for (unsigned int f = 0; f < sides.faces.size(); ++f)
         {
           const Faces             &faces = sides.faces[f];
@@ -143,11 +136,34 @@ NodeFaces::NodeFaces(const scene::FaceFamily &scene, World &world, const bool se
                               std::move(of_slave),
                               std::vector<Node>(faces.taking_part.size()),
                               {},
-                              {}};
+                              {},
+                              {{masters.batch_of(master.copy), slaves.batch_of(slave.copy)}},
+                              false};
           contacts_.push_back(std::move(contact));
         }
     }
   states_.resize(records_.size());
+}
+
+void NodeFaces::announce(World &world, const std::optional<double> dt)
+{
+  for (FaceContact &contact : contacts_)
+    read(world, contact, reads_without_search(contact) || (dt && contact.cadence.is_due(*dt)));
+}
+
+void NodeFaces::read(World &world, FaceContact &contact, const bool reads)
+{
+  if (contact.reads == reads)
+    return;
+  contact.reads         = reads;
+  const SidePair &sides = side_pairs_[contact.sides];
+  const Faces    &faces = sides.faces[contact.face];
+  const int       more  = reads ? 1 : -1;
+  for (const auto &[group, batch, nodes] :
+       {std::make_tuple(sides.master_group, contact.batches[0], &faces.masters->nodes()),
+        std::make_tuple(sides.slave_group, contact.batches[1], &faces.slaves->nodes())})
+    if (world.copies[group].counts_readers())
+      world.copies[group].add_readers(batch, *nodes, more);
 }
 
 void NodeFaces::search_nodes(const World &world, FaceContact &contact)
@@ -197,7 +213,10 @@ void NodeFaces::add_forces(World &world, const double dt)
   for (FaceContact &contact : contacts_)
     {
       if (every_step_ || contact.cadence.is_due(dt))
-        search_nodes(world, contact);
+        {
+          search_nodes(world, contact);
+          read(world, contact, reads_without_search(contact));
+        }
       else
         contact.cadence.use(dt);
       if (!contact.active.empty())
@@ -293,6 +312,7 @@ std::vector<ClosedPair> NodeFaces::closed_pairs(const World &world) const
       pair[1].group   = sides.slave_group;
       pair[1].surface = sides.slave_surface;
       pair[1].stiffness.resize(slaves.n_nodes());
+      pair[0].flat = pair[1].flat = true;
       const auto carry =
           [](ClosedSide &side, const BodyBatches &copies, const unsigned int node, const double k) {
             side.add_spring(node, k, copies.nodes.mass[node]);

@@ -2,6 +2,7 @@
 #include <chaindrive/contact/slave_nodes.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace chaindrive::contact
 {
@@ -38,13 +39,16 @@ std::vector<std::array<double, 2>> extents(const mesh::Nodes               &node
 
 SlaveNodes::SlaveNodes(const World                     &world,
                        const std::vector<unsigned int> &bodies,
-                       const unsigned int               surface)
+                       const unsigned int               surface,
+                       const std::vector<unsigned int> &chosen)
     : group_(world.elastic_address[bodies.front()].group), surface_(surface)
 {
   const BodyBatches &copies = world.copies[group_];
-  side_                     = std::make_unique<mesh::SurfaceNodes>(
+  auto               side   = std::make_unique<mesh::SurfaceNodes>(
       *copies.part, copies.nodes, static_cast<mesh::Surface>(surface));
-  extent_ = extents(copies.nodes, side_->node);
+  side->keep(chosen);
+  extent_ = extents(copies.nodes, side->node);
+  side_   = std::move(side);
   for (const unsigned int body : bodies)
     {
       copy_.push_back(world.elastic_address[body].copy);

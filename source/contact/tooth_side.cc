@@ -16,17 +16,18 @@ ToothSide::ToothSide(const scene::ToothSideFamily &family, const int sign)
 
 double ToothSide::distance(const dealii::Tensor<1, 3> &local, dealii::Tensor<1, 3> &normal) const
 {
-  const double r = std::hypot(local[0], local[1]), above = sign_ * local[2] - half_width_;
+  const int    sign = sign_ != 0 ? sign_ : local[2] < 0. ? -1 : 1;
+  const double r = std::hypot(local[0], local[1]), above = sign * local[2] - half_width_;
   normal = dealii::Tensor<1, 3>();
   if (r <= from_)
     {
-      normal[2] = sign_;
+      normal[2] = sign;
       return above;
     }
   const double out = r - from_, up = above + radius_, from_centre = std::hypot(out, up);
   normal[0] = out / from_centre * local[0] / r;
   normal[1] = out / from_centre * local[1] / r;
-  normal[2] = sign_ * up / from_centre;
+  normal[2] = sign * up / from_centre;
   return from_centre - radius_;
 }
 

@@ -38,6 +38,7 @@ scene::Scene at_rest(const scene::Scene &scene)
   without_friction(still.faces);
   without_friction(still.teeth);
   without_friction(still.surfaces);
+  without_friction(still.tooth_sides);
   still.shafts.clear();
   still.swings.clear();
   still.loads.gravity = still.loads.drag = 0.;

@@ -171,6 +171,8 @@ Decision plate_faces(const Parameters &p, const bool links)
     return {effect, false, "links are not elastic"};
   if (p.contact.plate_faces == Switch::on)
     return {effect, true, "asked for in section Contact: between elastic links"};
+  if (p.contact.plate_faces == Switch::automatic && misalignment(p).on)
+    return {effect, true, "wheels are out of line"};
   return {effect,
           false,
           p.contact.plate_faces == Switch::off ?

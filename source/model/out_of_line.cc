@@ -36,9 +36,27 @@ std::vector<std::string> against_misalignment(const Parameters &p, const Effects
   refuse(!has_clearances,
          entry + " needs plates that teeth guide, but in " + chosen +
              " links are bars; choose Model/Fidelity = layered, or 0.");
-  refuse(is_elastic,
-         entry + " is for rigid links, whose faces meet the sides of teeth; " + chosen +
-             " has none; choose Model/Fidelity = layered, or 0.");
+  for (const auto &[name, effect] :
+       {std::pair<const char *, Effect>{"Elastic links", Effect::elastic_links},
+        {"Elastic rollers", Effect::elastic_rollers}})
+    refuse(is_elastic && !effects.is_on(effect),
+           entry + " in " + chosen +
+               " needs elastic links and rollers, whose nodes meet the sides " +
+               "of teeth, but Effects/" + name + " is off (" + effects.of(effect).reason +
+               "); choose on, Model/Fidelity = layered, or 0.");
+  refuse(is_elastic && p.model.elastic_links == parameters::ElasticLinks::region_of_interest,
+         entry + " in " + chosen +
+             " needs elastic links everywhere, but Model/Elastic links = region of interest; "
+             "choose all, Model/Fidelity = layered, or 0.");
+  refuse(is_elastic && effects.is_on(Effect::elastic_links) && !effects.is_on(Effect::plate_faces),
+         entry + " needs the faces of plates, which keep links beside each other, but "
+                 "Contact/Plate faces = off; choose auto, or 0 for the wheels.");
+  refuse(is_elastic && !is_reduced && p.contact.side_stiffness,
+         "Contact/Side stiffness in N/m is for plates that do not bend or move by modes; in " +
+             chosen + " leave it auto and choose Penalty factor.");
+  refuse(is_elastic && p.effects.plate_bending == parameters::Switch::off,
+         entry + " bends plates out of their planes, but Effects/Plate bending = off; choose auto, "
+                 "or 0 for the wheels.");
   refuse(is_elastic && p.model.half == parameters::SymmetryModel::yes,
          "Model/Symmetry model = true has a half of each body, but " + entry +
              " leaves no plane of symmetry; choose auto or false.");

@@ -97,19 +97,19 @@ void Contact::declare(Declarations &declarations)
       "Plate faces",
       plate_faces,
       "Contact between the outer faces of inner plates and the inner faces of outer plates, around "
-      "the joints and between elastic links; full fidelity only. off: plates pass through each "
-      "other. auto: off, since nothing in this model pushes the chain sideways; on shows whether "
-      "something does.");
+      "the joints and between elastic links. off: plates pass through each other. auto: on where "
+      "wheels are out of line, else off, since nothing pushes the chain sideways; on shows whether "
+      "something does, in full fidelity only.");
   add(declarations,
       "Side stiffness in N/m",
       side_stiffness,
       unit::si,
       above(0., 1e13),
       "Force over approach of a rigid plate and what it touches with its faces: the side of a "
-      "tooth, "
-      "another plate, the end of a roller; where wheels are out of line. Side forces follow from "
-      "balance and hardly depend on it. auto: an inner plate that is "
-      "clamped at its bushes and pressed in the middle.");
+      "tooth, another plate, the end of a roller; where wheels are out of line. Reduced plates, "
+      "which bend by themselves, have faces four times as stiff; those of full fidelity follow "
+      "from Penalty factor. Side forces follow from balance and hardly depend on it. auto: an "
+      "inner plate that is clamped at its bushes and pressed in the middle.");
   add(declarations,
       "Search",
       search,

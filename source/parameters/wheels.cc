@@ -130,15 +130,15 @@ void declare_wheel(Declarations &declarations,
       unit::milli,
       between(-100., 100.),
       "Of its plane from that of the drive, towards those who see a drive with Layout/Tight span = "
-      "upper turn counter-clockwise. What counts is how far wheels are out of line. Layered "
+      "upper turn counter-clockwise. What counts is how far wheels are out of line. Not in simple "
       "fidelity.");
   add_angle(
       declarations,
       "Tilt in degrees",
       sprocket.tilt,
       between(-5., 5.),
-      "Of its axis from the normal of the drive's plane, about the centre of the wheel. Layered "
-      "fidelity.");
+      "Of its axis from the normal of the drive's plane, about the centre of the wheel. Not in "
+      "simple fidelity.");
   add_angle(
       declarations,
       "Tilt direction in degrees",

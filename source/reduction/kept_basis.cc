@@ -197,13 +197,15 @@ Basis from_json(const nlohmann::json &json)
 
 BasisOptions options_of(const parameters::Reduction &reduction,
                         const bool                   pressed_joints,
-                        const bool                   pressed_outside)
+                        const bool                   pressed_outside,
+                        const bool                   pressed_faces)
 {
   BasisOptions options;
   options.modes_up_to =
       2. * dealii::numbers::PI * reduction.modes_up_to.value_or(pressed_joints ? 60e3 : 120e3);
   options.cap    = 2. * dealii::numbers::PI * reduction.highest;
-  options.orders = {reduction.tube_order, reduction.pin_order, pressed_joints, pressed_outside};
+  options.orders = {
+      reduction.tube_order, reduction.pin_order, pressed_joints, pressed_outside, pressed_faces};
   return options;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/surface/cylinder_grid.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/reduction/tractions.h>
 
 #include <algorithm>
@@ -66,6 +67,41 @@ void add(const mesh::CylinderGrid &grid,
         force[3 * node + 1] += f * (towards == Towards::outside ? y : x);
       }
 }
+
+/// Adds to @p forces those of even pressures on flat faces of plates: see tractions().
+void add_on_faces(const mesh::Part &part, const mesh::Nodes &nodes, std::vector<Vector> &forces)
+{
+  const bool          inner = has(part, mesh::bush_outside_first);
+  const mesh::Surface about_joints =
+      inner ? mesh::plate_outer_faces : mesh::plate_inner_faces; // what touches the next plate
+  const auto press = [&](const mesh::Surface surface, const auto &is_pressed) {
+    const mesh::SurfaceNodes side(part, nodes, surface);
+    double                   length = 0., radius = 0.; // of a plate with round ends
+    for (const unsigned int node : side.node)
+      {
+        length = std::max(length, nodes.position[node][0]);
+        radius = std::max(radius, nodes.position[node][1]);
+      }
+    Vector force(3 * nodes.size());
+    for (unsigned int s = 0; s < side.size(); ++s)
+      if (is_pressed(nodes.position[side.node[s]], length - radius, radius))
+        force[3 * side.node[s] + 2] = side.area[s];
+    if (force.l2_norm() > 0.)
+      forces.push_back(force);
+  };
+  for (const double upper : {-1., 1.})
+    for (const double second : {-1., 1.})
+      {
+        press(about_joints, [&](const dealii::Point<3> &x, const double hole, const double radius) {
+          return upper * x[2] > 0. && std::hypot(x[0] - second * hole, x[1]) < 1.01 * radius;
+        });
+        if (inner)
+          press(mesh::plate_inner_faces,
+                [&](const dealii::Point<3> &x, const double hole, const double) {
+                  return upper * x[2] > 0. && second * x[1] > 0. && std::abs(x[0]) < 0.25 * hole;
+                });
+      }
+}
 } // namespace
 
 std::vector<mesh::Surface> joint_sides(const mesh::Part &part)
@@ -118,6 +154,8 @@ tractions(const mesh::Part &part, const mesh::Nodes &nodes, const Orders &orders
                 Towards::around);
           }
     }
+  if (orders.on_faces && has(part, mesh::plate_inner_faces))
+    add_on_faces(part, nodes, forces);
   return forces;
 }
 

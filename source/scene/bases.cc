@@ -108,6 +108,7 @@ std::set<unsigned int> sides_that_touch(const Scene &scene, const PartOf &of)
   };
   std::for_each(scene.teeth.begin(), scene.teeth.end(), add_slaves);
   std::for_each(scene.surfaces.begin(), scene.surfaces.end(), add_slaves);
+  std::for_each(scene.tooth_sides.begin(), scene.tooth_sides.end(), add_slaves);
   return sides;
 }
 

@@ -191,12 +191,13 @@ void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene 
       FaceFamily plates;
       plates.interface = Interface::plate_faces;
       plates.name      = parameters::text_of(plates.interface);
-      plates.law       = law(Kind::outer_link,
-                       mesh::plate_inner_faces,
-                       Kind::inner_link,
-                       mesh::plate_outer_faces,
-                       model.contact.plate_friction);
       plates.radius    = 0.5 * std::min(chain.inner_plate_height, chain.outer_plate_height);
+      plates.law =
+          make_face_law(model,
+                        drive,
+                        ring_area(plates.radius, 0.5 * chain.bush_diameter),
+                        std::max(thickness(scene, Kind::outer_link, mesh::plate_inner_faces),
+                                 thickness(scene, Kind::inner_link, mesh::plate_outer_faces)));
       for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
         {
           const Joint joint = joint_of(k, drive, scene.drive);

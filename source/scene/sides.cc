@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/plate.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/utilities/text.h>
 
 #include <cmath>
+#include <numeric>
 
 // The faces with which rigid links, rollers and teeth keep each other in place across the plane of
 // the drive.
@@ -93,10 +95,118 @@ ToothSideFamily tooth_sides(const drive::Drive &drive, const Scene &scene, const
               {scene.drive.links[k], dealii::Point<3>(along, inwards * y, side * z), 0., k});
   return family;
 }
+
+/// The nodes of an inner link's inner faces that have a tooth beside them: near the middle of the
+/// link, as wide as a tooth is where the rollers are at their widest, or on the line between the
+/// joints' halves where a mesh has none but these; on the side of the link's middle line on which
+/// y has the sign @p inwards.
+std::vector<unsigned int>
+nodes_beside_tooth(const drive::ChainDimensions &chain, const mesh::Part &part, const int inwards)
+{
+  const mesh::Nodes nodes(part);
+  const double      x = 0.4 * (chain.pitch - chain.roller_diameter),
+               y      = 0.2 * drive::inner_plate(chain).waist;
+  std::vector<unsigned int> found;
+  for (const unsigned int node : mesh::SurfaceNodes(part, nodes, mesh::plate_inner_faces).node)
+    if (const dealii::Point<3> &at = nodes.position[node];
+        std::abs(at[0]) <= x && inwards * at[1] >= y)
+      found.push_back(node);
+  return found;
+}
+
+/// The faces with which elastic links, rollers and rigid teeth keep each other in place: their
+/// nodes touch. Those of plates on plates are there.
+void add_elastic_sides(const model::Model &model, const drive::Drive &drive, Scene &scene)
+{
+  const drive::ChainDimensions &chain = drive.chain;
+  const mesh::Part             &inner = *scene.parts.at(Kind::inner_link),
+                   &roller            = *scene.parts.at(Kind::roller);
+  const auto thickness                = [](const mesh::Part &part, const mesh::Surface side) {
+    return mesh::SurfaceNodes(part, mesh::Nodes(part), side).thickness;
+  };
+  const double of_plate = thickness(inner, mesh::plate_inner_faces),
+               of_ends  = thickness(roller, mesh::roller_ends);
+
+  FaceFamily ends;
+  ends.interface = Interface::roller_ends;
+  ends.name      = parameters::text_of(ends.interface);
+  ends.radius    = 0.5 * chain.roller_diameter;
+  ends.law       = make_face_law(
+      model, drive, ring_area(ends.radius, 0.5 * chain.roller_bore), std::max(of_plate, of_ends));
+  for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
+    {
+      const Joint joint = joint_of(k, drive, scene.drive);
+      ends.pairs.push_back({joint.inner,
+                            joint.roller,
+                            mesh::plate_inner_faces,
+                            mesh::roller_ends,
+                            dealii::Point<3>(joint.bush_x, 0., 0.),
+                            dealii::Point<3>(),
+                            k});
+    }
+  scene.faces.push_back(std::move(ends));
+  for (unsigned int i = 0; i < drive.sprockets.size(); ++i)
+    {
+      ToothSideFamily sides = tooth_sides(drive, scene, i);
+      sides.elastic         = true;
+      sides.slave_surface   = mesh::plate_inner_faces;
+      sides.slave_nodes     = nodes_beside_tooth(chain, inner, scene.drive.sprockets[i].sense);
+      mesh::SurfaceNodes touching(inner, mesh::Nodes(inner), mesh::plate_inner_faces);
+      touching.keep(sides.slave_nodes);
+      sides.law = make_face_law(
+          model,
+          drive,
+          0.5 * std::accumulate(touching.area.begin(), touching.area.end(), 0.), // of both plates
+          of_plate);
+      const double radius =
+          std::hypot(0.5 * chain.pitch, 0.5 * chain.inner_plate_height, 0.5 * chain.inner_width);
+      sides.slaves.clear();
+      for (unsigned int k = 0; k < scene.drive.n_joints; k += 2)
+        sides.slaves.push_back({scene.drive.links[k], dealii::Point<3>(), radius, k});
+      scene.tooth_sides.push_back(std::move(sides));
+    }
+}
+
+std::string play_text(const drive::Drive &drive)
+{
+  const drive::ChainDimensions &c = drive.chain;
+  return "play to either side: " + to_text(0.5e3 * (c.inner_width - drive.sprocket_width), 4) +
+         " mm between plates and teeth, " +
+         to_text(1e3 * (c.outer_plate_z - c.inner_plate_z -
+                        0.5 * (c.inner_plate_thickness + c.outer_plate_thickness)),
+                 4) +
+         " mm between plates, " + to_text(0.5e3 * (c.inner_width - c.roller_length), 4) +
+         " mm between rollers and plates";
+}
 } // namespace
+
+double ring_area(const double outer_radius, const double inner_radius)
+{
+  return dealii::numbers::PI * (outer_radius * outer_radius - inner_radius * inner_radius);
+}
+
+ContactLaw make_face_law(const model::Model &model,
+                         const drive::Drive &drive,
+                         const double        area,
+                         const double        thickness)
+{
+  if (!model.reduced)
+    return make_area_law(model.contact, model.material, thickness, model.contact.plate_friction);
+  constexpr double stiffer = 4.; // than a plate bends
+  return make_law(model.contact,
+                  stiffer * model.side_stiffness.value / area,
+                  0.5 * model.material.density * drive.chain.inner_plate_thickness,
+                  model.contact.plate_friction);
+}
 
 void add_sides(const model::Model &model, const drive::Drive &drive, Scene &scene)
 {
+  if (deforms(scene.bodies[scene.drive.links[0]].motion))
+    {
+      add_elastic_sides(model, drive, scene);
+      scene.notes.push_back("Sides of plates, teeth and rollers: " + play_text(drive));
+      return;
+    }
   const double inner = scene.bodies[scene.drive.links[0]].mass,
                outer = scene.bodies[scene.drive.links[1]].mass, k = model.side_stiffness.value;
   const auto law = [&](const double mass) {
@@ -113,16 +223,9 @@ void add_sides(const model::Model &model, const drive::Drive &drive, Scene &scen
       sides.law             = law(inner).shared_by(4);
       scene.tooth_sides.push_back(std::move(sides));
     }
-  const drive::ChainDimensions &c = drive.chain;
   scene.notes.push_back(
       "Side stiffness " + to_text(k, 4) + " N/m (" +
       (model.side_stiffness.given ? "given" : "auto: an inner plate pressed in the middle") +
-      "); play to either side: " + to_text(0.5e3 * (c.inner_width - drive.sprocket_width), 4) +
-      " mm between plates and teeth, " +
-      to_text(1e3 * (c.outer_plate_z - c.inner_plate_z -
-                     0.5 * (c.inner_plate_thickness + c.outer_plate_thickness)),
-              4) +
-      " mm between plates, " + to_text(0.5e3 * (c.inner_width - c.roller_length), 4) +
-      " mm between rollers and plates");
+      "); " + play_text(drive));
 }
 } // namespace chaindrive::scene

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -129,6 +130,127 @@ take_coupled(const World &world, const std::vector<Bodies> &bodies, std::vector<
               kinds.end());
   return coupled->critical_time_step();
 }
+
+/// What flat sides add to modal bodies, beside what else holds these: where both sides deform, each
+/// feels at most twice the springs, with its other end at rest: (u - v)^2 <= 2 u^2 + 2 v^2.
+class FlatSides
+{
+public:
+  /// Takes the kinds away from @p kinds that have flat sides of modal @p bodies.
+  FlatSides(const World &world, const std::vector<Bodies> &bodies, std::vector<ClosedKind> &kinds)
+  {
+    std::vector<ClosedKind> others;
+    for (ClosedKind &kind : kinds)
+      {
+        bool taken = false;
+        for (const ClosedSide &side : kind.sides)
+          if (side.flat && is_modal(bodies, side))
+            {
+              add(world, *bodies[side.group].modal, side, kind);
+              taken = true;
+            }
+        if (!taken)
+          others.push_back(std::move(kind));
+      }
+    kinds = std::move(others);
+  }
+
+  /// The critical time step [s] of all where without these it is @p step: eigenvalues add up at
+  /// most.
+  double critical_time_step(const double step) const
+  {
+    double both = step;
+    for (const auto &[group, held] : held_)
+      {
+        const double others = 4. / (step * step);
+        double       of     = critical_time_step_of(others + largest(held.springs(std::nullopt)),
+                                          largest(held.dampers()));
+        for (unsigned int round = 0; round < 3; ++round)
+          of = 2. / std::sqrt(others + largest(held.springs(of)));
+        both = std::min(both, of);
+      }
+    return both;
+  }
+
+private:
+  struct Of
+  {
+    Matrix matrix;
+    double time; ///< s
+  };
+
+  /// What holds the bodies of one group.
+  struct Held
+  {
+    std::vector<Of>            joints;  ///< all closed at a time
+    std::map<unsigned int, Of> grounds; ///< by surface: one of those that it may meet
+
+    /// Springs, with what the dampers add for steps of @p dt [s].
+    Matrix springs(const std::optional<double> dt) const
+    {
+      return sum([&dt](const Of &of) { return 1. + (dt ? 2. * of.time / *dt : 0.); });
+    }
+
+    Matrix dampers() const
+    {
+      return sum([](const Of &of) { return of.time; });
+    }
+
+  private:
+    template <typename Factor>
+    Matrix sum(const Factor &factor) const
+    {
+      Matrix     total;
+      const auto add = [&](const Of &of) {
+        if (total.empty())
+          total.reinit(of.matrix.m(), of.matrix.n());
+        total.add(factor(of), of.matrix);
+      };
+      std::for_each(joints.begin(), joints.end(), add);
+      for (const auto &[surface, of] : grounds)
+        add(of);
+      return total;
+    }
+  };
+
+  void
+  add(const World &world, const ModalGroup &group, const ClosedSide &side, const ClosedKind &kind)
+  {
+    const mesh::Nodes &nodes    = world.copies[side.group].nodes;
+    const bool         is_joint = kind.sides[0].group != ClosedSide::none;
+    Of                 worst{Matrix(), kind.time};
+    double             most = 0.;
+    for (const double sign : {-1., 1.})
+      {
+        ClosedSide face = side;
+        face.half_angle = dealii::numbers::PI;
+        face.normal.resize(face.stiffness.size());
+        for (unsigned int n = 0; n < face.stiffness.size(); ++n)
+          {
+            face.normal[n][2] = sign;
+            if (sign * nodes.position[n][2] < 0.)
+              face.stiffness[n] = 0.;
+          }
+        Matrix matrix = added_to_modes(group, face, kind.law);
+        matrix *= is_joint ? 2. : 1.;
+        if (const double value = largest(matrix); value > most)
+          {
+            most         = value;
+            worst.matrix = std::move(matrix);
+          }
+      }
+    if (most == 0.)
+      return;
+    Held &held = held_[side.group];
+    if (is_joint)
+      held.joints.push_back(std::move(worst));
+    else if (const auto found = held.grounds.find(side.surface);
+             found == held.grounds.end() || largest(found->second.matrix) < most)
+      held.grounds[side.surface] = std::move(worst);
+  }
+
+  std::map<unsigned int, Held> held_; ///< by group
+};
 
 /// The pairs of one kind: factors 1 + t and 1 + 1/t of the springs on either side.
 struct Kind
@@ -283,6 +405,7 @@ double closed_contact_time_step(const World &world, const contact::Contacts &con
   for (const auto &family : contacts.families())
     for (ClosedKind &kind : closed_kinds(world, *family))
       kinds.push_back(std::move(kind));
+  const FlatSides flat(world, bodies, kinds);
   limit                        = std::min(limit, take_coupled(world, bodies, kinds));
   const std::vector<Held> held = add_closed_springs(world, bodies, std::move(kinds), limit);
   for (unsigned int g = 0; g < held.size(); ++g)
@@ -305,14 +428,15 @@ double closed_contact_time_step(const World &world, const contact::Contacts &con
   std::vector<const contact::Family *> families;
   for (const auto &family : contacts.families())
     families.push_back(family);
-  return std::min(limit, closed_windows_time_step(world, families));
+  return flat.critical_time_step(std::min(limit, closed_windows_time_step(world, families)));
 }
 
 double closed_contact_time_step(const World &world, const contact::Family &family)
 {
   const std::vector<Bodies> bodies = bodies_of(world);
   std::vector<ClosedKind>   kinds  = closed_kinds(world, family);
-  double                    step   = take_coupled(world, bodies, kinds);
+  const FlatSides           flat(world, bodies, kinds);
+  double                    step = flat.critical_time_step(take_coupled(world, bodies, kinds));
   for (const ClosedKind &kind : kinds)
     {
       double both = 0.;

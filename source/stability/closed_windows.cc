@@ -322,7 +322,7 @@ double closed_windows_time_step(const World                                &worl
   for (const contact::Family *family : families)
     for (const ClosedKind &kind : closed_kinds(world, *family))
       for (const contact::ClosedSide &side : kind.sides)
-        if (const auto body = held.find(side.group); body != held.end())
+        if (const auto body = held.find(side.group); body != held.end() && !side.flat)
           body->second.add(side, kind);
   for (const auto &[group, body] : held)
     if (body.is_held())

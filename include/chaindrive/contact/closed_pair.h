@@ -42,6 +42,9 @@ struct ClosedSide
   /// a straight angle: all of it may touch at a time.
   double half_angle = dealii::numbers::PI;
 
+  /// It is flat, across z: faces at z > 0 and z < 0, of which each place touches at one at a time.
+  bool flat = false;
+
   bool touches_in_part() const { return half_angle < dealii::numbers::PI; }
 
   /// Holds an elastic body's node of @p mass [kg] by a spring @p k [N/m].

@@ -5,7 +5,9 @@
 #include <chaindrive/contact/family.h>
 #include <chaindrive/contact/search_cadence.h>
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace chaindrive::contact
@@ -29,6 +31,7 @@ public:
   static void want_ghosts(const scene::FaceFamily &scene, World &world);
 
   void search(const World &, double) override {}
+  void announce(World &world, std::optional<double> dt) override;
   void add_forces(World &world, double dt) override;
   void add_springs(const World &, std::vector<Spring> &) const override {}
   bool needs_search() const override { return false; }
@@ -65,13 +68,24 @@ private:
   /// One face of one pair of this rank.
   struct FaceContact
   {
-    unsigned int              pair, sides, face; ///< in records(), side_pairs_, its faces
-    FaceSurface               surface;           ///< of the master
-    std::vector<std::size_t>  slaves;            ///< nodes that take part, see NodeView
-    std::vector<Node>         nodes;             ///< likewise
-    std::vector<unsigned int> active;            ///< of these: closer than a reach
-    SearchCadence             cadence;           ///< s, of active
+    unsigned int                pair, sides, face; ///< in records(), side_pairs_, its faces
+    FaceSurface                 surface;           ///< of the master
+    std::vector<std::size_t>    slaves;            ///< nodes that take part, see NodeView
+    std::vector<Node>           nodes;             ///< likewise
+    std::vector<unsigned int>   active;            ///< of these: closer than a reach
+    SearchCadence               cadence;           ///< s, of active
+    std::array<unsigned int, 2> batches;           ///< of the master and of the slave
+    bool                        reads; ///< nodes of both sides, where readers are counted
   };
+
+  /// Whether forces on @p contact can be evaluated only if its nodes are placed.
+  bool reads_without_search(const FaceContact &contact) const
+  {
+    return every_step_ || !contact.active.empty();
+  }
+
+  /// From now on nodes of both sides are read, or not.
+  void read(World &world, FaceContact &contact, bool reads);
 
   /// Lists the slaves of @p contact that are closer than a reach.
   void search_nodes(const World &world, FaceContact &contact);

@@ -17,7 +17,11 @@ namespace chaindrive::contact
 class SlaveNodes
 {
 public:
-  SlaveNodes(const World &world, const std::vector<unsigned int> &bodies, unsigned int surface);
+  /// Of the nodes of the side only those of @p chosen, if any are.
+  SlaveNodes(const World                     &world,
+             const std::vector<unsigned int> &bodies,
+             unsigned int                     surface,
+             const std::vector<unsigned int> &chosen = {});
 
   unsigned int n_bodies() const { return static_cast<unsigned int>(copy_.size()); }
   unsigned int n_nodes() const { return side_->size(); }

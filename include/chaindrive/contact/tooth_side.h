@@ -14,7 +14,8 @@ namespace chaindrive::contact
 class ToothSide final : public Surface
 {
 public:
-  /// At z > 0 if @p sign is +1, else at z < 0.
+  /// At z > 0 if @p sign is +1, at z < 0 if it is -1; if it is 0, both, of which a point meets the
+  /// one on whose half of the sprocket it is.
   ToothSide(const scene::ToothSideFamily &family, int sign);
 
   Touch project(const World                &world,

@@ -11,10 +11,12 @@
 namespace chaindrive::reduction
 {
 /// The options of section `Reduction`, with modes for pressures in joints and, of rollers, on their
-/// outside, or, without such, what these sides deflect without inertia.
+/// outside, or, without such, what these sides deflect without inertia; and modes for pressures on
+/// the faces of plates.
 BasisOptions options_of(const parameters::Reduction &reduction,
                         bool                         pressed_joints  = true,
-                        bool                         pressed_outside = true);
+                        bool                         pressed_outside = true,
+                        bool                         pressed_faces   = false);
 
 /// The basis of @p part, with its errors in statics, from the @p cache if it is there: the same bit
 /// by bit on all ranks of @p comm, whose first one computes it and reads and writes the cache.

@@ -21,6 +21,9 @@ struct Orders
 
   /// The outside of rollers too, on which teeth press. Not without in_joints being false as well.
   bool on_teeth = true;
+
+  /// Flat faces of plates too, which touch where wheels are out of line.
+  bool on_faces = false;
 };
 
 /// The cylindrical sides of @p part that touch others but for the outside of rollers, in which
@@ -32,6 +35,9 @@ std::vector<mesh::Surface> joint_sides(const mesh::Part &part);
 /// - pressures [Pa] cos(n theta), sin(n theta) times powers of zeta, n up to the @p orders as long
 ///   as there are more than two columns of nodes for a wave. The powers go up to 2, on bores of
 ///   bushes to 4 and on pins, which bend in them, to 6, without odd ones on a half part;
+/// - on plates of links, if they are asked for, even pressures on a face of each plate: about
+///   either joint, and on the inner faces of inner plates in the middle on either side of the line
+///   between the joints, where teeth are;
 /// - on links, even friction around the side: its couple bends them, which no pressure does. On
 ///   whole parts also zeta times as much, friction that differs from one end to the other.
 std::vector<Vector>

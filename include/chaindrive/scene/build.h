@@ -96,8 +96,9 @@ std::vector<SlavePoint> plates_of_joints(const drive::Drive &drive, const Scene 
 /// The guides of @p drive, which plates slide on. The wheels must be there.
 void add_guides(const model::Model &model, const drive::Drive &drive, Scene &scene);
 
-/// What wheels that are out of line need of a drive with rigid links: the faces of plates, rollers
-/// and teeth, and the place of each body. All else must be there.
+/// What wheels that are out of line need: the faces of plates, rollers and teeth, which keep bodies
+/// in place across the plane of the drive; of elastic bodies their nodes. All else must be there,
+/// of elastic links also the faces of plates on plates.
 void add_sides(const model::Model &model, const drive::Drive &drive, Scene &scene);
 
 /// Takes the wheels of @p drive out of the plane, and the chain with them. On a wheel the chain is
@@ -114,6 +115,17 @@ ContactLaw make_area_law(const model::Contact &contact,
                          const Material       &steel,
                          double                thickness,
                          double                friction);
+
+/// Of a ring, m2.
+double ring_area(double outer_radius, double inner_radius);
+
+/// The law per area of flat faces of elastic links that touch on an @p area [m2] each, with
+/// elements
+/// @p thickness [m] thick below: of bodies that move by nodes that of make_area_law(). Reduced ones
+/// bend as softly, but have no mass so small that it could follow so stiff a face: theirs are
+/// stiffer than a plate bends, model::Model::side_stiffness, by a factor.
+ContactLaw
+make_face_law(const model::Model &model, const drive::Drive &drive, double area, double thickness);
 
 /// @p law in series with a foundation of @p modulus [N/m3], with the same damping ratio.
 ContactLaw in_series(const ContactLaw &law, double modulus);

@@ -171,6 +171,12 @@ struct ToothSideFamily
   ContactLaw              law;                    ///< of one point
   std::vector<SlavePoint> slaves;                 ///< on the inner faces of plates: at z > 0 they
                                                   ///< meet the side at z > 0
+
+  /// The slaves are elastic links, about whose centres spheres hold all that may touch; the law is
+  /// per m2.
+  bool                      elastic       = false;
+  unsigned int              slave_surface = 0;  ///< the side of their mesh that touches
+  std::vector<unsigned int> slave_nodes   = {}; ///< the nodes of it that may, of the part
 };
 
 /// The flanks of one sprocket and every roller that could ever meet them.
@@ -210,7 +216,8 @@ struct SurfaceFamily
   double       surface_stiffness = 0.; ///< of a rigid surface that deflects as a whole under each
                                        ///< elastic slave, N/m; 0: it does not
   double half_angle = right_angle; ///< up to which round slaves touch under the largest forces, rad
-  InterfaceOf interface = Interface::other;
+  InterfaceOf               interface   = Interface::other;
+  std::vector<unsigned int> slave_nodes = {}; ///< of that side those that may touch; empty: all
 };
 
 /// A guide and all plates that could ever slide on it.

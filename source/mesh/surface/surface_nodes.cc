@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/mesh/surface/surface_nodes.h>
 
+#include <algorithm>
 #include <map>
 
 namespace chaindrive::mesh
@@ -28,5 +29,21 @@ SurfaceNodes::SurfaceNodes(const Part &part, const Nodes &nodes, const Surface s
       area.push_back(a);
     }
   thickness = total > 0. ? volume / total : 0.;
+}
+
+void SurfaceNodes::keep(const std::vector<unsigned int> &nodes)
+{
+  if (nodes.empty())
+    return;
+  unsigned int n = 0;
+  for (unsigned int s = 0; s < size(); ++s)
+    if (std::find(nodes.begin(), nodes.end(), node[s]) != nodes.end())
+      {
+        node[n] = node[s];
+        area[n] = area[s];
+        ++n;
+      }
+  node.resize(n);
+  area.resize(n);
 }
 } // namespace chaindrive::mesh

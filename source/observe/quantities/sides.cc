@@ -18,13 +18,19 @@ namespace chaindrive::observe
 {
 namespace
 {
-using Contact = contact::SurfaceContact;
+using Contact  = contact::SurfaceContact;
+using Families = std::vector<const contact::Family *>;
 
 /// The largest load [N/m] at an end of a line of contact of @p contact. Two neighbouring slaves of
 /// a joint stand for each line, at the points of Gauss' rule: its load, linear along the line of
 /// length L, is (F1 + F2 -+ sqrt(3) (F2 - F1)) / L at the ends.
-double largest_edge_load(const Contact &contact)
+/// Nodes of elastic bodies touch in many places, whose pressures are known: of them none is found.
+double largest_edge_load(const contact::Family &family)
 {
+  const auto *points = dynamic_cast<const Contact *>(&family);
+  if (points == nullptr || points->is_distributed())
+    return 0.;
+  const Contact                   &contact = *points;
   double                           largest = 0.;
   const std::vector<unsigned int> &near    = contact.near();
   const auto                      &records = contact.records();
@@ -42,29 +48,40 @@ double largest_edge_load(const Contact &contact)
   return largest;
 }
 
+/// Calls @p visit for the records of @p family that the last search has left within reach.
+template <typename Visit>
+void for_each_near(const contact::Family &family, const Visit &visit)
+{
+  const auto &records = family.records();
+  if (const auto *contact = dynamic_cast<const Contact *>(&family))
+    for (const unsigned int i : contact->near())
+      visit(records[i]);
+  else
+    std::for_each(records.begin(), records.end(), visit);
+}
+
 class Sides : public Quantity
 {
 public:
   explicit Sides(const Observation &now)
-      : Quantity(now), statistics_(now, signals(names_of(now.scene.drive.sprockets)))
+      : Quantity(now)
+      , rigid_(!now.scene.tooth_sides.front().elastic)
+      , statistics_(now, signals(names_of(now.scene.drive.sprockets), rigid_))
   {
-    const auto as_contacts = [&now](const scene::InterfaceOf &interface) {
-      std::vector<const Contact *> contacts;
-      for (const contact::Family *family : now.system.contacts.find(interface))
-        contacts.push_back(dynamic_cast<const Contact *>(family));
-      return contacts;
+    const auto find = [&now](const scene::InterfaceOf &interface) {
+      return now.system.contacts.find(interface);
     };
     for (const scene::Sprocket &sprocket : now.scene.drive.sprockets)
       {
         wheels_.push_back({sprocket.name,
                            sprocket.body,
-                           as_contacts({scene::Interface::plate_teeth, sprocket.body}),
-                           as_contacts({scene::Interface::roller_teeth, sprocket.body})});
+                           find({scene::Interface::plate_teeth, sprocket.body}),
+                           find({scene::Interface::roller_teeth, sprocket.body})});
         add_kinds(wheels_.back().plates);
       }
-    pins_ = as_contacts(scene::Interface::bush_pin);
-    add_kinds(as_contacts(scene::Interface::plate_faces));
-    add_kinds(as_contacts(scene::Interface::roller_ends));
+    pins_ = find(scene::Interface::bush_pin);
+    add_kinds(find(scene::Interface::plate_faces));
+    add_kinds(find(scene::Interface::roller_ends));
   }
 
   static bool exists(const Observation &start) { return !start.scene.tooth_sides.empty(); }
@@ -77,7 +94,8 @@ public:
         contents.histories.push_back(history);
     contents.histories.push_back(of_links());
     contents.histories.push_back(of_pins());
-    contents.summary = WindowStatistics::members(signals(names_of(parameters::Sprockets().list)));
+    contents.summary =
+        WindowStatistics::members(signals(names_of(parameters::Sprockets().list), true));
     std::vector<std::string> kinds = {parameters::text_of(scene::Interface::roller_ends)};
     for (const parameters::Sprocket &sprocket : parameters::Sprockets().list)
       kinds.push_back(scene::name_of_sides(sprocket.name));
@@ -94,7 +112,8 @@ public:
         const auto histories = histories_of(wheel.name);
         channels.add(histories[0], [&wheel](const Channels::Row row) { row[0] = wheel.along; });
         channels.add(histories[1], [&wheel](const Channels::Row row) { row[0] = wheel.pressed; });
-        channels.add(histories[2], [&wheel](const Channels::Row row) { row[0] = wheel.edge; });
+        if (rigid_)
+          channels.add(histories[2], [&wheel](const Channels::Row row) { row[0] = wheel.edge; });
       }
     const std::vector<Frame> &frames = now_.system.world.frames;
     const auto               &links  = now_.scene.drive.links;
@@ -105,7 +124,8 @@ public:
                      return frames[link].position[2];
                    });
                  });
-    channels.add(of_pins(), [this](const Channels::Row row) { row[0] = pin_edge_; });
+    if (rigid_)
+      channels.add(of_pins(), [this](const Channels::Row row) { row[0] = pin_edge_; });
   }
 
   void update() override
@@ -115,29 +135,31 @@ public:
       {
         const dealii::Tensor<1, 3> axis = contact::axis_of(now_.system.world.frames[wheel.body], 2);
         wheel.along = wheel.pressed = wheel.edge = 0.;
-        for (const Contact *plates : wheel.plates)
-          for (const unsigned int i : plates->near())
-            {
-              const contact::Record &record = plates->records()[i];
-              wheel.along -= record.force * axis;
-              wheel.pressed += record.force * record.normal;
-            }
-        for (const Contact *teeth : wheel.teeth)
+        for (const contact::Family *plates : wheel.plates)
+          for_each_near(*plates, [&](const contact::Record &record) {
+            wheel.along -= record.force * axis;
+            wheel.pressed += record.force * record.normal;
+          });
+        for (const contact::Family *teeth : wheel.teeth)
           {
-            for (const unsigned int i : teeth->near())
-              wheel.along -= teeth->records()[i].force * axis;
+            for_each_near(
+                *teeth, [&](const contact::Record &record) { wheel.along -= record.force * axis; });
             wheel.edge = std::max(wheel.edge, largest_edge_load(*teeth));
           }
-        values_.insert(values_.end(), {wheel.along, wheel.pressed, wheel.edge});
+        values_.insert(values_.end(), {wheel.along, wheel.pressed});
+        if (rigid_)
+          values_.push_back(wheel.edge);
       }
     pin_edge_ = 0.;
-    for (const Contact *pins : pins_)
+    for (const contact::Family *pins : pins_)
       pin_edge_ = std::max(pin_edge_, largest_edge_load(*pins));
-    values_.push_back(pin_edge_);
+    if (rigid_)
+      values_.push_back(pin_edge_);
     statistics_.add(values_);
     for (Kind &kind : kinds_)
-      for (const unsigned int i : kind.contact->near())
-        kind.penetration = std::max(kind.penetration, -kind.contact->records()[i].gap);
+      for_each_near(*kind.contact, [&kind](const contact::Record &record) {
+        kind.penetration = std::max(kind.penetration, -record.gap);
+      });
   }
 
   void summarize(files::Json &summary) const override
@@ -165,21 +187,21 @@ public:
 private:
   struct Wheel
   {
-    std::string                  name;
-    unsigned int                 body;
-    std::vector<const Contact *> plates, teeth;
-    double                       along = 0., pressed = 0., edge = 0.; ///< N, N, N/m
+    std::string  name;
+    unsigned int body;
+    Families     plates, teeth;
+    double       along = 0., pressed = 0., edge = 0.; ///< N, N, N/m
   };
 
   struct Kind
   {
-    const Contact *contact;
-    double         penetration = 0.; ///< largest so far, m
+    const contact::Family *contact;
+    double                 penetration = 0.; ///< largest so far, m
   };
 
-  void add_kinds(const std::vector<const Contact *> &contacts)
+  void add_kinds(const Families &families)
   {
-    for (const Contact *contact : contacts)
+    for (const contact::Family *contact : families)
       kinds_.push_back({contact});
   }
 
@@ -193,16 +215,21 @@ private:
     return names;
   }
 
-  static std::vector<WindowStatistics::Signal> signals(const std::vector<std::string> &names)
+  /// Edge loads are those @p of_rigid bodies.
+  static std::vector<WindowStatistics::Signal> signals(const std::vector<std::string> &names,
+                                                       const bool                      of_rigid)
   {
     std::vector<WindowStatistics::Signal> signals;
     for (const std::string &name : names)
       {
         signals.push_back({name + "_side_force", "N", "side force on the " + name + "'s teeth"});
         signals.push_back({name + "_plate_force", "N", "plates on the " + name + "'s teeth"});
-        signals.push_back({name + "_load_at_edge", "N/m", "edge load on the " + name + "'s teeth"});
+        if (of_rigid)
+          signals.push_back(
+              {name + "_load_at_edge", "N/m", "edge load on the " + name + "'s teeth"});
       }
-    signals.push_back({"pin_load_at_edge", "N/m", "edge load on pins"});
+    if (of_rigid)
+      signals.push_back({"pin_load_at_edge", "N/m", "edge load on pins"});
     return signals;
   }
 
@@ -232,12 +259,13 @@ private:
             "Largest load per length at an end of a pin in its bush, where wheels are out of line"};
   }
 
-  WindowStatistics             statistics_;
-  std::vector<Wheel>           wheels_;
-  std::vector<const Contact *> pins_;
-  std::vector<Kind>            kinds_;
-  double                       pin_edge_ = 0.; ///< N/m
-  std::vector<double>          values_;        ///< of the signals
+  bool                rigid_; ///< links
+  WindowStatistics    statistics_;
+  std::vector<Wheel>  wheels_;
+  Families            pins_;
+  std::vector<Kind>   kinds_;
+  double              pin_edge_ = 0.; ///< N/m
+  std::vector<double> values_;        ///< of the signals
 };
 
 const Registered<Sides>

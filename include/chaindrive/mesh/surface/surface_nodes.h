@@ -13,6 +13,9 @@ struct SurfaceNodes
   /// @p nodes are those of @p part.
   SurfaceNodes(const Part &part, const Nodes &nodes, Surface surface);
 
+  /// Keeps of them those that are among @p nodes of the part; all if there are none.
+  void keep(const std::vector<unsigned int> &nodes);
+
   unsigned int size() const { return static_cast<unsigned int>(node.size()); }
 
   std::vector<unsigned int> node;
