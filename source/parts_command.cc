@@ -45,7 +45,8 @@ void print_masses(std::ostream &out, const drive::Drive &drive)
       column(out, 1e9 * solid.inertia[d][d]);
     out << "  " << name << '\n';
   };
-  row("roller", drive.roller_solid);
+  if (drive.chain.has_rollers)
+    row("roller", drive.roller_solid);
   row("inner link", drive.inner_link_solid);
   row("outer link", drive.outer_link_solid);
   column(out, 1e3 * drive.mass_per_pitch);
@@ -85,10 +86,12 @@ void print_roller(std::ostream              &out,
                   const std::vector<double> &loads)
 {
   const double bottom = 90. - 180. / sprocket.form.teeth, end = sprocket.form.seat_half_angle;
-  out << "\nRoller pressed between the bush in it and the seat of the tooth gap, "
-      << sprocket.form.teeth
-      << " teeth: stiffness from the hub to the roller, on to the link, in all, and of teeth and "
-         "rim alone\n";
+  const bool   has_rollers = drive.chain.has_rollers;
+  out << (has_rollers ? "\nRoller pressed between the bush in it and the seat of the tooth gap, " :
+                        "\nBush pressed on the seat of the tooth gap, ")
+      << sprocket.form.teeth << " teeth: stiffness from the hub to the "
+      << (has_rollers ? "roller, on to the link" : "link, of a roller none")
+      << ", in all, and of teeth and rim alone\n";
   for (const char *head : {"load (N)",
                            "angle deg",
                            "tooth kN/mm",
@@ -107,8 +110,9 @@ void print_roller(std::ostream              &out,
     column(out, load);
     column(out, bottom - position * 180. / PI);
     column(out, kN_per_mm * load / pressed.approach[0]);
-    column(out, kN_per_mm * load / pressed.approach[1]);
-    column(out, kN_per_mm * load / (pressed.approach[0] + pressed.approach[1]));
+    const double bush = has_rollers ? pressed.approach[1] : 0.;
+    column(out, has_rollers ? to_text(kN_per_mm * load / bush, 4) : "-");
+    column(out, kN_per_mm * load / (pressed.approach[0] + bush));
     column(out, kN_per_mm * load / pressed.given_way.back());
     column(out, to_text(pressed.half_angle[0] * 180. / PI, 3) + " deg");
     if (std::abs(position) + pressed.half_angle[0] > end)
@@ -180,9 +184,11 @@ void print_vibrations(std::ostream       &out,
   for (const char *head : {"natural", "attached", "stiff (%)"})
     column(out, head);
   out << "  kHz\n";
-  for (const auto &part : {scene::make_roller_part(whole, drive),
-                           scene::make_link_part(whole, drive, true),
-                           scene::make_link_part(whole, drive, false)})
+  std::vector<std::shared_ptr<const mesh::Part>> parts = {
+      scene::make_link_part(whole, drive, true), scene::make_link_part(whole, drive, false)};
+  if (drive.chain.has_rollers)
+    parts.insert(parts.begin(), scene::make_roller_part(whole, drive));
+  for (const auto &part : parts)
     {
       const reduction::Basis basis = reduction::kept_basis(
           *part, parameters.material, parameters.elements, options, cache, comm);

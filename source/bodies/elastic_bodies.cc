@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/bodies/elastic_bodies.h>
 #include <chaindrive/bodies/world.h>
+#include <chaindrive/mesh/surface/surface_nodes.h>
+#include <chaindrive/scene/scene.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace chaindrive
@@ -16,6 +19,15 @@ ElasticBodies::ElasticBodies(const scene::Scene &scene,
     , critical_time_step_(2. / part_.largest_frequency())
     , kernels_(element::best_kernels())
 {
+  const BodyBatches &copies = world.copies[group];
+  if (scene.drive.bushes.empty() ||
+      scene.bodies[copies.bodies.front()].kind != scene::Kind::inner_link)
+    return;
+  for (unsigned int i = 0; i < 2; ++i)
+    bushes_[i] = mesh::SurfaceNodes(*copies.part,
+                                    copies.nodes,
+                                    i == 0 ? mesh::bush_outside_first : mesh::bush_outside_second)
+                     .node;
 }
 
 void ElasticBodies::start(World &world, const Step &step, const ForceTimer & /*timer*/)
@@ -118,7 +130,7 @@ void ElasticBodies::book(World             &world,
                          const BodyBatches &copies,
                          const unsigned int batch,
                          const Sums        &sums,
-                         const Step        &step)
+                         const Step        &step) const
 {
   copies.for_each_copy_of(batch, [&](const unsigned int copy, const unsigned int lane) {
     const unsigned int body  = copies.bodies[copy];
@@ -132,6 +144,7 @@ void ElasticBodies::book(World             &world,
       }
     copies.part->symmetry().cancel_across(frame.position);
     copies.part->symmetry().cancel_across(frame.velocity);
+    turn(world, copies, copy, frame);
     for (unsigned int d = 0; d < 3; ++d)
       {
         world.displacement.local_element(3 * body + d) = frame.position[d] - world.origin[body][d];
@@ -148,6 +161,26 @@ void ElasticBodies::book(World             &world,
     ledger.potential += copies.mass * step.gravity * world.displacement.local_element(3 * body + 1);
     ledger.drag += 2. * step.drag * sums.kinetic[lane] * step.dt;
   });
+}
+
+void ElasticBodies::turn(const World       &world,
+                         const BodyBatches &copies,
+                         const unsigned int copy,
+                         Frame             &frame) const
+{
+  if (bushes_[0].empty())
+    return;
+  dealii::Tensor<1, 3> line, speed;
+  for (unsigned int i = 0; i < 2; ++i)
+    for (const unsigned int node : bushes_[i])
+      {
+        const double share = (i == 0 ? -1. : 1.) / static_cast<double>(bushes_[i].size());
+        line += share * position_now(world, copy, node);
+        speed += share * NodeView(copies.velocity)[copies.index(copy, node)];
+      }
+  const double square       = line[0] * line[0] + line[1] * line[1];
+  frame.rotation            = to_matrix(rotation_about_z(std::atan2(line[1], line[0])));
+  frame.angular_velocity[2] = (line[0] * speed[1] - line[1] * speed[0]) / square;
 }
 
 dealii::Tensor<1, 3> ElasticBodies::position_now(const World       &world,

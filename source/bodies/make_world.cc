@@ -6,6 +6,7 @@
 #include <chaindrive/bodies/reduced_bodies.h>
 #include <chaindrive/bodies/rigid_bodies.h>
 #include <chaindrive/bodies/rigid_surface_nodes.h>
+#include <chaindrive/bodies/tied_spins.h>
 #include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/ranks.h>
@@ -124,6 +125,8 @@ void add_elastic_bodies(const scene::Scene &scene, const Partition &partitioned,
       const unsigned int group = add_copies(scene, of, bodies, first_batch, world);
       if (!scene.plates_bend)
         world.copies.back().stop_plate_bending();
+      if (!scene.drive.bushes.empty() && of.kind == scene::Kind::inner_link)
+        world.turning.insert(world.turning.end(), bodies.begin(), bodies.end());
       world.groups.add(std::make_unique<ElasticBodies>(scene, world, group));
     }
 }
@@ -199,6 +202,8 @@ World make_world(const scene::Scene &scene, const MPI_Comm comm)
     world.planar = &world.groups.add(std::make_unique<PlanarBodies>(scene, world));
   else
     world.groups.add(std::make_unique<RigidBodies>());
+  if (!world.tied.empty())
+    world.groups.add(std::make_unique<TiedSpins>());
   world.groups.add(std::make_unique<Hubs>());
   const Partition partitioned = partition(scene, n_ranks_in(comm));
   add_elastic_bodies(scene, partitioned, world);

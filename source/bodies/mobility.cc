@@ -20,6 +20,12 @@ Mobility::Mobility(const World &world)
     }
   for (const World::Spin &spin : world.spins)
     inverse_inertia_[spin.body][2][2] = 1. / spin.inertia;
+  for (const World::Tied &tied : world.tied)
+    {
+      const dealii::Tensor<1, 3> line = pivot_[tied.second] - pivot_[tied.first];
+      inverse_inertia_[tied.body][2][2] =
+          (world.inverse_mass[tied.first] + world.inverse_mass[tied.second]) / line.norm_square();
+    }
   for (const World::Hub &hub : world.hubs)
     {
       if (hub.slides)
@@ -32,6 +38,15 @@ Mobility::Mobility(const World &world)
     pivot_[c.body] = world.frames[c.body].position;
 }
 
+dealii::Tensor<1, 3> Mobility::lever_of(const World::Tied &tied) const
+{
+  const dealii::Tensor<1, 3> line = pivot_[tied.second] - pivot_[tied.first];
+  dealii::Tensor<1, 3>       lever;
+  lever[0] = -line[1];
+  lever[1] = line[0];
+  return lever / line.norm_square();
+}
+
 void Mobility::accelerate(std::vector<dealii::Tensor<1, 3>> &force,
                           std::vector<dealii::Tensor<1, 3>> &moment) const
 {
@@ -39,6 +54,12 @@ void Mobility::accelerate(std::vector<dealii::Tensor<1, 3>> &force,
     {
       force[c->carrier] += force[c->body];
       moment[c->carrier] += cross_product_3d(pivot_[c->body] - pivot_[c->carrier], force[c->body]);
+    }
+  for (const World::Tied &tied : world_.tied)
+    {
+      const dealii::Tensor<1, 3> lever = lever_of(tied), couple = moment[tied.body][2] * lever;
+      force[tied.second] += couple;
+      force[tied.first] -= couple;
     }
   std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>> sliding;
   for (const World::Hub &hub : world_.hubs)
@@ -48,6 +69,11 @@ void Mobility::accelerate(std::vector<dealii::Tensor<1, 3>> &force,
     {
       force[body] *= world_.inverse_mass[body];
       moment[body] = inverse_inertia_[body] * moment[body];
+    }
+  for (const World::Tied &tied : world_.tied)
+    {
+      moment[tied.body]    = dealii::Tensor<1, 3>();
+      moment[tied.body][2] = lever_of(tied) * (force[tied.second] - force[tied.first]);
     }
   for (const auto &[body, acceleration] : sliding)
     force[body] = acceleration;

@@ -97,6 +97,8 @@ World::World(const scene::Scene &scene, const MPI_Comm comm)
             {b, orientation, angular_momentum(body.initial, body.inertia), body.inertia});
       else if (body.motion == scene::Motion::lumped && body.inertia[2] > 0.)
         spins.push_back({b, body.inertia[2], body.initial.angular_velocity[2]});
+      else if (body.turns_with)
+        tied.push_back({b, (*body.turns_with)[0], (*body.turns_with)[1]});
     }
 
   const auto depth = [&scene](unsigned int b) {
@@ -230,6 +232,12 @@ void World::sum_over_ranks(const std::initializer_list<Summands> others)
       if (is_nodal(body))
         for (dealii::Tensor<1, 3> *vector : {&frames[body].position, &frames[body].velocity})
           numbers(vector->begin_raw(), 3, owns(body) ? 1. : 0.);
+    for (const unsigned int body : turning)
+      {
+        const double share = owns(body) ? 1. : 0.;
+        numbers(frames[body].rotation.begin_raw(), 9, share);
+        numbers(frames[body].angular_velocity.begin_raw(), 3, share);
+      }
   };
   shared_.clear();
   visit([this](const double *first, const std::size_t n, const double share) {

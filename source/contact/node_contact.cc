@@ -248,16 +248,18 @@ std::vector<ClosedPair> NodeContact::closed_pairs(const World &world) const
   for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
     slave.add_spring(
         slaves_.node(s), law_.stiffness * slaves_.area(s), batches.nodes.mass[slaves_.node(s)]);
-  if (slave.surface == mesh::roller_outside)
+  if (slave.surface == mesh::roller_outside || slave.surface == mesh::bush_outside_first ||
+      slave.surface == mesh::bush_outside_second)
     {
-      slave.half_angle = half_angle_;
+      const dealii::Point<3> &axis = pairs_.front().slave.point;
+      slave.half_angle             = half_angle_;
       slave.normal.resize(batches.n_nodes());
       for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
         {
           const dealii::Point<3> &x = batches.nodes.position[slaves_.node(s)];
-          const double            r = std::hypot(x[0], x[1]);
+          const double            r = std::hypot(x[0] - axis[0], x[1] - axis[1]);
           for (unsigned int d = 0; d < 2; ++d)
-            slave.normal[slaves_.node(s)][d] = x[d] / r;
+            slave.normal[slaves_.node(s)][d] = (x[d] - axis[d]) / r;
         }
     }
   pair[0] = surface_->closed_side(world, law_.stiffness, slaves_.side(), batches);

@@ -112,7 +112,9 @@ void check(const ChainDimensions &c)
       throw InputError(std::string("Drive/Chain: ") + name + " = " + in_mm(value, 5) +
                        " must be positive.");
 
-  require_wall("Roller bore", c.roller_bore, "Roller diameter", c.roller_diameter, "a roller wall");
+  if (c.has_rollers)
+    require_wall(
+        "Roller bore", c.roller_bore, "Roller diameter", c.roller_diameter, "a roller wall");
   require_wall("Bush bore", c.bush_bore, "Bush diameter", c.bush_diameter, "a bush wall");
   require_wall("Pin bore", c.pin_bore, "Pin diameter", c.pin_diameter, "a pin wall");
   require_inside("Bush diameter",
@@ -137,11 +139,12 @@ void check(const ChainDimensions &c)
                  "Pitch",
                  c.pitch,
                  "half a space between neighbouring outer plates");
-  require_inside("Roller length",
-                 c.roller_length,
-                 "width between the inner plates",
-                 c.inner_width,
-                 "beside the roller a space");
+  if (c.has_rollers)
+    require_inside("Roller length",
+                   c.roller_length,
+                   "width between the inner plates",
+                   c.inner_width,
+                   "beside the roller a space");
   require_inside("outside of the inner plates",
                  2. * c.inner_plate_z + c.inner_plate_thickness,
                  "inside of the outer plates",
@@ -167,7 +170,7 @@ void set_clearances(ChainDimensions &c, const parameters::Effects &effects)
     else
       require_inside(inner_name, inner, outer_name, outer, what);
   };
-  set(effects.roller_bush_clearance,
+  set(c.has_rollers ? effects.roller_bush_clearance : Switch::off,
       "Bush diameter",
       c.bush_diameter,
       "Roller bore",
@@ -192,7 +195,35 @@ void set_hole_pitches(ChainDimensions &c, const parameters::Chain &chain)
                            longer * c.pitch - clearance :
                            longer * (c.pitch + clearance) - clearance;
 }
+
+/// What a bush chain asks for with entries of rollers, which it has not.
+void refuse_rollers(const parameters::Chain &chain)
+{
+  const std::string no_rollers =
+      ": a chain without rollers (Drive/Chain/Rollers) has nothing of the kind; choose ";
+  if (chain.roller_bore)
+    throw InputError("Drive/Chain/Roller bore in mm = " + to_text(1e3 * *chain.roller_bore) +
+                     no_rollers + "auto.");
+  if (chain.roller_length)
+    throw InputError("Drive/Chain/Roller length in mm = " + to_text(1e3 * *chain.roller_length) +
+                     no_rollers + "auto.");
+  if (chain.roller_diameter && chain.bush_diameter &&
+      *chain.roller_diameter != *chain.bush_diameter)
+    throw InputError(
+        "Drive/Chain/Roller diameter in mm = " + to_text(1e3 * *chain.roller_diameter) +
+        " and Bush diameter in mm = " + to_text(1e3 * *chain.bush_diameter) +
+        " are one in a chain without rollers (Drive/Chain/Rollers); choose auto for "
+        "one of them.");
+}
 } // namespace
+
+bool has_rollers(const parameters::Chain &chain)
+{
+  if (chain.rollers != parameters::Switch::automatic)
+    return chain.rollers == parameters::Switch::on;
+  const CatalogueChain *row = find_chain(chain.designation);
+  return row == nullptr || row->has_rollers;
+}
 
 ChainDimensions make_chain(const parameters::Chain &chain, const parameters::Effects &effects)
 {
@@ -200,42 +231,52 @@ ChainDimensions make_chain(const parameters::Chain &chain, const parameters::Eff
   ChainDimensions       c;
   Filler                fill(c.derived, row.designation);
 
-  const bool documented       = row.designation == reference::designation;
-  c.designation               = row.designation;
-  c.pitch                     = chain.pitch.value_or(row.pitch);
-  c.roller_diameter           = chain.roller_diameter.value_or(row.roller_diameter);
+  const bool documented = row.designation == reference::designation;
+  c.designation         = row.designation;
+  c.pitch               = chain.pitch.value_or(row.pitch);
+  c.has_rollers         = has_rollers(chain);
+  c.roller_diameter     = chain.roller_diameter.value_or(row.roller_diameter);
+  if (!c.has_rollers)
+    {
+      refuse_rollers(chain);
+      c.roller_diameter = chain.bush_diameter.value_or(c.roller_diameter);
+    }
   c.waist_ratio               = chain.waist_ratio;
   const double      scale     = c.roller_diameter / reference::roller_diameter;
   const std::string scaled    = "scaled by the roller diameter from the reference chain's joint";
   const std::string clearance = "for the radial clearance 0.045 mm";
-  if (!row.has_rollers)
+  if (!c.has_rollers)
     c.derived.push_back("Chain " + row.designation + " has no rollers: its bushes, diameter " +
-                        in_mm(row.roller_diameter, 5) +
-                        ", are taken as rollers on thinner bushes.");
+                        in_mm(c.roller_diameter, 5) + ", meet the teeth.");
 
   // the joint, from the outside inwards; Table 2 holds in every digit for the reference chain
   const auto listed = [&](const double value) { return documented ? value : 0.; };
-  c.bush_diameter   = fill("bush diameter",
-                         chain.bush_diameter,
-                         listed(reference::bush_diameter),
-                         scale * reference::bush_diameter,
-                         scaled);
-  c.roller_bore     = fill("roller bore",
-                       chain.roller_bore,
-                       listed(reference::bush_diameter + 2. * reference::clearance),
-                       c.bush_diameter + 2. * reference::clearance,
-                       clearance);
-  c.pin_diameter    = fill("pin diameter",
+  if (c.has_rollers)
+    {
+      c.bush_diameter = fill("bush diameter",
+                             chain.bush_diameter,
+                             listed(reference::bush_diameter),
+                             scale * reference::bush_diameter,
+                             scaled);
+      c.roller_bore   = fill("roller bore",
+                           chain.roller_bore,
+                           listed(reference::bush_diameter + 2. * reference::clearance),
+                           c.bush_diameter + 2. * reference::clearance,
+                           clearance);
+    }
+  else
+    c.bush_diameter = c.roller_bore = c.roller_diameter;
+  c.pin_diameter = fill("pin diameter",
                         chain.pin_diameter,
                         row.pin_diameter,
                         scale * reference::pin_diameter,
                         scaled);
-  c.bush_bore       = fill("bush bore",
+  c.bush_bore    = fill("bush bore",
                      chain.bush_bore,
                      listed(reference::pin_diameter + 2. * reference::clearance),
                      c.pin_diameter + 2. * reference::clearance,
                      clearance);
-  c.pin_bore        = chain.pin_bore.value_or(listed(reference::pin_bore));
+  c.pin_bore     = chain.pin_bore.value_or(listed(reference::pin_bore));
 
   c.inner_plate_height    = fill("inner plate height",
                               chain.inner_plate_height,
@@ -262,11 +303,13 @@ ChainDimensions make_chain(const parameters::Chain &chain, const parameters::Eff
   c.bush_length      = chain.bush_length.value_or(row.inner_width + c.inner_plate_thickness);
   c.inner_width      = c.bush_length - c.inner_plate_thickness;
   c.inner_plate_z    = 0.5 * c.bush_length;
-  c.roller_length    = fill("roller length",
-                         chain.roller_length,
-                         listed(reference::roller_length),
-                         c.inner_width * reference::roller_length / reference::inner_width,
-                         "the reference chain's part of the inner width");
+  c.roller_length    = !c.has_rollers ?
+                           c.inner_width :
+                           fill("roller length",
+                             chain.roller_length,
+                             listed(reference::roller_length),
+                             c.inner_width * reference::roller_length / reference::inner_width,
+                             "the reference chain's part of the inner width");
   const double gap   = scale * reference::plate_gap;
   const double stack = c.bush_length + c.inner_plate_thickness + c.outer_plate_thickness + 2. * gap;
   c.pin_length       = fill("pin length between plate mid-surfaces",
@@ -300,8 +343,9 @@ bool has_own_dimensions(const ChainDimensions &chain)
                                    c.waist_ratio}};
   };
   const auto own = values(chain), of_table = values(listed);
-  return !std::equal(own.begin(), own.end(), of_table.begin(), [](const double a, const double b) {
-    return std::abs(a - b) <= 1e-3 * b;
-  });
+  return chain.has_rollers != listed.has_rollers ||
+         !std::equal(own.begin(), own.end(), of_table.begin(), [](const double a, const double b) {
+           return std::abs(a - b) <= 1e-3 * b;
+         });
 }
 } // namespace chaindrive::drive

@@ -5,6 +5,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <cmath>
+#include <limits>
 
 namespace chaindrive::drive
 {
@@ -166,7 +167,8 @@ estimated_stiffness(const ChainDimensions &chain, const double load, const Mater
 {
   return {chain_stiffness(chain, load, steel),
           line_contact_stiffness(chain.roller_length, steel),
-          roller_bush_stiffness(chain, load, steel),
+          chain.has_rollers ? roller_bush_stiffness(chain, load, steel) :
+                              std::numeric_limits<double>::infinity(),
           {},
           {"Stiffnesses that are auto are estimates from dimensions alone."}};
 }

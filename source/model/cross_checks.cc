@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/model/bush_chain.h>
 #include <chaindrive/model/cross_checks.h>
 #include <chaindrive/model/decide.h>
 #include <chaindrive/model/needs.h>
@@ -585,8 +586,10 @@ std::vector<std::string> cross_check(const Parameters &parameters, const Effects
   check_noise(parameters, findings);
   check_mesh(parameters.mesh, findings);
 
-  for (const std::string &sentence : against_misalignment(parameters, effects))
-    findings.contradictions.push_back(sentence);
+  for (const auto &more :
+       {against_misalignment(parameters, effects), against_bush_chain(parameters)})
+    for (const std::string &sentence : more)
+      findings.contradictions.push_back(sentence);
 
   std::string message;
   for (const std::string &sentence : findings.contradictions)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/chain.h>
 #include <chaindrive/model/decide.h>
 #include <chaindrive/model/needs.h>
 #include <chaindrive/parameters/entries.h>
@@ -17,6 +18,10 @@ using parameters::Switch;
 namespace
 {
 constexpr const char *nothing_elastic = "no group of bodies is elastic in this fidelity";
+
+constexpr const char *no_rollers = "the chain has no rollers: bushes of links meet the teeth";
+
+bool has_rollers(const Parameters &p) { return drive::has_rollers(p.drive.chain); }
 
 bool is_elastic(const Parameters &p) { return p.model.capabilities().is_elastic; }
 
@@ -75,13 +80,27 @@ Decision where_they_arrive(const Parameters &p, Decision decision)
   return decision;
 }
 
+Decision elastic_links(const Parameters &p)
+{
+  Decision links = where_they_arrive(
+      p, decide(Effect::elastic_links, p, p.effects.elastic_links, &Needs::links));
+  if (!links.on && is_elastic(p) && !has_rollers(p) &&
+      p.effects.elastic_links == Switch::automatic &&
+      decide(Effect::elastic_links, p, Switch::automatic, &Needs::rollers).on)
+    return {Effect::elastic_links, true, "their bushes are in the place of rollers"};
+  return links;
+}
+
 Switch choice_for(const Parameters &p, const parameters::Sprocket &sprocket)
 {
   return sprocket.elastic != Switch::automatic ? sprocket.elastic : p.model.elastic_sprockets;
 }
 
-Decision elastic_rollers(const Parameters &p)
+/// Of a chain without rollers those are its bushes.
+Decision elastic_rollers(const Parameters &p, const Decision &links)
 {
+  if (!has_rollers(p))
+    return {Effect::elastic_rollers, links.on, is_elastic(p) ? no_rollers : nothing_elastic};
   Decision rollers = where_they_arrive(
       p, decide(Effect::elastic_rollers, p, p.effects.elastic_rollers, &Needs::rollers));
   if (!rollers.on && is_elastic(p) && p.effects.elastic_rollers == Switch::automatic)
@@ -199,6 +218,8 @@ Decision exact_joints(const Parameters &p, const bool links, const bool rollers)
   const parameters::Enforcement enforcement = p.contact.enforcement;
   if (!p.model.capabilities().is_reduced)
     return {effect, false, "fidelity " + p.model.fidelity + " has bodies that are not reduced"};
+  if (!has_rollers(p))
+    return {effect, false, no_rollers};
   if (enforcement != parameters::Enforcement::automatic)
     return {effect,
             enforcement != parameters::Enforcement::penalty,
@@ -234,6 +255,8 @@ Decision exact_teeth(const Parameters &p, const Decision &joints, const bool fac
 Decision selective_mass_scaling(const Parameters &p, const bool rollers)
 {
   constexpr Effect effect = Effect::selective_mass_scaling;
+  if (!has_rollers(p))
+    return {effect, false, no_rollers};
   if (!rollers)
     return {effect, false, "rollers are not elastic"};
   if (p.model.capabilities().is_reduced)
@@ -352,6 +375,8 @@ Decision clearance(const Effect effect, const Parameters &p, const Switch choice
   const std::string fidelity = "fidelity " + p.model.fidelity;
   if (!p.model.capabilities().has_clearances)
     return {effect, false, fidelity + ": roller, bush and pin are one lump"};
+  if (effect == Effect::roller_bush_clearance && !has_rollers(p))
+    return {effect, false, no_rollers};
   if (choice == Switch::off)
     return {effect, false, "switched off in section Effects: the bore fits"};
   return {effect, true, fidelity + ": roller, bush and pin are separate bodies"};
@@ -378,7 +403,9 @@ double largest_friction(const Parameters &p, const bool plate_faces)
   };
   double largest = of(contact.roller_tooth_friction);
   if (p.model.capabilities().has_clearances)
-    largest = std::max({largest, of(contact.roller_bush_friction), of(contact.bush_pin_friction)});
+    largest = std::max({largest,
+                        has_rollers(p) ? of(contact.roller_bush_friction) : 0.,
+                        of(contact.bush_pin_friction)});
   if (plate_faces)
     largest = std::max(largest, contact.friction_coefficient);
   return largest;
@@ -434,9 +461,8 @@ double field_interval(const Parameters &p)
 Effects decide_effects(const Parameters &p)
 {
   // what others depend on comes first
-  const Decision links = where_they_arrive(
-      p, decide(Effect::elastic_links, p, p.effects.elastic_links, &Needs::links));
-  const Decision        rollers = elastic_rollers(p);
+  const Decision        links   = elastic_links(p);
+  const Decision        rollers = elastic_rollers(p, links);
   std::vector<Decision> rims;
   for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
     rims.push_back(elastic_sprocket(p, sprocket, rollers.on));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/chain.h>
 #include <chaindrive/model/decide.h>
 #include <chaindrive/model/without_effect.h>
 
@@ -50,6 +51,13 @@ std::vector<Rule> rules(const Parameters &p, const Effects &effects)
       {p.effects.bush_pin_clearance == Switch::off,
        {"Drive/Chain/Bush bore in mm"},
        "Effects/Bush-pin clearance = off makes it fit"},
+      {!drive::has_rollers(p.drive.chain),
+       {"Contact/Roller-bush stiffness in N/m",
+        "Contact/Roller-bush friction",
+        "Effects/Roller-bush clearance",
+        "Effects/Elastic rollers",
+        "Elements/Selective mass scaling"},
+       "the chain has no rollers"},
       {has_clearances, {"Model/Chain damping ratio"}, chosen + " has no bars"},
       {!is_elastic,
        {"Contact/Penalty factor",

@@ -8,12 +8,6 @@ namespace chaindrive::observe
 {
 namespace
 {
-const Frame &
-frame_of(const dynamics::System &system, const scene::DriveView &drive, const unsigned int joint)
-{
-  return system.world.frames[drive.rollers[joint]];
-}
-
 /// A point of the axis about which @p body turns.
 dealii::Tensor<1, 3> shaft_of(const scene::Body &body)
 {
@@ -58,14 +52,15 @@ void Spans::joint_forces(const dynamics::System &system)
     family->add_joint_forces(pin_force_);
 
   const unsigned int n = scene_.drive.n_joints;
+  Frame              here, there;
   for (unsigned int k = 0; k < n; ++k)
     {
       dealii::Tensor<1, 3> axis;
       const unsigned int   link = scene_.drive.links[k];
       if (scene_.bodies[link].motion == scene::Motion::elastic)
         { // an elastic link has no axis but the line through its joints
-          axis = frame_of(system, scene_.drive, (k + 1) % n).position -
-                 frame_of(system, scene_.drive, k).position;
+          axis = scene_.drive.roller((k + 1) % n, system.world.frames, there).position -
+                 scene_.drive.roller(k, system.world.frames, here).position;
           axis /= axis.norm();
         }
       else
@@ -115,10 +110,11 @@ void Spans::update(const dynamics::System &system)
 
   std::fill(spans_.begin(), spans_.end(), Span());
   std::fill(n_links_.begin(), n_links_.end(), 0);
+  Frame here, there;
   for (unsigned int k = 0; k < n; ++k)
     {
-      const Frame       &first  = frame_of(system, scene_.drive, k);
-      const Frame       &second = frame_of(system, scene_.drive, (k + 1) % n);
+      const Frame       &first  = scene_.drive.roller(k, system.world.frames, here);
+      const Frame       &second = scene_.drive.roller((k + 1) % n, system.world.frames, there);
       const unsigned int s      = span_of(first, second);
       if (s == spans_.size())
         continue;

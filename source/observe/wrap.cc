@@ -70,10 +70,11 @@ std::vector<Wrap::Place> Wrap::places(const World &world) const
   const double               turned = std::atan2(sprocket.rotation[1][0], sprocket.rotation[0][0]);
   const double               middle = std::atan2(middle_[1], middle_[0]);
   std::vector<Place>         found;
+  Frame                      room;
   for (unsigned int k = 0; k < scene_.drive.n_joints; ++k)
     {
       const dealii::Tensor<1, 3> arm =
-          world.frames[scene_.drive.rollers[k]].position - sprocket.position;
+          scene_.drive.roller(k, world.frames, room).position - sprocket.position;
       const double radius = std::hypot(arm[0], arm[1]);
       if (radius > outer_radius_ + 2. * scene_.drive.pitch ||
           arm * middle_ < radius * std::cos(half_angle_))

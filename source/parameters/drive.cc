@@ -46,6 +46,15 @@ void Chain::declare(Declarations &declarations)
       "masses, stiffnesses and tensions of the chain, forces in joints and on teeth. Ratings and "
       "life take the strand that pulls most, doc/theory.md, section 9. Default: a simplex chain.");
   add(declarations,
+      "Rollers",
+      rollers,
+      "Whether rollers turn on the bushes. off: a bush chain, whose bushes meet the teeth; they "
+      "are "
+      "one with the inner link and slide in their seats while the joint turns, where rollers roll. "
+      "auto: as the designation says; 25, 35, 04C and 06C are bush chains, all others have "
+      "rollers. Bush chains of camshaft drives (6.35, 8 and 9.525 mm) are those of a roller chain "
+      "of the same pitch with off and their own bush diameter.");
+  add(declarations,
       "Pitch set",
       pitch_set,
       "Hole distance in the plates. standard: outer plates are shorter by the joint clearance, so "
@@ -101,8 +110,8 @@ void Chain::declare(Declarations &declarations)
   length("Roller diameter in mm",
          roller_diameter,
          between(1e-3, 1000.),
-         "Outside diameter of the roller. Give it, and the other dimensions, for a chain that no "
-         "table lists." +
+         "Outside diameter of the roller, or where there are none of the bush. Give it, and the "
+         "other dimensions, for a chain that no table lists." +
              listed);
   length("Roller bore in mm",
          roller_bore,
@@ -117,7 +126,9 @@ void Chain::declare(Declarations &declarations)
   length("Bush diameter in mm",
          bush_diameter,
          between(1e-3, 1000.),
-         "Outside diameter of the bush." + scaled);
+         "Outside diameter of the bush. Of a chain without rollers it is what meets the teeth, and "
+         "auto the roller diameter." +
+             scaled);
   length("Bush bore in mm",
          bush_bore,
          between(1e-3, 1000.),

@@ -165,8 +165,6 @@ const std::vector<NotModelled> &not_modelled()
        "strands are alike and share the load equally, see Drive/Chain/Strands; what tells them "
        "apart "
        "is only in ratings and life"},
-      {{"rollerless", "bush chain"},
-       "the bushes of chains without rollers are taken as rollers on thinner bushes"},
       {{"flank error", "wobble"},
        "all teeth have the same flanks and do not wobble; a sprocket of any shape can be imported, "
        "Drive/Sprockets/Driver mesh"},

@@ -60,10 +60,12 @@ std::string source_of_mass(const drive::Drive &drive)
   return drive.chain.link_density_factor == 1. ? "auto: from the parts" : "auto: of catalogues";
 }
 
-double roller_spin(const drive::Layout &layout, const unsigned int k)
+double roller_spin(const drive::Drive &drive, const unsigned int k)
 {
-  const int sprocket = layout.joints[k].sprocket;
-  return sprocket >= 0 ? layout.sprockets[sprocket].speed : link_spin(layout, k - k % 2);
+  const drive::Layout &layout   = drive.layout;
+  const int            sprocket = layout.joints[k].sprocket;
+  return sprocket >= 0 && drive.chain.has_rollers ? layout.sprockets[sprocket].speed :
+                                                    link_spin(layout, k - k % 2);
 }
 
 void add_chain_bodies(const model::Model      &model,
@@ -88,9 +90,11 @@ void add_chain_bodies(const model::Model      &model,
       "Mass per pitch " + to_text(scene.drive.mass_per_pitch * 1e3, 4) + " g (" +
       (model.mass_per_pitch.given ? "given: links scaled by " + to_text(factor, 4) :
                                     source_of_mass(drive)) +
-      "), of which the roller " + to_text(drive.roller_solid.mass * 1e3, 4) + " g");
+      (drive.chain.has_rollers ?
+           "), of which the roller " + to_text(drive.roller_solid.mass * 1e3, 4) + " g" :
+           "), without rollers"));
 
-  for (unsigned int k = 0; k < n; ++k)
+  for (unsigned int k = 0; k < n && drive.chain.has_rollers; ++k)
     {
       const auto &joint = layout.joints[k];
       scene.drive.rollers.push_back(static_cast<unsigned int>(scene.bodies.size()));
@@ -100,7 +104,7 @@ void add_chain_bodies(const model::Model      &model,
                     drive.roller_solid,
                     1.,
                     motion(elastic_rollers, elastic_joint[k]),
-                    placed(joint.roller, 0., joint.velocity, roller_spin(layout, k))));
+                    placed(joint.roller, 0., joint.velocity, roller_spin(drive, k))));
     }
   for (unsigned int k = 0; k < n; ++k)
     {
@@ -116,6 +120,14 @@ void add_chain_bodies(const model::Model      &model,
                     factor,
                     motion(elastic_links, is_in_region),
                     placed(link.centre, link.angle, velocity, link_spin(layout, k))));
+    }
+  if (drive.chain.has_rollers)
+    return;
+  for (unsigned int k = 0; k < n; ++k)
+    {
+      const double bush = 0.5 * (drive.chain.inner_hole_pitch + drive.links.of(k - k % 2));
+      scene.drive.rollers.push_back(scene.drive.links[k - k % 2]);
+      scene.drive.bushes.emplace_back(k % 2 == 0 ? -bush : bush, 0., 0.);
     }
 }
 

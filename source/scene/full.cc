@@ -95,7 +95,9 @@ void note_selective_masses(Scene &scene)
 void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene &scene)
 {
   add_chain_bodies(model, drive, model.elastic_joints, scene);
-  scene.parts[Kind::roller]     = make_roller_part(model.meshes, drive);
+  const bool has_rollers = drive.chain.has_rollers;
+  if (has_rollers)
+    scene.parts[Kind::roller] = make_roller_part(model.meshes, drive);
   scene.parts[Kind::inner_link] = make_link_part(model.meshes, drive, true);
   scene.parts[Kind::outer_link] = make_link_part(model.meshes, drive, false);
 
@@ -117,12 +119,14 @@ void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene 
   };
   BoreFamily rollers = bores_of(Interface::roller_bush), pins = bores_of(Interface::bush_pin);
   rollers.elastic = true;
-  rollers.law     = law(Kind::roller,
-                    mesh::roller_bore,
-                    Kind::inner_link,
-                    mesh::bush_outside_first,
-                    model.contact.roller_bush_friction);
-  if (model.effects.is_on(Effect::elastic_rollers) != model.effects.is_on(Effect::elastic_links))
+  if (has_rollers)
+    rollers.law = law(Kind::roller,
+                      mesh::roller_bore,
+                      Kind::inner_link,
+                      mesh::bush_outside_first,
+                      model.contact.roller_bush_friction);
+  if (has_rollers &&
+      model.effects.is_on(Effect::elastic_rollers) != model.effects.is_on(Effect::elastic_links))
     add_foundation(drive, scene, rollers.law);
   pins.elastic                        = true;
   pins.law                            = law(Kind::inner_link,
@@ -156,9 +160,10 @@ void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene 
                            pins);
     }
   else
-    scene.notes.push_back("Penalty per area (N/m3): roller-bush " +
-                          to_text(rollers.law.stiffness, 4) + ", bush-pin " +
-                          to_text(pins.law.stiffness, 4));
+    scene.notes.push_back(
+        "Penalty per area (N/m3): " +
+        (has_rollers ? "roller-bush " + to_text(rollers.law.stiffness, 4) + ", " : "") +
+        "bush-pin " + to_text(pins.law.stiffness, 4));
 
   const auto is_elastic = [&scene](const unsigned int body) {
     return deforms(scene.bodies[body].motion);
@@ -168,7 +173,7 @@ void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene 
       const Joint joint     = joint_of(k, drive, scene.drive);
       const bool  at_first  = joint.bush_x < 0.; // of the inner link's two bushes
       const bool  pin_first = joint.pin_x < 0.;
-      if (is_elastic(joint.roller) || is_elastic(joint.inner))
+      if (has_rollers && (is_elastic(joint.roller) || is_elastic(joint.inner)))
         rollers.pairs.push_back({joint.roller,
                                  dealii::Point<3>(),
                                  0.5 * chain.roller_bore,

@@ -21,7 +21,8 @@ void add_layered_chain(const model::Model &model, const drive::Drive &drive, Sce
   add_rigid_joints(model, drive, scene);
   if (model.effects.is_on(Effect::fields))
     {
-      scene.parts[Kind::roller]     = make_roller_part(model.meshes, drive);
+      if (drive.chain.has_rollers)
+        scene.parts[Kind::roller] = make_roller_part(model.meshes, drive);
       scene.parts[Kind::inner_link] = make_link_part(model.meshes, drive, true);
       scene.parts[Kind::outer_link] = make_link_part(model.meshes, drive, false);
     }
@@ -48,11 +49,12 @@ void add_rigid_joints(const model::Model &model, const drive::Drive &drive, Scen
   const double pin_stiffness = model.stiffness_per_pitch;
 
   BoreFamily rollers = bores_of(Interface::roller_bush), pins = bores_of(Interface::bush_pin);
-  rollers.law = make_law(model.contact,
-                         bush_stiffness,
-                         reduced_mass(roller_mass, inner_mass),
-                         model.contact.roller_bush_friction)
-                    .shared_by(2);
+  if (chain.has_rollers)
+    rollers.law = make_law(model.contact,
+                           bush_stiffness,
+                           reduced_mass(roller_mass, inner_mass),
+                           model.contact.roller_bush_friction)
+                      .shared_by(2);
   pins.law = make_law(model.contact,
                       pin_stiffness,
                       reduced_mass(inner_mass, outer_mass),
@@ -65,9 +67,9 @@ void add_rigid_joints(const model::Model &model, const drive::Drive &drive, Scen
         return !deforms(scene.bodies[body].motion);
       };
       for (const double z : axial_positions(chain.roller_length, scene.half))
-        if (is_rigid(k) && is_rigid(joint.inner))
+        if (chain.has_rollers && is_rigid(joint.roller) && is_rigid(joint.inner))
           rollers.pairs.push_back(
-              {k,
+              {joint.roller,
                dealii::Point<3>(),
                0.5 * chain.roller_bore,
                {joint.inner, dealii::Point<3>(joint.bush_x, 0., z), 0.5 * chain.bush_diameter, k}});

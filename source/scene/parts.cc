@@ -20,7 +20,10 @@ std::shared_ptr<const mesh::Part> make_roller_part(const model::Meshes &meshes,
 {
   const parameters::Mesh &cells = meshes.cells;
   const mesh::RollerGrid  level(cells.refinement);
-  return shared(mesh::make_roller(drive.chain,
+  drive::ChainDimensions  chain = drive.chain;
+  if (!chain.has_rollers) // the bush between the plates
+    chain.roller_bore = chain.bush_bore;
+  return shared(mesh::make_roller(chain,
                                   meshes.density,
                                   {cells.roller_wall.value_or(level.wall),
                                    cells.roller_around.value_or(level.around),

@@ -121,11 +121,12 @@ std::string columns_text(const Scene &scene, const ToothFamily &teeth)
 {
   const mesh::CylinderGrid grid(*scene.parts.at(scene.bodies[teeth.slaves.front().body].part()),
                                 static_cast<mesh::Surface>(teeth.slave_surface));
-  const unsigned int       n = grid.n_circumferential();
+  const unsigned int       n     = grid.n_circumferential();
+  const std::string        entry = scene.drive.bushes.empty() ? "Mesh/Roller" : "Mesh/Inner link";
   return ", on " + std::to_string(n) +
          " columns of nodes: between two of them a straight flank is met up to " +
-         to_text(1e6 * grid.radius * (1. - std::cos(dealii::numbers::PI / n)), 3) +
-         " um late (Mesh/Roller/Cells around)";
+         to_text(1e6 * grid.radius * (1. - std::cos(dealii::numbers::PI / n)), 3) + " um late (" +
+         entry + "/Cells around)";
 }
 } // namespace
 
@@ -160,7 +161,10 @@ void print_plan(std::ostream &out, const Scene &scene)
     out << "  " << std::setw(4) << faces.pairs.size() << " pairs " << faces.name << ": "
         << law_text(faces.law, true) << '\n';
   for (const ToothFamily &teeth : scene.teeth)
-    out << "  " << std::setw(4) << teeth.slaves.size() << (teeth.elastic ? " rollers " : " points ")
+    out << "  " << std::setw(4) << teeth.slaves.size()
+        << (!teeth.elastic             ? " points " :
+            scene.drive.bushes.empty() ? " rollers " :
+                                         " bushes ")
         << teeth.name << " (those near the sprocket are looked at): "
         << (has_penalty(scene, teeth) ?
                 law_text(teeth.law, teeth.elastic) +

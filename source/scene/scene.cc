@@ -35,6 +35,19 @@ double Scene::nominal_energy() const
   return 0.5 * drive.n_joints * drive.mass_per_pitch * speed * speed;
 }
 
+const Frame &
+DriveView::roller(const unsigned int joint, const std::vector<Frame> &frames, Frame &room) const
+{
+  const Frame &body = frames[rollers[joint]];
+  if (bushes.empty())
+    return body;
+  const dealii::Tensor<1, 3> arm = body.rotation * bushes[joint];
+  room                           = body;
+  room.position += arm;
+  room.velocity += cross_product_3d(body.angular_velocity, arm);
+  return room;
+}
+
 double DriveView::pitch_radius_of(const unsigned int n_teeth) const
 {
   return 0.5 * pitch / std::sin(dealii::numbers::PI / n_teeth);

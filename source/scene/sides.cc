@@ -175,8 +175,10 @@ std::string play_text(const drive::Drive &drive)
          to_text(1e3 * (c.outer_plate_z - c.inner_plate_z -
                         0.5 * (c.inner_plate_thickness + c.outer_plate_thickness)),
                  4) +
-         " mm between plates, " + to_text(0.5e3 * (c.inner_width - c.roller_length), 4) +
-         " mm between rollers and plates";
+         " mm between plates" +
+         (c.has_rollers ? ", " + to_text(0.5e3 * (c.inner_width - c.roller_length), 4) +
+                              " mm between rollers and plates" :
+                          "");
 }
 } // namespace
 
@@ -212,11 +214,15 @@ void add_sides(const model::Model &model, const drive::Drive &drive, Scene &scen
   const auto law = [&](const double mass) {
     return make_law(model.contact, k, mass, model.contact.plate_friction);
   };
-  SideFamily faces = plate_faces(drive, scene), ends = roller_ends(drive, scene);
-  faces.law = law(reduced_mass(inner, outer)).shared_by(4);
-  ends.law  = law(reduced_mass(scene.bodies[scene.drive.rollers[0]].mass, inner));
+  SideFamily faces = plate_faces(drive, scene);
+  faces.law        = law(reduced_mass(inner, outer)).shared_by(4);
   scene.sides.push_back(std::move(faces));
-  scene.sides.push_back(std::move(ends));
+  if (drive.chain.has_rollers)
+    {
+      SideFamily ends = roller_ends(drive, scene);
+      ends.law        = law(reduced_mass(scene.bodies[scene.drive.rollers[0]].mass, inner));
+      scene.sides.push_back(std::move(ends));
+    }
   for (unsigned int i = 0; i < drive.sprockets.size(); ++i)
     {
       ToothSideFamily sides = tooth_sides(drive, scene, i);

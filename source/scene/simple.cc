@@ -18,22 +18,25 @@ void add_simple_chain(const model::Model &model, const drive::Drive &drive, Scen
                         (model.mass_per_pitch.given ? "given" : source_of_mass(drive)) +
                         "), lumped at the rollers");
 
-  // what turns is the ring, whatever mass of the links is lumped with it
-  const drive::MassProperties &ring    = drive.roller_solid;
-  const bool                   spins   = model.effects.is_on(Effect::friction);
-  const double                 inertia = ring.inertia[2][2] * std::min(1., mass / ring.mass);
+  // a bush turns with its link; of a roller what turns is the ring, whatever mass of the links is
+  // lumped with it
+  const drive::MassProperties &ring  = drive.roller_solid;
+  const bool                   spins = model.effects.is_on(Effect::friction);
+  const double                 inertia =
+      drive.chain.has_rollers ? ring.inertia[2][2] * std::min(1., mass / ring.mass) : 0.;
   for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
     {
       const drive::Layout::Joint &joint = drive.layout.joints[k];
       Body                        roller;
-      roller.kind   = Kind::roller;
-      roller.number = k;
-      roller.motion = Motion::lumped;
-      roller.mass   = mass;
-      roller.initial =
-          placed(joint.roller, 0., joint.velocity, spins ? roller_spin(drive.layout, k) : 0.);
-      if (spins)
+      roller.kind    = Kind::roller;
+      roller.number  = k;
+      roller.motion  = Motion::lumped;
+      roller.mass    = mass;
+      roller.initial = placed(joint.roller, 0., joint.velocity, spins ? roller_spin(drive, k) : 0.);
+      if (spins && drive.chain.has_rollers)
         roller.inertia[2] = inertia;
+      else if (spins)
+        roller.turns_with = std::array<unsigned int, 2>{{k - k % 2, scene.drive.next(k - k % 2)}};
       scene.drive.rollers.push_back(static_cast<unsigned int>(scene.bodies.size()));
       scene.bodies.push_back(roller);
     }

@@ -179,18 +179,21 @@ ToothFamily with_plates(const model::Model    &model,
 }
 
 /// The family of the rollers that move by @p motion, whose nodes meet the flanks of @p flanks.
-/// These deflect by @p tooth_stiffness [N/m] where they are rigid.
+/// These deflect by @p tooth_stiffness [N/m] where they are rigid. @p side is that of the rollers'
+/// mesh, of a chain without rollers that of the first or the second bushes of inner links.
 ToothFamily with_elastic_rollers(const model::Model &model,
                                  const drive::Drive &drive,
                                  const Scene        &scene,
                                  const ToothFamily  &flanks,
                                  const double        tooth_stiffness,
                                  const double        friction,
-                                 const Motion        motion)
+                                 const Motion        motion,
+                                 const mesh::Surface side)
 {
-  ToothFamily              teeth  = flanks;
-  const mesh::Part        &roller = *scene.parts.at(Kind::roller);
-  const mesh::SurfaceNodes outside(roller, mesh::Nodes(roller), mesh::roller_outside);
+  ToothFamily       teeth = flanks;
+  const mesh::Part &roller =
+      *scene.parts.at(drive.chain.has_rollers ? Kind::roller : Kind::inner_link);
+  const mesh::SurfaceNodes outside(roller, mesh::Nodes(roller), side);
   double                   thickness = outside.thickness;
   const auto               sector    = scene.sectors.find(scene.bodies[teeth.sprocket].part());
   if (sector != scene.sectors.end()) // the softer of two surfaces decides how far they may overlap
@@ -240,11 +243,25 @@ ToothFamily with_elastic_rollers(const model::Model &model,
                      scene.material);
       teeth.tooth_stiffness = scene.symmetry().share(teeth.tooth_stiffness);
     }
-  teeth.slave_surface = mesh::roller_outside;
+  teeth.slave_surface = side;
   for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
-    if (const unsigned int roller = scene.drive.rollers[k]; scene.bodies[roller].motion == motion)
-      teeth.slaves.push_back({roller, dealii::Point<3>(), radius, k});
+    {
+      const unsigned int     body   = scene.drive.rollers[k];
+      const dealii::Point<3> middle = scene.drive.roller_at(k);
+      const bool             on_side =
+          drive.chain.has_rollers || (middle[0] < 0.) == (side == mesh::bush_outside_first);
+      if (on_side && scene.bodies[body].motion == motion)
+        teeth.slaves.push_back({body, middle, radius, k});
+    }
   return teeth;
+}
+
+/// The sides of meshes that meet teeth.
+std::vector<mesh::Surface> sides_on_teeth(const drive::ChainDimensions &chain)
+{
+  if (chain.has_rollers)
+    return {mesh::roller_outside};
+  return {mesh::bush_outside_first, mesh::bush_outside_second};
 }
 
 /// The family of the other rollers, which touch at points of their axes; @p stiffness is that of a
@@ -269,8 +286,13 @@ ToothFamily with_rigid_rollers(const model::Model &model,
   for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
     for (const double z : positions)
       if (const unsigned int number = scene.drive.rollers[k]; !deforms(scene.bodies[number].motion))
-        teeth.slaves.push_back(
-            {number, dealii::Point<3>(0., 0., z), 0.5 * drive.chain.roller_diameter, k});
+        {
+          const dealii::Point<3> middle = scene.drive.roller_at(k);
+          teeth.slaves.push_back({number,
+                                  dealii::Point<3>(middle[0], middle[1], z),
+                                  0.5 * drive.chain.roller_diameter,
+                                  k});
+        }
   return teeth;
 }
 } // namespace
@@ -349,13 +371,15 @@ void add_sprockets(const model::Model             &model,
                               (model.tooth_stiffness[i].given ? "given" : "auto") + ")");
       for (const Motion motion : {Motion::elastic, Motion::reduced})
         if (any_roller([motion](const Body &roller) { return roller.motion == motion; }))
-          scene.teeth.push_back(with_elastic_rollers(model,
-                                                     drive,
-                                                     scene,
-                                                     flanks,
-                                                     model.tooth_stiffness[i].value,
-                                                     friction_on(model, sprocket),
-                                                     motion));
+          for (const mesh::Surface side : sides_on_teeth(drive.chain))
+            scene.teeth.push_back(with_elastic_rollers(model,
+                                                       drive,
+                                                       scene,
+                                                       flanks,
+                                                       model.tooth_stiffness[i].value,
+                                                       friction_on(model, sprocket),
+                                                       motion,
+                                                       side));
       if (any_rigid)
         scene.teeth.push_back(
             with_rigid_rollers(model,

@@ -220,21 +220,23 @@ ContactProblem Library::pressed_roller(const drive::ChainDimensions &chain,
       inside{0.5 * chain.bush_diameter, patch_width, n_angles, z};
   const drive::Segment &seat = sprocket.form.half_profile.front();
 
+  const PatchGrid           &on_bush = chain.has_rollers ? inside : outside;
   std::vector<CompliantPart> parts;
-  parts.push_back({"roller",
-                   0,
-                   flexibility_of("roller",
-                                  text_of_chain(chain),
-                                  [&] { return roller_quarter(chain); },
-                                  {{mesh::roller_outside, outside, Point<2>(), 0., false},
-                                   {mesh::roller_bore, inside, Point<2>(), 0., true}})});
+  if (chain.has_rollers)
+    parts.push_back({"roller",
+                     0,
+                     flexibility_of("roller",
+                                    text_of_chain(chain),
+                                    [&] { return roller_quarter(chain); },
+                                    {{mesh::roller_outside, outside, Point<2>(), 0., false},
+                                     {mesh::roller_bore, inside, Point<2>(), 0., true}})});
   parts.push_back({"inner link",
-                   outside.n(),
+                   chain.has_rollers ? outside.n() : 0,
                    flexibility_of("inner link, pressed",
                                   text_of_chain(chain),
                                   [&] { return link_quarter(chain); },
                                   {{mesh::bush_outside_second,
-                                    inside,
+                                    on_bush,
                                     Point<2>(0.5 * chain.inner_hole_pitch, 0.),
                                     -0.5 * PI,
                                     false,
@@ -265,10 +267,10 @@ ContactProblem Library::pressed_roller(const drive::ChainDimensions &chain,
                       profile,
                       [&] { return rim_sector(sprocket.form, dimensions, n_sectors); },
                       {{mesh::tooth_flanks, outside, seat.centre, PI - position, true, true}})});
-  return ContactProblem({cylinders(outside, seat.radius - outside.radius),
-                         cylinders(inside, chain.roller_clearance())},
-                        std::move(parts),
-                        material_);
+  std::vector<Interface> interfaces = {cylinders(outside, seat.radius - outside.radius)};
+  if (chain.has_rollers)
+    interfaces.push_back(cylinders(inside, chain.roller_clearance()));
+  return ContactProblem(std::move(interfaces), std::move(parts), material_);
 }
 
 PeakStress Library::pulled_plate(const drive::ChainDimensions &chain, const bool inner)

@@ -72,10 +72,12 @@ drive::PartStiffness compute(const model::PartStiffnesses &wanted,
               },
               load);
           tooth += pressed.approach[0] / n_toothed;
-          bush += pressed.approach[1] / n_toothed;
+          if (drive.chain.has_rollers)
+            bush += pressed.approach[1] / n_toothed;
         }
       result.roller_tooth = rounded(load / tooth);
-      result.roller_bush  = rounded(load / bush);
+      if (drive.chain.has_rollers)
+        result.roller_bush = rounded(load / bush);
     }
   if (wanted.teeth)
     for (const drive::Sprocket &sprocket : drive.sprockets)

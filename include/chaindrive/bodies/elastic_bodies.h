@@ -6,6 +6,7 @@
 #include <chaindrive/element/elastic_part.h>
 #include <chaindrive/element/kernels.h>
 
+#include <array>
 #include <vector>
 
 namespace chaindrive
@@ -67,15 +68,20 @@ protected:
   void move(World &world, const Step &step, double kick) const;
 
 private:
-  static void book(World             &world,
-                   const BodyBatches &copies,
-                   unsigned int       batch,
-                   const Sums        &sums,
-                   const Step        &step);
+  void book(World             &world,
+            const BodyBatches &copies,
+            unsigned int       batch,
+            const Sums        &sums,
+            const Step        &step) const;
 
-  element::ElasticPart    part_;
-  Material                material_;
-  double                  critical_time_step_; ///< s
-  const element::Kernels &kernels_;
+  /// Gives the @p frame of a link whose bushes meet teeth the direction of the line between them
+  /// and its angular velocity; of other bodies frames do not turn.
+  void turn(const World &world, const BodyBatches &copies, unsigned int copy, Frame &frame) const;
+
+  element::ElasticPart                     part_;
+  Material                                 material_;
+  double                                   critical_time_step_; ///< s
+  const element::Kernels                  &kernels_;
+  std::array<std::vector<unsigned int>, 2> bushes_; ///< nodes of both, of links whose frames turn
 };
 } // namespace chaindrive

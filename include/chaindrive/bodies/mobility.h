@@ -32,6 +32,9 @@ public:
   dealii::Tensor<2, 3> of_point(unsigned int body, const dealii::Tensor<1, 3> &at) const;
 
 private:
+  /// The force on the second body of the line of @p tied under a unit moment, 1/m.
+  dealii::Tensor<1, 3> lever_of(const World::Tied &tied) const;
+
   const World                      &world_;
   std::vector<dealii::Tensor<2, 3>> inverse_inertia_;
   std::vector<dealii::Tensor<1, 3>> pivot_; ///< about what a body turns: centre of mass or axis, m

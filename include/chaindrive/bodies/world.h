@@ -53,6 +53,13 @@ public:
     double       speed;   ///< rad/s, counter-clockwise positive
   };
 
+  /// Of a lumped body without inertia about z, whose angular velocity is that of the line from one
+  /// body to another (TiedSpins).
+  struct Tied
+  {
+    unsigned int body, first, second;
+  };
+
   /// A body that only turns, about an axis that stands still or is carried, or only moves along an
   /// axis, or does not move at all.
   struct Hub
@@ -226,8 +233,10 @@ public:
   std::vector<dealii::Tensor<1, 3>> origin; ///< per body, position at the start, m
   std::vector<Rotation>             rotations;
   std::vector<Spin>                 spins;
+  std::vector<Tied>                 tied;
   std::vector<Hub>                  hubs;
   std::vector<Carried>              carried; ///< each after its carrier
+  std::vector<unsigned int>         turning; ///< bodies that move by nodes and whose frames turn
   std::vector<Frame>       frames;        ///< per body, now; of an elastic one, its centre of mass
   std::vector<BodyBatches> copies;        ///< the elastic bodies, part by part
   NodeExchange             node_exchange; ///< between the ranks' copies

@@ -14,9 +14,14 @@ namespace chaindrive::drive
 ///
 /// Bushes and pins end in the mid-surfaces of the plates that carry them: bush_length is the
 /// distance of the inner plates' mid-surfaces, pin_length that of the outer plates'.
+///
+/// Of a chain without rollers, a bush chain, the bush is what meets the teeth: roller_diameter and
+/// roller_bore are its diameter, so that a roller has no wall and no mass, and roller_length is the
+/// length between the inner plates.
 struct ChainDimensions
 {
   std::string designation;
+  bool        has_rollers = true;
   double      pitch; ///< nominal
   double      roller_diameter, roller_bore, roller_length;
   double      bush_diameter, bush_bore, bush_length;
@@ -62,6 +67,10 @@ struct ChainDimensions
 /// inner plates, plates that intersect.
 ChainDimensions make_chain(const parameters::Chain   &chain,
                            const parameters::Effects &effects = parameters::Effects());
+
+/// Whether rollers turn on the bushes of @p chain: as its entry says, else as the tables do of its
+/// designation; true for an unknown one.
+bool has_rollers(const parameters::Chain &chain);
 
 /// Whether pitch, plates, pins, bushes or rollers of @p chain differ from those of its designation
 /// alone, so that strength and mass of the tables are not its own.

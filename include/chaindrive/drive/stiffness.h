@@ -5,6 +5,7 @@
 #include <chaindrive/drive/plate.h>
 #include <chaindrive/material/material.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ struct PartStiffness
 {
   double per_pitch;    ///< of the chain in a pull test
   double roller_tooth; ///< of a sprocket's hub and the roller's centre
-  double roller_bush;  ///< of the roller's centre and the link's
+  double roller_bush;  ///< of the roller's centre and the link's; without rollers infinite
 
   std::vector<double> teeth; ///< of each sprocket's tooth and rim alone; empty: not found
 
@@ -24,7 +25,8 @@ struct PartStiffness
   /// Of a sprocket's hub and the link: of a roller pressed between them.
   double pressed_roller() const
   {
-    return roller_tooth * roller_bush / (roller_tooth + roller_bush);
+    return std::isinf(roller_bush) ? roller_tooth :
+                                     roller_tooth * roller_bush / (roller_tooth + roller_bush);
   }
 };
 

@@ -116,8 +116,10 @@ inline constexpr const char *reference_chain = "525";
 /// Section `Drive/Chain`. An empty optional means `auto`: from the designation, or derived from it.
 struct Chain
 {
-  std::string         designation     = reference_chain;
-  unsigned int        strands         = 1; ///< side by side on common pins
+  std::string  designation = reference_chain;
+  unsigned int strands     = 1;             ///< side by side on common pins
+  Switch       rollers = Switch::automatic; ///< automatic: as the designation has them; off: a bush
+                                            ///< chain, whose bushes meet the teeth
   PitchSet            pitch_set       = PitchSet::standard;
   double              elongation      = 0.; ///< of the loaded pitch, wear: 0.01 is one percent
   double              pitch_tolerance = 0.; ///< largest random deviation of a link's pitch from it

@@ -22,16 +22,19 @@ Scene build_scene(const model::Model             &model,
                   const BasisOf                  &basis_of = {});
 
 /// The simple model: one lumped roller of the mass of a pitch per joint, elastic bars between them.
-/// With friction on the teeth the ring of each roller has a spin, or it could not roll.
+/// With friction on the teeth the ring of each roller has a spin, or it could not roll; a bush
+/// turns with its inner link.
 void add_simple_chain(const model::Model &model, const drive::Drive &drive, Scene &scene);
 
 /// The layered model: rigid rollers, inner and outer links with clearances between them. Plates and
-/// joint contact act in series in the bush-pin interface.
+/// joint contact act in series in the bush-pin interface. Without rollers bushes, which are one
+/// with the inner links, are in their place.
 void add_layered_chain(const model::Model &model, const drive::Drive &drive, Scene &scene);
 
 /// The full model: the same bodies made of elastic finite elements, whose nodes touch; or only
 /// those of Model::elastic_joints, the others as in the layered model or reduced. The reduced
-/// model: the same with few modes in the place of the nodes' own motion.
+/// model: the same with few modes in the place of the nodes' own motion. Without rollers nodes of
+/// bushes are on the teeth.
 void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene &scene);
 
 /// Finds the bases of reduced bodies and says what they keep.
@@ -41,13 +44,15 @@ void add_bases(const BasisOf &basis_of, Scene &scene);
 void weigh_reduced_bodies(Scene &scene);
 
 /// Angular velocity [rad/s] of the roller of joint @p k at the start: that of its sprocket or, in a
-/// span, of the inner link that carries it; zero unless the start is settled.
-double roller_spin(const drive::Layout &layout, unsigned int k);
+/// span and of a bush everywhere, of the inner link that carries it; zero unless the start is
+/// settled.
+double roller_spin(const drive::Drive &drive, unsigned int k);
 
 /// Where the mass of the chain of @p drive is from that is not given, in words.
 std::string source_of_mass(const drive::Drive &drive);
 
-/// Rollers, inner and outer links of a chain with clearances: elastic where the effect is on and
+/// Rollers, where the chain has them, inner and outer links of a chain with clearances: elastic
+/// where the effect is on and
 /// @p elastic_joint says so of the roller's joint or of both joints of the link, else rigid.
 void add_chain_bodies(const model::Model      &model,
                       const drive::Drive      &drive,
@@ -64,7 +69,7 @@ BoreFamily bores_of(Interface interface);
 /// At joint k meet its roller, the inner link whose bush it is and the outer link whose pin it is.
 struct Joint
 {
-  unsigned int roller;        ///< body
+  unsigned int roller;        ///< body; of a chain without rollers the inner link
   unsigned int inner, outer;  ///< bodies
   double       bush_x, pin_x; ///< of the bush's and the pin's axis in their links' frames, m
 };
@@ -140,7 +145,7 @@ void make_compliant(ToothFamily    &teeth,
                     double          load,
                     const Material &steel);
 
-/// Meshes of parts.
+/// Meshes of parts; of a chain without rollers that of a roller is its bush between the plates.
 std::shared_ptr<const mesh::Part> make_roller_part(const model::Meshes &, const drive::Drive &);
 std::shared_ptr<const mesh::Part>
 make_link_part(const model::Meshes &, const drive::Drive &, bool inner);

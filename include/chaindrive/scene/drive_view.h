@@ -2,7 +2,9 @@
 #pragma once
 
 #include <chaindrive/parameters/drive.h>
+#include <chaindrive/utilities/rotation.h>
 
+#include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <string>
@@ -44,15 +46,27 @@ struct DriveView
 {
   unsigned int              strands  = 1; ///< of the chain, of which the scene has one
   unsigned int              n_joints = 0;
-  std::vector<unsigned int> rollers;   ///< body of each joint's roller
-  std::vector<unsigned int> links;     ///< body of each link; empty where bars are the links
-  std::vector<char>         seated;    ///< per joint: it starts on a sprocket, not in a span
-  std::vector<Sprocket>     sprockets; ///< in the order of travel: the driver first
-  std::vector<Span>         spans;     ///< span i leads from sprocket i to the next one
-  int                       sense               = 1;  ///< +1: counter-clockwise drive
-  double                    pitch               = 0.; ///< loaded, mean, m
-  double                    mass_per_pitch      = 0.; ///< kg
-  double                    stiffness_per_pitch = 0.; ///< N/m
+  std::vector<unsigned int> rollers;    ///< body of each joint's roller; where bushes are in its
+                                        ///< place, the inner link that each belongs to
+  std::vector<dealii::Point<3>> bushes; ///< there: its middle in that link's frame, m; else empty
+  std::vector<unsigned int>     links;  ///< body of each link; empty where bars are the links
+  std::vector<char>             seated; ///< per joint: it starts on a sprocket, not in a span
+  std::vector<Sprocket>         sprockets; ///< in the order of travel: the driver first
+  std::vector<Span>             spans;     ///< span i leads from sprocket i to the next one
+  int                           sense               = 1;  ///< +1: counter-clockwise drive
+  double                        pitch               = 0.; ///< loaded, mean, m
+  double                        mass_per_pitch      = 0.; ///< kg
+  double                        stiffness_per_pitch = 0.; ///< N/m
+
+  /// What is in the seat of @p joint moves as this: its roller, or its bush. @p frames are those of
+  /// all bodies, @p room holds the result where it is none of them.
+  const Frame &roller(unsigned int joint, const std::vector<Frame> &frames, Frame &room) const;
+
+  /// Where in the frame of its body the middle of the roller or bush of @p joint is, m.
+  dealii::Point<3> roller_at(const unsigned int joint) const
+  {
+    return bushes.empty() ? dealii::Point<3>() : bushes[joint];
+  }
 
   /// Of the pitch circle of a sprocket with so many teeth, m.
   double pitch_radius_of(unsigned int n_teeth) const;

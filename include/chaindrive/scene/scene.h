@@ -124,6 +124,9 @@ struct Body
   double               mass;    ///< kg
   dealii::Tensor<1, 3> inertia; ///< principal moments about the body's axes, kg m2
   Frame                initial; ///< at the start time
+  /// A lumped body without inertia about z that turns with the line from the first of these bodies
+  /// to the second, and hands them the moments on it.
+  std::optional<std::array<unsigned int, 2>> turns_with = {};
 
   PartOf part() const { return {kind, kind == Kind::sprocket ? number : 0}; }
 

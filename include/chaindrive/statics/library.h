@@ -40,7 +40,8 @@ public:
   /// tooth and roller, 1: roller and bush. Approaches are those of the sprocket's hub, the roller's
   /// centre of mass and the link's centre of mass. The line of pressure is turned by @p position
   /// [rad] from the bottom of the seat; pressure is symmetric about it, tooth and rim answer with
-  /// their mean of both sides.
+  /// their mean of both sides. Of a chain without rollers the bush itself is pressed on the seat,
+  /// interface 0.
   ContactProblem pressed_roller(const drive::ChainDimensions &chain,
                                 const drive::Sprocket        &sprocket,
                                 double                        sprocket_width,

@@ -158,6 +158,7 @@ private:
   {
     const std::vector<contact::Record> &records = sprocket.teeth->records();
     const Frame                        &hub     = world.frames[sprocket.teeth->master()];
+    Frame                               room;
 
     // a roller may have several contact points: its force is their sum, booked at the first point
     // that touches
@@ -170,7 +171,7 @@ private:
       {
         const contact::Record &record = records[i];
         const unsigned int     joint  = record.joint;
-        const Frame           &roller = world.frames[record.slave];
+        const Frame           &roller = now_.scene.drive.roller(joint, world.frames, room);
         int                   &open   = sprocket.open[joint];
         const double           force  = sprocket.force[joint];
         if (force > 0. && record.force * record.normal <= 0.)

@@ -8,8 +8,7 @@
 
 #include <algorithm>
 
-// How the rollers move that histories are asked for. Rollers are the bodies 0 ... N-1 in joint
-// order.
+// How the rollers move that histories are asked for; of a chain without rollers its bushes.
 
 namespace chaindrive::observe
 {
@@ -46,28 +45,26 @@ public:
     const auto add = [&](const std::string &name, const auto &value_of) {
       channels.add(
           "rollers/" + name, labels_of(now_.rollers), [this, value_of](const Channels::Row row) {
-            std::transform(
-                now_.roller_bodies.begin(), now_.roller_bodies.end(), row.begin(), value_of);
+            std::transform(now_.rollers.begin(), now_.rollers.end(), row.begin(), value_of);
           });
     };
-    const std::vector<Frame> &frames = now_.system.world.frames;
+    const std::vector<unsigned int> &bodies = now_.scene.drive.rollers;
     for (const unsigned int d : {0U, 1U})
       {
         const std::string axis = d == 0 ? "x" : "y";
-        add("position_" + axis,
-            [&frames, d](const unsigned int k) { return frames[k].position[d]; });
-        add("velocity_" + axis,
-            [&frames, d](const unsigned int k) { return frames[k].velocity[d]; });
-        add("acceleration_" + axis,
-            [this, d](const unsigned int k) { return acceleration_[3 * k + d]; });
+        add("position_" + axis, [this, d](const unsigned int k) { return frame(k).position[d]; });
+        add("velocity_" + axis, [this, d](const unsigned int k) { return frame(k).velocity[d]; });
+        add("acceleration_" + axis, [this, d](const unsigned int k) { return acceleration(k, d); });
       }
     if (now_.scene.effects.is_on(model::Effect::misalignment))
-      add("position_z", [&frames](const unsigned int k) { return frames[k].position[2]; });
+      add("position_z", [this](const unsigned int k) { return frame(k).position[2]; });
     if (std::all_of(now_.roller_bodies.begin(),
                     now_.roller_bodies.end(),
                     [this](const unsigned int k) { return turns(now_.scene.bodies[k]); }))
-      add("spin", [this, &frames](const unsigned int k) {
-        return now_.system.world.is_nodal(k) ? spin_of_nodes_[k] : frames[k].angular_velocity[2];
+      add("spin", [this, &bodies](const unsigned int k) {
+        const World &world = now_.system.world;
+        return world.is_nodal(bodies[k]) ? spin_of_nodes_[bodies[k]] :
+                                           world.frames[bodies[k]].angular_velocity[2];
       });
   }
 
@@ -91,9 +88,33 @@ private:
   /// Whether @p roller has an angular velocity: a lumped one only where its ring turns.
   static bool turns(const scene::Body &roller)
   {
-    return roller.motion != scene::Motion::lumped || roller.inertia[2] > 0.;
+    return roller.motion != scene::Motion::lumped || roller.inertia[2] > 0. || roller.turns_with;
   }
 
+  const Frame &frame(const unsigned int joint)
+  {
+    return now_.scene.drive.roller(joint, now_.system.world.frames, room_);
+  }
+
+  /// In the plane, of a bush of a link at the arm r from its centre of mass: a + z alpha x r -
+  /// omega^2 r, alpha by the moment on the link.
+  double acceleration(const unsigned int joint, const unsigned int d) const
+  {
+    const scene::DriveView &drive  = now_.scene.drive;
+    const unsigned int      body   = drive.rollers[joint];
+    const double            centre = acceleration_[3 * body + d];
+    if (drive.bushes.empty())
+      return centre;
+    const World               &world = now_.system.world;
+    const Frame               &frame = world.frames[body];
+    const dealii::Tensor<1, 3> arm   = frame.rotation * drive.bushes[joint];
+    const double               spin  = frame.angular_velocity[2];
+    const double               growth =
+        world.moment.local_element(3 * body + 2) / now_.scene.bodies[body].inertia[2];
+    return centre + growth * (d == 0 ? -arm[1] : arm[0]) - spin * spin * arm[d];
+  }
+
+  Frame               room_;          ///< of a bush
   std::vector<double> acceleration_;  ///< of all bodies at the present sample
   std::vector<double> spin_of_nodes_; ///< of rollers that move by nodes, by body, rad/s
 };
