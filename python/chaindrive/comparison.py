@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from chaindrive import schema
-from chaindrive.run import Run
+from chaindrive import certainty, schema
+from chaindrive.run import Array, Run
 
 #: Members of the summary that a comparison shows.
 KEY_FIGURES = ("tight_tension_mean", "slack_tension_mean", "tight_tension_max_start", "driver_torque_mean", "driven_speed_mean",
@@ -19,6 +19,9 @@ KEY_FIGURES = ("tight_tension_mean", "slack_tension_mean", "tight_tension_max_st
 #: Those that are not found in the window of the means.
 WHOLE_RUN = {"tight_tension_max_start", "driven_angle_end", "drive_work", "resisting_work", "energy_imbalance_max", "steps", "wall_seconds",
              "cpu_seconds"}
+#: Means over the window: the history of each.
+HISTORIES = {"tight_tension": "spans/tight_tension", "slack_tension": "spans/slack_tension", "driver_torque": "hubs/driver_torque",
+             "driven_speed": "hubs/driven_speed", "span_speed": "spans/tight_speed"}
 #: Those of the engagements with a sprocket in the window.
 IMPACTS = ("peak_force", "impulse", "normal_speed")
 
@@ -67,11 +70,80 @@ def figures(run: Run) -> dict[str, tuple[Any, str, str]]:
     return {name: about for name, about in found.items() if isinstance(about[0], numbers.Real) and np.isfinite(float(about[0]))}
 
 
+def means(run: Run, name: str) -> certainty.Means:
+    """What the figure of this name is the mean of, in its unit. RunError, KeyError where it is none, or the run did not keep it."""
+    wheel, column, which = _of_impacts(run, name)
+    if column and which == "mean":
+        return certainty.engagement_values(run, wheel, column)
+    if name == "pitch_time_mean":
+        times = certainty.engagement_values(run, run.wheels[0].name, "time")
+        return times._replace(values=np.diff(times.values))
+    if name in ("loss", "efficiency"):
+        lost = sum(run[path] for path in run.histories.index if path.startswith("energy/") and path.endswith("_loss"))
+        rates, energy = certainty.tooth_period_rates(run, np.asarray(lost, float)), run.summary["window_energy"]
+        # efficiency is 1 - lost / (drive work - stored): the losses scatter, over a mean power
+        power = (energy["drive_work"] - energy["stored"]) / energy["duration"]
+        return rates if name == "loss" else rates._replace(values=1. - rates.values / power)
+    signal, _, which = name.rpartition("_")
+    if which == "mean":
+        return certainty.tooth_period_means(run, _signal(run, signal))
+    if which == "deviation":
+        # of a mean square, whose root changes by its own change over twice the root
+        found, values = run.summary["statistics"][signal], _signal(run, signal)
+        squares = certainty.tooth_period_means(run, (values - found["mean"]) ** 2)
+        return squares._replace(values=0.5 * squares.values / found["deviation"])
+    raise KeyError(name)
+
+
+def _of_impacts(run: Run, name: str) -> tuple[str, str, str]:
+    """Sprocket, column and "mean" or "largest" of a figure of impacts; three empty words of any other."""
+    return next(((wheel.name, column, which) for wheel in run.wheels for column in IMPACTS for which in ("mean", "largest")
+                 if name == f"{wheel.name}_{column}_{which}"), ("", "", ""))
+
+
+def _signal(run: Run, signal: str) -> Array:
+    """The history of a signal of the window statistics."""
+    if signal in HISTORIES:
+        return run[HISTORIES[signal]]
+    return np.hypot(run[f"hubs/{signal}_x"], run[f"hubs/{signal}_y"])
+
+
+def certainty_of_difference(one: Run, other: Run, name: str) -> certainty.Certainty:
+    """Of the difference of a figure of two runs: half of its 95 % interval in the unit of the figure, and words.
+
+    From the values per tooth period or engagement where both runs kept them, paired where these are of the same drive at the same
+    phases; else from the `uncertainty` of both in their summaries.
+    """
+    if name in WHOLE_RUN or name == "noise" or name.endswith("_largest"):
+        return certainty.Certainty(np.nan, certainty.SINGLE)
+    first, second = (certainty.sequence(lambda run=run: means(run, name)) for run in (one, other))  # type: ignore[misc]
+    if first is not None and second is not None:
+        return certainty.of_difference(first, second)
+    halves = [_written_uncertainty(run, name) for run in (one, other)]
+    if None in halves:
+        return certainty.Certainty(np.nan, certainty.UNSAMPLED)
+    found = float(np.hypot(*np.array(halves, float)))
+    return certainty.Certainty(found, certainty.APART if np.isfinite(found) else certainty.FEW)
+
+
+def _written_uncertainty(run: Run, name: str) -> float | None:
+    """That of a mean, from the summary, nan where it says that there is none; None where it has no such member."""
+    wheel, column, which = _of_impacts(run, name)
+    signal, _, kind = name.rpartition("_")
+    try:
+        one = run.summary["impacts"][wheel][column] if column else run.summary["statistics"][signal]
+        value = one["uncertainty"]
+    except (KeyError, TypeError):
+        return None
+    return None if "mean" not in (which, kind) else float(value) if isinstance(value, numbers.Real) else np.nan
+
+
 def compare(runs: Sequence[Run]) -> pd.DataFrame:
-    """The figures of several runs side by side, with their differences.
+    """The figures of several runs side by side, with their differences and how certain these are.
 
     A frame with a row per figure and columns `meaning`, `unit`, one for each run (its folder), and for each but
-    the first `... difference` from the first one and `... difference in %`.
+    the first `... difference` from the first one, `... difference in %`, `... difference uncertainty`, half of the 95 % interval of
+    the difference or nan where that is not known, and `... certainty`, how it was found or why it is not known.
     """
     found, columns = [figures(run) for run in runs], names(runs)
     rows = list(dict.fromkeys(name for one in found for name in one))
@@ -79,9 +151,12 @@ def compare(runs: Sequence[Run]) -> pd.DataFrame:
     frame = pd.DataFrame({"meaning": [about[n][2] for n in rows], "unit": [about[n][1] for n in rows]}, index=pd.Index(rows, name="figure"))
     for column, one in zip(columns, found):
         frame[column] = [one[name][0] if name in one else np.nan for name in rows]
-    for column in columns[1:]:
+    for column, run in zip(columns[1:], runs[1:]):
         frame[f"{column} difference"] = frame[column] - frame[columns[0]]
         frame[f"{column} difference in %"] = 100. * (frame[column] / frame[columns[0]].where(frame[columns[0]] != 0.) - 1.)
+        certain = [certainty_of_difference(runs[0], run, name) for name in rows]
+        frame[f"{column} difference uncertainty"] = [one.uncertainty for one in certain]
+        frame[f"{column} certainty"] = [one.words for one in certain]
     return frame
 
 

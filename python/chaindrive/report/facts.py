@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from chaindrive import comparison, schema
+from chaindrive import certainty, comparison, schema
 from chaindrive.drive import span_title
 from chaindrive.errors import RunError
 from chaindrive.plates import plate_stresses
@@ -291,12 +291,17 @@ def costs(run: Run) -> str:
 
 
 def differences(subjects: Sequence[Subject]) -> str:
-    """Figures of several runs with what they differ by from the first one; a figure of a window that is not valid differs by nothing."""
+    """Figures of several runs with what they differ by from the first one, and how certain that is.
+
+    A figure of a window that is not valid differs by nothing.
+    """
     frame = comparison.compare([subject.run for subject in subjects])
     columns = comparison.names([subject.run for subject in subjects])
     head = ["", *(escape(subject.name) + ('<span class="difference">difference</span>' if k else "") for k, subject in enumerate(subjects))]
     frame = frame[~frame.index.isin(["steps", "wall_seconds", "driven_angle_end"])]
-    rows = []
+    rows: list[tuple[str, ...]] = []
+    unknown: dict[str, list[str]] = {}
+    found = set()
     invalid = [subject.run.window_is_valid is False for subject in subjects]
     for name, row in frame.iterrows():
         cells, of_window = [], name not in comparison.WHOLE_RUN
@@ -305,10 +310,39 @@ def differences(subjects: Sequence[Subject]) -> str:
             if of_window and invalid[number_] and np.isfinite(row[column]):
                 cell += INVALID
             elif number_ and not (of_window and invalid[0]) and np.isfinite(row[f"{column} difference in %"]):
-                cell += f'<span class="difference">{percent(row[f"{column} difference in %"])}</span>'
+                half, words = row[f"{column} difference uncertainty"], row[f"{column} certainty"]
+                cell += f'<span class="difference">{_with_interval(row[columns[0]], row[f"{column} difference"], half)}</span>'
+                if np.isfinite(half):
+                    found.add(words)
+                elif words != certainty.SINGLE:
+                    titles = unknown.setdefault(words, [])
+                    titles += [row["meaning"]] if row["meaning"] not in titles else []
             cells.append(cell)
         rows.append((escape(row["meaning"]), *cells))
-    return table(head, rows, f"Differences are those from {escape(subjects[0].name)}", "numbers")
+    return table(head, rows, f"Differences are those from {escape(subjects[0].name)}", "numbers") + _on_intervals(found, unknown)
+
+
+def _with_interval(first: float, difference: float, half: float) -> str:
+    """A difference in percent of the first run's figure, with half of its 95 % interval where that is known."""
+    if not np.isfinite(half):
+        return percent(100. * difference / first)
+    relative = 100. * difference / first
+    around = f" ± {number(abs(100. * half / first), 2)}\u00a0%"
+    chance = ", within chance" if abs(difference) <= half else ""
+    return percent(relative).removesuffix("\u00a0%") + around + chance
+
+
+def _on_intervals(found: set[str], unknown: dict[str, list[str]]) -> str:
+    """What the intervals of differences are, and which are not known."""
+    texts = []
+    if found:
+        how = "paired by phase, since these are runs of one drive at the same phases" if found == {certainty.PAIRED} else \
+            "not paired, since drives or phases differ" if found == {certainty.APART} else "paired where runs are of one drive at the same phases"
+        texts.append(f"± is half of the 95 % interval of a difference, from means over tooth periods and from single impacts in the window, {how}. "
+                     "Within chance: the interval contains zero, and a longer window or several phases would have to tell. Differences without ± are of "
+                     "one value of each run, such as the largest in a window, of which it is not known how certain they are.")
+    texts += [f"How certain differences are is {words}: {', '.join(titles)}." for words, titles in unknown.items()]
+    return sentences(texts, "fine")
 
 
 def changed_entries(subjects: Sequence[Subject]) -> str:
