@@ -5,8 +5,8 @@
 
 Fidelity `exact` stands for `reduced` without penalty. With --kinds drives have what random_kinds.py adds, and run 0.5 ms.
 
-A drive must run to its end with energy and momentum balanced, or be refused by a sentence that names an entry; anything
-else is an error: a signal, a hang, a stop without advice. Prints a line for each drive that did not run, with the message of
+A drive must run to its end with energy and momentum balanced, be refused by a sentence that names an entry, or be stopped by a
+guard with advice, which is printed; anything else is an error: a signal, a hang, a stop without advice. Prints a line for each drive that did not run, with the message of
 the program, and how many of each fidelity ran; 200 of rigid chains take three minutes on one core. Drive k of a seed is
 always the same: --only k runs it alone and keeps its results.
 """
@@ -84,7 +84,7 @@ def draw(rng, fidelity, kinds=False):
 
 
 def outcome(entries, directory, path, limit, refusals):
-    """What became of a drive, and what is wrong with that or an empty text; with refusals their sentences are printed."""
+    """What became of a drive, and what is wrong with that or an empty text; refusals are printed after the name of the drive, if any."""
     words = program.command("prm/verification/hard.prm", entries, "--output", directory, program=path)
     try:
         done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", timeout=limit)
@@ -101,8 +101,11 @@ def outcome(entries, directory, path, limit, refusals):
     named = sentence and re.search(r"[A-Z][a-z-]+/|Start|Step|Slack|Sag|teeth|links", sentence[1])
     if done.returncode == 2 and named:
         if refusals:
-            print(f"refused: {sentence[1].splitlines()[0]}", flush=True)
+            print(f"{refusals} is refused: {sentence[1].splitlines()[0]}", flush=True)
         return "refused", ""
+    if done.returncode == 3 and re.search(r"\b([Tt]ry|[Cc]hoose) ", done.stdout):
+        print(f"{' '.join(map(str, words[1:]))}\nstops with advice: {said}", flush=True)
+        return "stops with advice", ""
     return f"status {done.returncode}", said
 
 
@@ -123,7 +126,7 @@ def main():
             fidelity = fidelities[k % len(fidelities)]
             entries, kinds = draw(random.Random(f"{options.seed} {k}"), fidelity, options.kinds)
             directory = pathlib.Path(scratch) / str(k) if options.only is None else pathlib.Path(f"results/random-{k}")
-            became, fault = outcome(entries, directory, options.program, options.limit, options.refusals)
+            became, fault = outcome(entries, directory, options.program, options.limit, f"drive {k}" if options.refusals else "")
             counts[fidelity, became] += 1
             for kind in kinds:
                 of_kinds[kind, became] += 1

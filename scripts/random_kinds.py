@@ -3,7 +3,7 @@
 imperfections, misalignment, strands, loads that change. For random_drives.py --kinds."""
 import math
 
-LAYERED_ONLY = ("misalignment",)
+NOT_SIMPLE = ("misalignment",)
 NOT_FULL = ("guide", "blade")
 
 
@@ -159,6 +159,11 @@ def strands(rng, plane, entries):
     return True
 
 
+def bush_chain(rng, plane, entries):
+    entries["Drive/Chain/Rollers"] = "off"
+    return True
+
+
 def loads(rng, plane, entries):
     torque = float(entries["Loads/Resisting torque in N m"])
     entries["Loads/driver/Harmonics/Orders"] = "0.5, 2"
@@ -170,7 +175,7 @@ def loads(rng, plane, entries):
     return True
 
 
-KINDS = (idler, drum, tensioner, guide, blade, coupling, bearing, swing, imperfections, misalignment, strands, loads)
+KINDS = (idler, drum, tensioner, guide, blade, coupling, bearing, swing, imperfections, misalignment, strands, bush_chain, loads)
 APART = ({"idler", "drum", "tensioner", "blade"}, {"bearing", "swing", "imperfections"}, {"imperfections", "misalignment"})  # of each at most one
 
 
@@ -184,7 +189,7 @@ def add(rng, fidelity, pitch, radii, entries):
         name = kind.__name__
         if any(name in group and group & set(added) for group in APART):
             continue
-        if (name in LAYERED_ONLY and fidelity != "layered") or (name in NOT_FULL and fidelity == "full"):
+        if (name in NOT_SIMPLE and fidelity == "simple") or (name in NOT_FULL and fidelity == "full"):
             continue
         if kind(rng, plane, entries):
             added.append(name)

@@ -165,10 +165,13 @@ std::string find_overlap(const Layout                 &layout,
           if (const double gap = nearest.distance - radius; gap < -overlap_tolerance)
             return "roller " + std::to_string(k) + " overlaps gap " +
                    std::to_string(nearest.tooth_gap) + " of the " + sprockets.list[i].in_words() +
-                   " by " + in_mm(-gap) +
-                   " at the start: chain and sprocket do not fit (loaded pitch " +
-                   in_mm(chain.loaded_pitch()) + ", bottom diameter " + in_mm(form.root_diameter) +
-                   ").";
+                   " by " + in_mm(-gap) + " at the start: " +
+                   (joint.sprocket < 0 ?
+                        "it is beside its wheel in a span; choose another Layout/Start phase, less "
+                        "slack or more links." :
+                        "chain and sprocket do not fit (loaded pitch " +
+                            in_mm(chain.loaded_pitch()) + ", bottom diameter " +
+                            in_mm(form.root_diameter) + ").");
         }
       const double offset = joint.bush.distance(joint.roller);
       if (clearances && offset > chain.roller_clearance() + overlap_tolerance)

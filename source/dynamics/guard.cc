@@ -335,7 +335,10 @@ void Guard::observe(const System       &system,
       finding = {
           "Bodies run through each other",
           "Try a smaller Time/Time step in us, or a stiffer contact: Contact/Roller-tooth "
-          "stiffness in N/m, Roller-bush stiffness in N/m, of elastic bodies Penalty factor.",
+          "stiffness in N/m, Roller-bush stiffness in N/m, of elastic bodies Penalty factor" +
+              std::string(scene_.guides.empty() ?
+                              "." :
+                              ", of a guide its Stiffness in N/m in Drive/Wheels/.../Guide."),
           faults_of_penetration(scene_, system)};
     }
   else if (!energy_.closes(world.ledger, smallest_turned_over(dt)))

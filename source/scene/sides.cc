@@ -114,25 +114,26 @@ nodes_beside_tooth(const drive::ChainDimensions &chain, const mesh::Part &part, 
   return found;
 }
 
-/// The faces with which elastic links, rollers and rigid teeth keep each other in place: their
-/// nodes touch. Those of plates on plates are there.
-void add_elastic_sides(const model::Model &model, const drive::Drive &drive, Scene &scene)
+double thickness_at(const mesh::Part &part, const mesh::Surface side)
 {
-  const drive::ChainDimensions &chain = drive.chain;
-  const mesh::Part             &inner = *scene.parts.at(Kind::inner_link),
-                   &roller            = *scene.parts.at(Kind::roller);
-  const auto thickness                = [](const mesh::Part &part, const mesh::Surface side) {
-    return mesh::SurfaceNodes(part, mesh::Nodes(part), side).thickness;
-  };
-  const double of_plate = thickness(inner, mesh::plate_inner_faces),
-               of_ends  = thickness(roller, mesh::roller_ends);
+  return mesh::SurfaceNodes(part, mesh::Nodes(part), side).thickness;
+}
+
+/// The same with elastic links and rollers, whose nodes touch.
+void add_elastic_roller_ends(const model::Model &model, const drive::Drive &drive, Scene &scene)
+{
+  const mesh::Part &inner  = *scene.parts.at(Kind::inner_link),
+                   &roller = *scene.parts.at(Kind::roller);
 
   FaceFamily ends;
   ends.interface = Interface::roller_ends;
   ends.name      = parameters::text_of(ends.interface);
-  ends.radius    = 0.5 * chain.roller_diameter;
-  ends.law       = make_face_law(
-      model, drive, ring_area(ends.radius, 0.5 * chain.roller_bore), std::max(of_plate, of_ends));
+  ends.radius    = 0.5 * drive.chain.roller_diameter;
+  ends.law       = make_face_law(model,
+                           drive,
+                           ring_area(ends.radius, 0.5 * drive.chain.roller_bore),
+                           std::max(thickness_at(inner, mesh::plate_inner_faces),
+                                    thickness_at(roller, mesh::roller_ends)));
   for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
     {
       const Joint joint = joint_of(k, drive, scene.drive);
@@ -145,6 +146,16 @@ void add_elastic_sides(const model::Model &model, const drive::Drive &drive, Sce
                             k});
     }
   scene.faces.push_back(std::move(ends));
+}
+
+/// The faces with which elastic links, rollers and rigid teeth keep each other in place: their
+/// nodes touch. Those of plates on plates are there.
+void add_elastic_sides(const model::Model &model, const drive::Drive &drive, Scene &scene)
+{
+  const drive::ChainDimensions &chain = drive.chain;
+  const mesh::Part             &inner = *scene.parts.at(Kind::inner_link);
+  if (chain.has_rollers)
+    add_elastic_roller_ends(model, drive, scene);
   for (unsigned int i = 0; i < drive.sprockets.size(); ++i)
     {
       ToothSideFamily sides = tooth_sides(drive, scene, i);
@@ -157,7 +168,7 @@ void add_elastic_sides(const model::Model &model, const drive::Drive &drive, Sce
           model,
           drive,
           0.5 * std::accumulate(touching.area.begin(), touching.area.end(), 0.), // of both plates
-          of_plate);
+          thickness_at(inner, mesh::plate_inner_faces));
       const double radius =
           std::hypot(0.5 * chain.pitch, 0.5 * chain.inner_plate_height, 0.5 * chain.inner_width);
       sides.slaves.clear();
