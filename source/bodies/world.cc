@@ -191,11 +191,20 @@ void World::clear_forces()
 
 void World::clear_resultants()
 {
-  // not by the vectors' own assignment, which starts a loop over threads
-  std::fill_n(force.begin(), force.locally_owned_size(), 0.);
-  std::fill_n(moment.begin(), moment.locally_owned_size(), 0.);
   if (planar != nullptr)
     planar->clear_forces();
+  if (planar != nullptr && !planar->others_act())
+    {
+      for (const Hub &hub : hubs) // nothing else is acted on here
+        for (Vector *vector : {&force, &moment})
+          std::fill_n(vector->begin() + 3 * hub.body, 3, 0.);
+    }
+  else
+    {
+      // not by the vectors' own assignment, which starts a loop over threads
+      std::fill_n(force.begin(), force.locally_owned_size(), 0.);
+      std::fill_n(moment.begin(), moment.locally_owned_size(), 0.);
+    }
   for (Rim &rim : rims)
     rim.momentum = dealii::Tensor<1, 3>();
   ledger.clear_stored();
@@ -204,7 +213,7 @@ void World::clear_resultants()
 
 void World::sum_over_ranks(const std::initializer_list<Summands> others)
 {
-  if (planar != nullptr)
+  if (planar != nullptr && planar->others_act())
     planar->complete_forces(*this);
   if (n_ranks_ == 1 && !symmetry.is_active())
     return;

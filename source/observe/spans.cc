@@ -3,17 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace chaindrive::observe
 {
 namespace
 {
-const Frame &
-frame_of(const dynamics::System &system, const scene::DriveView &drive, const unsigned int joint)
-{
-  return system.world.frames[drive.rollers[joint]];
-}
-
 /// A point of the axis about which @p body turns.
 dealii::Tensor<1, 3> shaft_of(const scene::Body &body)
 {
@@ -26,6 +21,7 @@ Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
     , spans_(scene.drive.spans.size())
     , tension_(scene.drive.n_joints, 0.)
     , n_links_(scene.drive.spans.size())
+    , member_(scene.drive.n_joints)
 {
   const scene::DriveView &drive = scene.drive;
   if (drive.spans.empty())
@@ -42,12 +38,24 @@ Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
                          // inside of the normal where the sprocket turns against the drive
                          from.sense * drive.sense * from.pitch_radius});
     }
+  for (const scene::Span &span : drive.spans)
+    for (const dealii::Tensor<1, 3> &axis : {span.along, span.normal, span.direction})
+      steepest_ = std::max(steepest_, axis.norm());
   driver_   = shaft_of(scene.bodies[drive.driver().body]);
   mirrored_ = drive.tight().normal -
               2. * (drive.tight().normal * drive.tight().along) * drive.tight().along;
   joints_ = system.contacts.find(scene::Interface::bush_pin);
-  if (!joints_.empty())
-    pin_force_.resize(drive.n_joints);
+  if (joints_.empty())
+    return;
+  pin_force_.resize(drive.n_joints);
+  for (const unsigned int link : drive.links)
+    {
+      const scene::Body &body = scene.bodies[link];
+      // pins belong to outer links; bushes feel the opposite force
+      links_.push_back({link,
+                        body.motion == scene::Motion::elastic,
+                        body.kind == scene::Kind::outer_link ? 0.5 : -0.5});
+    }
 }
 
 void Spans::joint_forces(const dynamics::System &system)
@@ -61,40 +69,55 @@ void Spans::joint_forces(const dynamics::System &system)
   for (unsigned int k = 0; k < n; ++k)
     {
       dealii::Tensor<1, 3> axis;
-      const unsigned int   link = scene_.drive.links[k];
-      if (scene_.bodies[link].motion == scene::Motion::elastic)
+      const Link          &link = links_[k];
+      if (link.elastic)
         { // an elastic link has no axis but the line through its joints
-          axis = frame_of(system, scene_.drive, (k + 1) % n).position -
-                 frame_of(system, scene_.drive, k).position;
+          axis = system.world.position_of(scene_.drive.rollers[(k + 1) % n]) -
+                 system.world.position_of(scene_.drive.rollers[k]);
           axis /= axis.norm();
+        }
+      else if (const PlanarBodies *planar = system.world.planar;
+               planar != nullptr && planar->slot_of(link.body) != PlanarBodies::none)
+        {
+          const dealii::Tensor<1, 2> in_plane = planar->rotation(planar->slot_of(link.body));
+          axis[0]                             = in_plane[0];
+          axis[1]                             = in_plane[1];
         }
       else
         for (unsigned int d = 0; d < 3; ++d)
-          axis[d] = system.world.frames[link].rotation[d][0];
-      // pins belong to outer links; bushes feel the opposite force
-      const double sign = scene_.bodies[link].kind == scene::Kind::outer_link ? 0.5 : -0.5;
-      tension_[k]       = sign * ((pin_force_[(k + 1) % n] - pin_force_[k]) * axis);
+          axis[d] = system.world.frames[link.body].rotation[d][0];
+      tension_[k] = link.share * ((pin_force_[k + 1 < n ? k + 1 : 0] - pin_force_[k]) * axis);
     }
 }
 
-unsigned int Spans::span_of(const Frame &first, const Frame &second) const
+unsigned int Spans::span_of(const dealii::Tensor<1, 3> &first,
+                            const dealii::Tensor<1, 3> &second,
+                            double                     &holds) const
 {
   const scene::DriveView    &drive  = scene_.drive;
-  const dealii::Tensor<1, 3> middle = 0.5 * (first.position + second.position),
-                             travel = second.position - first.position;
-  const auto   none                 = static_cast<unsigned int>(drive.spans.size());
-  unsigned int found                = none;
-  double       nearest              = 0.;
-  bool         counts               = false;
+  const dealii::Tensor<1, 3> middle = 0.5 * (first + second), travel = second - first;
+  const auto                 none    = static_cast<unsigned int>(drive.spans.size());
+  unsigned int               found   = none;
+  double                     nearest = 0.;
+  bool                       counts  = false;
+  holds                              = std::numeric_limits<double>::max();
   for (unsigned int s = 0; s < none; ++s)
     {
-      const scene::Span         &span  = drive.spans[s];
-      const Place               &place = places_[s];
-      const dealii::Tensor<1, 3> arm   = middle - place.from;
-      const double               aside = std::abs(arm * span.along - place.middle);
-      if (aside > place.half_length || travel * span.direction <= 0.)
-        continue;
+      const scene::Span         &span    = drive.spans[s];
+      const Place               &place   = places_[s];
+      const dealii::Tensor<1, 3> arm     = middle - place.from;
+      const double               aside   = std::abs(arm * span.along - place.middle);
+      const double               forward = travel * span.direction;
+      if (aside > place.half_length || forward <= 0.)
+        { // as long as one of the two is so
+          holds = std::min(holds, std::max(aside - place.half_length, -0.5 * forward));
+          continue;
+        }
+      holds = std::min(
+          {holds, place.half_length - aside, std::abs(place.half_middle - aside), 0.5 * forward});
       const double away = std::abs(arm * span.normal - place.straight);
+      if (found != none)
+        holds = std::min(holds, 0.5 * std::abs(away - nearest));
       if (found == none || away < nearest)
         {
           found   = s;
@@ -102,7 +125,35 @@ unsigned int Spans::span_of(const Frame &first, const Frame &second) const
           counts  = aside <= place.half_middle;
         }
     }
+  holds /= steepest_;
   return counts ? found : none;
+}
+
+void Spans::find_members(const World &world)
+{
+  const double way = world.planar != nullptr ? world.planar->travelled() : 0.;
+  if (world.planar != nullptr && way < first_to_look_at_)
+    return;
+  constexpr double                 round_off = 1e-9; // of places, m
+  const std::vector<unsigned int> &rollers   = scene_.drive.rollers;
+  const unsigned int               n         = scene_.drive.n_joints;
+  members_.clear();
+  first_to_look_at_ = std::numeric_limits<double>::max();
+  for (unsigned int k = 0; k < n; ++k)
+    {
+      Member &member = member_[k];
+      if (world.planar == nullptr || way >= member.until)
+        {
+          double holds;
+          member.span  = span_of(world.position_of(rollers[k]),
+                                world.position_of(rollers[k + 1 < n ? k + 1 : 0]),
+                                holds);
+          member.until = way + std::max(0., holds - round_off);
+        }
+      if (member.span < spans_.size())
+        members_.emplace_back(k, member.span);
+      first_to_look_at_ = std::min(first_to_look_at_, member.until);
+    }
 }
 
 void Spans::update(const dynamics::System &system)
@@ -113,21 +164,21 @@ void Spans::update(const dynamics::System &system)
   else if (system.bars.size() == n)
     tension_ = system.bars.tension();
 
+  find_members(system.world);
   std::fill(spans_.begin(), spans_.end(), Span());
   std::fill(n_links_.begin(), n_links_.end(), 0);
-  for (unsigned int k = 0; k < n; ++k)
+  for (const auto &[k, s] : members_)
     {
-      const Frame       &first  = frame_of(system, scene_.drive, k);
-      const Frame       &second = frame_of(system, scene_.drive, (k + 1) % n);
-      const unsigned int s      = span_of(first, second);
-      if (s == spans_.size())
-        continue;
-      const scene::Span &along = scene_.drive.spans[s];
-      Span              &span  = spans_[s];
+      const unsigned int roller        = scene_.drive.rollers[k],
+                         next          = scene_.drive.rollers[k + 1 < n ? k + 1 : 0];
+      const dealii::Tensor<1, 3> arm   = system.world.position_of(roller) - driver_;
+      const scene::Span         &along = scene_.drive.spans[s];
+      Span                      &span  = spans_[s];
       span.tension += tension_[k];
-      span.speed += 0.5 * (first.velocity + second.velocity) * along.direction;
-      span.offset += (first.position - driver_) * along.normal;
-      span.inward += (first.position - driver_) * mirrored_;
+      span.speed += 0.5 * (system.world.velocity_of(roller) + system.world.velocity_of(next)) *
+                    along.direction;
+      span.offset += arm * along.normal;
+      span.inward += arm * mirrored_;
       ++n_links_[s];
     }
   for (unsigned int s = 0; s < spans_.size(); ++s)
