@@ -45,6 +45,7 @@ public:
       services.stop_run();
   }
 
+  bool        asks_for_bodies() const override { return true; }
   std::string name() const override { return "stopwatch"; }
 
   unsigned long steps() const { return last_ > first ? last_ - first : 0; }

@@ -53,6 +53,7 @@ public:
   }
 
   bool reads_contacts() const override { return false; }
+  bool reads_bodies() const override { return false; } // of hubs all is known
 
   void add_channels(observe::Channels &channels) override
   {

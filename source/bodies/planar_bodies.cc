@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -86,11 +87,19 @@ void PlanarBodies::kick(World & /*world*/, const double h) { kernels_.kick(slots
 void PlanarBodies::drift(World & /*world*/, const Step &step)
 {
   fastest_square_ = kernels_.drift(slots(), step.dt);
+  travelled_ += step.dt * std::sqrt(fastest_square_);
 }
 
-void PlanarBodies::finish(World &world, const Step & /*step*/)
+void PlanarBodies::finish(World & /*world*/, const Step & /*step*/) { is_behind_ = true; }
+
+void PlanarBodies::update(World &world)
 {
+  if (!is_behind_)
+    return;
+  is_behind_ = false;
   publish(world);
+  if (!others_act_)
+    write_forces(world);
   double *u = world.displacement.begin(), *v = world.velocity.begin();
   for (unsigned int i = 0; i < bodies_.size(); ++i)
     for (unsigned int d = 0; d < 2; ++d)
@@ -143,6 +152,18 @@ void PlanarBodies::complete_forces(World &world)
     }
 }
 
+void PlanarBodies::write_forces(World &world) const
+{
+  double *force = world.force.begin(), *moment = world.moment.begin();
+  for (unsigned int i = 0; i < bodies_.size(); ++i)
+    {
+      const unsigned int b = bodies_[i];
+      for (unsigned int d = 0; d < 2; ++d)
+        force[3 * b + d] = of(planar_force + d)[i];
+      moment[3 * b + 2] = of(planar_moment)[i];
+    }
+}
+
 void PlanarBodies::take_forces(const World &world)
 {
   const double *force = world.force.begin(), *moment = world.moment.begin();
@@ -158,6 +179,10 @@ void PlanarBodies::take_forces(const World &world)
 void PlanarBodies::serialize(const Archive &archive, World & /*world*/)
 {
   archive.numbers("planar", state_.begin(), state_.size());
+  if (!archive.reads())
+    return;
+  is_behind_ = false; // World was written with it
+  travelled_ += 1e3;  // bodies are somewhere else now, nearer than that
 }
 
 std::size_t PlanarBodies::memory_consumption() const

@@ -193,11 +193,20 @@ void World::clear_forces()
 
 void World::clear_resultants()
 {
-  // not by the vectors' own assignment, which starts a loop over threads
-  std::fill_n(force.begin(), force.locally_owned_size(), 0.);
-  std::fill_n(moment.begin(), moment.locally_owned_size(), 0.);
   if (planar != nullptr)
     planar->clear_forces();
+  if (planar != nullptr && !planar->others_act())
+    {
+      for (const Hub &hub : hubs) // nothing else is acted on here
+        for (Vector *vector : {&force, &moment})
+          std::fill_n(vector->begin() + 3 * hub.body, 3, 0.);
+    }
+  else
+    {
+      // not by the vectors' own assignment, which starts a loop over threads
+      std::fill_n(force.begin(), force.locally_owned_size(), 0.);
+      std::fill_n(moment.begin(), moment.locally_owned_size(), 0.);
+    }
   for (Rim &rim : rims)
     rim.momentum = dealii::Tensor<1, 3>();
   ledger.clear_stored();
@@ -206,7 +215,7 @@ void World::clear_resultants()
 
 void World::sum_over_ranks(const std::initializer_list<Summands> others)
 {
-  if (planar != nullptr)
+  if (planar != nullptr && planar->others_act())
     planar->complete_forces(*this);
   if (n_ranks_ == 1 && !symmetry.is_active())
     return;
@@ -318,5 +327,32 @@ std::size_t World::memory_consumption() const
                          groups.all().end(),
                          std::size_t(0),
                          [](auto sum, const auto &g) { return sum + g->memory_consumption(); });
+}
+
+dealii::Tensor<1, 3> World::position_of(const unsigned int      body,
+                                        const dealii::Point<3> &local) const
+{
+  if (planar == nullptr || planar->slot_of(body) == PlanarBodies::none)
+    return frames[body].position + frames[body].rotation * dealii::Tensor<1, 3>(local);
+  const unsigned int         slot = planar->slot_of(body);
+  const dealii::Tensor<1, 2> turn = planar->rotation(slot);
+  dealii::Tensor<1, 3>       at   = position_of(body);
+  at[0] += turn[0] * local[0] - turn[1] * local[1];
+  at[1] += turn[1] * local[0] + turn[0] * local[1];
+  at[2] += local[2];
+  return at;
+}
+
+dealii::Tensor<1, 3> World::velocity_of(const unsigned int      body,
+                                        const dealii::Point<3> &local) const
+{
+  const dealii::Tensor<1, 3> arm = position_of(body, local) - position_of(body);
+  if (planar == nullptr || planar->slot_of(body) == PlanarBodies::none)
+    return frames[body].velocity + cross_product_3d(frames[body].angular_velocity, arm);
+  const double         spin = planar->spin(planar->slot_of(body));
+  dealii::Tensor<1, 3> v    = velocity_of(body);
+  v[0] -= spin * arm[1];
+  v[1] += spin * arm[0];
+  return v;
 }
 } // namespace chaindrive

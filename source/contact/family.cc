@@ -18,6 +18,14 @@ void Family::add_joint_forces(std::vector<dealii::Tensor<1, 3>> &forces) const
     forces[record.joint] += record.force;
 }
 
+double Family::deepest() const
+{
+  double deepest = -std::numeric_limits<double>::max();
+  for (const Record &record : records())
+    deepest = std::max(deepest, -record.gap);
+  return deepest;
+}
+
 double Family::add_normal_forces(std::vector<double> &forces) const
 {
   double deepest = 0.;

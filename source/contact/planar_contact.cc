@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace chaindrive::contact
@@ -76,6 +77,15 @@ void PlanarContact::make_places(std::vector<unsigned int> first, const std::vect
   first_pair_ = std::move(first);
   touch_.resize_fast(n_planar_touch_entries * n_places());
   std::copy(room.begin(), room.end(), of(planar_touch_room));
+  joint_.assign(n_places(), 0);
+  slave_.assign(n_places(), 0);
+  for (unsigned int place = 0; place < n_places(); ++place)
+    if (first_pair_[place] != none)
+      {
+        joint_[place] = records_[first_pair_[place]].joint;
+        slave_[place] = records_[first_pair_[place]].slave;
+      }
+  presses_are_known_ = false;
   take_states();
 }
 
@@ -152,9 +162,9 @@ void PlanarContact::add_joint_forces(std::vector<dealii::Tensor<1, 3>> &forces) 
   const double *normal = of(planar_touch_normal), *tangential = of(planar_touch_tangential),
                *x = of(planar_touch_direction), *y = of(planar_touch_direction + 1);
   for (unsigned int place = 0; place < n_places(); ++place)
-    if (first_pair_[place] != none && normal[place] > 0.)
+    if (normal[place] > 0.) // nowhere without a contact
       {
-        dealii::Tensor<1, 3> &force = forces[records_[first_pair_[place]].joint];
+        dealii::Tensor<1, 3> &force = forces[joint_[place]];
         force[0] += normal[place] * x[place] - tangential[place] * y[place];
         force[1] += normal[place] * y[place] + tangential[place] * x[place];
       }
@@ -164,13 +174,49 @@ double PlanarContact::add_normal_forces(std::vector<double> &forces) const
 {
   double        deepest = 0.;
   const double *normal = of(planar_touch_normal), *penetration = of(planar_touch_penetration);
+  for (unsigned int place = 0; place < n_places(); ++place) // nothing where there is no contact
+    {
+      forces[joint_[place]] += normal[place];
+      deepest = std::max(deepest, penetration[place]);
+    }
+  return deepest;
+}
+
+double PlanarContact::deepest() const
+{
+  const double *gap   = of(planar_touch_gap);
+  double        least = std::numeric_limits<double>::max();
   for (unsigned int place = 0; place < n_places(); ++place)
     if (first_pair_[place] != none)
+      least = std::min(least, gap[place]);
+  return -least;
+}
+
+const std::vector<SurfaceContact::Press> &PlanarContact::presses() const
+{
+  if (presses_are_known_)
+    return presses_;
+  presses_are_known_ = true;
+  presses_.clear();
+  const double  share = 1. / multiplicity_;
+  const double *gap   = of(planar_touch_gap);
+  for (unsigned int place = 0; place < n_places(); ++place)
+    if (gap[place] < 0. && first_pair_[place] != none)
       {
-        forces[records_[first_pair_[place]].joint] += normal[place];
-        deepest = std::max(deepest, penetration[place]);
+        const double normal     = share * of(planar_touch_normal)[place],
+                     tangential = share * of(planar_touch_tangential)[place];
+        const double x          = of(planar_touch_direction)[place],
+                     y          = of(planar_touch_direction + 1)[place];
+        Press press{
+            slave_[place], joint_[place], feature_at(place), multiplicity_, 0., gap[place], {}, {}};
+        press.force[0]     = normal * x - tangential * y;
+        press.force[1]     = normal * y + tangential * x;
+        press.direction[0] = x;
+        press.direction[1] = y;
+        press.normal       = press.force * press.direction;
+        presses_.push_back(press);
       }
-  return deepest;
+  return presses_;
 }
 
 PlanarContacts PlanarContact::arguments(const double radius, const double dt)
@@ -265,7 +311,7 @@ void PlanarBores::add_forces(World &world, const double dt)
   for (const Run &run : runs_)
     kernels_.press_bores(world.planar->slots(), arguments(run.radius, dt), run.run, energies);
   book(energies, world);
-  records_are_stale();
+  forces_are_new();
 }
 
 std::unique_ptr<PlanarFlanks> PlanarFlanks::make(const scene::ToothFamily   &teeth,
@@ -386,6 +432,6 @@ void PlanarFlanks::add_forces(World &world, const double dt)
     world.force.local_element(3 * body + d) += teeth.force[d];
   world.moment.local_element(3 * body + 2) += teeth.moment;
   book(energies, world);
-  records_are_stale();
+  forces_are_new();
 }
 } // namespace chaindrive::contact

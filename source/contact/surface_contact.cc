@@ -45,6 +45,24 @@ void SurfaceContact::search(const World &world, const double reach)
     }
 }
 
+const std::vector<SurfaceContact::Press> &SurfaceContact::presses() const
+{
+  presses_.clear();
+  for (const unsigned int i : near_)
+    {
+      const Record &record = records()[i];
+      presses_.push_back({record.slave,
+                          record.joint,
+                          record.feature,
+                          1,
+                          record.force * record.normal,
+                          record.gap,
+                          record.force,
+                          record.normal});
+    }
+  return presses_;
+}
+
 void SurfaceContact::serialize(const Archive &archive, const unsigned int rank)
 {
   Family::serialize(archive, rank);

@@ -195,6 +195,7 @@ std::vector<FaultSite> Guard::suspects(const System   &system,
                                        const double    dt,
                                        Services       &services) const
 {
+  services.update_bodies();
   services.gather_records();
   std::vector<FaultSite> places = faults_of_balance(scene_, system, last, dt);
   return places.empty() ? extremes(scene_, system) : places;
@@ -205,6 +206,7 @@ Guard::Finding Guard::ledger_does_not_close(const System &system, Services &serv
   const double imbalance = system.world.ledger.imbalance();
   if (!std::isfinite(imbalance))
     {
+      services.update_bodies();
       services.gather_records();
       return {
           "The energy balance is not a number", smaller_step, faults_not_finite(scene_, system)};
@@ -296,12 +298,8 @@ Guard::look_at_energy(const System &system, const double dt, Services &services)
 bool Guard::overlaps(const System &system) const
 {
   for (const auto &family : system.contacts.families())
-    {
-      const double accepted = family->penetration_limit();
-      for (const contact::Record &record : family->records())
-        if (-record.gap > accepted)
-          return true;
-    }
+    if (family->deepest() > family->penetration_limit())
+      return true;
   return false;
 }
 
@@ -331,6 +329,7 @@ void Guard::observe(const System       &system,
   std::optional<Finding> finding;
   if (services.asked(Request::alarm))
     {
+      services.update_bodies();
       services.gather_records();
       finding = {
           "Bodies run through each other",
@@ -350,11 +349,13 @@ void Guard::observe(const System       &system,
       hub_impulse_ += 0.5 * dt * (before + hub_force_);
       if (++calls_ == interval)
         {
-          calls_  = 0;
+          calls_ = 0;
+          services.update_bodies();
           finding = update(system, dt, services);
         }
       else if (calls_ + 1 == interval)
         {
+          services.update_bodies();
           last_.velocity.assign(world.velocity.begin(), world.velocity.end());
           last_.force.assign(world.force.begin(), world.force.end());
         }

@@ -10,6 +10,8 @@ void Services::ask(const Request request) { system_.requests.ask(request); }
 
 bool Services::asked(const Request request) const { return system_.requests.asked(request); }
 
+void Services::update_bodies() { system_.world.update_bodies(); }
+
 void Services::gather_records() { system_.contacts.gather_records(system_.world); }
 
 void Services::write_state(const Archive &archive)

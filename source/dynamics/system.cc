@@ -6,6 +6,7 @@
 #include <chaindrive/forces/shaft.h>
 #include <chaindrive/forces/tensioner.h>
 #include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/ranks.h>
 
 namespace chaindrive::dynamics
 {
@@ -34,6 +35,8 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
     rim.find_seam(world.copies[rim.group]);
   publishes_ = world.planar != nullptr &&
                (!forces.empty() || contacts.reads_frames() || bars.reads_frames(world));
+  if (world.planar != nullptr)
+    world.planar->set_others_act(publishes_ || n_ranks_in(comm) > 1 || world.symmetry.is_active());
   const bool strained = scene.at_speed && world.has_elastic_bodies();
   if (strained)
     Relaxation(scene, comm).strain(world);
@@ -152,6 +155,8 @@ void System::evaluate(const Step &step)
 void System::evaluate_forces(const double dt)
 {
   evaluate({dt, world.time, loads.gravity(), loads.drag(), nullptr, false});
+  if (world.planar != nullptr && !world.planar->others_act())
+    world.planar->write_forces(world);
   close_ledger();
 }
 
@@ -161,6 +166,12 @@ void System::evaluate_and_move(const double dt)
 }
 
 void System::advance(const double dt, const double new_time)
+{
+  advance_without_update(dt, new_time);
+  world.update_bodies();
+}
+
+void System::advance_without_update(const double dt, const double new_time)
 {
   const PhaseTimer::Scope scope(timer, integration_);
   const Step              step = make_step(dt, new_time);
@@ -193,6 +204,7 @@ void System::close_ledger() { world.ledger.kinetic += world.kinetic_energy(); }
 
 void System::serialize(const Archive &archive)
 {
+  world.update_bodies();
   archive("started", started_);
   if (archive.reads())
     forces_on_nodes_ = false;

@@ -28,6 +28,10 @@ unsigned long run(System                        &system,
                   unsigned long                  done)
 {
   Services   services(system);
+  const bool all_ask =
+      std::all_of(observers.begin(), observers.end(), [](const Observer *observer) {
+        return observer->asks_for_bodies();
+      });
   const auto goes_on = [&](const unsigned long step, const double led_here) {
     for (Observer *observer : observers)
       observer->observe(system, step, led_here, services);
@@ -38,9 +42,13 @@ unsigned long run(System                        &system,
   while (going && done < last)
     {
       ++done;
-      system.advance(dt, start + done * dt);
+      if (all_ask)
+        system.advance_without_update(dt, start + done * dt);
+      else
+        system.advance(dt, start + done * dt);
       going = goes_on(done, dt);
     }
+  system.world.update_bodies();
   return done;
 }
 } // namespace chaindrive::dynamics

@@ -43,6 +43,7 @@ void FieldOutput::observe(const dynamics::System &system,
   const PhaseTimer::Scope scope(services.timer(), phase_);
   if (!schedule_.due(system.world.time))
     return;
+  services.update_bodies();
   services.gather_records();
   write(system);
 }

@@ -29,9 +29,10 @@ Observation::Observation(const scene::Scene     &scene,
     roller_bodies.push_back(scene.drive.rollers[joint]);
 }
 
-void Observation::next(const double dt)
+void Observation::next(const double dt, dynamics::Services *services)
 {
   dt_          = dt;
+  services_    = services;
   spans_known_ = pressures_known_ = false;
   window_.update(*this);
 }

@@ -52,10 +52,14 @@ Recorder::Recorder(const scene::Scene     &scene,
              model.output.until.empty() ? files::Json() : means_at_start(quantities_),
              pitches_per_period)
     , questions_(model.time.start, until_.is_asked() ? scene.pitch_time() : 0.)
-    , reads_contacts_(
-          now_.window().waits() ||
+    , reads_contacts_(now_.window().waits() || std::any_of(quantities_.begin(),
+                                                           quantities_.end(),
+                                                           [](const NamedQuantity &item) {
+                                                             return item.quantity->reads_contacts();
+                                                           }))
+    , reads_bodies_(
           std::any_of(quantities_.begin(), quantities_.end(), [](const NamedQuantity &item) {
-            return item.quantity->reads_contacts();
+            return item.quantity->reads_bodies();
           }))
 {
 }
@@ -94,15 +98,21 @@ void Recorder::observe(const dynamics::System &system,
   const PhaseTimer::Scope scope(services.timer(), phase_);
   if (reads_contacts_) // at every step, since peaks, means and engagements are of every step
     services.gather_records();
-  now_.next(dt);
+  const bool sample = takes_samples_ && samples_.due(now_.time());
+  if (reads_bodies_ || sample)
+    services.update_bodies();
+  now_.next(dt, &services);
   if (system.world.is_first_rank())
     for (const NamedQuantity &item : quantities_)
       item.quantity->update();
 
-  if (takes_samples_ && samples_.due(now_.time()))
+  if (sample)
     take_sample();
-  if (questions_.due(now_.time()) && is_known())
-    knows_enough_ = true;
+  if (questions_.due(now_.time()))
+    {
+      services.update_bodies();
+      knows_enough_ = is_known() || knows_enough_;
+    }
   if (knows_enough_ || now_.window().is_full(now_.time()))
     services.stop_run();
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/roller_motion.h>
 #include <chaindrive/observe/spans.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace chaindrive::observe
 {
@@ -20,6 +22,7 @@ Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
     , spans_(scene.drive.spans.size())
     , tension_(scene.drive.n_joints, 0.)
     , n_links_(scene.drive.spans.size())
+    , member_(scene.drive.n_joints)
 {
   const scene::DriveView &drive = scene.drive;
   if (drive.spans.empty())
@@ -36,12 +39,24 @@ Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
                          // inside of the normal where the sprocket turns against the drive
                          from.sense * drive.sense * from.pitch_radius});
     }
+  for (const scene::Span &span : drive.spans)
+    for (const dealii::Tensor<1, 3> &axis : {span.along, span.normal, span.direction})
+      steepest_ = std::max(steepest_, axis.norm());
   driver_   = shaft_of(scene.bodies[drive.driver().body]);
   mirrored_ = drive.tight().normal -
               2. * (drive.tight().normal * drive.tight().along) * drive.tight().along;
   joints_ = system.contacts.find(scene::Interface::bush_pin);
-  if (!joints_.empty())
-    pin_force_.resize(drive.n_joints);
+  if (joints_.empty())
+    return;
+  pin_force_.resize(drive.n_joints);
+  for (const unsigned int link : drive.links)
+    {
+      const scene::Body &body = scene.bodies[link];
+      // pins belong to outer links; bushes feel the opposite force
+      links_.push_back({link,
+                        body.motion == scene::Motion::elastic,
+                        body.kind == scene::Kind::outer_link ? 0.5 : -0.5});
+    }
 }
 
 void Spans::joint_forces(const dynamics::System &system)
@@ -52,44 +67,58 @@ void Spans::joint_forces(const dynamics::System &system)
     family->add_joint_forces(pin_force_);
 
   const unsigned int n = scene_.drive.n_joints;
-  Frame              here, there;
   for (unsigned int k = 0; k < n; ++k)
     {
       dealii::Tensor<1, 3> axis;
-      const unsigned int   link = scene_.drive.links[k];
-      if (scene_.bodies[link].motion == scene::Motion::elastic)
+      const Link          &link = links_[k];
+      if (link.elastic)
         { // an elastic link has no axis but the line through its joints
-          axis = scene_.drive.roller((k + 1) % n, system.world.frames, there).position -
-                 scene_.drive.roller(k, system.world.frames, here).position;
+          axis = roller_position(scene_.drive, system.world, (k + 1) % n) -
+                 roller_position(scene_.drive, system.world, k);
           axis /= axis.norm();
+        }
+      else if (const PlanarBodies *planar = system.world.planar;
+               planar != nullptr && planar->slot_of(link.body) != PlanarBodies::none)
+        {
+          const dealii::Tensor<1, 2> in_plane = planar->rotation(planar->slot_of(link.body));
+          axis[0]                             = in_plane[0];
+          axis[1]                             = in_plane[1];
         }
       else
         for (unsigned int d = 0; d < 3; ++d)
-          axis[d] = system.world.frames[link].rotation[d][0];
-      // pins belong to outer links; bushes feel the opposite force
-      const double sign = scene_.bodies[link].kind == scene::Kind::outer_link ? 0.5 : -0.5;
-      tension_[k]       = sign * ((pin_force_[(k + 1) % n] - pin_force_[k]) * axis);
+          axis[d] = system.world.frames[link.body].rotation[d][0];
+      tension_[k] = link.share * ((pin_force_[k + 1 < n ? k + 1 : 0] - pin_force_[k]) * axis);
     }
 }
 
-unsigned int Spans::span_of(const Frame &first, const Frame &second) const
+unsigned int Spans::span_of(const dealii::Tensor<1, 3> &first,
+                            const dealii::Tensor<1, 3> &second,
+                            double                     &holds) const
 {
   const scene::DriveView    &drive  = scene_.drive;
-  const dealii::Tensor<1, 3> middle = 0.5 * (first.position + second.position),
-                             travel = second.position - first.position;
-  const auto   none                 = static_cast<unsigned int>(drive.spans.size());
-  unsigned int found                = none;
-  double       nearest              = 0.;
-  bool         counts               = false;
+  const dealii::Tensor<1, 3> middle = 0.5 * (first + second), travel = second - first;
+  const auto                 none    = static_cast<unsigned int>(drive.spans.size());
+  unsigned int               found   = none;
+  double                     nearest = 0.;
+  bool                       counts  = false;
+  holds                              = std::numeric_limits<double>::max();
   for (unsigned int s = 0; s < none; ++s)
     {
-      const scene::Span         &span  = drive.spans[s];
-      const Place               &place = places_[s];
-      const dealii::Tensor<1, 3> arm   = middle - place.from;
-      const double               aside = std::abs(arm * span.along - place.middle);
-      if (aside > place.half_length || travel * span.direction <= 0.)
-        continue;
+      const scene::Span         &span    = drive.spans[s];
+      const Place               &place   = places_[s];
+      const dealii::Tensor<1, 3> arm     = middle - place.from;
+      const double               aside   = std::abs(arm * span.along - place.middle);
+      const double               forward = travel * span.direction;
+      if (aside > place.half_length || forward <= 0.)
+        { // as long as one of the two is so
+          holds = std::min(holds, std::max(aside - place.half_length, -0.5 * forward));
+          continue;
+        }
+      holds = std::min(
+          {holds, place.half_length - aside, std::abs(place.half_middle - aside), 0.5 * forward});
       const double away = std::abs(arm * span.normal - place.straight);
+      if (found != none)
+        holds = std::min(holds, 0.5 * std::abs(away - nearest));
       if (found == none || away < nearest)
         {
           found   = s;
@@ -97,7 +126,36 @@ unsigned int Spans::span_of(const Frame &first, const Frame &second) const
           counts  = aside <= place.half_middle;
         }
     }
+  holds /= steepest_;
   return counts ? found : none;
+}
+
+void Spans::find_members(const World &world)
+{
+  // bushes go farther than the middles of their links, by which travelled() counts
+  const bool   knows_way = world.planar != nullptr && scene_.drive.bushes.empty();
+  const double way       = knows_way ? world.planar->travelled() : 0.;
+  if (knows_way && way < first_to_look_at_)
+    return;
+  constexpr double   round_off = 1e-9; // of places, m
+  const unsigned int n         = scene_.drive.n_joints;
+  members_.clear();
+  first_to_look_at_ = std::numeric_limits<double>::max();
+  for (unsigned int k = 0; k < n; ++k)
+    {
+      Member &member = member_[k];
+      if (!knows_way || way >= member.until)
+        {
+          double holds;
+          member.span  = span_of(roller_position(scene_.drive, world, k),
+                                roller_position(scene_.drive, world, k + 1 < n ? k + 1 : 0),
+                                holds);
+          member.until = way + std::max(0., holds - round_off);
+        }
+      if (member.span < spans_.size())
+        members_.emplace_back(k, member.span);
+      first_to_look_at_ = std::min(first_to_look_at_, member.until);
+    }
 }
 
 void Spans::update(const dynamics::System &system)
@@ -108,22 +166,22 @@ void Spans::update(const dynamics::System &system)
   else if (system.bars.size() == n)
     tension_ = system.bars.tension();
 
+  find_members(system.world);
   std::fill(spans_.begin(), spans_.end(), Span());
   std::fill(n_links_.begin(), n_links_.end(), 0);
-  Frame here, there;
-  for (unsigned int k = 0; k < n; ++k)
+  for (const auto &[k, s] : members_)
     {
-      const Frame       &first  = scene_.drive.roller(k, system.world.frames, here);
-      const Frame       &second = scene_.drive.roller((k + 1) % n, system.world.frames, there);
-      const unsigned int s      = span_of(first, second);
-      if (s == spans_.size())
-        continue;
-      const scene::Span &along = scene_.drive.spans[s];
-      Span              &span  = spans_[s];
+      const unsigned int         next  = k + 1 < n ? k + 1 : 0;
+      const dealii::Tensor<1, 3> arm   = roller_position(scene_.drive, system.world, k) - driver_;
+      const scene::Span         &along = scene_.drive.spans[s];
+      Span                      &span  = spans_[s];
       span.tension += tension_[k];
-      span.speed += 0.5 * (first.velocity + second.velocity) * along.direction;
-      span.offset += (first.position - driver_) * along.normal;
-      span.inward += (first.position - driver_) * mirrored_;
+      span.speed += 0.5 *
+                    (roller_velocity(scene_.drive, system.world, k) +
+                     roller_velocity(scene_.drive, system.world, next)) *
+                    along.direction;
+      span.offset += arm * along.normal;
+      span.inward += arm * mirrored_;
       ++n_links_[s];
     }
   for (unsigned int s = 0; s < spans_.size(); ++s)

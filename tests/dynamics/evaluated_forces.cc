@@ -106,6 +106,7 @@ void check(const std::string &name, const scene::Scene &scene, const double step
   for (ElasticGroup *group : other.world.groups.elastic())
     group->use_forces(other.world, step);
   dynamics::second_half(other.world, step);
+  other.world.update_bodies();
   through.advance(dt, time);
   verdict("  forces on bodies are those of the step", same(found, forces_of(through, false)));
   Numbers velocities, of_step; // of what was kicked with them

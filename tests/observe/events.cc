@@ -39,6 +39,7 @@ Parameters parameters_of(const parameters::TightSide side)
   p.output.window_start     = 6e-3;
   p.output.field_interval   = 0.;
   p.time.end                = 20e-3;
+  p.effects.planar_motion   = parameters::Switch::off; // rollers are moved in the frames
   return p;
 }
 

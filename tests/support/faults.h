@@ -138,11 +138,15 @@ public:
     if (on_nodes)
       on_nodes(system);
     system.evaluate_and_move(h);
+    PlanarBodies *planar = system.world.planar;
+    if (planar != nullptr)
+      planar->write_forces(system.world);
     if (on_bodies)
       on_bodies(system);
-    if (system.world.planar != nullptr)
-      system.world.planar->take_forces(system.world);
+    if (planar != nullptr)
+      planar->take_forces(system.world);
     dynamics::second_half(system.world, step);
+    system.world.update_bodies();
     system.world.ledger.kinetic += system.world.kinetic_energy();
   }
 

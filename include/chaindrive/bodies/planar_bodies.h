@@ -5,6 +5,7 @@
 #include <chaindrive/bodies/planar_kernels.h>
 
 #include <deal.II/base/aligned_vector.h>
+#include <deal.II/base/tensor.h>
 
 #include <vector>
 
@@ -22,8 +23,9 @@ namespace chaindrive
 /// first and those on the second bushes of inner links: what touches or pulls its neighbour is then
 /// a run of pairs, in which both slots grow by one.
 ///
-/// World has what others read: frames, displacements, velocities and forces at full steps. Between
-/// the halves of a step frames are those of the step before, unless publish() is called.
+/// World has what others read, frames, displacements, velocities and forces at full steps, once
+/// update() has been called. Until then, and between the halves of a step, they are those of an
+/// earlier step; publish() writes frames alone.
 class PlanarBodies : public BodyGroup
 {
 public:
@@ -49,8 +51,19 @@ public:
   /// Forces and moments become zero, to be added anew.
   void clear_forces();
 
+  /// Whether others than this class and contact::PlanarContact add forces on these bodies to World;
+  /// until told otherwise, yes. Then complete_forces() has something to do.
+  void set_others_act(const bool others_act) { others_act_ = others_act; }
+  bool others_act() const { return others_act_; }
+
   /// Adds those of @p world, which others have added there, and writes the sum to both.
   void complete_forces(World &world);
+
+  /// Those of @p world become what they are here, on which nobody else adds.
+  void write_forces(World &world) const;
+
+  /// Brings @p world up to the present, at full steps, unless it is.
+  void update(World &world);
 
   /// Takes the forces of @p world, which are those of all ranks.
   void take_forces(const World &world);
@@ -61,15 +74,43 @@ public:
   /// The largest square of the speed of a body in the last drift, m2/s2.
   double fastest_square() const { return fastest_square_; }
 
+  /// No body has gone farther than this since this was made, m.
+  double travelled() const { return travelled_; }
+
+  dealii::Tensor<1, 2> position(const unsigned int slot) const
+  {
+    return two_of(planar_position, slot);
+  }
+  dealii::Tensor<1, 2> velocity(const unsigned int slot) const
+  {
+    return two_of(planar_velocity, slot);
+  }
+  /// Cosine and sine of the angle of a body that has one.
+  dealii::Tensor<1, 2> rotation(const unsigned int slot) const
+  {
+    return two_of(planar_rotation, slot);
+  }
+  double spin(const unsigned int slot) const { return of(planar_spin)[slot]; } ///< rad/s
+
 private:
   double       *of(const unsigned int entry) { return state_.begin() + entry * n_slots_; }
   const double *of(const unsigned int entry) const { return state_.begin() + entry * n_slots_; }
+
+  dealii::Tensor<1, 2> two_of(const unsigned int entry, const unsigned int slot) const
+  {
+    dealii::Tensor<1, 2> both;
+    both[0] = of(entry)[slot];
+    both[1] = of(entry + 1)[slot];
+    return both;
+  }
 
   const PlanarKernels          &kernels_;
   unsigned int                  n_slots_;
   std::vector<unsigned int>     slot_of_; ///< by body
   std::vector<unsigned int>     bodies_;  ///< by slot
   dealii::AlignedVector<double> state_;   ///< [PlanarEntry][slot]
-  double                        fastest_square_ = 0.;
+  double                        fastest_square_ = 0., travelled_ = 0.;
+  bool                          others_act_ = true;
+  bool                          is_behind_  = false; ///< World, since the last update()
 };
 } // namespace chaindrive

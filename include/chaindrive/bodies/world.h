@@ -133,6 +133,32 @@ public:
 
   MPI_Comm communicator() const { return comm_; }
 
+  /// Brings frames, displacements, velocities, forces and spins of bodies that move in the plane up
+  /// to the present full step. System does so unless told not to.
+  void update_bodies()
+  {
+    if (planar != nullptr)
+      planar->update(*this);
+  }
+
+  /// Where the centre of mass of @p body is [m] and how fast [m/s], also without update_bodies().
+  dealii::Tensor<1, 3> position_of(const unsigned int body) const
+  {
+    return planar == nullptr || planar->slot_of(body) == PlanarBodies::none ?
+               dealii::Tensor<1, 3>(frames[body].position) :
+               in_space(planar->position(planar->slot_of(body)), frames[body].position[2]);
+  }
+  dealii::Tensor<1, 3> velocity_of(const unsigned int body) const
+  {
+    return planar == nullptr || planar->slot_of(body) == PlanarBodies::none ?
+               frames[body].velocity :
+               in_space(planar->velocity(planar->slot_of(body)), 0.);
+  }
+
+  /// The same of the point @p local [m] in the frame of @p body.
+  dealii::Tensor<1, 3> position_of(unsigned int body, const dealii::Point<3> &local) const;
+  dealii::Tensor<1, 3> velocity_of(unsigned int body, const dealii::Point<3> &local) const;
+
   unsigned int n_bodies() const { return static_cast<unsigned int>(frames.size()); }
 
   /// Sets forces, moments and stored energies to zero, to be added anew.
@@ -263,6 +289,15 @@ private:
   /// The bodies at the start, without groups and nodes.
   World(const scene::Scene &scene, MPI_Comm comm);
   friend World make_world(const scene::Scene &scene, MPI_Comm comm);
+
+  static dealii::Tensor<1, 3> in_space(const dealii::Tensor<1, 2> &in_plane, const double z)
+  {
+    dealii::Tensor<1, 3> v;
+    v[0] = in_plane[0];
+    v[1] = in_plane[1];
+    v[2] = z;
+    return v;
+  }
 
   /// Adds the forces on all that @p carrier takes along.
   void add_carried(unsigned int carrier, dealii::Tensor<1, 3> &force_on) const;

@@ -124,6 +124,9 @@ public:
   /// penetration, or 0 where nothing touches [m].
   virtual double add_normal_forces(std::vector<double> &forces) const;
 
+  /// The largest penetration [m], of all pairs; negative where nothing touches.
+  virtual double deepest() const;
+
   /// Whether this family has elastic slaves, on whose surfaces it knows the pressure.
   virtual bool knows_pressure() const { return false; }
 

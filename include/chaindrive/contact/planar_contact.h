@@ -22,6 +22,9 @@ public:
   bool   reads_frames() const override { return false; }
   void   add_joint_forces(std::vector<dealii::Tensor<1, 3>> &forces) const override;
   double add_normal_forces(std::vector<double> &forces) const override;
+  double deepest() const override;
+
+  const std::vector<Press> &presses() const override;
 
 protected:
   /// @p family is a scene::SurfaceFamily or a scene::BoreFamily.
@@ -34,6 +37,13 @@ protected:
   void make_places(std::vector<unsigned int> first, const std::vector<double> &room);
 
   void update_records() const override;
+
+  /// Forces have been evaluated: what is made on demand is so anew.
+  void forces_are_new()
+  {
+    records_are_stale();
+    presses_are_known_ = false;
+  }
 
   /// How many points touch alike: the same number in all contacts, or 0 if they differ.
   unsigned int multiplicity() const { return multiplicity_; }
@@ -64,6 +74,8 @@ private:
   void take_states();
 
   unsigned int                  multiplicity_;
+  std::vector<unsigned int>     joint_, slave_; ///< [place], 0 of a place without a contact
+  mutable bool                  presses_are_known_ = false;
   dealii::AlignedVector<double> touch_; ///< [PlanarTouchEntry][place]
 };
 

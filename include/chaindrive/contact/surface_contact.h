@@ -36,6 +36,22 @@ public:
     return world.is_first_rank() ? near_ : std::vector<unsigned int>();
   }
 
+  /// Points of a slave that do the same to the surface.
+  struct Press
+  {
+    unsigned int         slave, joint; ///< its body, and the joint of that
+    unsigned int         feature;      ///< as in Record
+    unsigned int         n_points;
+    double               normal;    ///< force along the normal on one of them, N
+    double               gap;       ///< m
+    dealii::Tensor<1, 3> force;     ///< on one of them, N
+    dealii::Tensor<1, 3> direction; ///< the normal, unit
+  };
+
+  /// At least all that press, in the order of near(); valid until forces are evaluated anew.
+  /// Cheaper than records() where these are made on demand.
+  virtual const std::vector<Press> &presses() const;
+
   const scene::SlavePoint &slave(const unsigned int i) const { return pairs_[i].slave; }
 
   /// The body that slaves touch, of the first pair.
@@ -51,7 +67,8 @@ protected:
   static std::vector<Pair> pairs_on(const std::shared_ptr<const Surface> &surface,
                                     const std::vector<scene::SlavePoint> &slaves);
 
-  std::vector<Pair>         pairs_;
-  std::vector<unsigned int> near_;
+  std::vector<Pair>          pairs_;
+  std::vector<unsigned int>  near_;
+  mutable std::vector<Press> presses_; ///< what presses() returns
 };
 } // namespace chaindrive::contact

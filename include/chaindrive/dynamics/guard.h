@@ -108,6 +108,7 @@ public:
   /// Checks the state after a step; throws Fault. Collective.
   void observe(const System &system, unsigned long step, double dt, Services &services) override;
 
+  bool        asks_for_bodies() const override { return true; }
   std::string name() const override { return "guard"; }
   void        serialize(const Archive &archive, const System &system) override;
 

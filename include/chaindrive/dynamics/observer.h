@@ -22,6 +22,11 @@ public:
   /// system.world.time.
   virtual void observe(const System &system, unsigned long step, double dt, Services &services) = 0;
 
+  /// Whether it calls Services::update_bodies() before it looks at frames, displacements,
+  /// velocities, forces or spins of bodies; of hubs all is known anyway. Where all observers do,
+  /// these are written in the steps only in which somebody reads them.
+  virtual bool asks_for_bodies() const { return false; }
+
   /// What it is called in checkpoints.
   virtual std::string name() const = 0;
 

@@ -24,6 +24,10 @@ public:
   void ask(Request request);
   bool asked(Request request) const;
 
+  /// Brings frames, displacements, velocities and forces of all bodies up to the step, see
+  /// Observer::asks_for_bodies().
+  void update_bodies();
+
   /// Brings the contact records of all ranks to the first one (contact::Contacts). Collective.
   void gather_records();
 

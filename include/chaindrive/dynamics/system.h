@@ -36,6 +36,9 @@ public:
   /// One Newmark step of @p dt to the time @p new_time.
   void advance(double dt, double new_time);
 
+  /// The same, but World::update_bodies() is left to those who read frames and the like.
+  void advance_without_update(double dt, double new_time);
+
   /// The step that advance() makes; valid until the next call.
   Step make_step(double dt, double new_time);
 

@@ -39,6 +39,7 @@ public:
                       unsigned long           step,
                       double                  dt,
                       dynamics::Services     &services) override;
+  bool        asks_for_bodies() const override { return true; }
   std::string name() const override { return "checkpoints"; }
   void        serialize(const Archive &archive, const dynamics::System &system) override;
 

@@ -33,6 +33,7 @@ public:
                       unsigned long           step,
                       double                  dt,
                       dynamics::Services     &services) override;
+  bool        asks_for_bodies() const override { return true; }
   std::string name() const override { return "field output"; }
 
   /// A resumed run may have another interval.

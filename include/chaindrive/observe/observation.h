@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/dynamics/services.h>
 #include <chaindrive/dynamics/system.h>
 #include <chaindrive/model/model.h>
 #include <chaindrive/observe/spans.h>
@@ -24,8 +25,16 @@ public:
   Observation(const Observation &)            = delete;
   Observation &operator=(const Observation &) = delete;
 
-  /// The system has gone a step of @p dt [s]. Collective.
-  void next(double dt);
+  /// The system has gone a step of @p dt [s]; with @p services, of which not all bodies may be up
+  /// to date. Collective.
+  void next(double dt, dynamics::Services *services = nullptr);
+
+  /// dynamics::Services::update_bodies().
+  void update_bodies() const
+  {
+    if (services_ != nullptr)
+      services_->update_bodies();
+  }
 
   double time() const { return system.world.time; } ///< s
   double dt() const { return dt_; }                 ///< the step that led here, 0 at the start, s
@@ -51,7 +60,8 @@ public:
   std::vector<unsigned int> roller_bodies; ///< their bodies
 
 private:
-  double                                   dt_ = 0.;
+  double                                   dt_       = 0.;
+  dynamics::Services                      *services_ = nullptr; ///< of the present step
   mutable Spans                            spans_;
   mutable bool                             spans_known_ = false, pressures_known_ = false;
   mutable std::vector<std::vector<double>> pressures_;

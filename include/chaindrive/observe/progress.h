@@ -25,6 +25,7 @@ public:
                       unsigned long           step,
                       double                  dt,
                       dynamics::Services     &services) override;
+  bool        asks_for_bodies() const override { return true; }
   std::string name() const override { return "progress"; }
 
   /// A run that comes out of a checkpoint begins there: what is before has been computed earlier.

@@ -112,6 +112,11 @@ public:
   /// Observation::spans(): only then are they brought to the first rank at every step.
   virtual bool reads_contacts() const { return true; }
 
+  /// Whether update() looks at frames, displacements, velocities, forces or spins of bodies other
+  /// than hubs, in every step; channels, gather() and summarize() may anyway. One that seldom does
+  /// calls Observation::update_bodies() before. See dynamics::Observer::asks_for_bodies().
+  virtual bool reads_bodies() const { return true; }
+
   /// Looks at the system before the first step and after each. First rank only.
   virtual void update() {}
 

@@ -40,6 +40,7 @@ public:
                       unsigned long           step,
                       double                  dt,
                       dynamics::Services     &services) override;
+  bool        asks_for_bodies() const override { return true; }
   std::string name() const override { return "recorder"; }
 
   /// A sample of what was observed last; write_histories() must have been called. Collective.
@@ -89,6 +90,7 @@ private:
   Schedule                   questions_; ///< when it is asked whether enough is known
   bool                       knows_enough_ = false;
   bool                       reads_contacts_; ///< see Quantity
+  bool                       reads_bodies_;   ///< likewise
   bool                       takes_samples_ = false;
   std::optional<Sampling>    sampling_; ///< on the first rank
 };

@@ -4,6 +4,7 @@
 #include <chaindrive/dynamics/system.h>
 #include <chaindrive/scene/scene.h>
 
+#include <utility>
 #include <vector>
 
 namespace chaindrive::observe
@@ -43,9 +44,29 @@ public:
 private:
   void joint_forces(const dynamics::System &system);
 
-  /// The span in whose middle the link from @p first to @p second is, or none, which is the number
-  /// of spans.
-  unsigned int span_of(const Frame &first, const Frame &second) const;
+  /// The span in whose middle the link from @p first to @p second [m] is, or none, which is the
+  /// number of spans. This @p holds until one of these points has moved so far, m.
+  unsigned int span_of(const dealii::Tensor<1, 3> &first,
+                       const dealii::Tensor<1, 3> &second,
+                       double                     &holds) const;
+
+  /// Brings members_ up to date. In the plane links are looked at only when they have gone far
+  /// enough to be of another span.
+  void find_members(const World &world);
+
+  /// Of which span a link is, or none, and until which PlanarBodies::travelled() that holds.
+  struct Member
+  {
+    unsigned int span  = 0;
+    double       until = 0.; ///< m
+  };
+
+  struct Link
+  {
+    unsigned int body;
+    bool         elastic;
+    double       share; ///< of the difference of the forces on its pins that is its tension
+  };
 
   /// Where a span is, and how much of it counts.
   struct Place
@@ -63,9 +84,15 @@ private:
   dealii::Tensor<1, 3>
                     mirrored_; ///< mirror image of the tight span's normal in its line of centres
   std::vector<Span> spans_;
+  std::vector<Link> links_;                        ///< [joint]; none in simple fidelity
   std::vector<const contact::Family *> joints_;    ///< bush-pin; none in simple fidelity
   std::vector<dealii::Tensor<1, 3>>    pin_force_; ///< on the pin of each joint, N
   std::vector<double>                  tension_;
   std::vector<unsigned int>            n_links_; ///< of each span, at the last update
+  std::vector<Member>                  member_;  ///< by link
+  std::vector<std::pair<unsigned int, unsigned int>>
+         members_;               ///< links in the middle of spans, ascending, and these
+  double first_to_look_at_ = 0.; ///< the earliest of Member::until, m
+  double steepest_         = 0.; ///< longest of the spans' axes, which are unit vectors
 };
 } // namespace chaindrive::observe

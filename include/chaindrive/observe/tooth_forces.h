@@ -33,19 +33,20 @@ struct ToothForces
   double                                       penetration = 0.;    ///< largest so far, m
   bool                                         flat = false; ///< a drum: its gaps are sectors
 
-  /// Looks at the present records of the rollers that are near.
+  /// Looks at what presses now.
   void update()
   {
     std::fill(roller.begin(), roller.end(), 0.);
     std::fill(in_gap.begin(), in_gap.end(), 0.);
     for (const contact::SurfaceContact *family : families)
-      for (const unsigned int i : family->near())
+      for (const contact::SurfaceContact::Press &press : family->presses())
         {
-          const contact::Record &record = family->records()[i];
-          const double           normal = record.force * record.normal;
-          roller[record.joint] += normal;
-          in_gap[record.feature] += normal;
-          penetration = std::max(penetration, -record.gap);
+          for (unsigned int point = 0; point < press.n_points; ++point)
+            {
+              roller[press.joint] += press.normal;
+              in_gap[press.feature] += press.normal;
+            }
+          penetration = std::max(penetration, -press.gap);
         }
     for (unsigned int k = 0; k < roller.size(); ++k)
       roller_peak[k] = std::max(roller_peak[k], roller[k]);

@@ -16,6 +16,8 @@ class Artificial : public Quantity
 public:
   using Quantity::Quantity;
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start)
   {
     return start.system.world.n_nodal_groups() > 0 &&

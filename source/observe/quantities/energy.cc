@@ -64,6 +64,8 @@ class Energy : public Quantity
 public:
   using Quantity::Quantity;
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &) { return true; }
 
   static Contents contents()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/surface_contact.h>
 #include <chaindrive/observe/quantity.h>
+#include <chaindrive/observe/roller_motion.h>
 #include <chaindrive/utilities/batch_means.h>
 #include <chaindrive/utilities/signal_statistics.h>
 
@@ -41,6 +42,7 @@ struct Engagement
 constexpr double free_time    = 1e-3;   // without contact before a touch counts as an arrival
 constexpr double peak_time    = 1e-3;   // after the touch, in which the peak is looked for
 constexpr double impulse_time = 0.3e-3; // after the touch, over which the impulse is summed
+constexpr double round_off    = 1e-9;   // of places, m
 
 /// Finds engagements while the run goes on. A roller arrives when it has been farther than 0.15
 /// pitches outside the pitch circle and without contact for at least 1 ms, and touches on the side
@@ -70,7 +72,11 @@ public:
                not_seated,
                std::vector<int>(scene.drive.n_joints, -1),
                std::vector<double>(scene.drive.n_joints, 0.)});
+    for (Sprocket &sprocket : sprockets_)
+      sprocket.near_until.resize(scene.drive.n_joints, 0.);
   }
+
+  bool reads_bodies() const override { return false; }
 
   static bool exists(const Observation &start) { return !start.scene.teeth.empty(); }
 
@@ -138,6 +144,10 @@ public:
         part.numbers("was far", sprockets_[s].was_far);
         part.numbers("open", sprockets_[s].open);
         part.numbers("force", sprockets_[s].force);
+        sprockets_[s].n_open = static_cast<unsigned int>(
+            std::count_if(sprockets_[s].open.begin(), sprockets_[s].open.end(), [](const int open) {
+              return open >= 0;
+            }));
       }
   }
 
@@ -151,70 +161,105 @@ private:
     std::vector<double>            last_touch; ///< per joint, s
     std::vector<char>              was_far;    ///< per joint, since it last engaged
     std::vector<int>               open;       ///< per joint, engagement still watched or -1
-    std::vector<double>            force;      ///< per joint, this step, N
+    std::vector<double>            force;      ///< per joint, this step, N; 0 between steps
+
+    // what follows from these, or is found anew
+    unsigned int        n_open     = 0;  ///< engagements still watched
+    std::vector<double> near_until = {}; ///< per joint, PlanarBodies::travelled() up to
+                                         ///< which it is not far, m
+    std::vector<unsigned int> near_pairs = {}, near = {}; ///< joints that are near
+    dealii::Tensor<1, 3>      centre = {};                ///< m
   };
 
   void follow(Sprocket &sprocket, const World &world, const double dt)
   {
-    const std::vector<contact::Record> &records = sprocket.teeth->records();
-    const Frame                        &hub     = world.frames[sprocket.teeth->master()];
-    Frame                               room;
-
+    look_for_far(sprocket, world);
     // a roller may have several contact points: its force is their sum, booked at the first point
     // that touches
-    for (const unsigned int i : sprocket.teeth->near())
-      sprocket.force[records[i].joint] = 0.;
-    for (const unsigned int i : sprocket.teeth->near())
-      sprocket.force[records[i].joint] += records[i].force * records[i].normal;
+    const std::vector<contact::SurfaceContact::Press> &presses = sprocket.teeth->presses();
+    for (const auto &press : presses)
+      sprocket.force[press.joint] = 0.;
+    for (const auto &press : presses)
+      for (unsigned int point = 0; point < press.n_points; ++point)
+        sprocket.force[press.joint] += press.normal;
+    for (const auto &press : presses)
+      if (press.normal > 0. && sprocket.force[press.joint] > 0.)
+        touch(sprocket, press, world);
 
-    for (const unsigned int i : sprocket.teeth->near())
-      {
-        const contact::Record &record = records[i];
-        const unsigned int     joint  = record.joint;
-        const Frame           &roller = now_.scene.drive.roller(joint, world.frames, room);
-        int                   &open   = sprocket.open[joint];
-        const double           force  = sprocket.force[joint];
-        if (force > 0. && record.force * record.normal <= 0.)
-          continue; // another of its points touches
-
-        if ((roller.position - hub.position).norm_square() >
-            sprocket.far_radius * sprocket.far_radius)
-          sprocket.was_far[joint] = 1;
-
-        if (force > 0.)
-          {
-            if (open < 0 && sprocket.was_far[joint] &&
-                world.time - sprocket.last_touch[joint] >= free_time &&
-                (roller.position - hub.position) * sprocket.entry_side > 0.)
-              {
-                const dealii::Tensor<1, 3> relative =
-                    roller.velocity - world.velocity_at(record.master, roller.position, 0.);
-                open = static_cast<int>(found_.size());
-                found_.push_back({sprocket.name,
-                                  joint,
-                                  world.time,
-                                  relative.norm(),
-                                  -(relative * record.normal)});
-                sprocket.was_far[joint] = 0;
-              }
-            sprocket.last_touch[joint] = world.time;
-          }
-
-        if (open >= 0)
+    if (sprocket.n_open > 0)
+      for (const unsigned int joint : sprocket.near)
+        if (int &open = sprocket.open[joint]; open >= 0)
           {
             Engagement  &engagement = found_[open];
             const double age        = world.time - engagement.time;
-            engagement.peak_force   = std::max(engagement.peak_force, force);
+            engagement.peak_force   = std::max(engagement.peak_force, sprocket.force[joint]);
             if (age <= impulse_time)
-              engagement.impulse += force * dt;
+              engagement.impulse += sprocket.force[joint] * dt;
             if (age >= peak_time)
               {
                 engagement.complete = true;
                 open                = -1;
+                --sprocket.n_open;
               }
           }
-        // what is left of this joint's points in the list must not count its force again
-        sprocket.force[joint] = 0.;
+    for (const auto &press : presses)
+      sprocket.force[press.joint] = 0.;
+  }
+
+  /// A roller touches by @p press, for the first time or again.
+  void touch(Sprocket &sprocket, const contact::SurfaceContact::Press &press, const World &world)
+  {
+    const unsigned int joint  = press.joint;
+    const unsigned int master = sprocket.teeth->master();
+    if (sprocket.open[joint] < 0 && sprocket.was_far[joint] &&
+        world.time - sprocket.last_touch[joint] >= free_time)
+      {
+        const dealii::Tensor<1, 3> place = roller_position(now_.scene.drive, world, joint);
+        if ((place - world.frames[master].position) * sprocket.entry_side > 0.)
+          {
+            const dealii::Tensor<1, 3> relative = roller_velocity(now_.scene.drive, world, joint) -
+                                                  world.velocity_at(master, place, 0.);
+            sprocket.open[joint] = static_cast<int>(found_.size());
+            ++sprocket.n_open;
+            found_.push_back(
+                {sprocket.name, joint, world.time, relative.norm(), -(relative * press.direction)});
+            sprocket.was_far[joint]    = 0;
+            sprocket.near_until[joint] = 0.;
+          }
+      }
+    sprocket.last_touch[joint] = world.time;
+  }
+
+  /// Finds rollers that are far outside the pitch circle. In the plane they are looked at when they
+  /// may have come there.
+  void look_for_far(Sprocket &sprocket, const World &world) const
+  {
+    if (sprocket.near_pairs != sprocket.teeth->near())
+      {
+        sprocket.near_pairs = sprocket.teeth->near();
+        sprocket.near.clear();
+        for (const unsigned int i : sprocket.near_pairs)
+          if (const scene::SlavePoint &slave = sprocket.teeth->slave(i);
+              sprocket.near.empty() || sprocket.near.back() != slave.joint)
+            sprocket.near.push_back(slave.joint);
+      }
+    const dealii::Tensor<1, 3> centre   = world.frames[sprocket.teeth->master()].position;
+    const bool                 in_plane = world.planar != nullptr && centre == sprocket.centre &&
+                          now_.scene.drive.bushes.empty(); // which go farther than their links
+    const double way = world.planar != nullptr ? world.planar->travelled() : 0.;
+    sprocket.centre  = centre;
+    for (std::size_t i = 0; i < sprocket.near.size(); ++i)
+      {
+        const unsigned int joint = sprocket.near[i];
+        if (sprocket.was_far[joint] || (in_plane && way < sprocket.near_until[joint]))
+          continue;
+        const double square =
+            (roller_position(now_.scene.drive, world, joint) - centre).norm_square();
+        if (square > sprocket.far_radius * sprocket.far_radius)
+          sprocket.was_far[joint] = 1;
+        else
+          sprocket.near_until[joint] =
+              way + std::max(0., sprocket.far_radius - std::sqrt(square) - round_off);
       }
   }
 

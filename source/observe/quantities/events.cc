@@ -89,6 +89,8 @@ public:
         }
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start)
   {
     const scene::Scene &scene = start.scene;
@@ -130,6 +132,7 @@ public:
       look_for_breaking();
     if (!looks_.due(now_.time()))
       return;
+    now_.update_bodies();
     for (OnSprocket &sprocket : sprockets_)
       look_at(sprocket);
     if (knows_tensions_)

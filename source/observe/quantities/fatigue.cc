@@ -67,6 +67,8 @@ public:
         }
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start)
   {
     return start.scene.drive.n_joints > 0 && !start.scene.drive.sprockets.empty() &&

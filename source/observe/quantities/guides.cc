@@ -28,6 +28,8 @@ public:
                              static_cast<double>(now.scene.drive.strands)});
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start) { return !start.scene.guides.empty(); }
 
   static Contents contents()

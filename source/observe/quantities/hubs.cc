@@ -19,6 +19,8 @@ public:
   {
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start) { return !start.scene.drive.sprockets.empty(); }
 
   static Contents contents()

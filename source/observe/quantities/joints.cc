@@ -36,6 +36,8 @@ public:
                           std::vector<double>(now.scene.drive.n_joints, 0.)});
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start) { return !start.scene.bores.empty(); }
 
   static Contents contents()

@@ -16,6 +16,8 @@ class Links : public Quantity
 public:
   explicit Links(const Observation &now) : Quantity(now), peak_(now.scene.drive.n_joints, 0.) {}
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start) { return start.scene.drive.n_joints > 0; }
 
   static Contents contents()

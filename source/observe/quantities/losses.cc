@@ -31,6 +31,8 @@ public:
     within_.resize(before_.size(), 0.);
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &) { return true; }
 
   static Contents contents()

@@ -18,6 +18,8 @@ public:
       kinds_.push_back({faces.name, now.system.contacts.find(faces.interface)});
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start) { return !start.scene.faces.empty(); }
 
   static Contents contents()

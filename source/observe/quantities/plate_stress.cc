@@ -22,6 +22,8 @@ public:
   {
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start)
   {
     return has_elastic(

@@ -19,6 +19,8 @@ class Rollers : public Quantity
 public:
   using Quantity::Quantity;
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start) { return start.scene.drive.n_joints > 0; }
 
   static Contents contents()

@@ -14,6 +14,8 @@ class Search : public Quantity
 public:
   using Quantity::Quantity;
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &) { return true; }
 
   static Contents contents()

@@ -18,6 +18,8 @@ public:
   {
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start)
   {
     return !start.scene.drive.sprockets.empty() && start.scene.drive.n_joints > 0 &&

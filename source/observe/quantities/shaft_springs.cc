@@ -19,6 +19,8 @@ class ShaftSprings : public Quantity
 public:
   explicit ShaftSprings(const Observation &now) : Quantity(now), statistics_(now, signals(now)) {}
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start)
   {
     return !start.scene.couplings.empty() || !start.scene.bearings.empty();

@@ -25,6 +25,8 @@ public:
     values_.resize(2 * shafts_.size());
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start) { return !start.scene.teeth.empty(); }
 
   static Contents contents()
@@ -128,8 +130,9 @@ private:
     {
       load = dealii::Tensor<1, 3>();
       for (const contact::SurfaceContact *family : teeth)
-        for (const unsigned int i : family->near())
-          load -= family->records()[i].force;
+        for (const contact::SurfaceContact::Press &press : family->presses())
+          for (unsigned int point = 0; point < press.n_points; ++point)
+            load -= press.force;
       load *= strands;
     }
 

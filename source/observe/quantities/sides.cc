@@ -84,6 +84,8 @@ public:
     add_kinds(find(scene::Interface::roller_ends));
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start) { return !start.scene.tooth_sides.empty(); }
 
   static Contents contents()

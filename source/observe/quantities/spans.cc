@@ -28,6 +28,8 @@ public:
                         WindowMean(now.window().start(), now.window().end())});
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start) { return !start.scene.drive.spans.empty(); }
 
   static Contents contents()

@@ -21,6 +21,8 @@ public:
   {
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start)
   {
     return has_elastic(start.scene, start.system, {scene::Kind::roller});

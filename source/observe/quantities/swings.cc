@@ -15,6 +15,8 @@ class Swings : public Quantity
 public:
   using Quantity::Quantity;
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start) { return !start.scene.swings.empty(); }
 
   static Contents contents()

@@ -20,6 +20,8 @@ public:
   {
   }
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start) { return !start.scene.teeth.empty(); }
 
   static Contents contents()

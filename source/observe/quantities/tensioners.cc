@@ -17,6 +17,8 @@ class Tensioners : public Quantity
 public:
   using Quantity::Quantity;
 
+  bool reads_bodies() const override { return false; }
+
   static bool exists(const Observation &start) { return !start.scene.tensioners.empty(); }
 
   static Contents contents()
