@@ -588,8 +588,7 @@ std::vector<std::string> cross_check(const Parameters &parameters, const Effects
 
   for (const auto &more :
        {against_misalignment(parameters, effects), against_bush_chain(parameters)})
-    for (const std::string &sentence : more)
-      findings.contradictions.push_back(sentence);
+    findings.contradictions.insert(findings.contradictions.end(), more.begin(), more.end());
 
   std::string message;
   for (const std::string &sentence : findings.contradictions)

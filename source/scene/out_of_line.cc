@@ -218,16 +218,19 @@ void move_out_of_line(const drive::Drive &drive, Scene &scene)
       const Joint   joint = joint_of(k, drive, view);
       const Tensor3 inner = z_of(scene.bodies[joint.inner].initial),
                     outer = z_of(scene.bodies[joint.outer].initial);
-      Frame &roller       = scene.bodies[joint.roller].initial;
       // a seated one turns in the plane of its wheel, another one on its bush
       const Tensor3 axis = layout.joints[k].sprocket >= 0 ? place[k].normal : inner;
-      roller.rotation    = from_z_to(axis);
-      roller.position += place[k].displacement;
-      roller.velocity         = place[k].velocity;
-      roller.angular_velocity = roller.angular_velocity[2] * axis;
-      askew                   = std::max({askew,
-                                          0.5 * drive.chain.bush_length * angle_between(inner, outer),
-                                          0.5 * drive.chain.roller_length * angle_between(inner, axis)});
+      if (drive.chain.has_rollers)
+        {
+          Frame &roller   = scene.bodies[joint.roller].initial;
+          roller.rotation = from_z_to(axis);
+          roller.position += place[k].displacement;
+          roller.velocity         = place[k].velocity;
+          roller.angular_velocity = roller.angular_velocity[2] * axis;
+        }
+      askew = std::max({askew,
+                        0.5 * drive.chain.bush_length * angle_between(inner, outer),
+                        0.5 * drive.chain.roller_length * angle_between(inner, axis)});
     }
   move_wheels(drive, scene);
   scene.start_overlap = strain + askew;

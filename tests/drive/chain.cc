@@ -82,14 +82,15 @@ int main()
       chain.designation = name;
       const auto d      = drive::make_chain(chain);
       ++chains;
-      if (std::abs(d.roller_clearance() - 0.045e-3) < 1e-12 &&
-          std::abs(d.pin_clearance() - 0.045e-3) < 1e-12 && d.roller_diameter > d.roller_bore &&
+      if (std::abs(d.roller_clearance() - (d.has_rollers ? 0.045e-3 : 0.)) < 1e-12 &&
+          std::abs(d.pin_clearance() - 0.045e-3) < 1e-12 &&
+          (d.has_rollers ? d.roller_diameter > d.roller_bore && d.roller_length < d.inner_width :
+                           d.roller_diameter == d.bush_diameter) &&
           d.bush_diameter > d.bush_bore && d.pin_diameter > d.pin_bore &&
-          d.roller_length < d.inner_width &&
           2. * d.inner_plate_z + d.inner_plate_thickness <
               2. * d.outer_plate_z - d.outer_plate_thickness)
         ++sound;
-      if (!(name == "525" || d.derived.size() >= 4))
+      if (!(name == "525" || d.derived.size() >= (d.has_rollers ? 4U : 3U)))
         std::cout << name << " does not say what is derived\n";
     }
   std::cout << chains << " chains, " << sound << " sound\n";
