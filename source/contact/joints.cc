@@ -25,6 +25,8 @@ JointTables::JointTables(const mesh::CylinderGrid &master, const mesh::CylinderG
   grid_.master_rings           = master.n_rings();
   grid_.slave_circumferential  = slave.n_circumferential();
   grid_.slave_rings            = slave.n_rings();
+  grid_.first_ring             = 0;
+  grid_.end_ring               = slave.n_rings();
 
   // a chord of n columns is 2 R sin(pi / n) long, see packed_geometry.h
   const double sine   = std::sin(dealii::numbers::PI / master.n_circumferential());
@@ -118,6 +120,8 @@ void JointBatch::set_flexibility(const JointFlexibility    &flexibility,
 {
   exact_ =
       std::make_unique<Exact>(flexibility, room ? std::move(room) : std::make_shared<JointRoom>());
+  grid_.first_ring = flexibility.rings().front(); // no others touch
+  grid_.end_ring   = flexibility.rings().back() + 1;
 }
 
 void JointBatch::recall_touching(const int lane)
@@ -382,7 +386,7 @@ void JointBatch::bound_gaps(const int lane, const double near_gap)
       {
         double &least = at_least_[c * n_lanes + lane];
         least         = near_gap + let_alone;
-        for (unsigned int s = 0; s < grid_.slave_rings; ++s)
+        for (unsigned int s = grid_.first_ring; s < grid_.end_ring; ++s)
           least = std::min(least, gap_[(s * n + c) * n_lanes + lane]);
       }
 }
@@ -426,7 +430,7 @@ unsigned int JointBatch::search_lane(const int lane, const double near_gap)
   std::vector<bool> near(n, false);
   bool              any    = false;
   unsigned int      missed = 0;
-  for (unsigned int s = 0; s < grid_.slave_rings; ++s)
+  for (unsigned int s = grid_.first_ring; s < grid_.end_ring; ++s)
     for (unsigned int c = 0; c < n; ++c)
       {
         const unsigned int node        = s * n + c;

@@ -376,8 +376,11 @@ void NodeBores::announce_joints(World             &world,
       for (const auto &[bodies, near] : columns)
         {
           std::vector<unsigned int> &nodes = side.read[b][bodies];
-          const std::size_t last = side.node.size() - side.n_columns; // ring; the axis of a bore
-          for (unsigned int n = 0; n < side.node.size(); ++n)         // is that of its ends
+          // the axis of a bore is that of its ends
+          const std::size_t last  = side.node.size() - side.n_columns; // ring
+          const std::size_t first = is_slave != 0 ? grid.first_ring * side.n_columns : 0,
+                            end = is_slave != 0 ? grid.end_ring * side.n_columns : side.node.size();
+          for (std::size_t n = first; n < end; ++n)
             if (near[n % side.n_columns] != 0 ||
                 (is_slave == 0 && (n < side.n_columns || n >= last) &&
                  n % side.n_columns % grid.axis_stride == 0))

@@ -257,21 +257,21 @@ WallFlexibility::WallFlexibility(const reduction::RoundFlexibility          &out
     }
 }
 
-const double *WallFlexibility::table_of(const unsigned int strip) const
-{
-  return &table_[std::size_t(width_[strip]) * (n_turn_ + 1) * n_in_row()];
-}
-
-double WallFlexibility::row_of(const double angle) const
+inline double WallFlexibility::row_of(const double angle) const
 {
   const double turns = angle / (2. * PI), part = turns - static_cast<int>(turns);
   return (part < 0. ? part + 1. : part) * n_turn_;
 }
 
-WallFlexibility::Place WallFlexibility::place_of(const double row) const
+inline WallFlexibility::Place WallFlexibility::place_of(const double row) const
 {
   const auto before = std::min(static_cast<unsigned int>(row), n_turn_ - 1);
   return {before, row - before};
+}
+
+inline const double *WallFlexibility::table_of(const unsigned int strip) const
+{
+  return &table_[std::size_t(width_[strip]) * (n_turn_ + 1) * n_in_row()];
 }
 
 void WallFlexibility::at(const unsigned int strip, const double angle, double *value) const

@@ -19,6 +19,7 @@ struct JointGrid
   unsigned int  master_circumferential, master_rings;
   unsigned int  axis_stride; ///< the bore's axis is that of every so-many-th master column
   unsigned int  slave_circumferential, slave_rings;
+  unsigned int  first_ring, end_ring; ///< of the slave's, those that a search looks at
   double        master_radius; ///< undeformed, m
   double        chord_factor;  ///< 4 sin^2(pi / master_circumferential)
   bool          half;          ///< the bore goes on beyond its first ring, see mesh::Part::half

@@ -414,7 +414,7 @@ measure_gaps_of(const JointArguments &arg, GapArguments &gaps, const int lane)
 
   P closing(0.);
 #pragma GCC unroll 1
-  for (unsigned int s = 0; s < grid.slave_rings; ++s)
+  for (unsigned int s = grid.first_ring; s < grid.end_ring; ++s)
 #pragma GCC unroll 1
     for (unsigned int c = 0; c < grid.slave_circumferential; ++c)
       {

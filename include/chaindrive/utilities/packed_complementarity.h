@@ -14,21 +14,35 @@ template <int width>
 void factor(const unsigned int n, double *a)
 {
   using Numbers = Pack<double, width>;
+  // Two columns at a time: what is right of them is read and written once for both.
   for (unsigned int lane = 0; lane < n_lanes; lane += width)
-    for (unsigned int k = 0; k < n; ++k)
+    for (unsigned int k = 0; k < n; k += 2)
       {
-        double *const diagonal = a + (triangle_row(k) + k) * n_lanes + lane;
-        const Numbers inverse  = Numbers(1.) / square_root(Numbers::load(diagonal));
-        inverse.store(diagonal);
-        for (unsigned int i = k + 1; i < n; ++i)
+        double *const first   = a + (triangle_row(k) + k) * n_lanes + lane;
+        const Numbers inverse = Numbers(1.) / square_root(Numbers::load(first));
+        inverse.store(first);
+        if (k + 1 == n)
+          continue;
+        double *const second = a + (triangle_row(k + 1) + k) * n_lanes + lane;
+        const Numbers below  = Numbers::load(second) * inverse;
+        below.store(second);
+        const Numbers other =
+            Numbers(1.) / square_root(Numbers::load(second + n_lanes) - below * below);
+        other.store(second + n_lanes);
+        for (unsigned int i = k + 2; i < n; ++i)
           {
-            double *const row   = a + triangle_row(i) * n_lanes + lane;
-            const Numbers entry = Numbers::load(row + k * n_lanes) * inverse;
+            double *const row    = a + triangle_row(i) * n_lanes + lane;
+            const Numbers entry  = Numbers::load(row + k * n_lanes) * inverse;
+            const Numbers beside = (Numbers::load(row + (k + 1) * n_lanes) - entry * below) * other;
             entry.store(row + k * n_lanes);
-            for (unsigned int j = k + 1; j <= i; ++j)
-              (Numbers::load(row + j * n_lanes) -
-               entry * Numbers::load(a + (triangle_row(j) + k) * n_lanes + lane))
-                  .store(row + j * n_lanes);
+            beside.store(row + (k + 1) * n_lanes);
+            for (unsigned int j = k + 2; j <= i; ++j)
+              {
+                const double *const of = a + (triangle_row(j) + k) * n_lanes + lane;
+                (Numbers::load(row + j * n_lanes) - entry * Numbers::load(of) -
+                 beside * Numbers::load(of + n_lanes))
+                    .store(row + j * n_lanes);
+              }
           }
       }
 }
