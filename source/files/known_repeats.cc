@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <libdeflate.h>
+#include <memory>
 
 namespace chaindrive::files
 {
@@ -129,11 +130,11 @@ void append_known_repeats(const void                 *values,
                           std::string                &to)
 {
   static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
-  const auto       *numbers = static_cast<const std::uint32_t *>(values) + first;
-  const std::size_t before  = to.size();
+  const auto *numbers = static_cast<const std::uint32_t *>(values) + first;
   // two bytes of zlib, nine bits at most for each byte, the checksum, and room to write ahead
-  to.resize(before + 2 + number_size * n * 9 / 8 + 4 + 2 * sizeof(std::uint64_t));
-  char *begin = &to[before];
+  const std::unique_ptr<char[]> room(
+      new char[2 + number_size * n * 9 / 8 + 4 + 2 * sizeof(std::uint64_t)]);
+  char *begin = room.get();
   begin[0]    = 0x78;
   begin[1]    = 0x01;
   BitStream stream(begin + 2);
@@ -202,6 +203,6 @@ void append_known_repeats(const void                 *values,
   const std::uint32_t adler    = libdeflate_adler32(1, numbers, number_size * n);
   for (unsigned int byte = 0; byte < 4; ++byte)
     checksum[byte] = static_cast<char>(adler >> (8 * (3 - byte)));
-  to.resize(before + static_cast<std::size_t>(checksum + 4 - begin));
+  to.append(begin, static_cast<std::size_t>(checksum + 4 - begin));
 }
 } // namespace chaindrive::files

@@ -193,15 +193,15 @@ void press_bores(PlanarSlots           bodies,
   law.book(energies);
 }
 
-/// The numbers at @p slots of an array.
-template <int width>
-CHAINDRIVE_ALWAYS_INLINE Pack<double, width> gather_slots(const double       *from,
-                                                          const unsigned int *slots)
+/// The numbers of an array at the places stride * @p slots + @p first.
+template <int width, unsigned int stride = 1>
+CHAINDRIVE_ALWAYS_INLINE Pack<double, width>
+gather_slots(const double *from, const unsigned int *slots, const unsigned int first = 0)
 {
-  alignas(64) double numbers[width];
+  const double *at[width];
   for (int i = 0; i < width; ++i)
-    numbers[i] = from[slots[i]];
-  return Pack<double, width>::load(numbers);
+    at[i] = from + stride * slots[i];
+  return gather<double, width>(at, first);
 }
 
 /// Nearest points of a profile, for a pack of points.
@@ -224,6 +224,7 @@ nearest_on_profile(const PlanarTeeth &teeth, const Pack<double, width> (&p)[2])
   const P                 zero(0.);
   best.distance        = P(1e300);
   best.signed_distance = best.normal[0] = best.normal[1] = best.which = zero;
+  P length(1.), sign(1.); // what normals are still to be divided by and multiplied with
   for (unsigned int i = 0; i < teeth.n_segments; ++i)
     {
       const PlanarSegment &s             = teeth.segments[i];
@@ -231,7 +232,7 @@ nearest_on_profile(const PlanarTeeth &teeth, const Pack<double, width> (&p)[2])
               from_end[2]                = {p[0] - P(s.end[0]), p[1] - P(s.end[1])};
       const P begin = from_begin[0] * from_begin[0] + from_begin[1] * from_begin[1],
               end   = from_end[0] * from_end[0] + from_end[1] * from_end[1];
-      P signed_distance, normal[2], inside; // inside: not negative between the ends
+      P signed_distance, normal[2], norm(1.), inside; // inside: not negative between the ends
       if (s.kind == 0)
         {
           const double d[2]   = {s.end[0] - s.begin[0], s.end[1] - s.begin[1]};
@@ -245,11 +246,10 @@ nearest_on_profile(const PlanarTeeth &teeth, const Pack<double, width> (&p)[2])
       else
         {
           const P w[2]    = {p[0] - P(s.centre[0]), p[1] - P(s.centre[1])};
-          const P norm    = square_root(w[0] * w[0] + w[1] * w[1]);
-          const P outward = P(double(s.kind)) / greatest(norm, P(1e-300));
+          norm            = square_root(w[0] * w[0] + w[1] * w[1]);
           inside          = w[0] * P(s.middle[0]) + w[1] * P(s.middle[1]) - norm * P(s.half_cosine);
-          normal[0]       = w[0] * outward;
-          normal[1]       = w[1] * outward;
+          normal[0]       = w[0];
+          normal[1]       = w[1];
           signed_distance = P(double(s.kind)) * (norm - P(s.radius));
         }
       const P to_end = square_root(least(begin, end));
@@ -264,8 +264,13 @@ nearest_on_profile(const PlanarTeeth &teeth, const Pack<double, width> (&p)[2])
       keep_nearer(best.normal[0], normal[0]);
       keep_nearer(best.normal[1], normal[1]);
       keep_nearer(best.which, which);
+      keep_nearer(length, norm);
+      keep_nearer(sign, P(s.kind == 0 ? 1. : double(s.kind)));
       best.distance = least(distance, best.distance);
     }
+  const P outward = sign / greatest(length, P(1e-300));
+  for (P &component : best.normal)
+    component = component * outward;
   return best;
 }
 
@@ -304,14 +309,8 @@ CHAINDRIVE_ALWAYS_INLINE void fold(const PlanarTeeth &teeth,
   const P    zero(0.), flat(1. + teeth.turns[2]), steep(teeth.turns[3]);
   P          y;
   const auto unturn = [&](const double *angles) {
-    alignas(64) double turns[2][width];
-    for (int i = 0; i < width; ++i)
-      {
-        turns[0][i] = angles[2 * gap[i]];
-        turns[1][i] = angles[2 * gap[i] + 1];
-      }
-    turn[0]   = P::load(turns[0]);
-    turn[1]   = P::load(turns[1]);
+    turn[0]   = gather_slots<width, 2>(angles, gap);
+    turn[1]   = gather_slots<width, 2>(angles, gap, 1);
     folded[0] = turn[0] * p[0] + turn[1] * p[1];
     y         = turn[0] * p[1] - turn[1] * p[0];
   };
