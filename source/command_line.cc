@@ -72,7 +72,10 @@ constexpr CommandName commands[] = {
      "sprocket",
      "FILE.prm",
      "print the dimensions of a sprocket, or write it to a file for CAD: csv, dxf, svg, step, stl"},
-    {Command::template_file, "template", nullptr, "print a commented parameter file to start from"},
+    {Command::template_file,
+     "template",
+     nullptr,
+     "print a commented parameter file to start from, or FILE in another form (--as)"},
     {Command::document, "document", nullptr, "print the reference of all entries (Markdown)"},
     {Command::serve,
      "serve",
@@ -118,9 +121,11 @@ options::options_description visible_options(CommandLine &c, Switches &switches)
       options::value(&c.output_directory)->value_name("DIRECTORY"),
       "run, plan, study, calibrate, export, report, select, sprocket: write the results there, or "
       "the report, the parameter file of the best drive or the sprocket, to this file");
-  visible.add_options()("as",
-                        options::value(&c.kind)->value_name("csv|wav"),
-                        "export: histories (csv) or, after the command noise, sound (wav)");
+  visible.add_options()(
+      "as",
+      options::value(&c.kind)->value_name("FORM"),
+      "export, template: histories (csv) or, after the command noise, sound (wav); "
+      "of parameter files prm, xml (for deal.II's parameter_gui) or json");
   visible.add_options()(
       "resume",
       options::value(&c.resume)->value_name("auto|CHECKPOINT"),
@@ -317,7 +322,7 @@ std::string file_of(const Command command, const std::vector<std::string> &words
                              named.name + " DIRECTORY...");
           return "";
         }
-      if (named.argument == nullptr && !words.empty())
+      if (named.argument == nullptr && !words.empty() && command != Command::template_file)
         throw InputError(std::string("The command ") + named.name +
                          " takes no file, but there is '" + words.front() + "'.");
       if (command == Command::noise && words.empty())

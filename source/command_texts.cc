@@ -44,8 +44,8 @@ std::string values_of(const OptionText &option)
   if (option.value == "LIBRARY")
     return "compopt -o filenames; COMPREPLY=($(compgen -d -- \"$word\") $(compgen -f -X '!*.so' -- "
            "\"$word\"))";
-  if (option.value == "csv|wav")
-    return "COMPREPLY=($(compgen -W $'csv\\nwav' -- \"$word\"))";
+  if (option.value == "FORM")
+    return "COMPREPLY=($(compgen -W $'csv\\nwav\\nprm\\nxml\\njson' -- \"$word\"))";
   if (option.value == "SHELL")
     return "COMPREPLY=($(compgen -W bash -- \"$word\"))";
   return ":"; // numbers and names that only the user knows
@@ -142,7 +142,8 @@ std::string bash_completion()
     else if (command.argument.rfind("DIR", 0) == 0)
       out << "    " << command.name << ") COMPREPLY+=($(compgen -d -- \"$word\")); return ;;\n";
   out << "  esac\n"
-      << "  COMPREPLY+=($(compgen -d -- \"$word\") $(compgen -f -X '!*.prm' -- \"$word\"))\n"
+      << "  COMPREPLY+=($(compgen -d -- \"$word\") $(compgen -f -X '!*.prm' -- \"$word\") "
+         "$(compgen -f -X '!*.xml' -- \"$word\") $(compgen -f -X '!*.json' -- \"$word\"))\n"
       << "}\ncomplete -F _chaindrive chaindrive\n";
   return out.str();
 }

@@ -96,7 +96,7 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
       break;
     case Command::template_file:
       if (is_first_rank)
-        template_command(command_line.design, std::cout);
+        template_command(command_line, std::cout);
       break;
     case Command::document:
       if (is_first_rank)

@@ -56,15 +56,16 @@ drive::Demand demand_of(const CommandLine::Design &design)
 /// The parameter file of @p best.
 std::string file_of(const drive::Candidate &best, const drive::Demand &demand)
 {
-  CommandLine::Design design;
-  design.chain    = best.chain;
-  design.strands  = best.strands;
+  CommandLine          command_line;
+  CommandLine::Design &design = command_line.design;
+  design.chain                = best.chain;
+  design.strands              = best.strands;
   design.teeth    = std::to_string(best.driver_teeth) + "/" + std::to_string(best.driven_teeth);
   design.centre   = 1e3 * demand.centre_distance;
   design.rpm      = demand.speed * 30. / dealii::numbers::PI;
   design.kilowatt = 1e-3 * demand.power;
   std::ostringstream text;
-  template_command(design, text);
+  template_command(command_line, text);
   return text.str();
 }
 } // namespace

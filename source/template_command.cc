@@ -54,10 +54,25 @@ Parameters read(const Values &values)
 }
 } // namespace
 
-void template_command(const CommandLine::Design &design, std::ostream &out)
+void template_command(const CommandLine &command_line, std::ostream &out)
 {
+  const CommandLine::Design &design = command_line.design;
+  const std::string         &file   = command_line.parameter_file;
+  const auto                 form   = parameters::value_of<parameters::Form>(command_line.kind);
+  if (!command_line.kind.empty() && !form)
+    throw InputError("The option --as = " + command_line.kind +
+                     " of a template must be prm, xml "
+                     "or json.");
+  if (!file.empty() && (!form || design.is_given()))
+    throw InputError("The command template takes no file but with --as and without --chain and "
+                     "the like, for another form of it: chaindrive template " +
+                     file + " --as xml.");
+  if (!file.empty())
+    return void(out << parameters::in_form(file, *form));
   if (!design.is_given())
-    return parameters::write_template(out);
+    return !form || *form == parameters::Form::prm ?
+               parameters::write_template(out) :
+               void(out << parameters::in_form(Values(), *form));
   if (!design.is_complete())
     throw InputError(
         "A template for a drive takes all of --chain, --teeth, --centre, --rpm and "
@@ -94,6 +109,7 @@ void template_command(const CommandLine::Design &design, std::ostream &out)
                                 {"Drive/Chain/Designation", chain},
                                 {"Drive/Chain/Strands", std::to_string(strands)},
                                 {"Drive/Layout/Centre distance from", "sag"},
+                                {"Drive/Layout/Sag in percent", "1"},
                                 {"Drive/Layout/Start", "settled"},
                                 {"Loads/Driver speed in rpm", to_text(rpm, 10)},
                                 {"Loads/Power in kW", to_text(kilowatt, 10)},
@@ -108,6 +124,8 @@ void template_command(const CommandLine::Design &design, std::ostream &out)
   values["Time/End time in ms"] = pitches(20. + window);
   const double found            = 1e3 * laid.layout.centre_distance();
 
+  if (form && *form != parameters::Form::prm)
+    return void(out << parameters::in_form(values, *form));
   const auto set = [&values](const std::string &path) {
     return "set " + path.substr(path.rfind('/') + 1) + " = " + values.at(path) + "\n";
   };

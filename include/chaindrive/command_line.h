@@ -71,7 +71,7 @@ struct CommandLine
   bool                     schema = false; ///< document: what is in the results
   std::string              completion;     ///< document: as the completion of this shell
   std::vector<std::string> folders;        ///< report, export: those of the runs
-  std::string              kind;           ///< export: of the files, csv or wav
+  std::string              kind;           ///< export: csv or wav; template: prm, xml or json
   std::vector<std::string> rest;           ///< study: options of Snakemake, after `--`
 };
 

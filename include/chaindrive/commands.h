@@ -61,8 +61,9 @@ void check_noise(const drive::Drive &drive,
 
 /// Writes a .prm file to begin with to @p out: one that can be run for @p design, whose number of
 /// links is the even one that comes nearest to its centre distance; without a design every entry
-/// with its default. Throws InputError for a drive that cannot be.
-void template_command(const CommandLine::Design &design, std::ostream &out);
+/// with its default. In the form that CommandLine::kind asks for; so is a parameter file that the
+/// command line names. Throws InputError for a drive that cannot be, and a form that there is not.
+void template_command(const CommandLine &command_line, std::ostream &out);
 
 /// Prints a table of the drives that would do for what the command line asks of them
 /// (drive/selection.h), the best first, which is written as a .prm file where a name for it is

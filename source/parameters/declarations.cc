@@ -9,23 +9,23 @@ namespace chaindrive::parameters
 {
 namespace
 {
-/// Accepts what a function accepts, and says what that is in words fit for a message to the user.
+/// Accepts what a function accepts; its description is for those who click.
 class Pattern : public dealii::Patterns::PatternBase
 {
 public:
-  Pattern(const std::string &allowed, const std::function<bool(const std::string &)> &accepts)
-      : allowed_(allowed), accepts_(accepts)
+  Pattern(const std::string &form, const std::function<bool(const std::string &)> &accepts)
+      : form_(form), accepts_(accepts)
   {
   }
 
   bool match(const std::string &value) const override { return accepts_(value); }
 
-  std::string description(const OutputStyle) const override { return allowed_; }
+  std::string description(const OutputStyle) const override { return form_; }
 
   std::unique_ptr<PatternBase> clone() const override { return std::make_unique<Pattern>(*this); }
 
 private:
-  std::string                              allowed_;
+  std::string                              form_;
   std::function<bool(const std::string &)> accepts_;
 };
 } // namespace
@@ -35,9 +35,11 @@ Entry &Declarations::add(const std::string                              &name,
                          const std::string                              &allowed,
                          const std::string                              &meaning,
                          const std::function<bool(const std::string &)> &accepts,
-                         const std::function<void(const std::string &)> &store)
+                         const std::function<void(const std::string &)> &store,
+                         const std::string                              &form)
 {
-  prm_.declare_entry(name, default_value, Pattern(allowed, accepts), meaning);
+  prm_.declare_entry(
+      name, default_value, Pattern(form, accepts), meaning + " Allowed: " + allowed + ".");
   prm_.add_action(name, store); // stores the default, too: from text and back it is unchanged
   entries_.push_back({open_, name, default_value, allowed, meaning, on_resume_, {}});
   return entries_.back();
@@ -94,6 +96,13 @@ std::vector<std::string> Declarations::section_names(const std::string &section)
         path.find('/', begin.size()) == std::string::npos)
       names.push_back(path.substr(begin.size()));
   return names;
+}
+
+void Declarations::print(std::ostream &out, const dealii::ParameterHandler::OutputStyle style) const
+{
+  prm_.print_parameters(out,
+                        dealii::ParameterHandler::OutputStyle(
+                            style | dealii::ParameterHandler::KeepDeclarationOrder));
 }
 
 void Declarations::set(const Entry &entry, const std::string &value, const std::string &where)

@@ -374,4 +374,17 @@ void Drive::declare(Declarations &declarations)
   sprockets.declare(declarations);
   layout.declare(declarations);
 }
+
+std::string Drive::places() const
+{
+  const auto &wheels = sprockets.list;
+  if (std::any_of(
+          wheels.begin() + 1, wheels.end(), [](const Sprocket &wheel) { return !wheel.centre; }))
+    return "a centre distance of " + to_entry_text(layout.centre_distance, unit::milli) + " mm";
+  const auto held = std::find_if(wheels.begin(), wheels.end(), [](const Sprocket &wheel) {
+    return wheel.held.holder != Holder::bearing;
+  });
+  return "the centres of Drive/Wheels" +
+         (held == wheels.end() ? "" : ", that of " + held->name + " without travel");
+}
 } // namespace chaindrive::parameters

@@ -47,6 +47,16 @@ std::string whole_number(const unsigned int lower, const unsigned int upper)
   return "a whole number from " + std::to_string(lower) + " to " + std::to_string(upper);
 }
 
+/// deal.II's description of a field for numbers of @p range, with its ends; "MAX" is none.
+std::string form_of(const Range &range)
+{
+  const double most = dealii::Patterns::Double::max_double_value;
+  return dealii::Patterns::Double(std::max(range.lower, -most), std::min(range.upper, most))
+      .description();
+}
+
+constexpr auto most_in_forms = static_cast<unsigned int>(std::numeric_limits<int>::max());
+
 std::vector<std::string> split_at_commas(const std::string &text)
 {
   return dealii::Utilities::split_string_list(text, ',');
@@ -135,7 +145,8 @@ Entry &add(Declarations      &declarations,
       [range](const std::string &text) { return is_in(text, range); },
       [&member, exponent](const std::string &text) {
         member = from_entry_text(text, exponent).value_or(0.); // below the smallest double
-      });
+      },
+      form_of(range));
 }
 
 Entry &add(Declarations          &declarations,
@@ -194,7 +205,8 @@ Entry &add_angle(Declarations      &declarations,
       [range](const std::string &text) { return is_in(text, range); },
       [&member](const std::string &text) {
         member = from_entry_text(text, unit::si).value_or(0.) * degree;
-      });
+      },
+      form_of(range));
 }
 
 Entry &add_point(Declarations                         &declarations,
@@ -241,7 +253,9 @@ Entry &add(Declarations      &declarations,
       whole_number(lower, upper),
       meaning,
       [lower, upper](const std::string &text) { return is_in(text, lower, upper); },
-      [&member](const std::string &text) { member = *read_all<unsigned int>(text); });
+      [&member](const std::string &text) { member = *read_all<unsigned int>(text); },
+      upper > most_in_forms ? "[Anything]" :
+                              dealii::Patterns::Integer(int(lower), int(upper)).description());
 }
 
 Entry &add(Declarations                &declarations,
@@ -367,6 +381,9 @@ Entry &add_choice(Declarations                                   &declarations,
                   const std::string                              &meaning,
                   const std::function<void(const std::string &)> &store)
 {
+  std::string listed;
+  for (const std::string &text : texts)
+    listed += (listed.empty() ? "" : "|") + text;
   return declarations.add(
       name,
       default_value,
@@ -375,7 +392,8 @@ Entry &add_choice(Declarations                                   &declarations,
       [texts](const std::string &text) {
         return std::find(texts.begin(), texts.end(), text) != texts.end();
       },
-      store);
+      store,
+      dealii::Patterns::Selection(listed).description());
 }
 
 Entry &add_choices(Declarations                                                &declarations,
@@ -428,7 +446,8 @@ add(Declarations &declarations, const std::string &name, bool &member, const std
       "true or false",
       meaning,
       [](const std::string &text) { return text == "true" || text == "false"; },
-      [&member](const std::string &text) { member = text == "true"; });
+      [&member](const std::string &text) { member = text == "true"; },
+      dealii::Patterns::Bool().description());
 }
 
 Entry &add(Declarations              &declarations,

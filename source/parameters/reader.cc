@@ -6,6 +6,7 @@
 #include <chaindrive/parameters/reader.h>
 #include <chaindrive/parameters/sections.h>
 #include <chaindrive/parameters/suggestions.h>
+#include <chaindrive/parameters/tree_file.h>
 #include <chaindrive/parameters/writer.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
@@ -54,16 +55,20 @@ public:
     if (files_.size() > most_files)
       throw InputError("'" + file + "': more than " + std::to_string(most_files) +
                        " files include each other; one may include itself.");
-    input_.text                   = read_text(file);
+    input_.text     = read_text(file);
+    const Form form = form_of_file(file);
+    if (form != Form::prm)
+      input_.text = as_prm(read_tree(input_.text, file, form));
     const std::vector<Line> lines = statements(input_.text);
-    if (lines.empty())
+    if (lines.empty() && form == Form::prm)
       throw InputError("The parameter file '" + file +
                        "' contains no entries. To start from a template, use: chaindrive template");
     set_in_.clear(); // what an included file says may be said otherwise
     for (const Line &line : lines)
       {
         line_ = line.number;
-        read_statement(line, file + ", line " + std::to_string(line.number) + ": ");
+        read_statement(
+            line, file + (form == Form::prm ? ", line " + std::to_string(line.number) : "") + ": ");
       }
     if (!open_.empty())
       {
@@ -94,6 +99,8 @@ public:
 
   /// Values of all entries that were set, by path; loops are among them.
   const std::map<std::string, std::string> &values() const { return values_; }
+
+  const Declarations &declarations() const { return *declarations_; }
 
   /// Entries that are loops, in the order of all entries.
   std::vector<Loop> loops() const
@@ -199,7 +206,7 @@ public:
       throw InputError("Drive/Number of links = auto cannot be found here; give a number.");
     const std::string links = std::to_string(n_links(drive));
     set_value(*declarations_->find("Drive", "Number of links"), links, "");
-    input_.notes.push_back("Drive/Number of links = auto: " + links + " for " + places(drive) +
+    input_.notes.push_back("Drive/Number of links = auto: " + links + " for " + drive.places() +
                            ".");
   }
 
@@ -231,21 +238,6 @@ public:
   }
 
 private:
-  /// What the number of links is found for: where the wheels of @p drive are.
-  static std::string places(const Drive &drive)
-  {
-    const auto &wheels = drive.sprockets.list;
-    if (std::any_of(
-            wheels.begin() + 1, wheels.end(), [](const Sprocket &wheel) { return !wheel.centre; }))
-      return "a centre distance of " + to_entry_text(drive.layout.centre_distance, unit::milli) +
-             " mm";
-    const auto held = std::find_if(wheels.begin(), wheels.end(), [](const Sprocket &wheel) {
-      return wheel.held.holder != Holder::bearing;
-    });
-    return "the centres of Drive/Wheels" +
-           (held == wheels.end() ? "" : ", that of " + held->name + " without travel");
-  }
-
   /// Declares all entries of the wheels that there are.
   void declare()
   {
@@ -271,6 +263,16 @@ private:
                           order + " does not name.");
       else if (!(is_study_ && is_loop(value) && may_be_loop(*entry)))
         declarations_->set(*entry, value, "");
+  }
+
+  /// What @p settings of a tree say beyond the defaults, of which a tree has all, as a .prm file.
+  std::string as_prm(const std::vector<Setting> &settings)
+  {
+    for (const Setting &one : settings)
+      if (one.path() == order_entry)
+        read_entry(order_entry, one.value); // there are entries of other wheels then
+    throw_errors();
+    return beyond_defaults(settings, *declarations_, file_);
   }
 
   void read_statement(const Line &line, const std::string &where)
@@ -367,7 +369,7 @@ private:
     const std::string path = section.empty() ? name : section + "/" + name;
     if (const Entry *entry = find(path, where))
       {
-        const auto [before, is_first] = set_in_.emplace(entry->path(), Setting{line_, path});
+        const auto [before, is_first] = set_in_.emplace(entry->path(), Place{line_, path});
         if (!is_first && before->second.name != path)
           errors_.push_back(where + path + " and " + before->second.name + " of line " +
                             std::to_string(before->second.line) +
@@ -392,25 +394,6 @@ private:
     return (entry.section != "Study" || entry.name == "Ranks") && entry.path() != order_entry;
   }
 
-  /// A value that a .prm file cannot hold would be another one when parameters.prm or a study's
-  /// variant.prm is read. Those of files never are: there it has been cut already.
-  static void
-  refuse_unwritable(const Entry &entry, const std::string &value, const std::string &where)
-  {
-    for (const auto &[text, what] : {std::pair<const char *, const char *>{"#", "begins a comment"},
-                                     {"\n", "ends the line"},
-                                     {"\r", "ends the line"}})
-      if (value.find(text) != std::string::npos)
-        throw InputError(where + entry.path() + " = " + value + " is not allowed: in a .prm file " +
-                         (*text == '#' ? "'#' " : "a line break ") + what +
-                         ", so that the run could not be repeated. Give a value or path without.");
-    if (!value.empty() && value.back() == '\\')
-      throw InputError(
-          where + entry.path() + " = " + value +
-          " is not allowed: in a .prm file '\\' at the end goes on with the next line, "
-          "so that the run could not be repeated. Give a value or path without.");
-  }
-
   /// @p where begins a message.
   void set_value(const Entry &entry, const std::string &given, const std::string &where)
   {
@@ -424,7 +407,7 @@ private:
       }
     try
       {
-        refuse_unwritable(entry, value, where);
+        refuse_unwritable(entry.path(), value, where);
         const std::string path = entry.path();
         declarations_->set(entry, value, where);
         values_[path] = value;
@@ -461,7 +444,7 @@ private:
   static constexpr std::size_t most_files = 20;
 
   /// Where a file sets an entry, and by which name.
-  struct Setting
+  struct Place
   {
     unsigned int line;
     std::string  name;
@@ -475,7 +458,7 @@ private:
   std::vector<std::string>                          files_;    ///< read so far
   std::vector<std::pair<std::string, unsigned int>> open_;     ///< path, line of each open section
   std::map<std::string, std::string>                values_;   ///< of all entries set, by path
-  std::map<std::string, Setting>                    set_in_;   ///< this file's, by path
+  std::map<std::string, Place>                      set_in_;   ///< this file's, by path
   unsigned int                                      line_ = 0; ///< that is read
   std::vector<std::string>                          errors_;
   std::set<std::string>                             old_names_; ///< sentences noted
@@ -521,6 +504,25 @@ Input read_parameters(const std::string              &file,
     reader.read_override(override_text);
   finish(input, reader, completion);
   return input;
+}
+
+std::string in_form(const std::string &file, const Form form)
+{
+  Input  input;
+  Reader reader(input);
+  reader.read_file(file);
+  reader.throw_errors();
+  return in_form(reader.declarations(), reader.values(), form);
+}
+
+std::string in_form(const std::map<std::string, std::string> &values, const Form form)
+{
+  Input  input;
+  Reader reader(input);
+  for (const auto &[path, value] : values)
+    reader.read_entry(path, value);
+  reader.throw_errors();
+  return in_form(reader.declarations(), reader.values(), form);
 }
 
 Input read_entries(const std::map<std::string, std::string> &values, const Completion &completion)

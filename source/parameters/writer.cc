@@ -21,27 +21,6 @@ std::vector<std::string> parts_of(const std::string &section)
   return dealii::Utilities::split_string_list(section, '/');
 }
 
-/// Closes the sections in @p open that @p section does not lie in, and opens those that are
-/// missing.
-void change_section(std::ostream &out, std::vector<std::string> &open, const std::string &section)
-{
-  const std::vector<std::string> parts  = parts_of(section);
-  const auto                     indent = [&] { return std::string(2 * open.size(), ' '); };
-
-  const std::size_t common =
-      std::mismatch(open.begin(), open.end(), parts.begin(), parts.end()).first - open.begin();
-  while (open.size() > common)
-    {
-      open.pop_back();
-      out << indent() << "end\n";
-    }
-  for (std::size_t i = common; i < parts.size(); ++i)
-    {
-      out << (i == 0 || i > common ? "" : "\n") << indent() << "subsection " << parts[i] << '\n';
-      open.push_back(parts[i]);
-    }
-}
-
 /// A bar would end a cell of a Markdown table.
 std::string cell(const std::string &text)
 {
@@ -69,6 +48,25 @@ std::string documentation_of_plugins()
                             rows;
 }
 } // namespace
+
+void change_section(std::ostream &out, std::vector<std::string> &open, const std::string &section)
+{
+  const std::vector<std::string> parts  = parts_of(section);
+  const auto                     indent = [&] { return std::string(2 * open.size(), ' '); };
+
+  const std::size_t common =
+      std::mismatch(open.begin(), open.end(), parts.begin(), parts.end()).first - open.begin();
+  while (open.size() > common)
+    {
+      open.pop_back();
+      out << indent() << "end\n";
+    }
+  for (std::size_t i = common; i < parts.size(); ++i)
+    {
+      out << (i == 0 || i > common ? "" : "\n") << indent() << "subsection " << parts[i] << '\n';
+      open.push_back(parts[i]);
+    }
+}
 
 void write_prm(std::ostream                             &out,
                const Declarations                       &declarations,

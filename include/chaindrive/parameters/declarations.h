@@ -4,6 +4,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <functional>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -39,17 +40,22 @@ class Declarations
 {
 public:
   /// Adds an entry to the section that is open: @p accepts and @p allowed make its pattern, @p
-  /// store puts an accepted text into the member. See Entry for the other arguments.
+  /// store puts an accepted text into the member; @p form is what deal.II's parameter_gui offers a
+  /// field for, the description of one of its patterns. See Entry for the other arguments.
   Entry &add(const std::string                              &name,
              const std::string                              &default_value,
              const std::string                              &allowed,
              const std::string                              &meaning,
              const std::function<bool(const std::string &)> &accepts,
-             const std::function<void(const std::string &)> &store);
+             const std::function<void(const std::string &)> &store,
+             const std::string                              &form = "[Anything]");
 
   /// Gives the member behind @p entry a value. Throws InputError when the value is not allowed:
   /// @p where (file and line, or command-line option) begins the sentence.
   void set(const Entry &entry, const std::string &value, const std::string &where);
+
+  /// Writes all entries with their values, defaults, meanings and forms as ParameterHandler does.
+  void print(std::ostream &out, dealii::ParameterHandler::OutputStyle style) const;
 
   const std::vector<Entry> &entries() const { return entries_; }
 

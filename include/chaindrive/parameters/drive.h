@@ -269,6 +269,9 @@ struct Drive
   Sprockets    sprockets;
   Layout       layout;
 
+  /// Where the wheels are, in words: what a number of links is found for.
+  std::string places() const;
+
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.
   void declare(Declarations &declarations);

@@ -3,6 +3,7 @@
 
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/parameters/study.h>
+#include <chaindrive/parameters/tree_file.h>
 
 #include <functional>
 #include <iosfwd>
@@ -18,8 +19,10 @@ struct Input
   Parameters               parameters;
   std::vector<std::string> notes;    ///< harmless oddities, a sentence each, for the log
   std::vector<std::string> warnings; ///< what is most likely a mistake, a sentence each
-  std::string              text;     ///< of the file as it was read, once: it may be a pipe
-  std::string              resolved; ///< every entry with its value, as a .prm file
+  /// Of the file as it was read, once: it may be a pipe. Of a tree what is not the default, as
+  /// .prm.
+  std::string text;
+  std::string resolved; ///< every entry with its value, as a .prm file
   /// "Section/Entry = value", a line for each entry that must stay when a run resumes.
   std::string fixed;
 };
@@ -43,7 +46,8 @@ struct Completion
       check = {};
 };
 
-/// Reads the .prm file @p file, then applies @p overrides ("Section/Entry=value", such as
+/// Reads the parameter file @p file, a .prm file or by the end of its name a tree (tree_file.h),
+/// then applies @p overrides ("Section/Entry=value", such as
 /// "Drive/Layout/Slack in mm=1") in their order, then completes and checks as @p completion says.
 ///
 /// Throws InputError with a sentence for every mistake found, one per line: a file that cannot be
@@ -62,6 +66,15 @@ Input read_entries(const std::map<std::string, std::string> &values,
 /// @p quick. What the variants say of the drive is checked by read_entries(), each by itself.
 StudyInput
 read_study(const std::string &file, const std::vector<std::string> &overrides, bool quick);
+
+/// The drive of the parameter file @p file in another form: as an XML or JSON tree every entry with
+/// its value, default, meaning and the field that it needs, as deal.II's parameter_gui reads it; as
+/// .prm the entries that are not their defaults, without comments. Throws as read_parameters(), but
+/// for what is wrong across entries.
+std::string in_form(const std::string &file, Form form);
+
+/// The same for entries at hand, those of two wheels: their values by path.
+std::string in_form(const std::map<std::string, std::string> &values, Form form);
 
 /// Writes a .prm file with every entry at its default, each with its meaning and allowed values.
 void write_template(std::ostream &out);
