@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""out_of_line_elastic.py CASE PROGRAM: wheels that are out of line, in reduced and full fidelity, on a drive of 24 links.
+
+  static    At rest the side force is that of the stretched chain as a beam: elastic plates are bars at the distance l/2 from the middle,
+            so that with k per pitch its bending stiffness is k p l^2 / 4, with the mean of l^2 of inner and outer links. Its deflection is
+            a + b x + c cosh(x / lambda) + d sinh(x / lambda), and the side force T b; plates on teeth carry it
+  alike     With a small offset reduced chains with a penalty are as full ones, and with exact joints not far: tension and side forces;
+            energy and momentum balance, no contact is missed
+  line      All wheels offset by the same: as in line with plate faces, and plates touch no teeth
+  mirrored  An offset against the other one: the mirror image
+  resume    Goes on bit by bit while plates touch teeth, and is the same on two ranks up to round-off; resume-full: in full fidelity
+"""
+import math
+import re
+import shutil
+import sys
+
+import h5py
+import numpy as np
+
+import program
+from program import check
+
+CASE, PROGRAM = sys.argv[1:3]
+DRIVE = {
+    "Drive/Number of links": 24,
+    "Drive/Driver teeth": 9,
+    "Drive/Driven teeth": 9,
+    "Drive/Chain/Designation": "08B",
+    "Drive/Layout/Start": "settled",
+    "Drive/Layout/Centre distance from": "slack",
+    "Drive/Layout/Slack in mm": 0.5,
+    "Model/Elastic sprockets": "off",
+    "Model/Driven inertia in kg m2": 1e-3,
+    "Mesh/Refinement": 0,
+    "Loads/Driver speed in rad/s": 100,
+    "Loads/Resisting torque in N m": 20,
+    "Contact/Damping ratio": 0.1,
+    "Output/Rollers": "all",
+    "Output/Quantities": "tensions, tooth forces, joint forces, roller motion, energy",
+    "Output/History interval in us": 10,
+    "Output/History precision": "double",
+    "Output/Window start in ms": 0,
+}
+OFFSET, TILT = ("Drive/Wheels/driven/" + name for name in ("Axial offset in mm", "Tilt in degrees"))
+REDUCED, FULL = ({"Model/Fidelity": name} for name in ("reduced", "full"))
+
+
+def run(directory, changes, options=(), ranks=1, says=""):
+    words = ("--output", directory, *options)
+    said = program.run("prm/verification/hard.prm", {**DRIVE, **changes}, *words, program=PROGRAM, ranks=ranks)
+    check(re.search(says, said), f"it does not say {says}:\n{said}")
+    histories = {}
+    with h5py.File(f"{directory}/histories.h5") as file:
+        file.visititems(lambda name, item: histories.update({name: item[:]}) if isinstance(item, h5py.Dataset) else None)
+    return histories, program.summary(directory)
+
+
+def near(what, value, wanted, within):
+    print(f"{what}: {value:.5g}, wanted {wanted:.5g} +- {within:.2g}")
+    check(abs(value - wanted) <= within, f"{what}: {value} instead of {wanted}")
+
+
+def most(what, value, limit):
+    print(f"{what}: {value:.3g}, at most {limit:.3g}")
+    check(value <= limit, f"{what}: {value}")
+
+
+def difference(one, other, names):
+    return max(np.abs(one[name] - other[name]).max() / np.abs(other[name]).max() for name in names)
+
+
+def static():
+    n, outer, inner = 44, 13.388e-3, 10.7e-3  # of the 08B chain: distances of the mid-surfaces of plates
+    at_rest = {
+        **REDUCED,
+        "Drive/Number of links": n,
+        OFFSET: 2,
+        "Loads/Driver speed in rad/s": 0,
+        "Loads/Resisting torque in N m": 150,
+        "Loads/Drag in 1/s": 2000,
+        "Contact/Damping ratio": 0.3,
+        "Contact/Friction coefficient": 0,
+        "Contact/Bush-pin friction": 0.3,  # joints do not slide along their pins
+        "Effects/Gravity": "off",
+        "Time/End time in ms": 7,
+        "Output/Window start in ms": 6,
+        "Output/History interval in us": 100,
+    }
+    histories, summary = run("static", at_rest)
+    links = summary["drive"]["spans"][-1]["links"]
+    with open("static/log.txt", encoding="utf-8") as log:
+        stiffness = float(re.search(r"Stiffness per pitch (\S+) N/m", log.read())[1])
+    tension = summary["spans"]["driven_to_driver"]["tension_mean"]
+    side = {wheel: summary["statistics"][f"{wheel}_side_force"]["mean"] for wheel in ("driver", "driven")}
+    x, y, z = (histories[name][-10:].mean(axis=0) for name in ("rollers/position_x", "rollers/position_y", "links/position_z"))
+    span = list(range(n - links, n))
+    length = math.hypot(x[0] - x[n - links], y[0] - y[n - links])
+    at = length * (np.arange(links) + 0.5) / links - 0.5 * length  # of the links' centres, from the middle
+    rise = abs(z[span[0]] - z[span[-1]]) / (links - 1) * links
+    inside = slice(1, -1)
+
+    def beam(square):
+        decay = math.sqrt(stiffness * square * length / links / tension)
+        basis = np.stack([np.ones(links), at, np.cosh(at / decay), np.sinh(at / decay)], axis=1)
+        rate = np.linalg.lstsq(basis[inside], z[span][inside], rcond=None)[0]
+        string = tension * rise / length
+        clamped = string / (1 - 2 * decay / length * math.tanh(0.5 * length / decay))
+        print(f"lambda {1e3 * decay:.4g} mm of {1e3 * length:.4g}: beam {abs(tension * rate[1]):.4g} N, clamped {clamped:.4g} N, string {string:.4g} N")
+        return abs(tension * rate[1]), string, clamped, np.abs(basis @ rate - z[span])[inside].max() / np.ptp(z[span])
+
+    print(f"tension {tension:.5g} N, side forces {side}")
+    wanted, string, clamped, off = beam((inner**2 + outer**2) / 8)
+    most("deflection off that of a beam, of its range", off, 0.005)
+    near("side force over that of the beam", side["driver"] / wanted, 1, 0.05)
+    check(string < side["driver"] < clamped, f"side force {side['driver']} is not between {string} and {clamped}")
+    near("side force of the driven sprocket over that of the driver", side["driven"] / side["driver"], -1, 0.02)
+    near("force of plates on teeth over the side force", summary["statistics"]["driver_plate_force"]["mean"] / side["driver"], 1, 0.02)
+    check(abs(side["driver"] / beam(inner**2 / 12)[0] - 1) > 0.1, "nor can it be told from that of rigid links")
+
+
+def alike():
+    results = {}
+    for name, changes in {
+        "full": FULL,
+        "penalty": {**REDUCED, "Contact/Enforcement": "penalty"},
+        "exact joints": {**REDUCED, "Contact/Enforcement": "exact joints"},
+        "exact": REDUCED,
+    }.items():
+        histories, summary = run("alike", {**changes, OFFSET: 0.5, "Time/End time in ms": 0.3})
+        tension = histories["spans/driven_to_driver_tension"].mean()
+        force = histories["hubs/driver_side_force"]
+        results[name] = tension, force.mean(), np.abs(force).max()
+        print(f"{name}: tension {tension:.4g} N, side force {force.mean():.3g} N in the mean, up to {results[name][2]:.3g}")
+        most("energy imbalance", summary["energy_imbalance_max"], 3e-4)
+        most("momentum imbalance", summary["momentum_imbalance_max"], 1e-9)
+        check(summary["contacts_missed"] == 0, f"{summary['contacts_missed']} contacts missed")
+    for name, (tension, _, largest) in results.items():
+        strict = name == "penalty"
+        near(f"tension, {name} over full", tension / results["full"][0], 1, 0.01 if strict else 0.05)
+        near(f"largest side force, {name} over full", largest / results["full"][2], 1, 0.08 if strict else 0.15)
+
+
+def line():
+    short = {**FULL, "Time/End time in ms": 0.02, "Contact/Damping ratio": 0, "Contact/Plate faces": "on", "Model/Symmetry model": "false",
+             "Time/Time step in us": 0.05, "Output/History interval in us": 1}
+    in_line, _ = run("line", short)
+    moved, summary = run("moved", {**short, OFFSET: 7, "Drive/Wheels/driver/Axial offset in mm": 7})
+    names = [name for name in in_line if name.startswith(("hubs/", "spans/", "rollers/position", "rollers/velocity", "links/tension"))]
+    names = [name for name in names if np.abs(in_line[name]).max() > 0]
+    most("histories off those in line", difference(moved, in_line, names), 1e-6)
+    near("position of links, m", moved["links/position_z"].min(), 7e-3, 1e-8)
+    for wheel in ("driver", "driven"):
+        most(f"plates on the {wheel}'s teeth, N", summary["statistics"][f"{wheel}_plate_force"]["largest"], 0)
+
+
+def mirrored():
+    short = {**REDUCED, "Time/End time in ms": 0.1}
+    one, _ = run("one", {**short, OFFSET: 0.5})
+    other, _ = run("other", {**short, OFFSET: -0.5})
+    z, force = "links/position_z", "hubs/driven_side_force"
+    check(np.abs(one[z]).max() > 1e-4 and np.abs(one[force]).max() > 1, "nothing is out of line")
+    most("z off its mirror image, m", np.abs(one[z] + other[z]).max(), 1e-9)
+    most("side force off its mirror image, of the largest", np.abs(one[force] + other[force]).max() / np.abs(one[force]).max(), 1e-3)
+    most("tension off", difference(one, other, ["spans/driven_to_driver_tension"]), 1e-5)
+
+
+def resume(fidelity):
+    end, middle = 0.4, 0.28
+    # teeth nearly as wide as the plates let them be: these touch soon
+    entries = {**fidelity, OFFSET: 1, TILT: 0.5, "Drive/Sprockets/Width in mm": 7.7, "Time/End time in ms": end}
+    for directory in ("whole", "parts", "two"):
+        shutil.rmtree(directory, ignore_errors=True)
+    whole, _ = run("whole", entries)
+    touching = np.abs(whole["time"] - 1e-3 * middle) < 0.015e-3
+    pressed = whole["hubs/driver_plate_force"] + whole["hubs/driven_plate_force"]
+    check(pressed[touching].min() > 0, "plates do not touch teeth where the run goes on")
+    run("parts", {**entries, "Time/End time in ms": middle, "Output/Checkpoint interval in ms": middle})
+    parts, _ = run("parts", entries, ("--resume", "auto"), says=f"Resumed from .* at {middle:g}")
+    for history, values in whole.items():
+        check(values.tobytes() == parts[history].tobytes(), f"{history} is not the same after going on")
+    two, _ = run("two", {**entries, "Time/End time in ms": middle}, ranks=2)
+    for history in ("spans/driven_to_driver_tension", "hubs/driver_side_force", "hubs/driven_plate_force", "links/position_z"):
+        values, n = whole[history], len(two[history])
+        most(f"{history} on two ranks", np.abs(two[history] - values[:n]).max() / np.abs(values[:n]).max(), 1e-6)
+    print(f"{len(whole)} histories are the same")
+
+
+CASES = {
+    "static": static,
+    "alike": alike,
+    "line": line,
+    "mirrored": mirrored,
+    "resume": lambda: resume(REDUCED),
+    "resume-full": lambda: resume(FULL),
+}
+CASES[CASE]()
