@@ -72,7 +72,13 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
   for (const scene::SurfaceFamily &family : scene.surfaces)
     add_family(family);
   for (const scene::GuideFamily &guide : scene.guides)
-    add_family({guide.name, std::make_shared<const GuideLine>(guide), guide.law, guide.slaves});
+    add_family({guide.name,
+                std::make_shared<const GuideLine>(guide),
+                guide.law,
+                guide.slaves,
+                guide.elastic,
+                mesh::plate_edges,
+                guide.stiffness});
   for (const scene::BoreFamily &bores : scene.bores)
     if (bores.elastic)
       {

@@ -3,11 +3,16 @@
 #include <chaindrive/path/curve.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace chaindrive::contact
 {
 GuideLine::GuideLine(const scene::GuideFamily &family)
-    : Surface(family.body), curve_(family.curve), at_centres_(family.at_centres), reach_(0.)
+    : Surface(family.body)
+    , curve_(family.curve)
+    , at_centres_(family.at_centres)
+    , depth_(family.depth)
+    , reach_(0.)
 {
   const dealii::Point<2> middle = curve_->at(0.5 * curve_->n_pieces());
   for (unsigned int d = 0; d < 2; ++d)
@@ -16,6 +21,33 @@ GuideLine::GuideLine(const scene::GuideFamily &family)
   for (unsigned int i = 0; i <= n * curve_->n_pieces(); ++i)
     reach_ = std::max(reach_, middle.distance(curve_->at(static_cast<double>(i) / n)));
   reach_ *= 1.05; // between these points
+  if (depth_ == 0.)
+    return;
+  const double last = curve_->n_pieces(), near = 1e-6;
+  for (const auto &[end, beside] : {std::make_pair(0., near), {last, last - near}})
+    {
+      End          rounded;
+      unsigned int hint = curve_->n_pieces();
+      const auto   at   = curve_->at(end);
+      rounded.outwards  = at - curve_->at(beside);
+      rounded.outwards /= rounded.outwards.norm();
+      rounded.at     = at;
+      rounded.centre = at - depth_ * curve_->nearest(curve_->at(beside), hint).normal;
+      ends_.push_back(rounded);
+    }
+}
+
+path::Nearest GuideLine::nearest(const dealii::Point<2> &p, unsigned int &hint) const
+{
+  for (const End &end : ends_)
+    if ((p - end.at) * end.outwards > 0. && p.distance(end.at) < 4. * depth_)
+      {
+        const dealii::Tensor<1, 2> arm = p - end.centre;
+        const double               r   = arm.norm();
+        if (r > 0.)
+          return {r - depth_, arm / r};
+      }
+  return curve_->nearest(p, hint);
 }
 
 Touch GuideLine::project(const World                &world,
@@ -27,10 +59,10 @@ Touch GuideLine::project(const World                &world,
 {
   const Frame               &frame   = world.frames[body()];
   const dealii::Tensor<1, 3> local   = transpose(frame.rotation) * (x - frame.position);
-  const path::Nearest        nearest = curve_->nearest(dealii::Point<2>(local[0], local[1]), hint);
-  const double               side    = nearest.distance < 0. ? -1. : 1.;
+  const path::Nearest        nearest = this->nearest(dealii::Point<2>(local[0], local[1]), hint);
+  const double               middle = nearest.distance + depth_, side = middle < 0. ? -1. : 1.;
   Touch                      touch;
-  touch.gap = side * nearest.distance - radius;
+  touch.gap = side * middle - depth_ - radius;
   if (touch.gap < 0.)
     {
       dealii::Tensor<1, 3> normal;

@@ -166,13 +166,6 @@ void set_chain_and_sprockets(const Parameters &parameters, Drive &d)
   d.chain = d.links.in(d.chain);
   for (unsigned int i = 0; i < sprockets.list.size(); ++i)
     {
-      if (const parameters::Sprocket &wheel = sprockets.list[i];
-          wheel.is_flat() && wheel.flat.runs_on == parameters::RunsOn::plates && model.is_elastic &&
-          !model.is_reduced)
-        throw InputError(
-            "Drive/Wheels/" + wheel.name +
-            "/Flat/Runs on = plates is for the fidelities simple, layered and reduced; "
-            "choose one of these, or rollers.");
       d.sprockets.push_back(make_sprocket(
           i, sprockets, d.chain, parameters.model.driven_inertia, parameters.drive.chain.share()));
       d.sprockets[i].program =

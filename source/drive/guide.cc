@@ -66,16 +66,10 @@ private:
   double      radius_, reach_ = 0.; ///< of plates, m; about the origin, m
 };
 
-/// Whether links are of finite elements.
-bool has_nodes(const parameters::Capabilities &model)
-{
-  return model.is_elastic && !model.is_reduced;
-}
-
 const std::string of_driver = "Drive/Wheels/driver/Guide/";
 
 /// Refuses what a guide on an arm or a slide cannot be.
-void check_pressed(const parameters::Drive &drive, const bool has_nodes)
+void check_pressed(const parameters::Drive &drive)
 {
   const parameters::Guide     &given  = drive.sprockets.driver().guide;
   const parameters::Holder     holder = given.held.holder;
@@ -83,9 +77,6 @@ void check_pressed(const parameters::Drive &drive, const bool has_nodes)
   const bool                   arm    = parameters::turns(holder);
   const std::string            limit  = of_driver + (arm ? "Arm/" : "Slide/");
   const parameters::Tensioner &spring = given.held.tensioner();
-  if (has_nodes)
-    throw InputError(entry + ": guides are for the fidelities simple, layered and reduced; choose "
-                             "one of these, or no points.");
   if (arm && !given.held.pivot)
     throw InputError(entry + " turns about a pivot; give " + limit + "Pivot in mm.");
   if (!(spring.inertia > 0.))
@@ -172,11 +163,10 @@ double distance_of(const path::Curve &curve, const Point<2> &p)
 }
 } // namespace
 
-std::vector<Guide> make_guides(const parameters::Drive        &drive,
-                               const ChainDimensions          &chain,
-                               const std::vector<ToothForm>   &forms,
-                               const Layout                   &layout,
-                               const parameters::Capabilities &model)
+std::vector<Guide> make_guides(const parameters::Drive      &drive,
+                               const ChainDimensions        &chain,
+                               const std::vector<ToothForm> &forms,
+                               const Layout                 &layout)
 {
   const double       half = 0.5 * chain.inner_plate_height;
   const unsigned int n    = static_cast<unsigned int>(layout.joints.size());
@@ -187,10 +177,6 @@ std::vector<Guide> make_guides(const parameters::Drive        &drive,
       if (given.points.empty() || given.is_sprung())
         continue;
       const std::string section = "Drive/Wheels/" + drive.sprockets.list[i].name + "/Guide/";
-      if (has_nodes(model))
-        throw InputError(section +
-                         "Points in mm: guides are for the fidelities simple, layered and reduced; "
-                         "choose one of these, or no points.");
       Guide guide{i, line_of(given, section, layout.sense), given.friction, given.stiffness};
       for (unsigned int k = 0; k < forms.size(); ++k)
         {
@@ -269,17 +255,16 @@ std::string Guide::in_words(const double slack, const unsigned int strands) cons
   return held->in_words("guide", slack, strands, "the middle of its line");
 }
 
-std::optional<Guide> make_pressed_guide(const parameters::Drive        &drive,
-                                        const ChainDimensions          &chain,
-                                        const std::vector<ToothForm>   &forms,
-                                        const Layout                   &layout,
-                                        const double                    gravity,
-                                        const parameters::Capabilities &model)
+std::optional<Guide> make_pressed_guide(const parameters::Drive      &drive,
+                                        const ChainDimensions        &chain,
+                                        const std::vector<ToothForm> &forms,
+                                        const Layout                 &layout,
+                                        const double                  gravity)
 {
   const parameters::Guide &given = drive.sprockets.driver().guide;
   if (!given.is_sprung())
     return {};
-  check_pressed(drive, has_nodes(model));
+  check_pressed(drive);
   Guide guide{0, line_of(given, of_driver, layout.sense), given.friction, given.stiffness};
 
   // on which side of the straight span it is, and how far

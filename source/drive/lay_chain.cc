@@ -263,8 +263,8 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
   if (d.layout.tensioner)
     d.layout.tensioner->carry(d.sprockets[d.layout.tensioner->wheel].solid.mass,
                               gravity(parameters));
-  std::optional<Guide> pressed = make_pressed_guide(
-      entries, d.chain, forms, d.layout, gravity(parameters), given.capabilities());
+  std::optional<Guide> pressed =
+      make_pressed_guide(entries, d.chain, forms, d.layout, gravity(parameters));
   const auto at_rest =
       pressed ? std::make_optional(resting_guide(*pressed, d.chain)) : std::nullopt;
   if (pressed && !settled)
@@ -326,11 +326,7 @@ void lay_chain(const Parameters &parameters, const JointShifts &shifts, Drive &d
   if (layout.centre_distance_from != CentreDistanceFrom::given && !clamped)
     d.notes.push_back("Centre distance " + to_text(d.layout.centre_distance() * 1e3, 7) +
                       " mm, from " + text_of(layout.centre_distance_from) + ".");
-  for (Guide &guide : make_guides(parameters.drive,
-                                  d.chain,
-                                  forms_of(d.sprockets),
-                                  d.layout,
-                                  parameters.model.capabilities()))
+  for (Guide &guide : make_guides(parameters.drive, d.chain, forms_of(d.sprockets), d.layout))
     d.guides.push_back(std::move(guide));
 }
 } // namespace chaindrive::drive

@@ -200,10 +200,7 @@ void Flat::declare(Declarations &declarations)
       "With what the chain lies on a wheel without teeth. rollers: it is narrower than the chain's "
       "inner width, and rollers roll on it; joints run on its diameter and that of a roller. "
       "plates: it is wider than the chain, and the round ends of the inner plates, the higher "
-      "ones, "
-      "lie on it; joints run on its diameter and the height of these plates. For fidelities "
-      "simple, "
-      "layered and reduced.");
+      "ones, lie on it; joints run on its diameter and the height of these plates.");
   add(declarations,
       "Friction coefficient",
       friction,

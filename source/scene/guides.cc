@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/placement.h>
 #include <chaindrive/utilities/text.h>
@@ -17,10 +18,31 @@ std::vector<SlavePoint> plates_of_joints(const drive::Drive &drive, const Scene 
     else
       {
         const Joint joint = joint_of(k, drive, scene.drive);
+        if (scene.bodies[joint.inner].motion == Motion::elastic)
+          continue;
         for (const double z : {-half, half})
           slaves.push_back({joint.inner, dealii::Point<3>(joint.bush_x, 0., z), radius, k});
       }
   return slaves;
+}
+
+PlateNodes plate_nodes(const model::Model &model,
+                       const drive::Drive &drive,
+                       const Scene        &scene,
+                       const double        friction)
+{
+  const double reach = 0.5 * (drive.chain.inner_hole_pitch + drive.chain.inner_plate_height);
+  PlateNodes   nodes;
+  for (unsigned int k = 0; k < scene.drive.links.size(); k += 2)
+    if (const unsigned int link = scene.drive.links[k];
+        scene.bodies[link].motion == Motion::elastic)
+      nodes.slaves.push_back({link, dealii::Point<3>(), reach, k});
+  if (nodes.slaves.empty())
+    return nodes;
+  const mesh::Part        &part = *scene.parts.at(Kind::inner_link);
+  const mesh::SurfaceNodes edges(part, mesh::Nodes(part), mesh::plate_edges);
+  nodes.law = make_area_law(model.contact, model.material, edges.thickness, friction);
+  return nodes;
 }
 
 namespace
@@ -53,6 +75,24 @@ void put_on_holder(const drive::Guide &guide, Body &body, Scene &scene)
   body.initial       = slide.initial;
   body.mount.carrier = number;
 }
+
+/// Of the inner links that move by nodes; without slaves where there are none. The guide deflects
+/// under each by the stiffness of its two joints.
+GuideFamily with_nodes(const model::Model &model,
+                       const drive::Drive &drive,
+                       const drive::Guide &guide,
+                       const GuideFamily  &line,
+                       const Scene        &scene)
+{
+  const PlateNodes nodes  = plate_nodes(model, drive, scene, guide.friction);
+  GuideFamily      family = line;
+  family.slaves           = nodes.slaves;
+  family.law              = nodes.law;
+  family.elastic          = true;
+  family.stiffness        = scene.symmetry().share(2. * guide.stiffness);
+  family.depth            = 0.5 * drive.chain.inner_plate_height;
+  return family;
+}
 } // namespace
 
 void add_guides(const model::Model &model, const drive::Drive &drive, Scene &scene)
@@ -75,12 +115,16 @@ void add_guides(const model::Model &model, const drive::Drive &drive, Scene &sce
       family.body       = static_cast<unsigned int>(scene.bodies.size());
       family.curve      = std::make_shared<const path::Curve>(guide.in_frame());
       family.at_centres = lumped;
+      scene.bodies.push_back(ground);
+      GuideFamily nodes = with_nodes(model, drive, guide, family, scene);
+      if (!nodes.slaves.empty())
+        scene.guides.push_back(std::move(nodes));
       const double mass = lumped ? scene.drive.mass_per_pitch : drive.inner_link_solid.mass;
       family.law =
           make_law(model.contact, guide.stiffness, mass, guide.friction).shared_by(lumped ? 1 : 2);
       family.slaves = plates_of_joints(drive, scene);
-      scene.bodies.push_back(ground);
-      scene.guides.push_back(std::move(family));
+      if (!family.slaves.empty())
+        scene.guides.push_back(std::move(family));
     }
 }
 } // namespace chaindrive::scene

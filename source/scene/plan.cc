@@ -161,19 +161,24 @@ void print_plan(std::ostream &out, const Scene &scene)
     out << "  " << std::setw(4) << faces.pairs.size() << " pairs " << faces.name << ": "
         << law_text(faces.law, true) << '\n';
   for (const ToothFamily &teeth : scene.teeth)
-    out << "  " << std::setw(4) << teeth.slaves.size()
-        << (!teeth.elastic             ? " points " :
-            scene.drive.bushes.empty() ? " rollers " :
-                                         " bushes ")
-        << teeth.name << " (those near the sprocket are looked at): "
-        << (has_penalty(scene, teeth) ?
-                law_text(teeth.law, teeth.elastic) +
-                    (teeth.elastic ? columns_text(scene, teeth) : "") :
-                "without penalty" + friction_text(teeth.law) + ", in strips of the profile")
-        << '\n';
+    {
+      const bool on_edges = teeth.elastic && teeth.slave_surface == mesh::plate_edges;
+      out << "  " << std::setw(4) << teeth.slaves.size()
+          << (!teeth.elastic             ? " points " :
+              on_edges                   ? " links " :
+              scene.drive.bushes.empty() ? " rollers " :
+                                           " bushes ")
+          << teeth.name << " (those near the sprocket are looked at): "
+          << (has_penalty(scene, teeth) ?
+                  law_text(teeth.law, teeth.elastic) +
+                      (on_edges || !teeth.elastic ? "" : columns_text(scene, teeth)) :
+                  "without penalty" + friction_text(teeth.law) + ", in strips of the profile")
+          << '\n';
+    }
   for (const GuideFamily &guide : scene.guides)
-    out << "  " << std::setw(4) << guide.slaves.size() << " points " << guide.name
-        << " (those near it are looked at): " << law_text(guide.law, false) << '\n';
+    out << "  " << std::setw(4) << guide.slaves.size() << (guide.elastic ? " links " : " points ")
+        << guide.name << " (those near it are looked at): " << law_text(guide.law, guide.elastic)
+        << '\n';
   if (!scene.bars.empty())
     out << "  " << std::setw(4) << scene.bars.size() << " bars: k "
         << to_text(scene.bars.front().stiffness, 4) << " N/m, c "

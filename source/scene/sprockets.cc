@@ -256,6 +256,24 @@ ToothFamily with_elastic_rollers(const model::Model &model,
   return teeth;
 }
 
+/// The family of the inner links that move by nodes, the edges of whose plates lie on a drum, which
+/// deflects under each by the stiffness of its two joints; without slaves where there are none.
+ToothFamily with_plate_nodes(const model::Model    &model,
+                             const drive::Drive    &drive,
+                             const drive::Sprocket &sprocket,
+                             const Scene           &scene,
+                             const ToothFamily     &flanks)
+{
+  const PlateNodes nodes  = plate_nodes(model, drive, scene, friction_on(model, sprocket));
+  ToothFamily      plates = flanks;
+  plates.slaves           = nodes.slaves;
+  plates.law              = nodes.law;
+  plates.elastic          = true;
+  plates.slave_surface    = mesh::plate_edges;
+  plates.tooth_stiffness  = scene.symmetry().share(2. * sprocket.flat_stiffness);
+  return plates;
+}
+
 /// The sides of meshes that meet teeth.
 std::vector<mesh::Surface> sides_on_teeth(const drive::ChainDimensions &chain)
 {
@@ -361,7 +379,11 @@ void add_sprockets(const model::Model             &model,
       const ToothFamily flanks = make_flanks(model, drive, sprocket, number, part.get(), scene);
       if (sprocket.carries_plates())
         {
-          scene.teeth.push_back(with_plates(model, drive, sprocket, scene, flanks));
+          for (ToothFamily &plates :
+               std::vector<ToothFamily>{with_plate_nodes(model, drive, sprocket, scene, flanks),
+                                        with_plates(model, drive, sprocket, scene, flanks)})
+            if (!plates.slaves.empty())
+              scene.teeth.push_back(std::move(plates));
           continue;
         }
       if (model.effects.is_on(Effect::tooth_compliance) && body.motion == Motion::rigid &&

@@ -111,5 +111,4 @@ int main()
     auto &points = p.drive.sprockets.list[1].guide.points;
     points[1]    = points[0];
   });
-  refuse("elastic", [](Parameters &p) { p.model.fidelity = "full"; });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/contact/surface.h>
+#include <chaindrive/path/curve.h>
 #include <chaindrive/scene/interface.h>
 
 namespace chaindrive::contact
@@ -12,8 +13,9 @@ class GuideLine : public Surface
 public:
   explicit GuideLine(const scene::GuideFamily &family);
 
-  /// The line is a thin strip, both sides of which keep slaves off: one that has gone round an end
-  /// and comes back from behind meets it as from the front, without a jump of the gap.
+  /// Behind the line is a strip of twice the depth of the family, for circles of no thickness, both
+  /// sides of which keep slaves off: one that has gone round an end and comes back from behind
+  /// meets it as from the front, without a jump of the gap.
   Touch project(const World                &world,
                 const dealii::Tensor<1, 3> &x,
                 double                      radius,
@@ -28,8 +30,21 @@ public:
                double                      reach) const override;
 
 private:
+  /// An end of the line: nodes, whose plates are polygons, meet it rounded by the depth of the
+  /// family, others by their own radius.
+  struct End
+  {
+    dealii::Point<2>     at, centre; ///< of the rounding, m
+    dealii::Tensor<1, 2> outwards;   ///< along the line, unit
+  };
+
+  /// As that of the line, with its rounded ends.
+  path::Nearest nearest(const dealii::Point<2> &p, unsigned int &hint) const;
+
+  std::vector<End>                   ends_; ///< of a line for nodes
   std::shared_ptr<const path::Curve> curve_;
   bool                               at_centres_;
+  double                             depth_;  ///< see scene::GuideFamily, m
   dealii::Tensor<1, 3>               middle_; ///< in the body's frame, m
   double                             reach_;  ///< of the line about it, m
 };

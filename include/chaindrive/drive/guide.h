@@ -39,25 +39,22 @@ struct Guide
 /// The guides of @p drive that stand still beside the chain of @p layout.
 /// @param forms  of all sprockets
 /// @throws InputError for one through which the chain runs at the start, that passes through a
-/// sprocket within its root circle, for points that make no line, and where links are of finite
-/// elements in this @p model, which a guide would have to press one by one.
-std::vector<Guide> make_guides(const parameters::Drive        &drive,
-                               const ChainDimensions          &chain,
-                               const std::vector<ToothForm>   &forms,
-                               const Layout                   &layout,
-                               const parameters::Capabilities &model);
+/// sprocket within its root circle, and for points that make no line.
+std::vector<Guide> make_guides(const parameters::Drive      &drive,
+                               const ChainDimensions        &chain,
+                               const std::vector<ToothForm> &forms,
+                               const Layout                 &layout);
 
 /// The guide of @p drive that a spring presses against the slack span of @p layout, if there is
 /// one, where it touches the chain as it is laid, or on its greatest stop.
 /// @param gravity  that acts, m/s2
 /// @throws InputError for one that a drive cannot have, whose points are not beside the straight
 /// span, or that does not come to the chain.
-std::optional<Guide> make_pressed_guide(const parameters::Drive        &drive,
-                                        const ChainDimensions          &chain,
-                                        const std::vector<ToothForm>   &forms,
-                                        const Layout                   &layout,
-                                        double                          gravity,
-                                        const parameters::Capabilities &model);
+std::optional<Guide> make_pressed_guide(const parameters::Drive      &drive,
+                                        const ChainDimensions        &chain,
+                                        const std::vector<ToothForm> &forms,
+                                        const Layout                 &layout,
+                                        double                        gravity);
 
 /// The same for statics, which moves @p guide; it must live as long.
 RestingGuide resting_guide(Guide &guide, const ChainDimensions &chain);

@@ -95,8 +95,19 @@ void add_swings(const drive::Drive &drive, Scene &scene);
 void add_shafts(const drive::Drive &drive, Scene &scene);
 /// What the plates of every joint touch a guide or a drum with: the round ends of inner plates, the
 /// higher ones, about its axis. In the simple model they are lumped with the roller and do not turn
-/// with its ring. In space there is one on each side.
+/// with its ring. In space there is one on each side. Links that move by nodes have none.
 std::vector<SlavePoint> plates_of_joints(const drive::Drive &drive, const Scene &scene);
+
+/// What inner links that move by nodes touch a guide or a drum with: the edges of their plates.
+struct PlateNodes
+{
+  std::vector<SlavePoint> slaves; ///< the links, with how far they reach
+  ContactLaw              law;    ///< per area
+};
+PlateNodes plate_nodes(const model::Model &model,
+                       const drive::Drive &drive,
+                       const Scene        &scene,
+                       double              friction);
 
 /// The guides of @p drive, which plates slide on. The wheels must be there.
 void add_guides(const model::Model &model, const drive::Drive &drive, Scene &scene);

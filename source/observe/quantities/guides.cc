@@ -4,6 +4,7 @@
 #include <chaindrive/observe/known_names.h>
 #include <chaindrive/observe/quantity.h>
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,13 +20,18 @@ class Guides : public Quantity
 public:
   explicit Guides(const Observation &now) : Quantity(now)
   {
+    std::set<unsigned int> bodies; // there are families of rigid and of elastic links
     for (const scene::GuideFamily &guide : now.scene.guides)
-      for (const auto &family : now.system.contacts.families())
-        if (const auto *found = dynamic_cast<const contact::SurfaceContact *>(family);
-            found != nullptr && found->master() == guide.body)
+      if (bodies.insert(guide.body).second)
+        {
           guides_.push_back({now.scene.drive.spans[now.scene.bodies[guide.body].number].name,
-                             found,
+                             {},
                              static_cast<double>(now.scene.drive.strands)});
+          for (const auto &family : now.system.contacts.families())
+            if (const auto *found = dynamic_cast<const contact::SurfaceContact *>(family);
+                found != nullptr && found->master() == guide.body)
+              guides_.back().contacts.push_back(found);
+        }
   }
 
   bool reads_bodies() const override { return false; }
@@ -52,20 +58,21 @@ public:
 private:
   struct Guide
   {
-    std::string                    span;
-    const contact::SurfaceContact *contact;
-    double                         strands;
+    std::string                                  span;
+    std::vector<const contact::SurfaceContact *> contacts;
+    double                                       strands;
 
     /// Of the forces of all slaves of all strands, across their normals or along them, N.
     double sum(const bool across) const
     {
       double total = 0.;
-      for (const unsigned int i : contact->near())
-        {
-          const contact::Record &record = contact->records()[i];
-          const double           along  = record.force * record.normal;
-          total += across ? (record.force - along * record.normal).norm() : along;
-        }
+      for (const contact::SurfaceContact *contact : contacts)
+        for (const unsigned int i : contact->near())
+          {
+            const contact::Record &record = contact->records()[i];
+            const double           along  = record.force * record.normal;
+            total += across ? (record.force - along * record.normal).norm() : along;
+          }
       return strands * total;
     }
   };
