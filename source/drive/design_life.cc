@@ -27,7 +27,7 @@ std::string in_mpa(const double stress) { return to_text(1e-6 * stress, 3); }
 std::string in_hours(const double hours)
 {
   return !std::isfinite(hours) ? "endless" :
-         hours < 1000.         ? to_text(hours, 2) + " h" :
+         hours < 1000.         ? to_text(hours, hours < 100. ? 2 : 3) + " h" :
          hours > 1e6           ? "more than 1000000 h" :
                                  std::to_string(100 * std::lround(0.01 * hours)) + " h";
 }
