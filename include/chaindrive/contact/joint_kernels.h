@@ -20,11 +20,11 @@ struct JointGrid
   unsigned int  axis_stride; ///< the bore's axis is that of every so-many-th master column
   unsigned int  slave_circumferential, slave_rings;
   unsigned int  first_ring, end_ring; ///< of the slave's, those that a search looks at
-  double        master_radius; ///< undeformed, m
-  double        chord_factor;  ///< 4 sin^2(pi / master_circumferential)
-  bool          half;          ///< the bore goes on beyond its first ring, see mesh::Part::half
-  const double *area;          ///< per slave ring, of each node there, m2
-  const double *cover;         ///< 1/m; per slave ring, one over half of the length it stands for
+  double        master_radius;        ///< undeformed, m
+  double        chord_factor;         ///< 4 sin^2(pi / master_circumferential)
+  bool          half;  ///< the bore goes on beyond its first ring, see mesh::Part::half
+  const double *area;  ///< per slave ring, of each node there, m2
+  const double *cover; ///< 1/m; per slave ring, one over half of the length it stands for
 };
 
 /// What a slave node remembers from step to step: contact::TouchState in numbers. Its penetration
