@@ -89,7 +89,7 @@ public:
   explicit BitStream(char *to) : to_(to) {}
 
   /// At most 56 bits.
-  void put(const std::uint64_t bits, const unsigned int n)
+  void add_bits(const std::uint64_t bits, const unsigned int n)
   {
     bits_ |= bits << n_;
     n_ += n;
@@ -103,7 +103,7 @@ public:
   char *end()
   {
     if (n_ > 0)
-      put(0, 8 - n_);
+      add_bits(0, 8 - n_);
     return to_;
   }
 
@@ -138,7 +138,7 @@ void append_known_repeats(const void                 *values,
   begin[0]    = 0x78;
   begin[1]    = 0x01;
   BitStream stream(begin + 2);
-  stream.put(3, 3); // the only block, by the fixed code
+  stream.add_bits(3, 3); // the only block, by the fixed code
 
   std::size_t stretch = 0, end = 0; // of the stretch, from `first` on, as far as it lies there
   std::size_t passed = 0;           // numbers of all stretches so far
@@ -182,7 +182,8 @@ void append_known_repeats(const void                 *values,
       if (repeated > 0)
         {
           const Bits &length = codes.length[repeated];
-          stream.put(length.bits | (std::uint64_t(far[of].bits) << length.n), length.n + far[of].n);
+          stream.add_bits(length.bits | (std::uint64_t(far[of].bits) << length.n),
+                          length.n + far[of].n);
           i += repeated;
           continue;
         }
@@ -195,10 +196,10 @@ void append_known_repeats(const void                 *values,
           bits |= std::uint64_t(literal.bits) << size;
           size += literal.n;
         }
-      stream.put(bits, size);
+      stream.add_bits(bits, size);
     }
   const Bits over = fixed_code(256);
-  stream.put(over.bits, over.n);
+  stream.add_bits(over.bits, over.n);
   char               *checksum = stream.end();
   const std::uint32_t adler    = libdeflate_adler32(1, numbers, number_size * n);
   for (unsigned int byte = 0; byte < 4; ++byte)
