@@ -174,7 +174,17 @@ void BodyBatches::count_readers()
   moved_by_modes.assign(n_copies(), 0.);
 }
 
-void BodyBatches::press_all() { std::fill(pressed_.begin(), pressed_.end(), 1); }
+void BodyBatches::press(const std::size_t index)
+{
+  if (!counts_readers())
+    return;
+  const std::size_t node = index / node_offset(1) + first_owned_batch() * n_nodes(),
+                    end  = end_of_owned_batches() * n_nodes();
+  if (node < end)
+    pressed_[node] = 1;
+  else // of another rank: any may be it
+    std::fill(pressed_.begin(), pressed_.end(), 1);
+}
 
 void BodyBatches::add_readers(const unsigned int               batch,
                               const std::vector<unsigned int> &nodes,

@@ -102,10 +102,13 @@ void ElasticFlanks::add_opposite(World &world,
                                  const Projection &projection,
                                  const PointForce &on_slave) const
 {
-  const dealii::Tensor<1, 3> f = -on_slave.total;
-  const NodeView             force(world.copies[group_].force);
+  const dealii::Tensor<1, 3> f      = -on_slave.total;
+  BodyBatches               &copies = world.copies[group_];
+  const NodeView             force(copies.force);
   for (unsigned int i = 0; i < 4; ++i)
     {
+      copies.press(projection.nodes[i]);
+      copies.press(projection.twins[i]);
       const dealii::Tensor<1, 3> half = 0.5 * projection.weights[i] * f;
       force.add(projection.nodes[i], half);
       force.add(projection.twins[i], half);

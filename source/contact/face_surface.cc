@@ -81,10 +81,14 @@ void FaceSurface::add_opposite(World &world,
                                const Projection &projection,
                                const PointForce &f) const
 {
-  const NodeView force(world.copies[group_].force);
+  BodyBatches   &copies = world.copies[group_];
+  const NodeView force(copies.force);
   for (unsigned int a = 0; a < 4; ++a)
-    force.add(projection.nodes[a],
-              -projection.weights[a] * f.total +
-                  touch.gap * (f.tangential * projection.gradients[a]) * touch.normal);
+    {
+      copies.press(projection.nodes[a]);
+      force.add(projection.nodes[a],
+                -projection.weights[a] * f.total +
+                    touch.gap * (f.tangential * projection.gradients[a]) * touch.normal);
+    }
 }
 } // namespace chaindrive::contact

@@ -376,6 +376,37 @@ void JointBatch::choose_columns(const double reach, const double margin)
 {
   for (std::size_t i = 0; i < wanted_.size(); ++i)
     wanted_[i] = at_least_[i] < reach + margin ? 1 : 0;
+  for (int lane = 0; lane < n_lanes; ++lane)
+    complete_wanted(lane);
+}
+
+// A window may hold columns that are not near, whose nodes must be where they are now: outermost
+// ones, and those between near ones far from each other. If what is wanted is one run over less
+// than half of the bore, a window of any part of it stays within it and its outermost columns.
+void JointBatch::complete_wanted(const int lane)
+{
+  const unsigned int n      = grid_.slave_circumferential;
+  const auto         wanted = [&](const unsigned int c) -> char         &{
+    return wanted_[c % n * n_lanes + lane];
+  };
+  unsigned int n_wanted = 0, n_runs = 0, last = 0;
+  for (unsigned int c = 0; c < n; ++c)
+    if (wanted(c) != 0)
+      {
+        ++n_wanted;
+        if (wanted(c + 1) == 0)
+          {
+            ++n_runs;
+            last = c;
+          }
+      }
+  if (n_wanted == 0)
+    return;
+  if (n_runs != 1 || 2 * (n_wanted + 2) > n)
+    for (unsigned int c = 0; c < n; ++c)
+      wanted(c) = 1;
+  else if (!exact_)
+    wanted(last + 1) = wanted(last + n - n_wanted) = 1;
 }
 
 void JointBatch::bound_gaps(const int lane, const double near_gap)

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace chaindrive::contact
 {
@@ -226,14 +227,12 @@ void NodeFaces::add_forces(World &world, const double dt)
 
 void NodeFaces::add_face_forces(World &world, FaceContact &contact, const double dt)
 {
-  const SidePair    &sides  = side_pairs_[contact.sides];
-  const Faces       &faces  = sides.faces[contact.face];
-  const BodyBatches &slaves = world.copies[sides.slave_group];
-  const NodeValues   x{NodeView(slaves.position), contact.slaves},
-      v{NodeView(slaves.velocity), contact.slaves};
-  const NodeView f(world.copies[sides.slave_group].force);
-  for (BodyBatches &copies : world.copies) // of either side
-    copies.press_all();
+  const SidePair  &sides  = side_pairs_[contact.sides];
+  const Faces     &faces  = sides.faces[contact.face];
+  BodyBatches     &slaves = world.copies[sides.slave_group];
+  const NodeValues x{NodeView(std::as_const(slaves.position)), contact.slaves},
+      v{NodeView(std::as_const(slaves.velocity)), contact.slaves};
+  const NodeView f(slaves.force);
 
   Record              &record = records_[contact.pair];
   Surface::Projection  projection;
@@ -268,6 +267,7 @@ void NodeFaces::add_face_forces(World &world, FaceContact &contact, const double
                         node.touch,
                         world.ledger);
       f.add(contact.slaves[s], force.total);
+      slaves.press(contact.slaves[s]);
       contact.surface.add_opposite(world, at, touch, projection, force);
       resultant += force.total;
       normals += force.normal * touch.normal;

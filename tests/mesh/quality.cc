@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// No cell of any part of any chain is inverted or nearly so; the worst corners are printed.
+// No cell of any part of any chain is inverted or nearly so; the worst corners are printed. Chain
+// 35 has no rollers.
 
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/mesh/generate/sprocket.h>
@@ -36,7 +37,8 @@ int main()
           parameters::Sprockets sprockets;
           sprockets.tooth_form = form_name;
           std::cout << designation << ' ' << text_of(form_name) << " level " << level << ": "
-                    << worst(mesh::make_roller(chain, 7600., level)) << ' '
+                    << (chain.has_rollers ? worst(mesh::make_roller(chain, 7600., level)) : 1.)
+                    << ' '
                     << worst(mesh::make_inner_link(chain, 7600., mesh::inner_link_grid(level)))
                     << ' '
                     << worst(mesh::make_outer_link(chain, 7600., mesh::outer_link_grid(level)));

@@ -175,8 +175,9 @@ public:
     return counts_readers() ? pressed_.data() + std::size_t(batch) * n_nodes() : nullptr;
   }
 
-  /// Says that any node may have a force.
-  void press_all();
+  /// The same of one node at the @p index of a NodeView, whose batch nobody knows; nothing where
+  /// readers are not counted.
+  void press(std::size_t index);
 
   /// How often readers of @p batch have come or gone.
   unsigned long reader_changes(const unsigned int batch) const { return reader_changes_[batch]; }

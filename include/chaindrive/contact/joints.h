@@ -156,6 +156,9 @@ private:
   /// Measures the gaps of columns that are wanted, and if @p closing their fastest approach.
   void measure(bool closing);
 
+  /// Adds to the columns of @p lane that are wanted those that a window of some of them may hold.
+  void complete_wanted(int lane);
+
   /// How far away the columns of @p lane that have been measured are at least.
   void bound_gaps(int lane, double near_gap);
 
