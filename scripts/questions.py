@@ -52,7 +52,7 @@ QUESTIONS = (
     ("Special drive: bicycle", f"chaindrive plan {program.REPOSITORY}/prm/published/bicycle.prm", r"  chain .*", ""),
     ("Special drive: conveyor", f"chaindrive plan {DRIVES}/conveyor.prm", r"  chain .*", "rail friction as a load"),
     ("Special drive: vertical", f'{PLAN} --set "Drive/Layout/Centre distance from=given" --set "Drive/Wheels/driven/Centre in mm=0, 400.5"', r"  centre distance .*", ""),
-    ("Special drive: leaf chain, hoist", f"chaindrive select --kW 1 --rpm 1000 --ratio 2 --centre 400 --strands 1", "", "not modelled: chains are endless and of rollers or bushes"),
+    ("Special drive: leaf chain, hoist", "chaindrive select --kW 1 --rpm 1000 --ratio 2 --centre 400 --strands 1", "", "not modelled: chains are endless and of rollers or bushes"),
 )
 
 

@@ -232,7 +232,7 @@ struct GuideFamily
   bool elastic    = false; ///< nodes of the edges of plates touch: the law is per m2, and the guide
                            ///< deflects as a whole under each link
   double stiffness = 0.;   ///< of that, N/m
-  double depth     = 0.;   ///< the guide is a strip of twice this depth behind its line, for nodes, m
+  double depth     = 0.;   ///< the guide is a strip twice as thick behind its line, for nodes, m
 };
 
 /// A massless elastic bar between the centres of two bodies.
