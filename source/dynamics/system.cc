@@ -36,7 +36,8 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
   publishes_ = world.planar != nullptr &&
                (!forces.empty() || contacts.reads_frames() || bars.reads_frames(world));
   if (world.planar != nullptr)
-    world.planar->set_others_act(publishes_ || n_ranks_in(comm) > 1 || world.symmetry.is_active());
+    world.planar->set_others_act(publishes_ || n_ranks_in(comm) > 1 || world.symmetry.is_active() ||
+                                 !world.tied.empty()); // TiedSpins
   const bool strained = scene.at_speed && world.has_elastic_bodies();
   if (strained)
     Relaxation(scene, comm).strain(world);
