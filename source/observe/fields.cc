@@ -206,6 +206,7 @@ files::VtuGrid grid_of(const std::vector<BarSnapshot> &bars)
 void Fields::set_up(const std::vector<BodySnapshot> &bodies)
 {
   std::vector<Drawn> drawn;
+  drawn.reserve(bodies.size());
   for (const BodySnapshot &body : bodies)
     drawn.push_back(
         {body.part, body.id, body.kind, body.displacement.size() > 0, body.gap_load.size()});

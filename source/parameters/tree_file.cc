@@ -41,12 +41,10 @@ void refuse_depth(const std::string &text, const std::string &file, const Form f
       const char c = text[i], next = text[i + 1];
       if (form == Form::json)
         depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0;
-      else if (c == '<' && next == '/')
+      else if ((c == '<' && next == '/') || (c == '/' && next == '>'))
         --depth;
       else if (c == '<' && next != '!' && next != '?')
         ++depth;
-      else if (c == '/' && next == '>')
-        --depth;
       if (depth > deepest)
         throw InputError("'" + file + "' is nested more deeply than the sections of a drive.");
     }
