@@ -11,15 +11,16 @@
   resume    Goes on bit by bit, and is the same on two ranks
   hard      Worn, fast, at the largest offset that is accepted: no guard trips
 """
+import functools
 import math
-import re
 import shutil
 import sys
 
-import h5py
 import numpy as np
 
-import program
+import out_of_line_run
+from drive_run import below, near
+from out_of_line_run import difference
 from program import check
 
 CASE, PROGRAM = sys.argv[1:3]
@@ -45,28 +46,7 @@ DRIVE = {
 OFFSET, TILT, DIRECTION = (f"Drive/Wheels/driven/{name}" for name in ("Axial offset in mm", "Tilt in degrees", "Tilt direction in degrees"))
 
 
-def run(directory, changes, options=(), ranks=1, says=""):
-    words = ("--output", directory, *options)
-    said = program.run("prm/verification/hard.prm", {**DRIVE, **changes}, *words, program=PROGRAM, ranks=ranks)
-    check(re.search(says, said), f"it does not say {says}:\n{said}")
-    histories = {}
-    with h5py.File(f"{directory}/histories.h5") as file:
-        file.visititems(lambda name, item: histories.update({name: item[:]}) if isinstance(item, h5py.Dataset) else None)
-    return histories, program.summary(directory)
-
-
-def near(what, value, wanted, within):
-    print(f"{what}: {value:.5g}, wanted {wanted:.5g} +- {within:.2g}")
-    check(abs(value - wanted) <= within, f"{what}: {value} instead of {wanted}")
-
-
-def most(what, value, limit):
-    print(f"{what}: {value:.3g}, at most {limit:.3g}")
-    check(value <= limit, f"{what}: {value}")
-
-
-def difference(one, other, names):
-    return max(np.abs(one[name] - other[name]).max() / np.abs(other[name]).max() for name in names)
+run = functools.partial(out_of_line_run.run, DRIVE, PROGRAM)
 
 
 def static():
@@ -100,7 +80,7 @@ def static():
         rate = np.linalg.lstsq(basis[inside], z[span][inside], rcond=None)[0]
         fit = basis @ rate
         print(f"stiffness {stiffness:g} N/m: tension {tension:.5g} N, side forces {side}, lambda {1e3 * decay:.4g} mm of {1e3 * length:.4g}")
-        most("deflection off that of a beam, of its range", np.abs(fit - z[span])[inside].max() / np.ptp(z[span]), 0.02)
+        below("deflection off that of a beam, of its range", np.abs(fit - z[span])[inside].max() / np.ptp(z[span]), 0.02)
         near("side force over that of the beam", side["driver"] / abs(tension * rate[1]), 1, 0.03)
         near("side force of the driven sprocket over that of the driver", side["driven"] / side["driver"], -1, 0.01)
         rise = abs(z[span[0]] - z[span[-1]]) / (links - 1) * links
@@ -125,9 +105,9 @@ def line():
         ("offset by a picometre", {OFFSET: 1e-9}),
     ):
         moved, summary = run("moved", {**short, **changes})
-        most(f"{what}: histories off those in line", difference(moved, in_space, names), 1e-6)
+        below(f"{what}: histories off those in line", difference(moved, in_space, names), 1e-6)
         for wheel in ("driver", "driven"):
-            most(f"{what}: plates on the {wheel}'s teeth, N", summary["statistics"][f"{wheel}_plate_force"]["largest"], 0)
+            below(f"{what}: plates on the {wheel}'s teeth, N", summary["statistics"][f"{wheel}_plate_force"]["largest"], 0)
 
 
 def mirrored():
@@ -137,23 +117,23 @@ def mirrored():
         other, _ = run("other", {**short, entry: -value})
         z, force = "links/position_z", "hubs/driven_side_force"
         check(np.abs(one[z]).max() > 1e-4 and np.abs(one[force]).max() > 1, "nothing is out of line")
-        most(f"{entry}: z off its mirror image, m", np.abs(one[z] + other[z]).max(), 1e-10)
-        most(f"{entry}: side force off its mirror image, N", np.abs(one[force] + other[force]).max(), 1e-2)
-        most(f"{entry}: tension off", difference(one, other, ["spans/driven_to_driver_tension"]), 1e-6)
+        below(f"{entry}: z off its mirror image, m", np.abs(one[z] + other[z]).max(), 1e-10)
+        below(f"{entry}: side force off its mirror image, N", np.abs(one[force] + other[force]).max(), 1e-2)
+        below(f"{entry}: tension off", difference(one, other, ["spans/driven_to_driver_tension"]), 1e-6)
 
 
 def tilted():
     for direction in (0, 90):
         histories, summary = run("tilted", {TILT: 1, DIRECTION: direction, "Time/End time in ms": 60, "Output/Window start in ms": 20})
-        most("energy imbalance", summary["energy_imbalance_max"], 1e-3)
-        most("momentum imbalance", summary["momentum_imbalance_max"], 1e-9)
+        below("energy imbalance", summary["energy_imbalance_max"], 1e-3)
+        below("momentum imbalance", summary["momentum_imbalance_max"], 1e-9)
         losses = summary["losses"]
         check(losses["plate-driven"]["power"] > 0, f"plates do not rub on teeth: {losses}")
         check(not summary["events"], f"{summary['events']}")
         shares = {wheel: summary["statistics"][f"{wheel}_side_force"] for wheel in ("driver", "driven")}
         print(f"towards {direction} degrees: side forces {shares}")
         # chain, wheel and play: nothing leaves the wheels
-        most("links off the plane of the drive, m", np.abs(histories["links/position_z"]).max(), 0.5e-3 + math.sin(math.radians(1)) * 70e-3)
+        below("links off the plane of the drive, m", np.abs(histories["links/position_z"]).max(), 0.5e-3 + math.sin(math.radians(1)) * 70e-3)
 
 
 def resume():
@@ -184,9 +164,9 @@ def hard():
     }.items():
         _, summary = run("hard", {**changes, "Time/End time in ms": 20})
         print(f"{name}: energy imbalance {summary['energy_imbalance_max']:.2g}")
-        most("energy imbalance", summary["energy_imbalance_max"], 5e-3)
-        most("momentum imbalance", summary["momentum_imbalance_max"], 1e-9)
-        most("penetration on teeth, m", max(summary["penetration_max"][f"plate-{wheel}"] for wheel in ("driver", "driven")), 1e-3)
+        below("energy imbalance", summary["energy_imbalance_max"], 5e-3)
+        below("momentum imbalance", summary["momentum_imbalance_max"], 1e-9)
+        below("penetration on teeth, m", max(summary["penetration_max"][f"plate-{wheel}"] for wheel in ("driver", "driven")), 1e-3)
 
 
 {"static": static, "line": line, "mirrored": mirrored, "tilted": tilted, "resume": resume, "hard": hard}[CASE]()

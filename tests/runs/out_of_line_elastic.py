@@ -10,15 +10,17 @@
   mirrored  An offset against the other one: the mirror image
   resume    Goes on bit by bit while plates touch teeth, and is the same on two ranks up to round-off; resume-full: in full fidelity
 """
+import functools
 import math
 import re
 import shutil
 import sys
 
-import h5py
 import numpy as np
 
-import program
+import out_of_line_run
+from drive_run import below, near
+from out_of_line_run import difference
 from program import check
 
 CASE, PROGRAM = sys.argv[1:3]
@@ -46,28 +48,7 @@ OFFSET, TILT = ("Drive/Wheels/driven/" + name for name in ("Axial offset in mm",
 REDUCED, FULL = ({"Model/Fidelity": name} for name in ("reduced", "full"))
 
 
-def run(directory, changes, options=(), ranks=1, says=""):
-    words = ("--output", directory, *options)
-    said = program.run("prm/verification/hard.prm", {**DRIVE, **changes}, *words, program=PROGRAM, ranks=ranks)
-    check(re.search(says, said), f"it does not say {says}:\n{said}")
-    histories = {}
-    with h5py.File(f"{directory}/histories.h5") as file:
-        file.visititems(lambda name, item: histories.update({name: item[:]}) if isinstance(item, h5py.Dataset) else None)
-    return histories, program.summary(directory)
-
-
-def near(what, value, wanted, within):
-    print(f"{what}: {value:.5g}, wanted {wanted:.5g} +- {within:.2g}")
-    check(abs(value - wanted) <= within, f"{what}: {value} instead of {wanted}")
-
-
-def most(what, value, limit):
-    print(f"{what}: {value:.3g}, at most {limit:.3g}")
-    check(value <= limit, f"{what}: {value}")
-
-
-def difference(one, other, names):
-    return max(np.abs(one[name] - other[name]).max() / np.abs(other[name]).max() for name in names)
+run = functools.partial(out_of_line_run.run, DRIVE, PROGRAM)
 
 
 def static():
@@ -111,7 +92,7 @@ def static():
 
     print(f"tension {tension:.5g} N, side forces {side}")
     wanted, string, clamped, off = beam((inner**2 + outer**2) / 8)
-    most("deflection off that of a beam, of its range", off, 0.005)
+    below("deflection off that of a beam, of its range", off, 0.005)
     near("side force over that of the beam", side["driver"] / wanted, 1, 0.05)
     check(string < side["driver"] < clamped, f"side force {side['driver']} is not between {string} and {clamped}")
     near("side force of the driven sprocket over that of the driver", side["driven"] / side["driver"], -1, 0.02)
@@ -132,8 +113,8 @@ def alike():
         force = histories["hubs/driver_side_force"]
         results[name] = tension, force.mean(), np.abs(force).max()
         print(f"{name}: tension {tension:.4g} N, side force {force.mean():.3g} N in the mean, up to {results[name][2]:.3g}")
-        most("energy imbalance", summary["energy_imbalance_max"], 3e-4)
-        most("momentum imbalance", summary["momentum_imbalance_max"], 1e-9)
+        below("energy imbalance", summary["energy_imbalance_max"], 3e-4)
+        below("momentum imbalance", summary["momentum_imbalance_max"], 1e-9)
         check(summary["contacts_missed"] == 0, f"{summary['contacts_missed']} contacts missed")
     for name, (tension, _, largest) in results.items():
         strict = name == "penalty"
@@ -148,10 +129,10 @@ def line():
     moved, summary = run("moved", {**short, OFFSET: 7, "Drive/Wheels/driver/Axial offset in mm": 7})
     names = [name for name in in_line if name.startswith(("hubs/", "spans/", "rollers/position", "rollers/velocity", "links/tension"))]
     names = [name for name in names if np.abs(in_line[name]).max() > 0]
-    most("histories off those in line", difference(moved, in_line, names), 1e-6)
+    below("histories off those in line", difference(moved, in_line, names), 1e-6)
     near("position of links, m", moved["links/position_z"].min(), 7e-3, 1e-8)
     for wheel in ("driver", "driven"):
-        most(f"plates on the {wheel}'s teeth, N", summary["statistics"][f"{wheel}_plate_force"]["largest"], 0)
+        below(f"plates on the {wheel}'s teeth, N", summary["statistics"][f"{wheel}_plate_force"]["largest"], 0)
 
 
 def mirrored():
@@ -160,9 +141,9 @@ def mirrored():
     other, _ = run("other", {**short, OFFSET: -0.5})
     z, force = "links/position_z", "hubs/driven_side_force"
     check(np.abs(one[z]).max() > 1e-4 and np.abs(one[force]).max() > 1, "nothing is out of line")
-    most("z off its mirror image, m", np.abs(one[z] + other[z]).max(), 1e-9)
-    most("side force off its mirror image, of the largest", np.abs(one[force] + other[force]).max() / np.abs(one[force]).max(), 1e-3)
-    most("tension off", difference(one, other, ["spans/driven_to_driver_tension"]), 1e-5)
+    below("z off its mirror image, m", np.abs(one[z] + other[z]).max(), 1e-9)
+    below("side force off its mirror image, of the largest", np.abs(one[force] + other[force]).max() / np.abs(one[force]).max(), 1e-3)
+    below("tension off", difference(one, other, ["spans/driven_to_driver_tension"]), 1e-5)
 
 
 def resume(fidelity):
@@ -182,7 +163,7 @@ def resume(fidelity):
     two, _ = run("two", {**entries, "Time/End time in ms": middle}, ranks=2)
     for history in ("spans/driven_to_driver_tension", "hubs/driver_side_force", "hubs/driven_plate_force", "links/position_z"):
         values, n = whole[history], len(two[history])
-        most(f"{history} on two ranks", np.abs(two[history] - values[:n]).max() / np.abs(values[:n]).max(), 1e-6)
+        below(f"{history} on two ranks", np.abs(two[history] - values[:n]).max() / np.abs(values[:n]).max(), 1e-6)
     print(f"{len(whole)} histories are the same")
 
 
