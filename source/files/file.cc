@@ -115,13 +115,27 @@ protected:
 
   int sync() override { return flush() ? 0 : -1; }
 
+  /// What does not fit goes to the file straight away.
+  std::streamsize xsputn(const char *text, const std::streamsize n) override
+  {
+    if (n < static_cast<std::streamsize>(text_.size()))
+      return std::streambuf::xsputn(text, n);
+    return flush() && write(text, text + n) ? n : 0;
+  }
+
 private:
   bool flush()
   {
-    const char *next = pbase();
-    while (next != pptr() && error_ == 0)
+    write(pbase(), pptr());
+    setp(text_.data(), text_.data() + text_.size());
+    return error_ == 0;
+  }
+
+  bool write(const char *next, const char *end)
+  {
+    while (next != end && error_ == 0)
       {
-        const ssize_t n = ::write(descriptor_, next, pptr() - next);
+        const ssize_t n = ::write(descriptor_, next, end - next);
         if (n >= 0)
           {
             next += n;
@@ -130,7 +144,6 @@ private:
         else if (errno != EINTR)
           error_ = errno;
       }
-    setp(text_.data(), text_.data() + text_.size());
     return error_ == 0;
   }
 

@@ -53,7 +53,9 @@ Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
     {
       const scene::Body &body = scene.bodies[link];
       // pins belong to outer links; bushes feel the opposite force
+      const PlanarBodies *planar = system.world.planar;
       links_.push_back({link,
+                        planar != nullptr ? planar->slot_of(link) : PlanarBodies::none,
                         body.motion == scene::Motion::elastic,
                         body.kind == scene::Kind::outer_link ? 0.5 : -0.5});
     }
@@ -66,28 +68,30 @@ void Spans::joint_forces(const dynamics::System &system)
   for (const contact::Family *family : joints_)
     family->add_joint_forces(pin_force_);
 
-  const unsigned int n = scene_.drive.n_joints;
+  const unsigned int  n      = scene_.drive.n_joints;
+  const PlanarBodies *planar = system.world.planar;
   for (unsigned int k = 0; k < n; ++k)
     {
+      const Link                 &link  = links_[k];
+      const dealii::Tensor<1, 3> &first = pin_force_[k], &last = pin_force_[k + 1 < n ? k + 1 : 0];
+      if (link.slot != PlanarBodies::none) // has forces in the plane alone
+        {
+          const dealii::Tensor<1, 2> axis = planar->rotation(link.slot);
+          tension_[k] =
+              link.share * ((last[0] - first[0]) * axis[0] + (last[1] - first[1]) * axis[1]);
+          continue;
+        }
       dealii::Tensor<1, 3> axis;
-      const Link          &link = links_[k];
       if (link.elastic)
         { // an elastic link has no axis but the line through its joints
           axis = roller_position(scene_.drive, system.world, (k + 1) % n) -
                  roller_position(scene_.drive, system.world, k);
           axis /= axis.norm();
         }
-      else if (const PlanarBodies *planar = system.world.planar;
-               planar != nullptr && planar->slot_of(link.body) != PlanarBodies::none)
-        {
-          const dealii::Tensor<1, 2> in_plane = planar->rotation(planar->slot_of(link.body));
-          axis[0]                             = in_plane[0];
-          axis[1]                             = in_plane[1];
-        }
       else
         for (unsigned int d = 0; d < 3; ++d)
           axis[d] = system.world.frames[link.body].rotation[d][0];
-      tension_[k] = link.share * ((pin_force_[k + 1 < n ? k + 1 : 0] - pin_force_[k]) * axis);
+      tension_[k] = link.share * ((last - first) * axis);
     }
 }
 

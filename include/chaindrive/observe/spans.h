@@ -64,6 +64,7 @@ private:
   struct Link
   {
     unsigned int body;
+    unsigned int slot; ///< in World::planar, or none
     bool         elastic;
     double       share; ///< of the difference of the forces on its pins that is its tension
   };

@@ -236,9 +236,13 @@ private:
     const std::vector<double> &tension = now_.spans().link_tension();
     if (strength_ <= 0. || tension.empty())
       return;
+    unsigned int above = 0;
+    for (const double of_link : tension) // at every step: in lanes, unlike a search of the largest
+      above += static_cast<unsigned int>(of_link > strength_);
+    if (above == 0)
+      return;
     const auto most = std::max_element(tension.begin(), tension.end());
-    if (*most > strength_)
-      book(broken_, now_.time(), *most, static_cast<unsigned int>(most - tension.begin()));
+    book(broken_, now_.time(), *most, static_cast<unsigned int>(most - tension.begin()));
   }
 
   /// Only in the window: before it drives start up, and driven inertia overruns them.

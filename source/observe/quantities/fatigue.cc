@@ -26,28 +26,79 @@ struct LinkHistory
 {
   std::vector<double> way, tension;
 
-  void add(const double at, const double value, const double smallest)
-  {
-    const std::size_t n = tension.size();
-    const bool goes_on  = n > 1 && (value > tension[n - 1]) == (tension[n - 1] > tension[n - 2]) &&
-                         value != tension[n - 1];
-    if (goes_on)
-      {
-        way.back()     = at;
-        tension.back() = value;
-      }
-    else if (n == 0 || std::abs(value - tension[n - 1]) > smallest)
-      {
-        way.push_back(at);
-        tension.push_back(value);
-      }
-  }
-
   template <typename BoostArchive>
   void serialize(BoostArchive &archive, unsigned int)
   {
     archive &way &tension;
   }
+};
+
+/// The histories of all links. The last value of each, which moves on as long as the tension rises
+/// or falls, stands in an array over the links: hardly ever is there more to be done at a step.
+class LinkHistories
+{
+public:
+  explicit LinkHistories(const std::size_t n_links) : links_(n_links) {}
+
+  void add(const double at, const std::vector<double> &tension, const double smallest)
+  {
+    const std::size_t n = links_.size();
+    if (last_.empty())
+      {
+        last_ = tension;
+        way_.assign(n, at);
+        sense_.assign(n, 0.);
+        return;
+      }
+    unsigned int turned = 0;
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        const double change  = tension[k] - last_[k];
+        const bool   goes_on = change * sense_[k] > 0.;
+        turned += static_cast<unsigned int>(!goes_on && std::abs(change) > smallest);
+        last_[k] = goes_on ? tension[k] : last_[k];
+        way_[k]  = goes_on ? at : way_[k];
+      }
+    if (turned == 0)
+      return;
+    for (std::size_t k = 0; k < n; ++k)
+      if (const double change = tension[k] - last_[k]; std::abs(change) > smallest)
+        {
+          links_[k].way.push_back(way_[k]);
+          links_[k].tension.push_back(last_[k]);
+          last_[k]  = tension[k];
+          way_[k]   = at;
+          sense_[k] = change > 0. ? 1. : -1.;
+        }
+  }
+
+  std::size_t size() const { return links_.size(); }
+
+  /// Of all links, the last values included.
+  std::vector<LinkHistory> whole() const
+  {
+    std::vector<LinkHistory> links = links_;
+    for (std::size_t k = 0; k < last_.size(); ++k)
+      {
+        links[k].way.push_back(way_[k]);
+        links[k].tension.push_back(last_[k]);
+      }
+    return links;
+  }
+
+  void serialize(const Archive &archive)
+  {
+    archive("links", links_);
+    archive("last", last_);
+    archive("last way", way_);
+    archive("sense", sense_);
+  }
+
+private:
+  std::vector<LinkHistory> links_; ///< turning points
+  std::vector<double>      last_;  ///< tensions, N; none before the first
+  std::vector<double>      way_;   ///< when they were so, pitches
+  std::vector<double> sense_; ///< 1: it has risen to that, -1: fallen; 0: there is no other yet
 };
 
 class Fatigue : public Quantity
@@ -116,8 +167,7 @@ public:
     last_            = time;
     const double way = teeth_ * (driver_->angle - angle_);
     const auto  &now = now_.spans().link_tension();
-    for (std::size_t k = 0; k < now.size(); ++k)
-      links_[k].add(way, now[k], smallest_);
+    links_.add(way, now, smallest_);
     if (way >= static_cast<double>(at_pitches_.size()))
       at_pitches_.push_back(now);
     way_ = way;
@@ -128,15 +178,16 @@ public:
     const std::size_t pitches = pitches_of_turns();
     if (pitches == 0)
       return;
-    const drive::PlateFatigue &plates = now_.model.plates;
-    std::vector<double>        forces;
-    double                     damage = 0., early = 0.;
-    Turn                       worst;
-    double                     largest = -1., step = 0.;
-    const std::size_t          n_turns = std::min(pitches, links_.size());
+    const drive::PlateFatigue     &plates = now_.model.plates;
+    const std::vector<LinkHistory> links  = links_.whole();
+    std::vector<double>            forces;
+    double                         damage = 0., early = 0.;
+    Turn                           worst;
+    double                         largest = -1., step = 0.;
+    const std::size_t              n_turns = std::min(pitches, links_.size());
     for (std::size_t k = 0; k < n_turns; ++k)
       {
-        const Turn   turn  = turn_from(k, pitches);
+        const Turn   turn  = turn_from(links, k, pitches);
         const auto   cycle = drive::rainflow_of_turn(turn.tension);
         const double turns = std::max(1., std::floor(double(pitches) / double(links_.size())));
         double       force = 0.;
@@ -180,7 +231,7 @@ public:
 
   void serialize(const Archive &archive) override
   {
-    archive("links", links_);
+    links_.serialize(archive);
     archive("at pitches", at_pitches_);
     archive("first", first_);
     archive("last", last_);
@@ -208,15 +259,17 @@ private:
   }
 
   /// The turn that begins with the link @p first and its way over so many @p pitches.
-  Turn turn_from(const std::size_t first, const std::size_t pitches) const
+  Turn turn_from(const std::vector<LinkHistory> &links,
+                 const std::size_t               first,
+                 const std::size_t               pitches) const
   {
-    const std::size_t n = links_.size();
+    const std::size_t n = links.size();
     Turn              turn;
     for (std::size_t done = 0; done < std::max(n, pitches); done += pitches)
       {
         const std::size_t  k = (first + done) % n, next = (k + pitches) % n;
         const std::size_t  way  = std::min(pitches, std::max(n, pitches) - done);
-        const LinkHistory &link = links_[k];
+        const LinkHistory &link = links[k];
         const auto         add  = [&](const double tension) {
           turn.tension.push_back(tension);
           turn.link.push_back(k);
@@ -234,7 +287,7 @@ private:
   const World::Hub                *driver_ = nullptr;
   double                           teeth_  = 0.; ///< of the driver over 2 pi, positive as it runs
   double                           smallest_;    ///< reversal that is kept, N
-  std::vector<LinkHistory>         links_;
+  LinkHistories                    links_;
   std::vector<std::vector<double>> at_pitches_;              ///< tensions after each whole pitch, N
   double                           first_ = -1., last_ = 0.; ///< instants that were looked at, s
   double                           angle_ = 0.;              ///< of the driver at the first, rad
