@@ -30,7 +30,7 @@ namespace chaindrive
 {
 namespace
 {
-/// How well energy and momentum were balanced. Energies are those of all @p strands.
+/// How well energy and momentum were balanced. Energies are those of all @p strands that are alike.
 void add_balances(files::Json &values, const dynamics::Guard &guard, const double strands)
 {
   const double turned_over       = guard.energy().turned_over();
@@ -282,7 +282,7 @@ observe::Summary Simulation::summary() const
   summary.phases      = observe::rows_of_all_ranks(system_->timer, communicator());
   files::Json &values = summary.values;
   recorder_->summarize(values);
-  add_balances(values, *guard_, facts.strands);
+  add_balances(values, *guard_, scene.drive.strands);
   values["checks"]             = drive::to_json(drive::check_design(parameters, facts));
   values["drive"]              = drive::to_json(facts);
   const drive::DesignLife life = this->life();

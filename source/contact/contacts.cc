@@ -101,7 +101,7 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
                   sides.slave_surface,
                   0.,
                   scene::right_angle,
-                  {scene::Interface::plate_teeth, sides.sprocket},
+                  {scene::Interface::plate_teeth, sides.sprocket, sides.strand},
                   sides.slave_nodes});
     else
       families_.push_back(std::make_unique<PointContact>(sides));
@@ -302,6 +302,15 @@ std::vector<const Family *> Contacts::find(const scene::InterfaceOf &interface) 
   std::vector<const Family *> found;
   for (const auto &family : families_)
     if (family->interface() == interface)
+      found.push_back(family);
+  return found;
+}
+
+std::vector<const Family *> Contacts::find_all(const scene::InterfaceOf &interface) const
+{
+  std::vector<const Family *> found;
+  for (const auto &family : families_)
+    if (family->interface().is_like(interface))
       found.push_back(family);
   return found;
 }

@@ -174,6 +174,6 @@ scene::SurfaceFamily on_flanks(const scene::ToothFamily &family, const World &wo
           family.slave_surface,
           family.tooth_stiffness,
           family.half_angle,
-          {scene::Interface::roller_teeth, family.sprocket}};
+          {scene::Interface::roller_teeth, family.sprocket, family.strand}};
 }
 } // namespace chaindrive::contact

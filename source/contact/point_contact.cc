@@ -61,20 +61,22 @@ PointContact::PointContact(const scene::SurfaceFamily &scene)
 }
 
 PointContact::PointContact(const scene::BoreFamily &scene)
-    : PointContact(scene.name, scene.interface, scene.law, pairs_in(scene.pairs))
+    : PointContact(scene.name, {scene.interface, 0, scene.strand}, scene.law, pairs_in(scene.pairs))
 {
   add_forces_ = &PointContact::add_forces_of<Bore>;
 }
 
 PointContact::PointContact(const scene::SideFamily &scene)
-    : PointContact(scene.name, scene.interface, scene.law, pairs_in(scene.pairs))
+    : PointContact(scene.name, {scene.interface, 0, scene.strand}, scene.law, pairs_in(scene.pairs))
 {
   add_forces_ = &PointContact::add_forces_of<FlatSide>;
 }
 
 PointContact::PointContact(const scene::ToothSideFamily &scene)
-    : PointContact(
-          scene.name, {scene::Interface::plate_teeth, scene.sprocket}, scene.law, pairs_in(scene))
+    : PointContact(scene.name,
+                   {scene::Interface::plate_teeth, scene.sprocket, scene.strand},
+                   scene.law,
+                   pairs_in(scene))
 {
 }
 

@@ -88,6 +88,6 @@ bool RigidFlanks::is_near(const World                &world,
 bool RigidFlanks::is_beside(const World &world, const dealii::Tensor<1, 3> &x) const
 {
   const Frame &sprocket = world.frames[body()];
-  return std::abs(axis_of(sprocket, 2) * (x - sprocket.position)) > family_.half_width;
+  return std::abs(axis_of(sprocket, 2) * (x - sprocket.position) - family_.z) > family_.half_width;
 }
 } // namespace chaindrive::contact

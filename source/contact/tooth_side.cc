@@ -8,6 +8,7 @@ namespace chaindrive::contact
 ToothSide::ToothSide(const scene::ToothSideFamily &family, const int sign)
     : Surface(family.sprocket)
     , sign_(sign)
+    , z_(family.z)
     , half_width_(family.half_width)
     , from_(family.tip_radius - std::sqrt(family.relief * (2. * family.radius - family.relief)))
     , radius_(family.radius)
@@ -16,8 +17,9 @@ ToothSide::ToothSide(const scene::ToothSideFamily &family, const int sign)
 
 double ToothSide::distance(const dealii::Tensor<1, 3> &local, dealii::Tensor<1, 3> &normal) const
 {
-  const int    sign = sign_ != 0 ? sign_ : local[2] < 0. ? -1 : 1;
-  const double r = std::hypot(local[0], local[1]), above = sign * local[2] - half_width_;
+  const double z    = local[2] - z_;
+  const int    sign = sign_ != 0 ? sign_ : z < 0. ? -1 : 1;
+  const double r = std::hypot(local[0], local[1]), above = sign * z - half_width_;
   normal = dealii::Tensor<1, 3>();
   if (r <= from_)
     {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <iterator>
+#include <map>
 
 namespace chaindrive::drive
 {
@@ -262,6 +263,23 @@ const CatalogueChain *find_chain(const std::string &designation)
       if (chain.designation == designation)
         return &chain;
   return nullptr;
+}
+
+double transverse_pitch_of(const std::string &designation)
+{
+  static const std::map<std::string, double> in_mm = {
+      {"05B", 5.64},   {"06B", 10.24},  {"08B", 13.92},  {"10B", 16.59},  {"12B", 19.46},
+      {"16B", 31.88},  {"20B", 36.45},  {"24B", 48.36},  {"28B", 59.56},  {"32B", 58.55},
+      {"40B", 72.29},  {"48B", 91.21},  {"56B", 106.60}, {"64B", 119.89}, {"72B", 136.27},
+      {"04C", 6.40},   {"06C", 10.13},  {"08A", 14.38},  {"10A", 18.11},  {"12A", 22.78},
+      {"16A", 29.29},  {"20A", 35.76},  {"24A", 45.44},  {"28A", 48.87},  {"32A", 58.55},
+      {"36A", 65.84},  {"40A", 71.55},  {"48A", 87.83},  {"25", 6.40},    {"35", 10.13},
+      {"40", 14.38},   {"50", 18.11},   {"60", 22.78},   {"80", 29.29},   {"100", 35.76},
+      {"120", 45.44},  {"140", 48.87},  {"160", 58.55},  {"180", 65.84},  {"200", 71.55},
+      {"240", 87.83},  {"60H", 26.11},  {"80H", 32.59},  {"100H", 39.09}, {"120H", 48.87},
+      {"140H", 52.20}, {"160H", 61.90}, {"180H", 69.16}, {"200H", 78.31}, {"240H", 101.22}};
+  const auto found = in_mm.find(designation);
+  return found == in_mm.end() ? 0. : found->second * mm;
 }
 
 std::vector<std::string> chain_designations()

@@ -319,9 +319,22 @@ ChainDimensions make_chain(const parameters::Chain &chain, const parameters::Eff
                       "with a gap of " + in_mm(gap, 5) + " between inner and outer plates");
   c.outer_plate_z    = 0.5 * c.pin_length;
 
+  if (chain.strands > 1)
+    c.transverse_pitch = fill("transverse pitch",
+                              chain.transverse_pitch,
+                              transverse_pitch_of(row.designation),
+                              c.pin_length + c.outer_plate_thickness + gap,
+                              "two outer plates beside each other, " + in_mm(gap, 5) + " apart");
+
   set_clearances(c, effects);
   set_hole_pitches(c, chain);
   check(c);
+  if (chain.strands > 1)
+    require_inside("outside of the inner plates",
+                   2. * c.inner_plate_z + c.inner_plate_thickness,
+                   "Transverse pitch",
+                   c.transverse_pitch,
+                   "between two strands a gap");
   return c;
 }
 

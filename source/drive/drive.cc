@@ -3,7 +3,6 @@
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/drive/lay_chain.h>
-#include <chaindrive/drive/strands.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
@@ -178,8 +177,6 @@ void set_chain_and_sprockets(const Parameters &parameters, Drive &d)
     }
   set_torques(parameters, d);
   d.strands = parameters.drive.chain.strands;
-  if (d.strands > 1)
-    d.notes.push_back(in_words_of_strands(d.strands));
   append(d.notes, d.chain.derived);
   if (!d.links.are_equal())
     d.notes.push_back(d.links.in_words());

@@ -90,7 +90,8 @@ namespace
 /// Energy that is nearly round-off: of a pitch's spring for each link, J.
 double energy_of_nothing(const scene::Scene &scene)
 {
-  return 0.5 * scene.drive.n_joints * scene.drive.stiffness_per_pitch * no_length * no_length;
+  return 0.5 * scene.n_strands() * scene.drive.n_joints * scene.drive.stiffness_per_pitch *
+         no_length * no_length;
 }
 
 /// Whether the critical time step is that of the smallest cells of meshes, whose vibrations impacts

@@ -183,6 +183,28 @@ Decision misalignment(const Parameters &p)
           names.empty() ? "all wheels are in the plane of the drive" : "out of line: " + names};
 }
 
+/// Whether strands of a chain of several have bodies of their own.
+Decision separate_strands(const Parameters &p)
+{
+  constexpr Effect   effect                     = Effect::separate_strands;
+  const unsigned int strands                    = p.drive.chain.strands;
+  const Switch       choice                     = p.effects.separate_strands;
+  const auto [has_clearances, elastic, reduced] = p.model.capabilities();
+  if (strands == 1)
+    return {effect, false, "Drive/Chain/Strands = 1"};
+  if (choice == Switch::off)
+    return {effect, false, switched(choice, "Effects")};
+  if (!has_clearances || elastic)
+    return {effect, false, "fidelity " + p.model.fidelity + ": one strand stands for all"};
+  if (choice == Switch::on)
+    return {effect, true, switched(choice, "Effects")};
+  const Decision out_of_line = misalignment(p);
+  return {effect,
+          out_of_line.on,
+          out_of_line.on ? "wheels are out of line and pull strands unevenly" :
+                           "wheels are in line: strands share equally, and one stands for all"};
+}
+
 Decision plate_faces(const Parameters &p, const bool links)
 {
   constexpr Effect effect = Effect::plate_faces;
@@ -314,6 +336,8 @@ std::string what_leaves_plane(const Parameters &p)
 {
   if (misalignment(p).on)
     return "wheels are out of line";
+  if (separate_strands(p).on)
+    return "strands are separate";
   for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
     if (!sprocket.mesh.empty())
       return "an imported mesh may lack symmetry";
@@ -502,6 +526,7 @@ Effects decide_effects(const Parameters &p)
               selective_mass_scaling(p, rollers.on),
               faces,
               out_of_line,
+              separate_strands(p),
               symmetry_model(p, links.on, rollers.on, faces.on, pictures.on),
               planar_motion(p),
               yielding_shafts(p),

@@ -15,17 +15,34 @@ std::string entry_of(const parameters::Sprocket &wheel)
                                         parameters::to_entry_text(wheel.axial_offset, unit::milli) :
                                     of + "Tilt in degrees";
 }
+
+/// Calls @p refuse with what cannot be with strands that are separate, or asked to be.
+template <typename Refuse>
+void against_separate_strands(const Parameters &p, const Effects &effects, const Refuse &refuse)
+{
+  const Decision &separate = effects.of(Effect::separate_strands);
+  refuse(p.effects.separate_strands == parameters::Switch::on && !separate.on,
+         "Effects/Separate strands = on is not possible: " + separate.reason +
+             "; choose auto or off, or Model/Fidelity = layered and Drive/Chain/Strands above 1.");
+  for (const parameters::Sprocket &wheel : p.drive.sprockets.list)
+    refuse(
+        separate.on && !wheel.mesh.empty(),
+        "Separate strands (Effects/Separate strands: " + separate.reason +
+            ") need a row of teeth for each, but the " + wheel.in_words() +
+            " has the flanks of its mesh; leave the mesh out, or choose Separate strands = off.");
+}
 } // namespace
 
 std::vector<std::string> against_misalignment(const Parameters &p, const Effects &effects)
 {
   std::vector<std::string> sentences;
-  if (!effects.is_on(Effect::misalignment))
-    return sentences;
-  const auto refuse = [&](const bool found, const std::string &sentence) {
+  const auto               refuse = [&](const bool found, const std::string &sentence) {
     if (found)
       sentences.push_back(sentence);
   };
+  against_separate_strands(p, effects, refuse);
+  if (!effects.is_on(Effect::misalignment))
+    return sentences;
   std::string entry;
   for (const parameters::Sprocket &wheel : p.drive.sprockets.list)
     if (entry.empty() && wheel.is_out_of_line())
@@ -60,6 +77,13 @@ std::vector<std::string> against_misalignment(const Parameters &p, const Effects
   refuse(is_elastic && p.model.half == parameters::SymmetryModel::yes,
          "Model/Symmetry model = true has a half of each body, but " + entry +
              " leaves no plane of symmetry; choose auto or false.");
+  const std::string strands = "Drive/Chain/Strands = " + std::to_string(p.drive.chain.strands);
+  refuse(p.drive.chain.strands > 1 && is_elastic &&
+             p.effects.separate_strands != parameters::Switch::off,
+         entry + " pulls the strands of " + strands +
+             " unevenly, which needs strands with bodies of their own, but in " + chosen +
+             " one stands for all; choose Model/Fidelity = layered, or Effects/Separate strands = "
+             "off for strands that share the load equally.");
   for (const parameters::Sprocket &wheel : p.drive.sprockets.list)
     {
       const std::string of = "Drive/Wheels/" + wheel.name + "/";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/geometry.h>
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/observe/field_output.h>
 #include <chaindrive/utilities/ranks.h>
@@ -13,11 +14,13 @@ namespace chaindrive::observe
 FieldOutput::Drawing::Drawing(const scene::Scene     &scene,
                               const dynamics::System &system,
                               const std::string      &directory)
-    : fields(directory, system.world.communicator())
-    , elastic(system)
-    , spans(scene, system)
-    , teeth(make_tooth_forces(scene, system))
+    : fields(directory, system.world.communicator()), elastic(system)
 {
+  if (scene.strands.empty())
+    strands.push_back({Spans(scene, system), make_tooth_forces(scene, system)});
+  for (const scene::DriveView &strand : scene.strands)
+    strands.push_back(
+        {Spans(scene, strand, system), make_tooth_forces(scene, system, strand.strand)});
   for (const auto &[of, part] : scene.parts)
     parts.emplace(of, PartPatches(*part->mesh, scene.sectors.count(of) != 0));
   for (const Rim &rim : system.world.rims)
@@ -75,7 +78,7 @@ std::vector<dealii::Tensor<1, 3>> contact_forces(const dynamics::System &system)
   return contact_force;
 }
 
-/// What links and teeth carry at one instant, N.
+/// What links and teeth of a strand carry at one instant, N.
 struct Loads
 {
   std::vector<double>                         tension, roller; ///< per link; of the teeth per joint
@@ -88,28 +91,33 @@ struct Loads
   }
 };
 
-/// On all ranks.
-Loads loads_of(const scene::Scene       &scene,
-               const dynamics::System   &system,
-               Spans                    &spans,
-               std::vector<ToothForces> &teeth)
+Loads loads_of(const scene::Scene &scene, const dynamics::System &system, StrandForces &strand)
 {
   Loads loads;
-  if (system.world.is_first_rank()) // which has all records
+  strand.spans.update(system);
+  loads.tension = strand.spans.link_tension();
+  loads.roller.resize(scene.drive.n_joints, 0.);
+  for (ToothForces &forces : strand.teeth)
     {
-      spans.update(system);
-      loads.tension = spans.link_tension();
-      loads.roller.resize(scene.drive.n_joints, 0.);
-      for (ToothForces &forces : teeth)
-        {
-          forces.update();
-          for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
-            loads.roller[k] += forces.roller[k];
-          for (unsigned int s = 0; s < scene.drive.sprockets.size(); ++s)
-            if (scene.drive.sprockets[s].name == forces.name)
-              loads.gaps[s] = forces.in_gap;
-        }
+      forces.update();
+      for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
+        loads.roller[k] += forces.roller[k];
+      for (unsigned int s = 0; s < scene.drive.sprockets.size(); ++s)
+        if (scene.drive.sprockets[s].name == forces.name)
+          loads.gaps[s] = forces.in_gap;
     }
+  return loads;
+}
+
+/// Of each strand, on all ranks.
+std::vector<Loads> loads_of(const scene::Scene        &scene,
+                            const dynamics::System    &system,
+                            std::vector<StrandForces> &strands)
+{
+  std::vector<Loads> loads;
+  if (system.world.is_first_rank()) // which has all records
+    for (StrandForces &strand : strands)
+      loads.push_back(loads_of(scene, system, strand));
   if (n_ranks_in(system.world.communicator()) > 1)
     loads = dealii::Utilities::MPI::broadcast(system.world.communicator(), loads);
   return loads;
@@ -165,6 +173,18 @@ void add_pressures(const dynamics::System &system, std::vector<ElasticSnapshot> 
         }
 }
 
+/// The frame of what stands at @p z [m] in @p frame.
+Frame at(const Frame &frame, const double z)
+{
+  if (z == 0.)
+    return frame;
+  Frame                      moved = frame;
+  const dealii::Tensor<1, 3> arm   = z * contact::axis_of(frame, 2);
+  moved.position += arm;
+  moved.velocity += cross_product_3d(frame.angular_velocity, arm);
+  return moved;
+}
+
 std::vector<BarSnapshot> snapshots_of_bars(const dynamics::System &system)
 {
   const World             &world = system.world;
@@ -195,7 +215,7 @@ void FieldOutput::write(const dynamics::System &system)
 
   const std::vector<dealii::Tensor<1, 3>> contact_force = contact_forces(system);
 
-  const Loads loads = loads_of(scene_, system, drawing_->spans, drawing_->teeth);
+  const std::vector<Loads> loads = loads_of(scene_, system, drawing_->strands);
 
   std::vector<ElasticSnapshot> elastic(world.n_bodies());
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
@@ -208,20 +228,23 @@ void FieldOutput::write(const dynamics::System &system)
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     if (const auto part = drawing_->parts.find(scene_.bodies[b].part());
         world.owns(b) && part != drawing_->parts.end()) // an arm has no mesh
-      {
-        bodies.push_back({&part->second,
-                          b,
-                          scene_.bodies[b].number_in_fields(),
-                          scene_.bodies[b].initial,
-                          world.frames[b],
-                          contact_force[b],
-                          make_array_view(elastic[b].displacement),
-                          make_array_view(elastic[b].velocity),
-                          {elastic[b].stress.data(), elastic[b].stress.size()},
-                          {elastic[b].faces.data(), elastic[b].faces.size()}});
-        bodies.back().pressure = {elastic[b].pressure.data(), elastic[b].pressure.size()};
-        add_loads(bodies.back(), scene_.bodies[b], loads);
-      }
+      for (unsigned int i = 0; i < scene_.bodies[b].parts_at.size(); ++i)
+        {
+          const double       z      = scene_.bodies[b].parts_at[i];
+          const unsigned int strand = scene_.bodies[b].strand > 0 ? scene_.bodies[b].strand - 1 : i;
+          bodies.push_back({&part->second,
+                            b,
+                            scene_.bodies[b].number_in_fields(),
+                            at(scene_.bodies[b].initial, z),
+                            at(world.frames[b], z),
+                            contact_force[b],
+                            make_array_view(elastic[b].displacement),
+                            make_array_view(elastic[b].velocity),
+                            {elastic[b].stress.data(), elastic[b].stress.size()},
+                            {elastic[b].faces.data(), elastic[b].faces.size()}});
+          bodies.back().pressure = {elastic[b].pressure.data(), elastic[b].pressure.size()};
+          add_loads(bodies.back(), scene_.bodies[b], loads[strand]);
+        }
 
   std::vector<std::vector<ElasticSnapshot>> sectors;
   for (const Rim &rim : world.rims)
@@ -243,7 +266,7 @@ void FieldOutput::write(const dynamics::System &system)
                               make_array_view(sector.velocity),
                               {sector.stress.data(), sector.stress.size()},
                               {sector.faces.data(), sector.faces.size()}});
-            add_loads(bodies.back(), scene_.bodies[rim.body], loads);
+            add_loads(bodies.back(), scene_.bodies[rim.body], loads.front());
           }
     }
 

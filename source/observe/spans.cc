@@ -17,14 +17,15 @@ dealii::Tensor<1, 3> shaft_of(const scene::Body &body)
 }
 } // namespace
 
-Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
-    : scene_(scene)
-    , spans_(scene.drive.spans.size())
-    , tension_(scene.drive.n_joints, 0.)
-    , n_links_(scene.drive.spans.size())
-    , member_(scene.drive.n_joints)
+Spans::Spans(const scene::Scene     &scene,
+             const scene::DriveView &drive,
+             const dynamics::System &system)
+    : drive_(drive)
+    , spans_(drive.spans.size())
+    , tension_(drive.n_joints, 0.)
+    , n_links_(drive.spans.size())
+    , member_(drive.n_joints)
 {
-  const scene::DriveView &drive = scene.drive;
   if (drive.spans.empty())
     return;
   for (const scene::Span &span : drive.spans)
@@ -45,7 +46,7 @@ Spans::Spans(const scene::Scene &scene, const dynamics::System &system)
   driver_   = shaft_of(scene.bodies[drive.driver().body]);
   mirrored_ = drive.tight().normal -
               2. * (drive.tight().normal * drive.tight().along) * drive.tight().along;
-  joints_ = system.contacts.find(scene::Interface::bush_pin);
+  joints_ = system.contacts.find({scene::Interface::bush_pin, 0, drive.strand});
   if (joints_.empty())
     return;
   pin_force_.resize(drive.n_joints);
@@ -68,7 +69,7 @@ void Spans::joint_forces(const dynamics::System &system)
   for (const contact::Family *family : joints_)
     family->add_joint_forces(pin_force_);
 
-  const unsigned int  n      = scene_.drive.n_joints;
+  const unsigned int  n      = drive_.n_joints;
   const PlanarBodies *planar = system.world.planar;
   for (unsigned int k = 0; k < n; ++k)
     {
@@ -84,8 +85,8 @@ void Spans::joint_forces(const dynamics::System &system)
       dealii::Tensor<1, 3> axis;
       if (link.elastic)
         { // an elastic link has no axis but the line through its joints
-          axis = roller_position(scene_.drive, system.world, (k + 1) % n) -
-                 roller_position(scene_.drive, system.world, k);
+          axis = roller_position(drive_, system.world, (k + 1) % n) -
+                 roller_position(drive_, system.world, k);
           axis /= axis.norm();
         }
       else
@@ -99,7 +100,7 @@ unsigned int Spans::span_of(const dealii::Tensor<1, 3> &first,
                             const dealii::Tensor<1, 3> &second,
                             double                     &holds) const
 {
-  const scene::DriveView    &drive  = scene_.drive;
+  const scene::DriveView    &drive  = drive_;
   const dealii::Tensor<1, 3> middle = 0.5 * (first + second), travel = second - first;
   const auto                 none    = static_cast<unsigned int>(drive.spans.size());
   unsigned int               found   = none;
@@ -137,12 +138,12 @@ unsigned int Spans::span_of(const dealii::Tensor<1, 3> &first,
 void Spans::find_members(const World &world)
 {
   // bushes go farther than the middles of their links, by which travelled() counts
-  const bool   knows_way = world.planar != nullptr && scene_.drive.bushes.empty();
+  const bool   knows_way = world.planar != nullptr && drive_.bushes.empty();
   const double way       = knows_way ? world.planar->travelled() : 0.;
   if (knows_way && way < first_to_look_at_)
     return;
   constexpr double   round_off = 1e-9; // of places, m
-  const unsigned int n         = scene_.drive.n_joints;
+  const unsigned int n         = drive_.n_joints;
   members_.clear();
   first_to_look_at_ = std::numeric_limits<double>::max();
   for (unsigned int k = 0; k < n; ++k)
@@ -151,8 +152,8 @@ void Spans::find_members(const World &world)
       if (!knows_way || way >= member.until)
         {
           double holds;
-          member.span  = span_of(roller_position(scene_.drive, world, k),
-                                roller_position(scene_.drive, world, k + 1 < n ? k + 1 : 0),
+          member.span  = span_of(roller_position(drive_, world, k),
+                                roller_position(drive_, world, k + 1 < n ? k + 1 : 0),
                                 holds);
           member.until = way + std::max(0., holds - round_off);
         }
@@ -164,7 +165,7 @@ void Spans::find_members(const World &world)
 
 void Spans::update(const dynamics::System &system)
 {
-  const unsigned int n = scene_.drive.n_joints;
+  const unsigned int n = drive_.n_joints;
   if (!joints_.empty())
     joint_forces(system);
   else if (system.bars.size() == n)
@@ -176,14 +177,14 @@ void Spans::update(const dynamics::System &system)
   for (const auto &[k, s] : members_)
     {
       const unsigned int         next  = k + 1 < n ? k + 1 : 0;
-      const dealii::Tensor<1, 3> arm   = roller_position(scene_.drive, system.world, k) - driver_;
-      const scene::Span         &along = scene_.drive.spans[s];
+      const dealii::Tensor<1, 3> arm   = roller_position(drive_, system.world, k) - driver_;
+      const scene::Span         &along = drive_.spans[s];
       Span                      &span  = spans_[s];
       span.tension += tension_[k];
-      span.speed += 0.5 *
-                    (roller_velocity(scene_.drive, system.world, k) +
-                     roller_velocity(scene_.drive, system.world, next)) *
-                    along.direction;
+      span.speed +=
+          0.5 *
+          (roller_velocity(drive_, system.world, k) + roller_velocity(drive_, system.world, next)) *
+          along.direction;
       span.offset += arm * along.normal;
       span.inward += arm * mirrored_;
       ++n_links_[s];

@@ -6,7 +6,8 @@
 namespace chaindrive::observe
 {
 std::vector<ToothForces> make_tooth_forces(const scene::Scene     &scene,
-                                           const dynamics::System &system)
+                                           const dynamics::System &system,
+                                           const unsigned int      strand)
 {
   std::vector<ToothForces> result;
   std::set<unsigned int>   found; // there are families of rigid and of elastic rollers
@@ -18,7 +19,7 @@ std::vector<ToothForces> make_tooth_forces(const scene::Scene     &scene,
         result.emplace_back(sprocket.name, scene.drive.n_joints, sprocket.teeth);
         result.back().flat = sprocket.flat;
         for (const contact::Family *family :
-             system.contacts.find({scene::Interface::roller_teeth, teeth.sprocket}))
+             system.contacts.find({scene::Interface::roller_teeth, teeth.sprocket, strand}))
           result.back().families.push_back(dynamic_cast<const contact::SurfaceContact *>(family));
       }
   return result;

@@ -60,6 +60,7 @@ Wrap::Wrap(const scene::Scene &scene, const unsigned int sprocket)
   Assert(family != scene.teeth.end(), dealii::ExcInternalError());
   outer_radius_  = family->outer_radius;
   half_width_    = family->half_width;
+  z_             = family->z;
   roller_radius_ = 0.5 * family->form->roller_diameter;
 }
 
@@ -81,7 +82,7 @@ std::vector<Wrap::Place> Wrap::places(const World &world) const
         continue;
       const double angle = middle + wrapped(std::atan2(arm[1], arm[0]) - middle);
       const double gap   = sense_ * (angle - turned) * teeth_ / (2. * PI);
-      found.push_back({k, gap - k, radius, arm * axis});
+      found.push_back({k, gap - k, radius, arm * axis - z_});
     }
   return found;
 }

@@ -41,7 +41,8 @@ void Chain::declare(Declarations &declarations)
       1,
       6,
       "Strands side by side, 2 of 08B-2: they share the load equally, and one is computed with its "
-      "share. Of all strands are torques, inertias, springs of tensioners, loads of shafts and "
+      "share, unless Effects/Separate strands is on. Of all strands are torques, inertias, springs "
+      "of tensioners, loads of shafts and "
       "guides, power, losses, energies and sound, in entries as in results; of one strand are "
       "masses, stiffnesses and tensions of the chain, forces in joints and on teeth. Ratings and "
       "life take the strand that pulls most, doc/theory.md, section 9. Default: a simplex chain.");
@@ -169,6 +170,13 @@ void Chain::declare(Declarations &declarations)
          outer_plate_thickness,
          between(1e-3, 100.),
          "Thickness of one outer plate." + scaled);
+  length("Transverse pitch in mm",
+         transverse_pitch,
+         between(1e-3, 1000.),
+         "Distance of the middle planes of two strands, for Strands above 1. It counts where "
+         "strands are separate (Effects/Separate strands). auto: from the table of ISO 606; where "
+         "it is silent, two outer plates beside each other with the gap between inner and outer "
+         "ones.");
   add(declarations,
       "Waist ratio",
       waist_ratio,

@@ -79,6 +79,13 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
          "simple and layered fidelity only. The results are the same to round-off, which impacts "
          "amplify, and a run takes a fraction of the time. auto: on where nothing can leave the "
          "plane. off: in space, in six.");
+  effect(
+      "Separate strands",
+      separate_strands,
+      "Each strand of a chain of several (Drive/Chain/Strands) has rollers and inner links of "
+      "its own, on pins that all strands share; layered fidelity only. auto: on where wheels are "
+      "out of line, which then pull strands unevenly. on: also where all wheels are in line. "
+      "off: strands share the load equally, and one is computed with its share.");
 }
 
 namespace

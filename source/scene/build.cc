@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/strands.h>
 #include <chaindrive/scene/addition.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/fidelity.h>
@@ -115,7 +116,9 @@ Scene build_scene(const model::Model             &model,
   scene.planar      = model.effects.is_on(Effect::planar_motion);
   scene.plates_bend = model.effects.is_on(Effect::plate_bending);
   scene.at_speed    = !model.effects.is_on(Effect::start_up);
-  scene.notes       = drive.notes;
+  if (drive.strands > 1 && !model.effects.is_on(Effect::separate_strands))
+    scene.notes.push_back(drive::in_words_of_strands(drive.strands));
+  scene.notes.insert(scene.notes.end(), drive.notes.begin(), drive.notes.end());
   scene.notes.insert(scene.notes.end(), model.notes.begin(), model.notes.end());
   scene.prestress = drive.layout.prestress;
   describe(drive, scene.drive);
@@ -127,10 +130,11 @@ Scene build_scene(const model::Model             &model,
   add_shafts(drive, scene);
   add_guides(model, drive, scene);
   if (model.effects.is_on(Effect::misalignment))
-    {
-      add_sides(model, drive, scene);
-      move_out_of_line(drive, scene);
-    }
+    add_sides(model, drive, scene);
+  if (model.effects.is_on(Effect::separate_strands))
+    separate_strands(drive, scene);
+  if (model.effects.is_on(Effect::misalignment))
+    move_out_of_line(drive, scene);
   add_additions(model.sections, scene);
   if (model.effects.is_on(Effect::reduced_bodies) && basis_of)
     add_bases(basis_of, scene);

@@ -11,6 +11,16 @@
 
 namespace chaindrive::scene
 {
+Tensor3 normal_of_wheel(const drive::Drive &drive, const unsigned int i)
+{
+  const drive::Sprocket &wheel = drive.sprockets[i];
+  Tensor3                normal;
+  normal[0] = std::sin(wheel.tilt) * std::cos(wheel.tilt_direction);
+  normal[1] = drive.layout.sense * std::sin(wheel.tilt) * std::sin(wheel.tilt_direction);
+  normal[2] = std::cos(wheel.tilt);
+  return normal;
+}
+
 namespace
 {
 Tensor3 in_space(const dealii::Tensor<1, 2> &v)
@@ -46,12 +56,9 @@ struct WheelPlane
   WheelPlane(const drive::Drive &drive, const unsigned int i)
       : axis(drive.layout.sprockets[i].axis())
   {
-    const drive::Sprocket &wheel = drive.sprockets[i];
-    offset                       = wheel.axial_offset;
-    normal[0]                    = std::sin(wheel.tilt) * std::cos(wheel.tilt_direction);
-    normal[1] = drive.layout.sense * std::sin(wheel.tilt) * std::sin(wheel.tilt_direction);
-    normal[2] = std::cos(wheel.tilt);
-    turn      = from_z_to(normal);
+    offset = drive.sprockets[i].axial_offset;
+    normal = normal_of_wheel(drive, i);
+    turn   = from_z_to(normal);
   }
 
   Tensor3 displacement(const dealii::Point<2> &p) const
@@ -193,25 +200,46 @@ void move_wheels(const drive::Drive &drive, Scene &scene)
         scene.bodies[*wheel.mount.carrier].initial.position[2] += plane.offset;
     }
 }
-} // namespace
 
-void move_out_of_line(const drive::Drive &drive, Scene &scene)
+/// How far bodies overlap that have been laid in line, m.
+struct Overlap
 {
-  const drive::Layout     &layout = drive.layout;
-  const DriveView         &view   = scene.drive;
-  const std::vector<Place> place  = places(drive);
-  const auto               bush   = [&](const unsigned int k) {
+  double strain = 0.; ///< pitches are so much longer
+  double askew  = 0.; ///< ends of pins, bushes and rollers are so far aside
+};
+
+/// Places the strand of @p view, whose joints have gone to @p place.
+void move_strand(const drive::Drive       &drive,
+                 const std::vector<Place> &place,
+                 const DriveView          &view,
+                 Scene                    &scene,
+                 Overlap                  &overlap)
+{
+  const drive::Layout &layout = drive.layout;
+  const auto           middle = [&](const unsigned int k) {
     return in_space(layout.joints[k].bush) + place[k].displacement;
   };
-  double strain = 0., askew = 0.;
+  // pins are across the way of the chain, and strands beside it go along with them
+  const auto pin_of = [&](const unsigned int k) {
+    if (layout.joints[k].sprocket >= 0)
+      return place[k].normal;
+    const Tensor3 way = middle(view.next(k)) - middle(view.next(k, view.n_joints - 1));
+    const Tensor3 pin = place[k].normal - (place[k].normal * way) / way.norm_square() * way;
+    return Tensor3(pin / pin.norm());
+  };
+  const auto bush = [&](const unsigned int k, const double z) {
+    return z == 0. ? middle(k) : middle(k) + z * pin_of(k);
+  };
   for (unsigned int k = 0; k < view.n_joints; ++k)
     {
       const unsigned int next = view.next(k);
-      Frame             &link = scene.bodies[view.links[k]].initial;
-      link                    = frame_of_link(bush(k), bush(next), place[k], place[next]);
-      strain                  = std::max(strain,
-                        std::abs((bush(next) - bush(k)).norm() -
-                                 layout.joints[next].bush.distance(layout.joints[k].bush)));
+      Body              &body = scene.bodies[view.links[k]];
+      // an outer link of several strands is one body
+      const double z = body.strand > 0 ? view.z : 0.;
+      body.initial   = frame_of_link(bush(k, z), bush(next, z), place[k], place[next]);
+      overlap.strain = std::max(overlap.strain,
+                                std::abs((bush(next, view.z) - bush(k, view.z)).norm() -
+                                         layout.joints[next].bush.distance(layout.joints[k].bush)));
     }
   for (unsigned int k = 0; k < view.n_joints; ++k)
     {
@@ -225,15 +253,30 @@ void move_out_of_line(const drive::Drive &drive, Scene &scene)
           Frame &roller   = scene.bodies[joint.roller].initial;
           roller.rotation = from_z_to(axis);
           roller.position += place[k].displacement;
+          if (view.z != 0.) // it has been laid there in line
+            roller.position += view.z * (pin_of(k) - along_z());
           roller.velocity         = place[k].velocity;
           roller.angular_velocity = roller.angular_velocity[2] * axis;
         }
-      askew = std::max({askew,
-                        0.5 * drive.chain.bush_length * angle_between(inner, outer),
-                        0.5 * drive.chain.roller_length * angle_between(inner, axis)});
+      overlap.askew = std::max(
+          {overlap.askew,
+           (std::abs(view.z) + 0.5 * drive.chain.bush_length) * angle_between(inner, outer),
+           0.5 * drive.chain.roller_length * angle_between(inner, axis)});
     }
+}
+} // namespace
+
+void move_out_of_line(const drive::Drive &drive, Scene &scene)
+{
+  const std::vector<Place> place = places(drive);
+  Overlap                  overlap;
+  if (scene.strands.empty())
+    move_strand(drive, place, scene.drive, scene, overlap);
+  for (const DriveView &strand : scene.strands)
+    move_strand(drive, place, strand, scene, overlap);
   move_wheels(drive, scene);
-  scene.start_overlap = strain + askew;
+  const auto [strain, askew] = overlap;
+  scene.start_overlap        = strain + askew;
   scene.notes.push_back(
       "Out of line: the chain is laid in line and then displaced with its wheels; "
       "at the start pitches are longer by up to " +

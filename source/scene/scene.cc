@@ -32,7 +32,7 @@ double Scene::nominal_energy() const
   if (drive.n_joints == 0 || drive.sprockets.empty())
     return 0.;
   const double speed = drive.driver().pitch_radius * loads.driver_speed;
-  return 0.5 * drive.n_joints * drive.mass_per_pitch * speed * speed;
+  return 0.5 * n_strands() * drive.n_joints * drive.mass_per_pitch * speed * speed;
 }
 
 const Frame &
@@ -63,7 +63,9 @@ const Sprocket &DriveView::driven() const
 
 std::string Scene::name_of(const unsigned int b) const
 {
-  const std::string number = std::to_string(bodies[b].number);
+  const std::string number =
+      std::to_string(bodies[b].number) +
+      (bodies[b].strand > 0 ? " of strand " + std::to_string(bodies[b].strand) : "");
   switch (bodies[b].kind)
     {
     case Kind::roller:

@@ -71,6 +71,9 @@ public:
   /// The families of @p interface: one for rigid bodies, one for elastic ones, or none.
   std::vector<const Family *> find(const scene::InterfaceOf &interface) const;
 
+  /// Those of all strands.
+  std::vector<const Family *> find_all(const scene::InterfaceOf &interface) const;
+
   /// Contacts of elastic nodes that the searches of this rank have missed: see Family.
   unsigned long n_missed() const;
 

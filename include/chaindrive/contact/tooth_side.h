@@ -38,6 +38,7 @@ private:
   double distance(const dealii::Tensor<1, 3> &local, dealii::Tensor<1, 3> &normal) const;
 
   int    sign_;
+  double z_;          ///< of the middle plane of the teeth in the sprocket's frame, m
   double half_width_; ///< m
   double from_;       ///< radius at which the rounding begins, m
   double radius_;     ///< of the rounding, m

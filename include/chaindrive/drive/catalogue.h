@@ -49,6 +49,11 @@ const std::vector<CatalogueChain> &motorcycle_chains();
 /// The row of @p designation in any of the tables; null if there is none.
 const CatalogueChain *find_chain(const std::string &designation);
 
+/// Distance of the middle planes of two neighbouring strands of the chain @p designation, m: the
+/// transverse pitch of ISO 606, of its series A and B, of the ANSI sizes, which are those of series
+/// A, and of the heavy ones. 0 where it is not listed.
+double transverse_pitch_of(const std::string &designation);
+
 /// The names of all rows of all tables.
 std::vector<std::string> chain_designations();
 } // namespace chaindrive::drive

@@ -31,7 +31,8 @@ struct ChainDimensions
   double      outer_plate_height, outer_plate_thickness, outer_plate_z; ///< z of the mid-surface
   double      waist_ratio; ///< plate height at mid-pitch / plate height, at most 1
   double      inner_hole_pitch, outer_hole_pitch;
-  double link_density_factor = 1.; ///< of plates, bushes and pins over the density of all parts
+  double      transverse_pitch = 0.; ///< distance of the middle planes of two strands; 0 of one
+  double link_density_factor   = 1.; ///< of plates, bushes and pins over the density of all parts
 
   std::vector<std::string> derived; ///< sentences on values that no table and no entry gave
 

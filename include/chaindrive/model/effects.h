@@ -30,7 +30,8 @@ enum class Effect
   exact_teeth,  ///< rollers and teeth touch without penalty
   selective_mass_scaling,
   plate_faces,
-  misalignment, ///< planes of wheels are not that of the drive
+  misalignment,     ///< planes of wheels are not that of the drive
+  separate_strands, ///< each strand of several has bodies of its own
   symmetry_model,
   planar_motion,
   yielding_shafts,
@@ -43,7 +44,7 @@ enum class Effect
 namespace chaindrive::parameters
 {
 template <>
-inline constexpr Texts<model::Effect, 25> texts_of<model::Effect>{
+inline constexpr Texts<model::Effect, 26> texts_of<model::Effect>{
     {{model::Effect::roller_bush_clearance, "roller-bush clearance"},
      {model::Effect::bush_pin_clearance, "bush-pin clearance"},
      {model::Effect::chain_bars, "chain bars"},
@@ -63,6 +64,7 @@ inline constexpr Texts<model::Effect, 25> texts_of<model::Effect>{
      {model::Effect::selective_mass_scaling, "selective mass scaling"},
      {model::Effect::plate_faces, "plate faces"},
      {model::Effect::misalignment, "misalignment"},
+     {model::Effect::separate_strands, "separate strands"},
      {model::Effect::symmetry_model, "symmetry model"},
      {model::Effect::planar_motion, "planar motion"},
      {model::Effect::yielding_shafts, "yielding shafts"},

@@ -9,7 +9,8 @@
 
 namespace chaindrive::model
 {
-/// What cannot be with wheels that are out of line, a sentence for each, which says what to choose;
-/// none where all are in the plane of the drive.
+/// What cannot be with wheels that are out of line or with separate strands, a sentence for each,
+/// which says what to choose; none where all wheels are in the plane of the drive and nothing is
+/// asked of strands.
 std::vector<std::string> against_misalignment(const Parameters &parameters, const Effects &effects);
 } // namespace chaindrive::model

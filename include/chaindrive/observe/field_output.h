@@ -18,6 +18,13 @@
 
 namespace chaindrive::observe
 {
+/// What is looked at of a strand for field output.
+struct StrandForces
+{
+  Spans                    spans;
+  std::vector<ToothForces> teeth;
+};
+
 /// Writes the field output of a run, every Output/Field interval.
 class FieldOutput : public dynamics::Observer
 {
@@ -51,8 +58,7 @@ private:
     std::map<scene::PartOf, PartPatches> parts;   ///< of a sprocket with a rim: its rigid zone
     std::map<unsigned int, PartPatches>  sectors; ///< of rims, by group of copies
     ElasticSnapshots                     elastic;
-    Spans                                spans; ///< of the first rank
-    std::vector<ToothForces>             teeth; ///< likewise
+    std::vector<StrandForces>            strands; ///< of the first rank
   };
 
   void write(const dynamics::System &system);

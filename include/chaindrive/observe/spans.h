@@ -20,7 +20,14 @@ namespace chaindrive::observe
 class Spans
 {
 public:
-  Spans(const scene::Scene &scene, const dynamics::System &system);
+  /// Of the strand that stands for the chain in @p scene.
+  Spans(const scene::Scene &scene, const dynamics::System &system)
+      : Spans(scene, scene.drive, system)
+  {
+  }
+
+  /// Of the @p strand, one of those of @p scene. Both must outlive this.
+  Spans(const scene::Scene &scene, const scene::DriveView &strand, const dynamics::System &system);
 
   void update(const dynamics::System &system);
 
@@ -79,9 +86,9 @@ private:
     double               straight;    ///< that line from the centre, along the outward normal, m
   };
 
-  const scene::Scene  &scene_;
-  std::vector<Place>   places_;
-  dealii::Tensor<1, 3> driver_; ///< centre of the driver, m
+  const scene::DriveView &drive_; ///< the strand
+  std::vector<Place>      places_;
+  dealii::Tensor<1, 3>    driver_; ///< centre of the driver, m
   dealii::Tensor<1, 3>
                     mirrored_; ///< mirror image of the tight span's normal in its line of centres
   std::vector<Span> spans_;

@@ -55,7 +55,9 @@ struct ToothForces
   }
 };
 
-/// Of each sprocket that rollers can touch, nothing looked at yet.
+/// Of each sprocket that rollers can touch, nothing looked at yet: of the strand with this number
+/// in scene::InterfaceOf, 0 being the one that stands for the chain.
 std::vector<ToothForces> make_tooth_forces(const scene::Scene     &scene,
-                                           const dynamics::System &system);
+                                           const dynamics::System &system,
+                                           unsigned int            strand = 0);
 } // namespace chaindrive::observe

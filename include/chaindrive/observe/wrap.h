@@ -66,6 +66,7 @@ private:
   dealii::Tensor<1, 3>      middle_;     ///< of the arc, from the axis, unit
   double                    half_angle_; ///< of the arc that is looked at, rad
   double                    outer_radius_, half_width_, roller_radius_; ///< m
+  double                    z_; ///< of the middle plane of the teeth in the sprocket's frame, m
   std::vector<double>       position_; ///< per joint; not a number off the arc
   double                    slip_   = 0.;
   int                       jumped_ = 0;

@@ -131,6 +131,7 @@ struct Chain
   std::optional<double> inner_plate_height, inner_plate_thickness;          ///< m
   std::optional<double> outer_plate_height, outer_plate_thickness;          ///< m
   double                waist_ratio = 0.7; ///< plate height at mid-pitch / plate height
+  std::optional<double> transverse_pitch;  ///< of the middle planes of two strands, m
 
   /// Part of a strand in what all carry.
   double share() const { return 1. / strands; }

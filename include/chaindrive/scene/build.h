@@ -3,6 +3,7 @@
 
 #include <chaindrive/drive/drive.h>
 #include <chaindrive/model/model.h>
+#include <chaindrive/scene/placement.h>
 #include <chaindrive/scene/scene.h>
 
 #include <functional>
@@ -116,6 +117,15 @@ void add_guides(const model::Model &model, const drive::Drive &drive, Scene &sce
 /// in place across the plane of the drive; of elastic bodies their nodes. All else must be there,
 /// of elastic links also the faces of plates on plates.
 void add_sides(const model::Model &model, const drive::Drive &drive, Scene &scene);
+
+/// Makes of @p scene, which has one strand with its share of all loads and is in line, one in which
+/// each strand has rollers and inner links of its own, the transverse pitch apart, with contacts of
+/// their own, on outer links that are one body of all strands: pins, rigid, pass through them all.
+/// Shafts, springs and wheels have the whole of what they had the share of. All else must be there.
+void separate_strands(const drive::Drive &drive, Scene &scene);
+
+/// The unit normal of the plane of wheel number @p i.
+Tensor3 normal_of_wheel(const drive::Drive &drive, unsigned int i);
 
 /// Takes the wheels of @p drive out of the plane, and the chain with them. On a wheel the chain is
 /// in the wheel's plane; a span, laid in line, is displaced by a cubic polynomial that leaves each

@@ -44,7 +44,8 @@ struct Span
 /// joints k and k + 1. SI units.
 struct DriveView
 {
-  unsigned int              strands  = 1; ///< of the chain, of which the scene has one
+  unsigned int strands = 1; ///< alike, of which the scene has one for all; 1 also
+                            ///< where it has all of them (Scene::strands)
   unsigned int              n_joints = 0;
   std::vector<unsigned int> rollers;    ///< body of each joint's roller; where bushes are in its
                                         ///< place, the inner link that each belongs to
@@ -55,8 +56,11 @@ struct DriveView
   std::vector<Span>             spans;     ///< span i leads from sprocket i to the next one
   int                           sense               = 1;  ///< +1: counter-clockwise drive
   double                        pitch               = 0.; ///< loaded, mean, m
-  double                        mass_per_pitch      = 0.; ///< kg
-  double                        stiffness_per_pitch = 0.; ///< N/m
+  double                        mass_per_pitch      = 0.; ///< kg, of one strand
+  double                        stiffness_per_pitch = 0.; ///< N/m, of one strand
+  unsigned int strand = 0; ///< of these rollers and links, which InterfaceOf knows it by; 0 is the
+                           ///< one that stands for the chain in histories
+  double z = 0.;           ///< of the middle plane of that in the chain's own frames, m
 
   /// What is in the seat of @p joint moves as this: its roller, or its bush. @p frames are those of
   /// all bodies, @p room holds the result where it is none of them.

@@ -62,15 +62,26 @@ inline constexpr Texts<scene::Interface, 7> texts_of<scene::Interface>{
 
 namespace chaindrive::scene
 {
-/// Which interface a family is, by which those who look at contacts find it.
+/// Which interface a family is, by which those who look at contacts find it. Where strands
+/// are separate, each has families of its own, which share their names.
 struct InterfaceOf
 {
-  InterfaceOf(const Interface of, const unsigned int body = 0) : interface(of), sprocket(body) {}
+  InterfaceOf(const Interface of, const unsigned int body = 0, const unsigned int strand = 0)
+      : interface(of), sprocket(body), strand(strand)
+  {
+  }
 
   Interface    interface;
   unsigned int sprocket; ///< the body whose teeth they are, 0 for others
+  unsigned int strand;   ///< DriveView::strand of the chain
 
   bool operator==(const InterfaceOf &other) const
+  {
+    return is_like(other) && strand == other.strand;
+  }
+
+  /// The same of any strand.
+  bool is_like(const InterfaceOf &other) const
   {
     return interface == other.interface && sprocket == other.sprocket;
   }
@@ -118,9 +129,10 @@ struct BoreFamily
   Interface             interface = Interface::other;
   ContactLaw            law; ///< of elastic bodies, whose nodes touch: per m2
   std::vector<BorePair> pairs;
-  bool   elastic       = false;       ///< nodes touch: one of each two bodies is elastic at least
-  double half_angle    = right_angle; ///< up to which nodes touch under the largest forces, rad
-  double largest_force = any_force;   ///< N: those
+  bool         elastic    = false; ///< nodes touch: one of each two bodies is elastic at least
+  double       half_angle = right_angle;  ///< up to which nodes touch under the largest forces, rad
+  double       largest_force = any_force; ///< N: those
+  unsigned int strand        = 0;         ///< see InterfaceOf
 };
 
 /// Two elastic bodies whose faces across z may touch round a common axis along z.
@@ -158,6 +170,7 @@ struct SideFamily
   Interface             interface = Interface::other;
   ContactLaw            law; ///< of one point
   std::vector<SidePair> pairs;
+  unsigned int          strand = 0; ///< see InterfaceOf
 };
 
 /// The sides of a sprocket's teeth, rounded towards their tips, and all points of inner plates that
@@ -177,6 +190,9 @@ struct ToothSideFamily
   bool                      elastic       = false;
   unsigned int              slave_surface = 0;  ///< the side of their mesh that touches
   std::vector<unsigned int> slave_nodes   = {}; ///< the nodes of it that may, of the part
+
+  unsigned int strand = 0;  ///< see InterfaceOf
+  double       z      = 0.; ///< of the middle plane of these teeth in the sprocket's frame, m
 };
 
 /// The flanks of one sprocket and every roller that could ever meet them.
@@ -201,6 +217,8 @@ struct ToothFamily
   double half_line  = right_angle; ///< and on a straight flank, rad
   double sticking_stiffness = 0.;  ///< of friction on a roller without penalty, N/m
   double largest_force      = any_force; ///< N: those
+  unsigned int strand       = 0;         ///< see InterfaceOf
+  double       z            = 0.; ///< of the middle plane of these teeth in the sprocket's frame, m
 };
 
 /// Slaves that may meet a surface of some body: what needs no chain, such as a block on an incline

@@ -127,6 +127,10 @@ struct Body
   /// A lumped body without inertia about z that turns with the line from the first of these bodies
   /// to the second, and hands them the moments on it.
   std::optional<std::array<unsigned int, 2>> turns_with = {};
+  /// Where its part stands in its frame, along z, m: once for each strand that it belongs to.
+  std::vector<double> parts_at = {0.};
+  /// From 1 on, of a chain whose strands are separate; 0: it has one, or the body belongs to all.
+  unsigned int strand = 0;
 
   PartOf part() const { return {kind, kind == Kind::sprocket ? number : 0}; }
 
@@ -226,6 +230,15 @@ struct Scene
   std::vector<std::string> notes; ///< what the log must say about choices made
 
   DriveView drive; ///< empty in a scene without a chain
+  /// Where each strand has bodies of its own, that view of each, in the order of their places along
+  /// z; one of them is #drive. Else empty.
+  std::vector<DriveView> strands;
+
+  /// How many strands the scene has bodies for.
+  unsigned int n_strands() const
+  {
+    return strands.empty() ? 1 : static_cast<unsigned int>(strands.size());
+  }
 
   bool has_elastic_bodies() const;
 

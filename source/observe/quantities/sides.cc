@@ -2,6 +2,7 @@
 #include <chaindrive/contact/geometry.h>
 #include <chaindrive/contact/surface_contact.h>
 #include <chaindrive/observe/known_names.h>
+#include <chaindrive/observe/line_load.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/rows.h>
 #include <chaindrive/observe/window_statistics.h>
@@ -18,47 +19,7 @@ namespace chaindrive::observe
 {
 namespace
 {
-using Contact  = contact::SurfaceContact;
 using Families = std::vector<const contact::Family *>;
-
-/// The largest load [N/m] at an end of a line of contact of @p contact. Two neighbouring slaves of
-/// a joint stand for each line, at the points of Gauss' rule: its load, linear along the line of
-/// length L, is (F1 + F2 -+ sqrt(3) (F2 - F1)) / L at the ends.
-/// Nodes of elastic bodies touch in many places, whose pressures are known: of them none is found.
-double largest_edge_load(const contact::Family &family)
-{
-  const auto *points = dynamic_cast<const Contact *>(&family);
-  if (points == nullptr || points->is_distributed())
-    return 0.;
-  const Contact                   &contact = *points;
-  double                           largest = 0.;
-  const std::vector<unsigned int> &near    = contact.near();
-  const auto                      &records = contact.records();
-  for (std::size_t n = 0; n + 1 < near.size(); ++n)
-    {
-      const unsigned int i = near[n], j = near[n + 1];
-      if (records[i].joint != records[j].joint || records[i].slave != records[j].slave)
-        continue;
-      const dealii::Tensor<1, 3> sum    = records[i].force + records[j].force,
-                                 differ = std::sqrt(3.) * (records[j].force - records[i].force);
-      const double length =
-          std::sqrt(3.) * std::abs(contact.slave(j).point[2] - contact.slave(i).point[2]);
-      largest = std::max({largest, (sum - differ).norm() / length, (sum + differ).norm() / length});
-    }
-  return largest;
-}
-
-/// Calls @p visit for the records of @p family that the last search has left within reach.
-template <typename Visit>
-void for_each_near(const contact::Family &family, const Visit &visit)
-{
-  const auto &records = family.records();
-  if (const auto *contact = dynamic_cast<const Contact *>(&family))
-    for (const unsigned int i : contact->near())
-      visit(records[i]);
-  else
-    std::for_each(records.begin(), records.end(), visit);
-}
 
 class Sides : public Quantity
 {
@@ -69,7 +30,7 @@ public:
       , statistics_(now, signals(names_of(now.scene.drive.sprockets), rigid_))
   {
     const auto find = [&now](const scene::InterfaceOf &interface) {
-      return now.system.contacts.find(interface);
+      return now.system.contacts.find_all(interface);
     };
     for (const scene::Sprocket &sprocket : now.scene.drive.sprockets)
       {
@@ -77,11 +38,11 @@ public:
                            sprocket.body,
                            find({scene::Interface::plate_teeth, sprocket.body}),
                            find({scene::Interface::roller_teeth, sprocket.body})});
-        add_kinds(wheels_.back().plates);
+        add_kind(wheels_.back().plates);
       }
     pins_ = find(scene::Interface::bush_pin);
-    add_kinds(find(scene::Interface::plate_faces));
-    add_kinds(find(scene::Interface::roller_ends));
+    add_kind(find(scene::Interface::plate_faces));
+    add_kind(find(scene::Interface::roller_ends));
   }
 
   bool reads_bodies() const override { return false; }
@@ -159,16 +120,17 @@ public:
       values_.push_back(pin_edge_);
     statistics_.add(values_);
     for (Kind &kind : kinds_)
-      for_each_near(*kind.contact, [&kind](const contact::Record &record) {
-        kind.penetration = std::max(kind.penetration, -record.gap);
-      });
+      for (const contact::Family *contact : kind.contacts)
+        for_each_near(*contact, [&kind](const contact::Record &record) {
+          kind.penetration = std::max(kind.penetration, -record.gap);
+        });
   }
 
   void summarize(files::Json &summary) const override
   {
     statistics_.summarize(summary);
     for (const Kind &kind : kinds_)
-      summary["penetration_max"][kind.contact->name()] = kind.penetration;
+      summary["penetration_max"][kind.name] = kind.penetration;
   }
 
   void serialize(const Archive &archive) override
@@ -182,7 +144,7 @@ public:
       }
     archive("pin edge", pin_edge_);
     for (Kind &kind : kinds_)
-      (archive / kind.contact->name())("overlap", kind.penetration);
+      (archive / kind.name)("overlap", kind.penetration);
     statistics_.serialize(archive / "statistics");
   }
 
@@ -197,14 +159,16 @@ private:
 
   struct Kind
   {
-    const contact::Family *contact;
-    double                 penetration = 0.; ///< largest so far, m
+    std::string name;
+    Families    contacts;
+    double      penetration = 0.; ///< largest so far, m
   };
 
-  void add_kinds(const Families &families)
+  /// Of one interface, of all strands.
+  void add_kind(const Families &families)
   {
-    for (const contact::Family *contact : families)
-      kinds_.push_back({contact});
+    if (!families.empty())
+      kinds_.push_back({families.front()->name(), families});
   }
 
   template <typename Sprockets>

@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""separate_strands.py CASE PROGRAM: strands of a chain of several that are bodies of their own.
+
+  line      In line two and three separate strands are, to round-off, one strand with its share
+  leaning   At rest a wheel that leans by theta along the line of centres pulls two strands that are p_t apart by the difference D. In
+            each link the moment of strands balances the tension T on what it is askew by: B phi'' = T phi with B = k p sum(z^2 + l^2 /
+            12) on a span of the length L, whose ends lean by 0 and theta; so the middle w = 0.3 L, over which tensions are means, is
+            bent by theta s / L with s = L sinh(w / 2 lambda) / (w sinh(L / 2 lambda)), lambda^2 = B / T, and D = k p p_t theta s / L,
+            less what the seats on the wheels give: theta p_t / D = L / (k p s) + c. Between spans of other lengths c is gone. Strands
+            together carry the torque; a lean across pulls none
+  beam      At rest the side force on wheels that are offset is that of a beam that strands on common pins are, of the bending
+            stiffness k p sum(z^2 + l^2 / 12) under the tension of them all: see out_of_line.py
+  mirrored  A lean against the other one: strands change places
+  resume    Goes on bit by bit, and is the same on two ranks
+  hard      Two to six strands, three other chains, the largest lean that is accepted, tensioner, guide, coupling and bearing: energy and
+            momentum balance, no guard trips
+  words     What plan, log and refusals say
+"""
+import functools
+import math
+import re
+import shutil
+import sys
+
+import numpy as np
+
+import out_of_line_run
+import program
+from drive_run import below, near
+from out_of_line_run import difference
+from program import check
+
+CASE, PROGRAM = sys.argv[1:3]
+DRIVE = {
+    "Drive/Number of links": 60,
+    "Drive/Driver teeth": 15,
+    "Drive/Driven teeth": 20,
+    "Drive/Chain/Strands": 2,
+    "Drive/Layout/Start": "settled",
+    "Drive/Layout/Centre distance from": "slack",
+    "Drive/Layout/Slack in mm": 2,
+    "Model/Fidelity": "layered",
+    "Model/Driven inertia in kg m2": 4e-3,
+    "Loads/Driver speed in rad/s": 60,
+    "Loads/Resisting torque in N m": 80,
+    "Contact/Damping ratio": 0.1,
+    "Output/Rollers": "all",
+    "Output/History interval in us": 100,
+    "Output/History precision": "double",
+    "Output/Field interval in ms": 0,
+    "Output/Window start in ms": 0,
+    "Time/End time in ms": 10,
+}
+STRANDS, LINKS, STIFFNESS = "Drive/Chain/Strands", "Drive/Number of links", "Model/Stiffness per pitch in N/m"
+OFFSET, TILT, DIRECTION = (f"Drive/Wheels/driven/{name}" for name in ("Axial offset in mm", "Tilt in degrees", "Tilt direction in degrees"))
+AT_REST = {
+    "Loads/Driver speed in rad/s": 0,
+    "Loads/Drag in 1/s": 500,
+    "Contact/Damping ratio": 0.3,
+    "Contact/Friction coefficient": 0,
+    "Contact/Bush-pin friction": 0.3,  # joints do not slide along their pins
+    "Effects/Gravity": "off",
+    "Time/End time in ms": 80,
+    "Output/Window start in ms": 75,
+}
+BUSH_LENGTH = 9.94e-3  # of the 525 chain: distance of the mid-surfaces of its plates, m
+TIGHT = "spans/driven_to_driver_strand_tension"
+
+run = functools.partial(out_of_line_run.run, DRIVE, PROGRAM)
+
+
+def line():
+    # a while in which round-off has not grown; no dashpots, which act at once where round-off says that surfaces touch
+    short = {"Time/End time in ms": 0.5, "Time/Time step in us": 0.25, "Contact/Damping ratio": 0, "Effects/Planar motion": "off"}
+    for strands in (2, 3):
+        entries = {**short, STRANDS: strands}
+        one, of_one = run("one", {**entries, "Effects/Separate strands": "off"})
+        several, of_several = run("several", {**entries, "Effects/Separate strands": "on"})
+        names = [name for name, values in one.items() if values.dtype.kind == "f" and np.nanmax(np.abs(values), initial=0) > 0
+                 and name.startswith(("hubs/", "spans/", "rollers/position", "rollers/velocity", "links/tension", "joints/", "teeth/", "energy/"))
+                 and not name.endswith(("_gap", "imbalance", "peak"))]
+        check(len(names) > 25, f"only {names}")
+        below(f"{strands} strands: histories off those of one with its share", difference(several, one, names), 1e-6)
+        tension = several[TIGHT]
+        check(tension.shape[1] == strands, f"{tension.shape}")
+        below("tensions of strands off each other, of them", np.ptp(tension, axis=1).max() / tension.max(), 1e-6)
+        for name in ("drive_work", "resisting_work"):
+            near(f"{name} of all strands over that of one strand's run", of_several[name] / of_one[name], 1, 1e-6)
+
+
+def lean(links, stiffness, direction=0):
+    """Mean tension of each strand and the summary with a lean of 1 degree."""
+    _, summary = run("lean", {**AT_REST, TILT: 1, DIRECTION: direction, LINKS: links, STIFFNESS: stiffness})
+    tensions = [summary["statistics"][f"strand_{strand}_tension"]["mean"] for strand in (1, 2)]
+    print(f"{links} links, {stiffness:g} N/m: {tensions} N on {summary['drive']['spans'][-1]['links']} links")
+    return tensions, summary
+
+
+def pitches_of(summary, stiffness):
+    """L / (p s): how many pitches the span has, more where its ends bend it rather than its middle."""
+    span, pitch = summary["drive"]["spans"][-1], summary["drive"]["pitch"]
+    bending = stiffness * pitch * sum(z**2 + BUSH_LENGTH**2 / 12 for z in summary["strands"]["z"])
+    tension = sum(summary["statistics"][f"strand_{strand}_tension"]["mean"] for strand in (1, 2))
+    decay, length = math.sqrt(bending / tension), span["length"]
+    print(f"lambda {1e3 * decay:.4g} mm of {1e3 * length:.4g}, {length / pitch:.4g} pitches")
+    return 0.3 * length / pitch * math.sinh(0.5 * length / decay) / math.sinh(0.15 * length / decay)
+
+
+def leaning():
+    for stiffness in (4e6, 3e7):
+        inverse, pitches = [], []
+        for links in (60, 90):
+            tensions, summary = lean(links, stiffness)
+            z = summary["strands"]["z"]
+            pitches.append(pitches_of(summary, stiffness))
+            inverse.append(stiffness * math.sin(math.radians(1)) * (z[1] - z[0]) / (tensions[1] - tensions[0]))
+            check(summary["strands"]["shown"] == (2 if tensions[1] > tensions[0] else 1), "another strand is shown than that which pulls most")
+            near("uneven", summary["strands"]["uneven"], 2 * max(tensions) / sum(tensions), 1e-9)
+        print(f"pitches that give: {inverse}, of spans {pitches}")
+        check(inverse[0] > pitches[0], "the seats are stiffer than rigid")
+        near("pitches more that give", (inverse[1] - inverse[0]) / (pitches[1] - pitches[0]), 1, 0.02)
+    (first, second), _ = lean(60, 3e7, 90)
+    below("strands off each other with a lean across, of their tension", abs(second - first) / first, 0.01)
+
+
+def beam():
+    for strands, stiffness in ((2, 4e6), (3, 4e6)):
+        histories, summary = run("beam", {
+            **AT_REST, STRANDS: strands, OFFSET: 3, STIFFNESS: stiffness, "Loads/Resisting torque in N m": 40 * strands})
+        n = DRIVE[LINKS]
+        places = summary["strands"]["z"]
+        links = summary["drive"]["spans"][-1]["links"]
+        tension = sum(summary["statistics"][f"strand_{strand + 1}_tension"]["mean"] for strand in range(strands))
+        side = {wheel: summary["statistics"][f"{wheel}_side_force"]["mean"] for wheel in ("driver", "driven")}
+        x, y = (histories[f"rollers/position_{axis}"][-1] for axis in "xy")
+        z = histories["links/position_z"][-1].copy()
+        z[::2] -= places[summary["strands"]["shown"] - 1]  # inner links, those of one strand
+        span = list(range(n - links, n))
+        length = math.hypot(x[0] - x[n - links], y[0] - y[n - links])
+        at = length * (np.arange(links) + 0.5) / links - 0.5 * length
+        bending = stiffness * length / links * sum(place**2 + BUSH_LENGTH**2 / 12 for place in places)
+        decay = math.sqrt(bending / tension)
+        inside = slice(2, -2)
+        basis = np.stack([np.ones(links), at, np.cosh(at / decay), np.sinh(at / decay)], axis=1)
+        rate = np.linalg.lstsq(basis[inside], z[span][inside], rcond=None)[0]
+        fit = basis @ rate
+        print(f"{strands} strands: tension {tension:.5g} N, side forces {side}, lambda {1e3 * decay:.4g} mm of {1e3 * length:.4g}")
+        below("deflection off that of a beam, of its range", np.abs(fit - z[span])[inside].max() / np.ptp(z[span]), 0.02)
+        near("side force over that of the beam", side["driver"] / abs(tension * rate[1]), 1, 0.03)
+        near("side force of the driven sprocket over that of the driver", side["driven"] / side["driver"], -1, 0.01)
+
+
+def mirrored():
+    short = {"Time/End time in ms": 0.3}
+    for entry, value in ((OFFSET, 2), (TILT, 0.5)):
+        one, _ = run("one", {**short, entry: value, STRANDS: 3})
+        other, _ = run("other", {**short, entry: -value, STRANDS: 3})
+        sides = "hubs/driven_strand_side_force"
+        check(np.abs(one[sides]).max() > 1, "nothing pushes sideways")
+        below(f"{entry}: tension of strands off its mirror image", np.abs(one[TIGHT] - other[TIGHT][:, ::-1]).max() / one[TIGHT].max(), 1e-6)
+        below(f"{entry}: side force off its mirror image, N", np.abs(one[sides] + other[sides][:, ::-1]).max(), 1e-2)
+        together = one[sides].sum(axis=1) - one["hubs/driven_side_force"]
+        below(f"{entry}: side forces of strands off that of all, N", np.abs(together).max(), 1e-6)
+
+
+def resume():
+    entries = {OFFSET: 4, TILT: 0.3, STRANDS: 3, "Time/End time in ms": 3}
+    middle = 2
+    for directory in ("whole", "parts", "two"):
+        shutil.rmtree(directory, ignore_errors=True)
+    whole, summary = run("whole", entries)
+    run("parts", {**entries, "Time/End time in ms": middle, "Output/Checkpoint interval in ms": middle})
+    parts, resumed = run("parts", entries, ("--resume", "auto"), says=f"Resumed from .* at {middle}")
+    two, _ = run("two", entries, ranks=2)
+    for name, values in whole.items():
+        check(values.tobytes() == parts[name].tobytes(), f"{name} is not the same after going on")
+        check(np.array_equal(values, two[name], equal_nan=True), f"{name} is not the same on two ranks")
+    check(summary["strands"] == resumed["strands"], f"{summary['strands']}, {resumed['strands']}")
+    print(f"{len(whole)} histories are the same")
+
+
+def hard():
+    small = {"Drive/Chain/Designation": "06B", "Drive/Driver teeth": 13, "Drive/Driven teeth": 19, LINKS: 60, "Loads/Driver speed in rad/s": 314,
+             "Loads/Resisting torque in N m": 20, "Model/Driven inertia in kg m2": 0.002}
+    slow = {"Drive/Chain/Designation": "16A", STRANDS: 3, "Drive/Driver teeth": 11, "Drive/Driven teeth": 17, LINKS: 60,
+            "Loads/Driver speed in rad/s": 8, "Loads/Resisting torque in N m": 2400, "Model/Driven inertia in kg m2": 0.5}
+    heavy = {"Drive/Chain/Designation": "08B", "Drive/Driver teeth": 19, "Drive/Driven teeth": 38, LINKS: 80,
+             "Loads/Driver speed in rad/s": 100, "Loads/Resisting torque in N m": 80, "Model/Driven inertia in kg m2": 0.15}
+    for name, changes in {
+        "06B-2, 3000 rpm": {**small, TILT: 0.5, OFFSET: 1},
+        "16A-3, slow": {**slow, TILT: 0.5},
+        "08B-2, heavy": {**heavy, TILT: -0.5, OFFSET: -1},
+        "six strands": {STRANDS: 6, TILT: 0.3, "Loads/Resisting torque in N m": 240},
+        "the largest lean": {TILT: 2.9},
+        "a lean across": {TILT: 4.9, DIRECTION: 90, STRANDS: 4},
+        "bush chain": {"Drive/Chain/Designation": "06C", TILT: 0.4, "Loads/Resisting torque in N m": 10},
+        "coupling, bearing": {TILT: 0.4, "Drive/Wheels/driven/Coupling/Stiffness in N m/rad": 2e4,
+                              "Drive/Wheels/driver/Bearing/Stiffness in N/m": 1e8},
+    }.items():
+        _, summary = run("hard", {**changes, "Time/End time in ms": 10})
+        print(f"{name}: energy imbalance {summary['energy_imbalance_max']:.2g}, uneven {summary['strands']['uneven']:.3f}")
+        below("energy imbalance", summary["energy_imbalance_max"], 5e-3)
+        below("momentum imbalance", summary["momentum_imbalance_max"], 1e-9)
+        check(not summary["events"], f"{summary['events']}")
+
+
+def words():
+    def plan(changes, status=0):
+        file, sets = program.REPOSITORY / "prm/verification/hard.prm", {**DRIVE, **changes}.items()
+        done = program.start([PROGRAM, "plan", str(file), *(word for name, value in sets for word in ("--set", f"{name}={value}"))])
+        check(done.returncode == status, f"status {done.returncode}: {done.stdout}{done.stderr}")
+        return done.stdout + done.stderr
+
+    said = plan({TILT: 1})
+    for sentence in (r"separate strands +on +wheels are out of line and pull strands unevenly", r"planar motion +off",
+                     r"120 rollers: rigid", r"60 inner links: rigid", r"30 outer links: rigid", r"17\.44 mm apart, on common pins"):
+        check(re.search(sentence, said), f"no {sentence}:\n{said}")
+    check("share the load equally" not in said, said)
+    check("share the load equally" in plan({}), "strands in line")
+    check(re.search(r"separate strands +off +switched off", plan({TILT: 1, "Effects/Separate strands": "off"})), "switched off")
+    for changes, sentence in (({TILT: 1, "Model/Fidelity": "reduced"}, "Effects/Separate strands = off"),
+                              ({"Model/Fidelity": "simple", "Effects/Separate strands": "on"}, "Separate strands = on is not possible"),
+                              ({STRANDS: 1, "Effects/Separate strands": "on"}, "Separate strands = on is not possible"),
+                              ({"Drive/Chain/Transverse pitch in mm": 11}, "Transverse pitch = 11 mm")):
+        refused = plan(changes, status=2)
+        check(sentence in refused, f"no {sentence}:\n{refused}")
+    print("OK")
+
+
+{"line": line, "leaning": leaning, "beam": beam, "mirrored": mirrored, "resume": resume, "hard": hard, "words": words}[CASE]()
