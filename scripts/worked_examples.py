@@ -33,6 +33,20 @@ RATINGS = {
 SMALL = {("04C", 100): (.06, .08, .09, .10, .11, .12, .13, .15), ("04C", 500): (.30, .36, .41, .47, .52, .58, .63, .69),
          ("04C", 1800): (1.03, 1.23, 1.42, 1.60, 1.78, 1.97, 2.16, 2.35), ("04C", 3000): (1.69, 1.99, 2.30, 2.61, 2.91, 3.22, 3.53, 3.84),
          ("04C", 4500): (1.16, 1.49, 1.84, 2.22, 2.62, 3.05, 3.50, 3.96)}
+#: Ratings of another maker's catalogue age, for these teeth: engineersedge.com, single strands No. 40 (hardware/single_strand_roller_chain_number_40_13897.htm)
+#: and No. 50 (hardware/roller_chains_single_strand_no_50_13899.htm), the American Chain Association's before the newer editions.
+SECOND_TEETH = (11, 13, 15, 17)
+SECOND = {
+    ("08A", 100): (.43, .52, .60, .69), ("08A", 500): (1.83, 2.20, 2.56, 2.93), ("08A", 1000): (3.42, 4.10, 4.78, 5.48),
+    ("08A", 1400): (4.63, 5.55, 6.47, 7.41), ("08A", 1600): (5.22, 6.26, 7.30, 8.36),
+    ("10A", 100): (.84, 1.00, 1.17, 1.34), ("10A", 500): (3.57, 4.27, 4.99, 5.71), ("10A", 1000): (6.66, 7.97, 9.31, 10.7),
+    ("10A", 1400): (8.13, 10.4, 12.6, 14.4), ("10A", 1600): (6.65, 8.55, 10.6, 12.8),
+}
+SECOND_DEMANDS = {100: (.4, .55, .8, 1.1), 500: (1.8, 2.4, 3.2, 4.8), 1000: (3.5, 4.5, 6., 9.), 1400: (4.5, 6., 8., 12.), 1600: (5., 6.8, 8., 10.)}
+#: The newer plate ratings by the dynamic strength F_d of ISO 606 and the chain speed, fitted to RATINGS and SMALL: F_d n^-0.04 times this.
+SHARE, FALL = 0.805, -0.04
+STRENGTH = {"04C": 630., "08A": 2480., "12A": 5490., "16A": 9550.}  # N
+PITCH = {"04C": 6.35, "08A": 12.7, "10A": 15.875, "12A": 19.05, "16A": 25.4}  # mm
 #: Powers of a demand in hp, for each speed.
 DEMANDS = {100: (.6, 1.5, 2.4, 5.), 500: (2.5, 4., 9., 22.), 1000: (5., 8., 17., 30.), 1400: (6., 9., 14., 22.), 1800: (5., 8., 12., 18.)}
 
@@ -124,36 +138,57 @@ def examples(plans):
     return rows
 
 
-def choices(plans):
-    """Rows of select for DEMANDS, and our ratings over those of the tables."""
+def choices(plans, demands, tables, their_teeth):
+    """Rows of select for demands, and our ratings over those of the tables."""
     rows, shares = [], []
-    for rpm, powers in DEMANDS.items():
+    chains = list(dict.fromkeys(chain for chain, _ in tables))
+    for rpm, powers in demands.items():
         for power in powers:
             text = plans.start("select", "--kW", f"{power * HORSEPOWER:.6g}", "--rpm", rpm, "--ratio", 2, "--centre", 800, "--strands", 1)
             listed = [line.replace("> ", ">").split() for line in text.splitlines()[2:-2]]  # a fault has words behind the level
-            good = [one for one in listed if one[0].removesuffix("-1") in ("08A", "12A", "16A") and len(one) == 15 and int(one[1].split("/")[0]) in TEETH]
+            good = [one for one in listed if one[0].removesuffix("-1") in chains and len(one) == 15 and int(one[1].split("/")[0]) in their_teeth]
             if not good:
                 rows.append([f"{power:g} hp, {rpm} rpm", "none", "-", "-", "-"])
                 continue
             chain, teeth = good[0][0].removesuffix("-1"), int(good[0][1].split("/")[0])
-            published = RATINGS[chain, rpm][TEETH.index(teeth)]
+            published = tables[chain, rpm][their_teeth.index(teeth)]
             ours = power * float(good[0][7])
             shares.append(ours / published)
-            smaller = next((f"{other}, {z}" for other in ("08A", "12A", "16A") for z, rating in zip(TEETH, RATINGS[other, rpm])
+            smaller = next((f"{other}, {z}" for other in chains for z, rating in zip(their_teeth, tables[other, rpm])
                             if z >= 17 and rating >= power), "none")
             rows.append([f"{power:g} hp, {rpm} rpm", f"{chain}, {teeth} teeth", f"{published:g} hp", f"{published / power:.2f}", smaller,
                          "holds" if published >= power else "differs"])
     return rows, shares
 
 
+def newer(chain, teeth, rpm):
+    """Power [hp] of plates by their dynamic strength."""
+    return SHARE * rpm ** FALL * STRENGTH[chain] * teeth * 1e-3 * PITCH[chain] * rpm / 60. / (1e3 * HORSEPOWER)
+
+
 def ratings(plans):
-    rows = []
+    """Rows for 17 teeth, those of newer tables with what their plates have by the dynamic strength."""
+    rows, others = [], []
     for (chain, rpm), powers in {**SMALL, **RATINGS}.items():
         if chain != "04C" and rpm == 1400:
             continue
-        ours = plans(chain, (17, 34), 60 * {"04C": 6.35, "08A": 12.7, "12A": 19.05, "16A": 25.4}[chain] / 2, rpm, 0.1)["rated"] / HORSEPOWER
-        rows.append(row(f"{chain}, 17 teeth, {rpm} rpm (hp)", powers[TEETH.index(17)], ours)[:5])
-    return rows
+        ours = plans(chain, (17, 34), 30 * PITCH[chain], rpm, 0.1)["rated"] / HORSEPOWER
+        published = powers[TEETH.index(17)]
+        plates = published > 1.05 * ours
+        by_strength = newer(chain, 17, rpm)
+        rows.append(row(f"{chain}, 17 teeth, {rpm} rpm (hp)", published, ours)[:5]
+                    + ([f"{by_strength:.3g}", f"{100. * (by_strength / published - 1.):+.1f} %"] if plates else ["rollers limit", "-"]))
+    for (chain, rpm), powers in SECOND.items():
+        ours = plans(chain, (17, 34), 30 * PITCH[chain], rpm, 0.1)["rated"] / HORSEPOWER
+        others.append(row(f"{chain}, 17 teeth, {rpm} rpm (hp)", powers[SECOND_TEETH.index(17)], ours)[:5])
+    return rows, others
+
+
+CHOICE = ["demand", "select", "rating of the tables", "over the demand", "smallest by the tables", "verdict"]
+
+
+def print_choices(chosen):
+    print(table(CHOICE, [one + ["-"] * (6 - len(one)) for one in chosen]))
 
 
 def main():
@@ -162,7 +197,8 @@ def main():
     which = options.parse_args().program
     with tempfile.TemporaryDirectory() as folder:
         plans = Plans(which, folder)
-        found, (chosen, shares), rated = examples(plans), choices(plans), ratings(plans)
+        found, (chosen, shares), (rated, others) = examples(plans), choices(plans, DEMANDS, RATINGS, TEETH), ratings(plans)
+        second, second_shares = choices(plans, SECOND_DEMANDS, SECOND, SECOND_TEETH)
     names = sorted({one[0].split(":")[0].split(",")[0] for one in found if one[4] == "holds"})
     print("# Worked examples and tables\n")
     print(prose(f"""Examples that textbooks work out, and tables of ratings, beside what `chaindrive plan` and `chaindrive select` say: closed
@@ -182,17 +218,29 @@ def main():
     print(prose("""`chaindrive select --kW P --rpm N --ratio 2 --centre 800 --strands 1`: of the chains No. 40, 60 and 80 (08A, 12A, 16A) the best that it lists
         on a sprocket that the tables of Mott have, its rating there, that over the demand, and what is the smallest by the tables with 17 teeth or more. A
         choice holds if the tables let it carry the demand."""))
-    print(table(["demand", "select", "rating of the tables", "over the demand", "smallest by the tables", "verdict"], [one + ["-"] * (6 - len(one)) for one in chosen]))
+    print_choices(chosen)
     print(prose(f"""{sum(one[-1] == "holds" for one in chosen)} of {len(chosen)} hold. The program's own ratings of these drives are {min(shares):.2f} to
         {max(shares):.2f} of the tables', so that some choices are larger than the tables ask for."""))
+    print(f"## The choice for {len(second)} powers by a second table\n")
+    print(prose("""The same for the chains No. 40 and 50 (08A, 10A) and sprockets of 11 to 17 teeth, of which select has 13 and more: tables that
+        engineersedge.com prints (hardware/single_strand_roller_chain_number_40_13897.htm, roller_chains_single_strand_no_50_13899.htm), ratings of the American
+        Chain Association as catalogues of its members had them before the newer editions."""))
+    print_choices(second)
+    print(prose(f"""{sum(one[-1] == "holds" for one in second)} of {len(second)} hold. The program's own ratings of these drives are {min(second_shares):.2f} to
+        {max(second_shares):.2f} of this table's."""))
     print("## Ratings\n")
     print(prose("""17 teeth: No. 40, 60, 80 of Mott's tables; No. 25 (04C) of the table that amesweb.info (horsepower-ratings-ansi-roller-chain-no-25-table)
-        prints after ASME B29.1."""))
-    print(table(FIELD[:5], rated))
-    print(prose("""Where rollers and bushes limit, at high speed, both agree. Where plates limit, the tables are those of newer editions of
-        ASME B29.1 and up to two fifths higher than the formula of the American Chain Association that the program takes from Shigley, whose own table 17-20 it
-        reproduces ([published results](published.md)). In the tables the powers of plates grow with the teeth, the 0.96th power of the speed and the 2.96th of the
-        pitch, where the formula has the 1.08th, 0.9th and 3rd. Ratings stay on the safe side, and 14.2 takes a size more for that."""), end="")
+        prints after ASME B29.1. The last two columns are explained below."""))
+    print(table(FIELD[:5] + ["by dynamic strength", "deviation"], rated))
+    print(prose("The second table, No. 40 and 50:"))
+    print(table(FIELD[:5], others))
+    print(prose(f"""Where rollers and bushes limit, at high speed, all agree. Where plates limit, the second table is that of the formula of the American Chain
+        Association that the program takes from Shigley, whose own table 17-20 it reproduces ([published results](published.md)). The first tables are those of
+        newer editions of ASME B29.1 and up to two fifths higher. Their formula was not found in print. In them the powers of plates grow with the teeth, the
+        0.96th power of the speed and the 2.96th of the pitch: the rated tension is {SHARE:g} times the minimum dynamic strength of ISO 606 times the speed in rpm
+        to the power {FALL:g}, as the column *by dynamic strength* has it, which was fitted to these tables and not read anywhere. `plan` prints this power
+        beside the dynamic strength, for comparison; what rates a drive stays the older formula, so that ratings stay on the safe side, and 14.2 takes a size
+        more for that."""), end="")
 
 
 if __name__ == "__main__":

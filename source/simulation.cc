@@ -272,8 +272,11 @@ unsigned long Simulation::run(const std::vector<dynamics::Observer *> &others,
 
 drive::DesignLife Simulation::life() const
 {
-  return drive::design_life(
-      facts, drive.chain, parameters.drive.layout.worn_chain == parameters::WornChain::shafts_kept);
+  return drive::design_life(facts,
+                            drive.chain,
+                            parameters.drive.layout.worn_chain ==
+                                parameters::WornChain::shafts_kept,
+                            drive.holes);
 }
 
 observe::Summary Simulation::summary() const

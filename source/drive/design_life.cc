@@ -21,6 +21,23 @@ std::optional<double> listed_strength(const ChainDimensions &chain)
   return has_own_dimensions(chain) ? std::nullopt : minimum_dynamic_strength(chain.designation);
 }
 
+/// The force of the chain that makes the range hole_strength() at the hole of one of its plates.
+double strength_of_holes(const ChainDimensions &chain, const HoleFactors &holes)
+{
+  const auto force = [&chain](const Plate &plate, const double factor) {
+    return 2. * hole_strength(chain.pitch) * (plate.height - plate.hole_diameter) *
+           plate.thickness / factor;
+  };
+  return std::min(force(inner_plate(chain), holes.inner), force(outer_plate(chain), holes.outer));
+}
+
+std::string text_of(const StrengthFrom from)
+{
+  return from == StrengthFrom::standard ? "ISO 606" :
+         from == StrengthFrom::area     ? "area of plates" :
+                                          "stress at holes";
+}
+
 std::string in_mpa(const double stress) { return to_text(1e-6 * stress, 3); }
 } // namespace
 
@@ -32,20 +49,24 @@ std::string in_hours(const double hours)
                                  std::to_string(100 * std::lround(0.01 * hours)) + " h";
 }
 
-PlateFatigue plate_fatigue(const ChainDimensions &chain)
+PlateFatigue plate_fatigue(const ChainDimensions &chain, const std::optional<HoleFactors> &holes)
 {
   const CatalogueChain *row    = find_chain(chain.designation);
   const auto            listed = listed_strength(chain);
   return {listed ? *listed :
+          holes  ? strength_of_holes(chain, *holes) :
                    dynamic_strength_of_plates(chain.pitch,
-                                              chain.inner_plate_height,
-                                              chain.inner_plate_thickness,
-                                              chain.roller_diameter,
-                                              chain.pin_diameter),
+                                             chain.inner_plate_height,
+                                             chain.inner_plate_thickness,
+                                             chain.roller_diameter,
+                                             chain.pin_diameter),
           row != nullptr && !has_own_dimensions(chain) ? row->tensile_strength : 0.};
 }
 
-DesignLife design_life(const Facts &facts, const ChainDimensions &chain, const bool kept)
+DesignLife design_life(const Facts                      &facts,
+                       const ChainDimensions            &chain,
+                       const bool                        kept,
+                       const std::optional<HoleFactors> &holes)
 {
   const double      n_links = facts.links;
   DesignLife        life{};
@@ -86,16 +107,25 @@ DesignLife design_life(const Facts &facts, const ChainDimensions &chain, const b
                          frame_hours(facts.rated_power / facts.power, life.elongation, n_links) :
                          endless;
 
-  life.plates                = plate_fatigue(chain);
+  life.plates                = plate_fatigue(chain, holes);
   life.dynamic_strength      = life.plates.dynamic_strength;
-  life.strength_listed       = listed_strength(chain).has_value();
+  life.strength_from         = listed_strength(chain) ? StrengthFrom::standard :
+                               holes                  ? StrengthFrom::hole_stress :
+                                                        StrengthFrom::area;
   const PlateFatigue &plates = life.plates;
   const double        range  = plates.from_zero(least, most);
-  life.plate_safety          = range > 0. ? plates.endurance() / range : endless;
-  life.plate_hours           = facts.tooth_frequency > 0. ?
-                                   hours(plates.cycles(least, most) * n_links / facts.tooth_frequency) :
-                                   endless;
-  const Ratings ratings      = ratings_of(facts.chain,
+  life.newer_power           = 0.805 * std::pow(fastest * 30. / dealii::numbers::PI, -0.04) *
+                     plates.dynamic_strength * facts.chain_speed * strand_factor(facts.strands);
+  life.plate_safety   = range > 0. ? plates.endurance() / range : endless;
+  const auto hours_of = [&](const PlateFatigue &some) {
+    return facts.tooth_frequency > 0. ?
+               hours(some.cycles(least, most) * n_links / facts.tooth_frequency) :
+               endless;
+  };
+  life.plate_hours      = hours_of(plates);
+  life.plate_early      = hours_of(plates.weaker(2.));
+  life.plate_late       = hours_of(plates.weaker(-2.));
+  const Ratings ratings = ratings_of(facts.chain,
                                      facts.pitch,
                                      smallest,
                                      fastest * 30. / dealii::numbers::PI,
@@ -110,15 +140,20 @@ DesignLife design_life(const Facts &facts, const ChainDimensions &chain, const b
   life.pressure      = facts.joint_pressure;
   life.galling_speed = facts.highest_speed;
 
-  const auto stress = [most](const double height, const double waist, const double hole, double t) {
-    return plate_stress(most, height, waist * height, hole, t);
+  const auto stress = [most, &chain](const Plate &plate, const std::optional<double> factor) {
+    return plate_stress(most,
+                        plate.height,
+                        chain.waist_ratio * plate.height,
+                        plate.hole_diameter,
+                        plate.thickness,
+                        factor);
   };
-  life.inner = stress(chain.inner_plate_height,
-                      chain.waist_ratio,
-                      chain.bush_diameter,
-                      chain.inner_plate_thickness);
-  life.outer = stress(
-      chain.outer_plate_height, chain.waist_ratio, chain.pin_diameter, chain.outer_plate_thickness);
+  const auto factor_of = [&holes](double HoleFactors::*one) {
+    return holes ? std::make_optional((*holes).*one) : std::nullopt;
+  };
+  life.inner        = stress(inner_plate(chain), factor_of(&HoleFactors::inner));
+  life.outer        = stress(outer_plate(chain), factor_of(&HoleFactors::outer));
+  life.holes_solved = holes.has_value();
   life.pin =
       pin_stress(most, chain.pin_diameter, chain.pin_bore, chain.pin_length, chain.bush_length);
   return life;
@@ -131,10 +166,15 @@ files::Json to_json(const DesignLife &life)
   json["elongation"]       = life.elongation;
   json["wear_rate"]        = life.wear_rate;
   json["dynamic_strength"] = life.dynamic_strength;
+  json["newer_power"]      = life.newer_power;
+  json["strength_from"]    = text_of(life.strength_from);
+  json["holes_from"]       = life.holes_solved ? "elastic solutions" : "formula";
   for (const auto &[name, value] : {std::make_pair("wear_hours", life.wear_hours),
                                     std::make_pair("frame_hours", life.frame_hours),
                                     std::make_pair("plate_safety", life.plate_safety),
                                     std::make_pair("plate_hours", life.plate_hours),
+                                    std::make_pair("plate_hours_early", life.plate_early),
+                                    std::make_pair("plate_hours_late", life.plate_late),
                                     std::make_pair("roller_hours", life.roller_hours)})
     if (std::isfinite(value)) // what is endless is left out
       json[name] = value;
@@ -154,8 +194,22 @@ std::vector<files::Described> described_life()
       {"life/wear_hours", "h", "hours until that elongation, closed form"},
       {"life/frame_hours", "h", "the same in the frame of ISO 10823"},
       {"life/dynamic_strength", "N", "minimum dynamic strength of the chain"},
+      {"life/newer_power",
+       "W",
+       "what newer editions of ASME B29.1 let plates of this strength carry, by a fit"},
+      {"life/strength_from",
+       "",
+       "where that is from: ISO 606, the stress at the plates' holes, or the area of plates"},
+      {"life/holes_from", "", "where stresses at holes are from: elastic solutions or a formula"},
       {"life/plate_safety", "1", "endurance of the plates over their load"},
       {"life/plate_hours", "h", "mean hours until plates fail"},
+      {"life/plate_hours_early", "h", "the same of plates that are two deviations weaker"},
+      {"life/plate_hours_late", "h", "the same of plates that are two deviations stronger"},
+      {"life/certainty/*/low", "h", "hours of the run at the low end of their 95 % interval"},
+      {"life/certainty/*/high", "h", "at its high end; none where that is endless"},
+      {"life/certainty/*/batches",
+       "1",
+       "part of the interval that the run itself makes, as a factor less one"},
       {"life/roller_hours", "h", "hours until rollers or bushes fail"},
       {"life/pin/bending", "Pa", "largest bending stress of a pin"},
       {"life/pin/shear", "Pa", "mean shear stress of a pin"},
@@ -198,12 +252,20 @@ void print(std::ostream &out, const DesignLife &life)
            to_text(wear_factor(Lubrication::none, life.lubrication, 0.), 2) + " of that");
   line("plates",
        "dynamic strength " + to_text(life.dynamic_strength, 4) + " N" +
-           (life.strength_listed ? "" : " (of the plates)") +
+           (life.strength_from == StrengthFrom::standard ?
+                "" :
+                " (by the " + text_of(life.strength_from) + ")") +
            (std::isfinite(life.plate_safety) ? ", safety " + to_text(life.plate_safety, 3) : "") +
-           ", " + in_hours(life.plate_hours) + "; at the hole inside " + in_mpa(life.inner.hole) +
-           ", outside " + in_mpa(life.outer.hole) + ", at the waist " + in_mpa(life.inner.waist) +
+           ", " + in_hours(life.plate_hours) +
+           (std::isfinite(life.plate_early) ? " (19 of 20 chains " + in_hours(life.plate_early) +
+                                                  " ... " + in_hours(life.plate_late) + ")" :
+                                              "") +
+           ", newer ratings " + to_text(1e-3 * life.newer_power, 3) + " kW; at the hole inside " +
+           in_mpa(life.inner.hole) + ", outside " + in_mpa(life.outer.hole) +
+           (life.holes_solved ? "" : " (formula)") + ", at the waist " + in_mpa(life.inner.waist) +
            " and " + in_mpa(life.outer.waist) + " MPa");
-  line("rollers, bushes", in_hours(life.roller_hours) + " of impacts");
+  line("rollers, bushes",
+       in_hours(life.roller_hours) + " of impacts; of their scatter nothing is known");
   line("pins",
        "bending " + in_mpa(life.pin.bending) + ", shear " + in_mpa(life.pin.shear) + " MPa");
 }

@@ -251,6 +251,7 @@ void set_stiffnesses(const Parameters &parameters, const StiffnessOf &stiffness_
   const PartStiffness parts = stiffness_of ? stiffness_of(d, d.reference_load) :
                                              estimated_stiffness(d.chain, d.reference_load, steel);
   append(d.notes, parts.notes);
+  d.holes                  = parts.holes;
   d.stiffness_per_pitch    = given.stiffness_per_pitch.value_or(parts.per_pitch);
   d.roller_bush_stiffness  = contact.roller_bush_stiffness.value_or(parts.roller_bush);
   d.roller_tooth_stiffness = contact.roller_tooth_stiffness.value_or(

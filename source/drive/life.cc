@@ -131,16 +131,23 @@ double turns_of(const PlateFatigue &plates, const std::vector<Cycle> &cycles)
   return damage > 0. ? 1. / damage : endless;
 }
 
-PlateStress plate_stress(const double tension,
-                         const double height,
-                         const double waist_height,
-                         const double hole,
-                         const double thickness)
+PlateStress plate_stress(const double                tension,
+                         const double                height,
+                         const double                waist_height,
+                         const double                hole,
+                         const double                thickness,
+                         const std::optional<double> factor)
 {
   const double force = 0.5 * tension, x = hole / height;
-  const double net    = force / ((height - hole) * thickness);
-  const double factor = 12.882 + x * (-52.714 + x * (89.762 - 51.667 * x)); // 0.15 <= x <= 0.75
-  return {force / (waist_height * thickness), net, factor * net};
+  const double net      = force / ((height - hole) * thickness);
+  const double straight = 12.882 + x * (-52.714 + x * (89.762 - 51.667 * x)); // 0.15 <= x <= 0.75
+  return {force / (waist_height * thickness), net, factor.value_or(straight) * net};
+}
+
+double hole_strength(const double pitch)
+{
+  const double p = 1e3 * pitch; // mm
+  return 515e6 * std::pow(p, -0.0008 * p);
 }
 
 double seat_force(const double tension, const double teeth)

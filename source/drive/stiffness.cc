@@ -170,6 +170,7 @@ estimated_stiffness(const ChainDimensions &chain, const double load, const Mater
           chain.has_rollers ? roller_bush_stiffness(chain, load, steel) :
                               std::numeric_limits<double>::infinity(),
           {},
+          {},
           {"Stiffnesses that are auto are estimates from dimensions alone."}};
 }
 } // namespace chaindrive::drive

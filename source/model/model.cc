@@ -132,7 +132,7 @@ Model make_model(const Parameters &p, const drive::Drive &drive, const Effects &
   model.loads = loads_of(p.loads, effects);
   if (const drive::CatalogueChain *row = drive::find_chain(p.drive.chain.designation))
     model.tensile_strength = row->strength_of(drive.strands) / drive.strands;
-  model.plates = drive::plate_fatigue(drive.chain);
+  model.plates = drive::plate_fatigue(drive.chain, drive.holes);
 
   model.time   = p.time;
   model.output = p.output;

@@ -36,6 +36,23 @@ std::string origin(const Library &library, const double load)
          " N, " + (cached ? "from the cache (" : "computed (") + parts + ").";
 }
 
+/// The factors of the holes of both kinds of plates, and a note on them.
+drive::HoleFactors
+holes_of(Library &library, const drive::ChainDimensions &chain, std::vector<std::string> &notes)
+{
+  const auto factor = [&](const bool inner) {
+    const drive::Plate plate = inner ? drive::inner_plate(chain) : drive::outer_plate(chain);
+    // an eighth of a plate bears a quarter of what the plate does
+    return 0.25 * (plate.height - plate.hole_diameter) * plate.thickness *
+           library.pulled_plate(chain, inner).per_force;
+  };
+  const drive::HoleFactors holes = {rounded(factor(true)), rounded(factor(false))};
+  notes.push_back("Stresses at the holes of side plates are those of elastic solutions: inside " +
+                  to_text(holes.inner, 3) + ", outside " + to_text(holes.outer, 3) +
+                  " times the mean beside the hole.");
+  return holes;
+}
+
 drive::PartStiffness compute(const model::PartStiffnesses &wanted,
                              const Material               &steel,
                              const drive::Drive           &drive,
@@ -97,6 +114,7 @@ drive::PartStiffness compute(const model::PartStiffnesses &wanted,
       }
   if (!library.entries().empty())
     result.notes.push_back(origin(library, load));
+  result.holes = holes_of(library, drive.chain, result.notes);
   for (const std::string &note : library.notes())
     result.notes.push_back(note);
   return result;

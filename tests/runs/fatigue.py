@@ -86,7 +86,7 @@ def expected(summary, histories):
         sizes = [force(*cycle) / (weak * strength) for cycle in cycles]
         return sum(size ** SLOPE / CYCLES for size in sizes if size > (CYCLES / LIMIT) ** (1 / SLOPE))
 
-    damage, early, forces, worst, step = [], [], [], (0., 0.), 0.
+    damage, early, late, forces, worst, step = [], [], [], [], (0., 0.), 0.
     for k in range(min(n, pitches)):
         pieces, done = [], 0
         while done < max(n, pitches):
@@ -103,11 +103,23 @@ def expected(summary, histories):
             worst = (turn.min(), turn.max())
         damage.append(part(cycles, 1.) / turns)
         early.append(part(cycles, 1. - 2 * SCATTER) / turns)
+        late.append(part(cycles, 1. + 2 * SCATTER) / turns)
     per_hour = 3600 * way[-1] / n / (time[inside][-1] - time[inside][0])
     return {"pitches": pitches, "mean": np.mean(forces), "largest": max(forces), "least": worst[0], "most": worst[1],
             "step": step / (worst[1] - worst[0]), "damage": np.mean(damage), "hours": 1 / np.mean(damage) / per_hour if any(damage) else None,
-            "early": 1 / np.mean(early) / per_hour if any(early) else None,
+            "early": 1 / np.mean(early) / per_hour if any(early) else None, "late": 1 / np.mean(late) / per_hour if any(late) else None,
+            "damages": damage,
             "safety": strength * (CYCLES / LIMIT) ** (1 / SLOPE) / max(forces)}
+
+
+def half_width(values):
+    """Of the 95 % interval of the mean of 10 values, each a batch: Student's distribution, and an autoregressive process of first order."""
+    values = np.array(values)
+    assert len(values) == 10
+    off = values - values.mean()
+    found = (off[1:] @ off[:-1]) / (off @ off)
+    correlation = min(max(found + (1 + 3 * found) / 10, 0), 0.9)
+    return 2.262157 * math.sqrt(off @ off / 9 / 10 * (1 + correlation) / (1 - correlation))
 
 
 def compare(name, summary, histories, pitches):
@@ -116,7 +128,7 @@ def compare(name, summary, histories, pitches):
     check(fatigue["pitches"] == pitches == should["pitches"], f"{name}: {fatigue['pitches']} pitches, not {pitches}, {should['pitches']}")
     found = {"mean": fatigue["force"]["mean"], "largest": fatigue["force"]["largest"], "least": fatigue["least"], "most": fatigue["most"],
              "step": fatigue["step"], "damage": fatigue["damage"], "hours": life.get("simulated_plate_hours"),
-             "early": life.get("early_plate_hours"), "safety": life["simulated_plate_safety"]}
+             "early": life.get("early_plate_hours"), "late": life.get("late_plate_hours"), "safety": life["simulated_plate_safety"]}
     for what, value in found.items():
         if should[what] is None or value is None:
             check(should[what] is None and value is None, f"{name}: {what} = {value}, not {should[what]}")
@@ -136,6 +148,12 @@ def compare(name, summary, histories, pitches):
 short, of_short = run("short", Time__End_time_in_ms=26, Loads__Driver_speed_in_rad_per_s=300, Loads__Resisting_torque_in_N_m=100)
 life = compare("a window of half a turn", short, of_short, 10)
 check("simulated_plate_hours" in life and life["early_plate_hours"] < 0.7 * life["simulated_plate_hours"], "plates are not overloaded")
+spread = math.log1p(half_width(expected(short, of_short)["damages"]) / life["fatigue"]["damage"])
+check(abs(life["certainty"]["plates"]["batches"] / math.expm1(spread) - 1) < 1e-4, f"{life['certainty']}, not {math.expm1(spread)} of the run")
+for end, other in (("low", "early_plate_hours"), ("high", "late_plate_hours")):
+    wide = math.hypot(spread, math.log(life[other] / life["simulated_plate_hours"]))
+    check(abs(abs(math.log(life["certainty"]["plates"][end] / life["simulated_plate_hours"])) / wide - 1) < 1e-4, f"{end}: {life['certainty']}, not {wide}")
+check("rollers" not in life["certainty"], f"an interval of fewer than four groups of impacts: {life['certainty']}")
 peaks = [e["peak_force"] for e in short["engagements"] if e["sprocket"] == "driver" and e["complete"] and e["time"] >= 2e-3]
 peak = np.mean(np.power(peaks, 2.5)) ** 0.4
 check(abs(life["impacts"]["peak"] / peak - 1) < 1e-9, f"peaks: {life['impacts']['peak']}, not {peak}")
@@ -153,6 +171,7 @@ compare("a window of more than a turn", whole, of_whole, 22)
 
 few, of_few = run("few", Time__End_time_in_ms=40, Loads__Driver_speed_in_rad_per_s=50, Loads__Resisting_torque_in_N_m=10)
 life = compare("a window of two pitches", few, of_few, 2)
+check("certainty" not in life, f"an interval of two turns: {life}")
 check("simulated_plate_hours" not in life and "impacts" not in life, f"hours of light loads, or of two impacts: {life}")
 
 none, _ = run("none", Time__End_time_in_ms=3)

@@ -4,6 +4,7 @@
 An example of a textbook is found at once; the file that is written for it can be planned; what has no sense is refused by its name.
 The wear rate that a slow layered run has from the friction work of its joints is near that of closed forms.
 """
+import math
 import pathlib
 import re
 import resource
@@ -75,7 +76,14 @@ for changes, sentence in (({"ratio": 20}, r"--ratio = 20 must be a number from 0
 RUN = {**ESTIMATES, "Loads/Driver speed in rad/s": 60, "Drive/Layout/Start": "settled", "Time/End time in ms": 90, "Time/Time step in us": 0.8,
        "Output/Window start in ms": 20, "Output/Field interval in ms": 0, "Output/Rollers": 0}
 program.run("prm/paper/layered.prm", RUN, "--output", "run", program=PROGRAM)
-life = program.summary("run")["life"]
+summary = program.summary("run")
+life, lost = summary["life"], summary["losses"]["bush-pin"]
 share = life["simulated_wear_rate"] / life["wear_rate"]
 check(0.9 < share < 1.2, f"the simulated wear rate is {share} times that of closed forms")
+# the interval of wear: by pitches of the run, and a factor of 3
+check(0 < lost["uncertainty"] < 0.5 * lost["power"], f"the friction work of pitches: {lost}")
+check(abs(life["certainty"]["wear"]["batches"] * lost["power"] / lost["uncertainty"] - 1) < 1e-6, f"{life['certainty']}, {lost}")
+wide = math.exp(math.hypot(math.log1p(lost["uncertainty"] / lost["power"]), math.log(3)))
+for end, factor in (("low", 1 / wide), ("high", wide)):
+    check(abs(life["certainty"]["wear"][end] / factor / life["simulated_wear_hours"] - 1) < 1e-6, f"{end}: {life['certainty']}")
 print("OK", share)

@@ -6,11 +6,19 @@
 #include <chaindrive/material/material.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace chaindrive::drive
 {
+/// Largest stress at the edge of the holes of side plates that a pin pulls, over the mean of the
+/// section beside them: of elastic solutions.
+struct HoleFactors
+{
+  double inner, outer;
+};
+
 /// What `auto` stands for: how the parts of a chain deflect, N/m, as force over approach.
 struct PartStiffness
 {
@@ -19,6 +27,8 @@ struct PartStiffness
   double roller_bush;  ///< of the roller's centre and the link's; without rollers infinite
 
   std::vector<double> teeth; ///< of each sprocket's tooth and rim alone; empty: not found
+
+  std::optional<HoleFactors> holes; ///< where plates are solved
 
   std::vector<std::string> notes; ///< sentences for the log: where the values come from
 

@@ -114,25 +114,38 @@ def life_rows(life: dict[str, Any]) -> list[tuple[str, str]]:
     def hours(value: float | None) -> str:
         return "endless" if value is None else f"{number(float(f'{value:.2g}'), 6)}\u00a0h"
 
+    def interval(name: str, where: str) -> str:
+        found = life.get("certainty", {}).get(name)
+        if found is None:
+            return f" (interval not known: fewer than four {where})"
+        return f" (95\u00a0% {hours(found['low'])} to {hours(found.get('high'))})"
+
     simulated = life.get("simulated_wear_hours")
+    scatter = "" if "plate_hours_early" not in life else \
+        f" (19 of 20 chains {hours(life['plate_hours_early'])} to {hours(life.get('plate_hours_late'))})"
+    source = life.get("strength_from", "ISO 606")
     safety = f"safety {number(life['plate_safety'], 3)}, " if "plate_safety" in life else ""
     rows = [
         (f"wear to {number(100 * life['elongation'], 3)}\u00a0%", f"{hours(life.get('wear_hours'))}, within a factor of 3"
-         + (f"; by the friction work of this run {hours(simulated)}" if simulated else "")
+         + (f"; by the friction work of this run {hours(simulated)}{interval('wear', 'batches of pitches')}" if simulated else "")
          + f"; frame of ISO\u00a010823 {hours(life.get('frame_hours'))}; lubrication {escape(life['lubrication'])} or better"),
-        ("plates", f"dynamic strength {quantity(life['dynamic_strength'], 'N')}, {safety}{hours(life.get('plate_hours'))}"),
+        ("plates", f"dynamic strength {quantity(life['dynamic_strength'], 'N')}" + (f" by the {escape(source)}" if source != "ISO 606" else "")
+         + f", {safety}{hours(life.get('plate_hours'))}{scatter}"
+         + (f"; newer ratings {quantity(life['newer_power'], 'W', 3)}" if "newer_power" in life else "")),
     ]
     if "fatigue" in life:
         fatigue = life["fatigue"]
         safety = f"safety {number(life['simulated_plate_safety'], 3)}, " if "simulated_plate_safety" in life else ""
         rows.append(("plates, by the tensions of this run",
-                     f"{safety}{hours(life.get('simulated_plate_hours'))}, weak ones {hours(life.get('early_plate_hours'))}; largest ranges at the hole "
+                     f"{safety}{hours(life.get('simulated_plate_hours'))}{interval('plates', 'turns') if 'early_plate_hours' in life else ''}, weak ones {hours(life.get('early_plate_hours'))}; largest ranges at the hole"
+                     f"{' (formula)' if life.get('holes_from') == 'formula' else ''} "
                      f"{quantity(fatigue['inner_plate']['hole'], 'Pa', 3)} inside, {quantity(fatigue['outer_plate']['hole'], 'Pa', 3)} outside; "
                      f"pins bend by {quantity(fatigue['pin']['bending'], 'Pa', 3)}, press with {quantity(fatigue['pin']['pressure'], 'Pa', 3)}. "
                      f"Turns of the chain from {number(fatigue['pitches'])} pitches of each link, which differ by "
                      f"{number(100 * fatigue['step'], 2)}\u00a0% of the range where they join"))
     rows.append(("rollers and bushes", f"{hours(life.get('roller_hours'))} of impacts"
-                 + (f"; by the peaks of this run {hours(life.get('simulated_roller_hours'))}" if "impacts" in life else "")))
+                 + (f"; by the peaks of this run {hours(life.get('simulated_roller_hours'))}{interval('rollers', 'groups of impacts')}" if "impacts" in life else "")
+                 + "; of their scatter nothing is known"))
     return rows
 
 

@@ -145,13 +145,17 @@ public:
               "1",
               "largest step between histories that follow each other, over that cycle's range"},
              {"life/fatigue/damage", "1", "part of the life of plates that a turn takes, mean"},
+             {"life/fatigue/damage_uncertainty",
+              "1",
+              "of that mean: half of its 95 % interval, of four turns or more"},
              {"life/simulated_plate_safety",
               "1",
               "endurance of the plates over the largest force from zero"},
              {"life/simulated_plate_hours", "h", "mean hours until plates fail, by damage"},
              {"life/early_plate_hours",
               "h",
-              "the same of plates that are two standard deviations weaker"}}};
+              "the same of plates that are two standard deviations weaker"},
+             {"life/late_plate_hours", "h", "and stronger"}}};
   }
 
   void update() override
@@ -180,8 +184,8 @@ public:
       return;
     const drive::PlateFatigue     &plates = now_.model.plates;
     const std::vector<LinkHistory> links  = links_.whole();
-    std::vector<double>            forces;
-    double                         damage = 0., early = 0.;
+    std::vector<double>            forces, damages;
+    double                         damage = 0., early = 0., late = 0.;
     Turn                           worst;
     double                         largest = -1., step = 0.;
     const std::size_t              n_turns = std::min(pitches, links_.size());
@@ -195,8 +199,13 @@ public:
           force = std::max(
               force, plates.from_zero(one.mean - 0.5 * one.range, one.mean + 0.5 * one.range));
         forces.push_back(force);
-        damage += 1. / drive::turns_of(plates, cycle) / turns / double(n_turns);
-        early += 1. / drive::turns_of(plates.weaker(2.), cycle) / turns / double(n_turns);
+        const auto part = [&](const drive::PlateFatigue &some) {
+          return 1. / drive::turns_of(some, cycle) / turns;
+        };
+        damages.push_back(part(plates));
+        damage += damages.back() / double(n_turns);
+        early += part(plates.weaker(2.)) / double(n_turns);
+        late += part(plates.weaker(-2.)) / double(n_turns);
         step = std::max(step, turn.step);
         if (force > largest)
           {
@@ -219,7 +228,8 @@ public:
           {"most", *most},
           {"link", worst.link[static_cast<std::size_t>(most - worst.tension.begin())]},
           {"step", *most > least ? step / (*most - least) : 0.},
-          {"damage", damage}};
+          {"damage", damage},
+          {"damage_uncertainty", uncertainty_of_mean(damages)}};
     if (largest > 0.)
       life["simulated_plate_safety"] = plates.endurance() / largest;
     const double per_hour = 3600. * way_ / double(links_.size()) / (last_ - first_);
@@ -227,6 +237,8 @@ public:
       life["simulated_plate_hours"] = 1. / damage / per_hour;
     if (early > 0.)
       life["early_plate_hours"] = 1. / early / per_hour;
+    if (late > 0.)
+      life["late_plate_hours"] = 1. / late / per_hour;
   }
 
   void serialize(const Archive &archive) override

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/quantity.h>
+#include <chaindrive/utilities/batch_means.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/statistics.h>
 #include <chaindrive/utilities/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <boost/serialization/vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +32,13 @@ public:
     for (const ForceElement *element : now.system.forces)
       if (element->lost())
         elements_.push_back(element->name());
+    const scene::DriveView &drive = now.scene.drive;
+    for (const World::Hub &hub : now.system.world.hubs)
+      if (!drive.sprockets.empty() && hub.body == drive.driver().body)
+        {
+          driver_ = &hub;
+          teeth_ = drive.driver().sense * double(drive.driver().teeth) / (2. * dealii::numbers::PI);
+        }
     before_ = present();
     within_.resize(before_.size(), 0.);
   }
@@ -46,6 +58,9 @@ public:
               "elements in "
               "the window"},
              {"losses/*/power", "W", "the same over the time of the window"},
+             {"losses/*/uncertainty",
+              "W",
+              "of the power of an interface: half of its 95 % interval, by batches of pitches"},
              {"window_energy/drive_work", "J", "work of the driver in the window"},
              {"window_energy/resisting_work", "J", "work against the load in the window"},
              {"window_energy/lost", "J", "lost in the window"},
@@ -65,6 +80,8 @@ public:
     if (const double inside = time_.inside(begin, now_.dt()); inside > 0.)
       for (std::size_t i = 0; i < values.size(); ++i)
         within_[i] += inside / now_.dt() * (values[i] - before_[i]);
+    if (time_.inside(begin, now_.dt()) > 0.)
+      add_pitch();
     time_.add(begin, now_.dt(), 0.);
     before_ = values;
   }
@@ -92,6 +109,7 @@ public:
             }
         losses[interfaces_[i]] = {{"friction", energy(friction)}, {"damping", energy(damping)}};
         add(interfaces_[i], friction + damping);
+        losses[interfaces_[i]]["uncertainty"] = strands * uncertainty_of(interfaces_[i]);
       }
     if (now_.system.bars.size() > 0)
       add("chain damping", within_[chain_damping]);
@@ -128,6 +146,9 @@ public:
                        "Window end in ms as they were");
     archive.numbers("before", before_);
     archive.numbers("within", within_);
+    archive("angle", angle_);
+    archive("pitch ends", pitch_ends_);
+    archive("at pitches", at_pitches_);
   }
 
 private:
@@ -163,7 +184,42 @@ private:
     return values;
   }
 
-  WindowMean               time_; ///< how much of the window has passed
+  /// Remembers what has come to each interface when another pitch of the driver has passed.
+  void add_pitch()
+  {
+    if (driver_ == nullptr)
+      return;
+    if (pitch_ends_.empty())
+      angle_ = driver_->angle;
+    if (teeth_ * (driver_->angle - angle_) < static_cast<double>(pitch_ends_.size()))
+      return;
+    pitch_ends_.push_back(now_.time());
+    for (std::size_t j = 0; j < interfaces_.size(); ++j)
+      at_pitches_.push_back(within_[n_terms + 2 * j] + within_[n_terms + 2 * j + 1]);
+  }
+
+  /// Of the mean power of the interface with this @p name, of one strand, W; not a number when
+  /// there are too few pitches.
+  double uncertainty_of(const std::string &name) const
+  {
+    std::vector<double> powers;
+    for (std::size_t i = 0; i + 1 < pitch_ends_.size(); ++i)
+      {
+        double lost = 0.;
+        for (std::size_t j = 0, n = interfaces_.size(); j < n; ++j)
+          if (interfaces_[j] == name)
+            lost += at_pitches_[(i + 1) * n + j] - at_pitches_[i * n + j];
+        powers.push_back(lost / (pitch_ends_[i + 1] - pitch_ends_[i]));
+      }
+    return uncertainty_of_mean(powers, now_.window().pitches_per_period());
+  }
+
+  const World::Hub        *driver_ = nullptr;
+  double                   teeth_  = 0.; ///< of the driver over 2 pi, positive as it runs
+  double                   angle_  = 0.; ///< of the driver when the window began
+  std::vector<double>      pitch_ends_;  ///< when whole pitches had passed since, s
+  std::vector<double>      at_pitches_;  ///< lost by each interface until then, J
+  WindowMean               time_;        ///< how much of the window has passed
   std::vector<std::string> interfaces_;
   std::vector<std::string> elements_; ///< whose losses have names of their own
   std::vector<double>      before_;   ///< present() after the last step, J
