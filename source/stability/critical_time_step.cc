@@ -54,13 +54,16 @@ double largest_of(const World               &world,
                   const std::vector<double> &k)
 {
   std::vector<dealii::Tensor<1, 3>> force(world.n_bodies()), moment(world.n_bodies());
+  std::vector<double>               root(k.size());
+  for (std::size_t i = 0; i < k.size(); ++i)
+    root[i] = std::sqrt(k[i]);
   return largest_eigenvalue(k.size(), [&](auto &product, const auto &x) {
     std::fill(force.begin(), force.end(), dealii::Tensor<1, 3>());
     std::fill(moment.begin(), moment.end(), dealii::Tensor<1, 3>());
     for (std::size_t i = 0; i < k.size(); ++i)
       for (const End &end : springs[i])
         {
-          const double stretch = std::sqrt(k[i]) * x[i];
+          const double stretch = root[i] * x[i];
           force[end.body] += stretch * end.force;
           moment[end.body] += stretch * end.moment;
         }
@@ -70,7 +73,7 @@ double largest_of(const World               &world,
         double stretch = 0.;
         for (const End &end : springs[i])
           stretch += end.force * force[end.body] + end.moment * moment[end.body];
-        product[i] = std::sqrt(k[i]) * stretch;
+        product[i] = root[i] * stretch;
       }
   });
 }

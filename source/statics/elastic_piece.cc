@@ -49,13 +49,18 @@ void ElasticPiece::constrain(dealii::AffineConstraints<double> &constraints) con
 {
   const dealii::Functions::ZeroFunction<3> zero(3);
   for (unsigned int d = 0; d < 3; ++d)
-    dealii::VectorTools::interpolate_boundary_values(
-        mapping_,
-        dofs_,
-        static_cast<dealii::types::boundary_id>(plane_x + d),
-        zero,
-        constraints,
-        element_.component_mask(dealii::FEValuesExtractors::Scalar(d)));
+    {
+      std::vector<bool> zero_there(3);
+      for (unsigned int c = 0; c < 3; ++c)
+        zero_there[c] = (c == d) != (d == 2 && piece_.odd_in_z);
+      dealii::VectorTools::interpolate_boundary_values(
+          mapping_,
+          dofs_,
+          static_cast<dealii::types::boundary_id>(plane_x + d),
+          zero,
+          constraints,
+          dealii::ComponentMask(zero_there));
+    }
   for (const dealii::types::boundary_id side : piece_.held)
     dealii::VectorTools::interpolate_boundary_values(mapping_, dofs_, side, zero, constraints);
 }

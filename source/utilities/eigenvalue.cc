@@ -2,6 +2,7 @@
 #include <chaindrive/utilities/eigenvalue.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/lapack_templates.h>
 #include <deal.II/lac/tridiagonal_matrix.h>
 
 #include <algorithm>
@@ -14,24 +15,16 @@ namespace chaindrive
 {
 namespace
 {
-/// Largest eigenvalue of the symmetric tridiagonal matrix with @p diagonal and @p beside it, whose
-/// last entry leads out of the matrix, and the residual of its vector in the space that Lanczos'
-/// method explores: that entry times the last component of the unit eigenvector. An eigenvalue of
-/// the whole is no farther away. The vector grows from both ends towards where it is largest
-/// (Parlett, Dhillon, Linear Algebra Appl. 267 (1997)).
-std::pair<double, double> largest_ritz_value(const std::vector<double> &diagonal,
-                                             const std::vector<double> &beside)
+/// Of the symmetric tridiagonal matrix with @p diagonal and @p beside it, whose last entry leads
+/// out of the matrix: the residual of the vector to its largest eigenvalue @p value in the space
+/// that Lanczos' method explores, which is that entry times the last component of the unit
+/// eigenvector. An eigenvalue of the whole is no farther away. The vector grows from both ends
+/// towards where it is largest (Parlett, Dhillon, Linear Algebra Appl. 267 (1997)).
+double residual_of(const double               value,
+                   const std::vector<double> &diagonal,
+                   const std::vector<double> &beside)
 {
-  const std::size_t                 n = diagonal.size();
-  dealii::TridiagonalMatrix<double> ritz(n, /*symmetric*/ true);
-  for (std::size_t i = 0; i < n; ++i)
-    {
-      ritz(i, i) = diagonal[i];
-      if (i > 0)
-        ritz(i, i - 1) = beside[i - 1];
-    }
-  ritz.compute_eigenvalues();
-  const double value = ritz.eigenvalue(n - 1);
+  const std::size_t n = diagonal.size();
 
   // pivots of value - ritz from above and from below, positive but for round-off
   const double        least = 1e-16 * std::abs(value) + std::numeric_limits<double>::min();
@@ -65,13 +58,62 @@ std::pair<double, double> largest_ritz_value(const std::vector<double> &diagonal
       last *= beside[i - 1] / from_below[i];
       square += last * last;
     }
-  return {value, beside[n - 1] * last / std::sqrt(square)};
+  return beside[n - 1] * last / std::sqrt(square);
+}
+
+/// Largest eigenvalue of that matrix, and its residual.
+std::pair<double, double> largest_ritz_value(const std::vector<double> &diagonal,
+                                             const std::vector<double> &beside)
+{
+  const std::size_t                 n = diagonal.size();
+  dealii::TridiagonalMatrix<double> ritz(n, /*symmetric*/ true);
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      ritz(i, i) = diagonal[i];
+      if (i > 0)
+        ritz(i, i - 1) = beside[i - 1];
+    }
+  ritz.compute_eigenvalues();
+  const double value = ritz.eigenvalue(n - 1);
+  return {value, residual_of(value, diagonal, beside)};
+}
+
+/// About the same, by bisection (Golub, Van Loan, 8.4: x is above all eigenvalues if no pivot of
+/// the matrix less x is positive): work that grows with the matrix, not with its square. No
+/// eigenvalue is below @p known, and one is not above it.
+std::pair<double, double> about_largest_ritz_value(const std::vector<double> &diagonal,
+                                                   const std::vector<double> &beside,
+                                                   const double               known)
+{
+  const std::size_t n     = diagonal.size();
+  const auto        above = [&](const double x) {
+    double pivot = -1.;
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        pivot = diagonal[i] - x - (i == 0 ? 0. : beside[i - 1] * beside[i - 1] / pivot);
+        if (!(pivot < 0.))
+          return false;
+      }
+    return true;
+  };
+  double low = known, high = known;
+  for (std::size_t i = 0; i < n; ++i) // Gershgorin
+    high =
+        std::max(high, diagonal[i] + (i > 0 ? beside[i - 1] : 0.) + (i + 1 < n ? beside[i] : 0.));
+  high *= 1. + 1e-14;
+  while (high - low > 4. * std::numeric_limits<double>::epsilon() * high)
+    {
+      const double middle          = 0.5 * (low + high);
+      (above(middle) ? high : low) = middle;
+    }
+  return {high, residual_of(high, diagonal, beside)};
 }
 } // namespace
 
 double largest_eigenvalue(const std::size_t n, const Product &product)
 {
   constexpr double       accepted = 1e-6;
+  constexpr std::size_t  most     = 2000;
   dealii::Vector<double> before(n), here(n), next(n);
   for (std::size_t i = 0; i < n; ++i)
     here[i] = std::sin(1. + 12.9898 * double(i) * double(i)); // all eigenvectors take part
@@ -81,8 +123,8 @@ double largest_eigenvalue(const std::size_t n, const Product &product)
   // conjugate gradients, the same in exact arithmetic, break down where there are eigenvalues 0.
   std::vector<double>       diagonal, beside;
   std::pair<double, double> found;
-  double                    largest = 0.;
-  while (diagonal.size() < 2000)
+  double                    largest = 0., about = 0.;
+  while (diagonal.size() < most)
     {
       product(next, here);
       if (!beside.empty())
@@ -94,9 +136,15 @@ double largest_eigenvalue(const std::size_t n, const Product &product)
       const bool exhausted = beside.back() <= 1e-14 * largest; // all eigenvalues are found
       if (exhausted || diagonal.size() % 25 == 0)
         {
-          found = largest_ritz_value(diagonal, beside);
-          if (exhausted || found.second <= accepted * found.first)
-            break;
+          // all of LAPACK's eigenvalues, work of the square, where it may be the last time only
+          const auto near = about_largest_ritz_value(diagonal, beside, std::max(about, largest));
+          about           = (1. - 1e-12) * near.first;
+          if (exhausted || diagonal.size() == most || near.second < 1.01 * accepted * near.first)
+            {
+              found = largest_ritz_value(diagonal, beside);
+              if (exhausted || found.second <= accepted * found.first)
+                break;
+            }
         }
       before = here;
       here.equ(1. / beside.back(), next);
@@ -106,11 +154,69 @@ double largest_eigenvalue(const std::size_t n, const Product &product)
 
 Eigenpairs eigenpairs(const dealii::FullMatrix<double> &matrix)
 {
-  dealii::LAPACKFullMatrix<double> lapack(matrix.m(), matrix.n());
+  using Integer                      = dealii::types::blas_int;
+  const std::size_t                n = matrix.m();
+  dealii::LAPACKFullMatrix<double> lapack(n, n);
   lapack             = matrix;
   const double bound = 1.01 * lapack.linfty_norm(); // Gershgorin
-  Eigenpairs   pairs;
-  lapack.compute_eigenvalues_symmetric(-bound, bound, 0., pairs.values, pairs.vectors);
+
+  // compute_eigenvalues_symmetric() of deal.II writes on the console where LAPACK says that a
+  // vector of a cluster has not converged, however little it lacks
+  const char           vectors = 'V', values = 'V', upper = 'U';
+  const Integer        size = static_cast<Integer>(n), none = 1;
+  const double         from = -bound, tolerance = 0.;
+  std::vector<double>  found(n), of_values(n * n), work(1);
+  std::vector<Integer> integers(5 * n), failed(n);
+  Integer              length = -1, n_found = 0, info = 0;
+  for (unsigned int call = 0; call < 2; ++call) // the first one asks how much memory it needs
+    {
+      dealii::syevx(&vectors,
+                    &values,
+                    &upper,
+                    &size,
+                    &lapack(0, 0),
+                    &size,
+                    &from,
+                    &bound,
+                    &none,
+                    &none,
+                    &tolerance,
+                    &n_found,
+                    found.data(),
+                    of_values.data(),
+                    &size,
+                    work.data(),
+                    &length,
+                    integers.data(),
+                    failed.data(),
+                    &info);
+      if (call == 0)
+        {
+          length = static_cast<Integer>(work[0] + 1);
+          work.resize(length);
+        }
+    }
+  AssertThrow(info >= 0, dealii::ExcInternalError());
+
+  Eigenpairs pairs;
+  pairs.values.reinit(n_found);
+  pairs.vectors.reinit(n, n_found);
+  for (std::size_t k = 0; k < std::size_t(n_found); ++k)
+    {
+      pairs.values[k] = found[k];
+      for (std::size_t i = 0; i < n; ++i)
+        pairs.vectors(i, k) = of_values[k * n + i];
+    }
+  if (info > 0)
+    {
+      dealii::FullMatrix<double> rest(n, n_found);
+      matrix.mmult(rest, pairs.vectors);
+      for (std::size_t k = 0; k < std::size_t(n_found); ++k)
+        for (std::size_t i = 0; i < n; ++i)
+          rest(i, k) -= pairs.values[k] * pairs.vectors(i, k);
+      AssertThrow(rest.linfty_norm() < 1e-10 * bound,
+                  dealii::ExcMessage("LAPACK finds no eigenvectors of a symmetric matrix."));
+    }
   return pairs;
 }
 } // namespace chaindrive

@@ -40,6 +40,10 @@ struct Piece
   /// A direction in which nothing holds the piece: it is then in equilibrium by its inertia, and
   /// displacements are those relative to its centre of mass.
   std::optional<unsigned int> free;
+
+  /// Displacements on the two sides of the plane z = 0 are the opposite of mirror images, as those
+  /// of a link are that is bent about y: there u_x = u_y = 0.
+  bool odd_in_z = false;
 };
 
 /// Linear elastostatics of a Piece: quadratic hexahedra on a mesh that is distributed by p4est over
