@@ -79,6 +79,13 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
          "simple and layered fidelity only. The results are the same to round-off, which impacts "
          "amplify, and a run takes a fraction of the time. auto: on where nothing can leave the "
          "plane. off: in space, in six.");
+  effect(
+      "Oval rollers",
+      oval_rollers,
+      "Rigid rollers of layered fidelity become ovals where tooth and bush do not press them from "
+      "both sides of their wall at the same place: a mass and a spring for each of the two modes "
+      "of the ring with two waves, as large as dimensions make them. It needs planar motion. "
+      "auto: off. on: what doc/accuracy-and-cost.md says of it.");
 }
 
 namespace

@@ -33,6 +33,7 @@ enum class Effect
   misalignment, ///< planes of wheels are not that of the drive
   symmetry_model,
   planar_motion,
+  oval_rollers,
   yielding_shafts,
   fields,
   stress_recovery,
@@ -43,7 +44,7 @@ enum class Effect
 namespace chaindrive::parameters
 {
 template <>
-inline constexpr Texts<model::Effect, 25> texts_of<model::Effect>{
+inline constexpr Texts<model::Effect, 26> texts_of<model::Effect>{
     {{model::Effect::roller_bush_clearance, "roller-bush clearance"},
      {model::Effect::bush_pin_clearance, "bush-pin clearance"},
      {model::Effect::chain_bars, "chain bars"},
@@ -65,6 +66,7 @@ inline constexpr Texts<model::Effect, 25> texts_of<model::Effect>{
      {model::Effect::misalignment, "misalignment"},
      {model::Effect::symmetry_model, "symmetry model"},
      {model::Effect::planar_motion, "planar motion"},
+     {model::Effect::oval_rollers, "oval rollers"},
      {model::Effect::yielding_shafts, "yielding shafts"},
      {model::Effect::fields, "fields"},
      {model::Effect::stress_recovery, "stress recovery"},

@@ -56,6 +56,7 @@ struct Effects
   Switch plate_bending    = Switch::automatic; ///< automatic: on in elastic links
   Switch tooth_compliance = Switch::automatic; ///< automatic: on under reduced rollers
   Switch planar_motion    = Switch::automatic; ///< automatic: on where nothing leaves the plane
+  Switch oval_rollers     = Switch::automatic; ///< automatic: off
 
   /// Declares an entry for each member and for Sprocket::elastic of each of @p sprockets, which
   /// takes every value that is set. The objects must outlive @p declarations.
