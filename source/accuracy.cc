@@ -3,6 +3,7 @@
 #include <chaindrive/accuracy_table.h>
 #include <chaindrive/commands.h>
 #include <chaindrive/cost.h>
+#include <chaindrive/drive/groups.h>
 #include <chaindrive/files/file.h>
 #include <chaindrive/model/reading.h>
 #include <chaindrive/parameters/entries.h>
@@ -28,6 +29,7 @@ namespace chaindrive
 namespace
 {
 constexpr const char *calibration = "calibration"; ///< what scripts/study/accuracy.py calls it
+constexpr const char *prediction  = "prediction";  ///< what predicted() calls it
 
 std::vector<std::string> split(const std::string &line, const char separator)
 {
@@ -64,6 +66,7 @@ std::string in_words(const StudyResult &result)
 {
   return result.variant +
          (result.study == calibration ? ", calibrated on this drive" :
+          result.study == prediction  ? ", as other drives let expect" :
                                         " of study " + result.study) +
          (result.variant == result.reference ? ", the reference, itself known within " :
                                                ", against " + result.reference + " ") +
@@ -153,6 +156,27 @@ Studies read_studies(const std::string &text)
           studies.drives[cells[1]].assign(cells.begin() + 2, cells.end());
           continue;
         }
+      if (cells.front() == "groups" && cells.size() > 2)
+        {
+          for (std::size_t i = 2; i < cells.size(); ++i)
+            studies.groups[cells[1]][cells[i].substr(0, cells[i].find('='))] =
+                number(cells[i].substr(cells[i].find('=') + 1));
+          continue;
+        }
+      if (cells.front() == "fit" && cells.size() == 11)
+        {
+          studies.fits.push_back({cells[1],
+                                  cells[2],
+                                  cells[3],
+                                  static_cast<unsigned int>(number(cells[4])),
+                                  number(cells[5]),
+                                  number(cells[6]),
+                                  number(cells[7]),
+                                  number(cells[8]),
+                                  number(cells[9]),
+                                  0.01 * number(cells[10])});
+          continue;
+        }
       AssertThrow(cells.size() >= 9, dealii::ExcMessage("accuracy.tsv: " + line));
       StudyResult result;
       result.study         = cells[0];
@@ -173,6 +197,7 @@ Studies read_studies(const std::string &text)
   for (const StudyResult &result : results)
     if (fidelities[result.study].size() > 1)
       studies.results.push_back(result);
+  studies.all = std::move(results);
   return studies;
 }
 
@@ -367,8 +392,10 @@ std::vector<StudyResult> find_calibration(const std::string &fixed, std::string 
   return {};
 }
 
-std::vector<StudyResult>
-results_of(const std::vector<StudyResult> &results, const std::string &fidelity, const bool exact)
+std::vector<StudyResult> results_of(const std::vector<StudyResult> &results,
+                                    const std::string              &fidelity,
+                                    const bool                      exact,
+                                    const bool                      oval)
 {
   const auto has = [](const StudyResult &result, const std::string &entry) {
     return std::find(result.overrides.begin(), result.overrides.end(), entry) !=
@@ -377,7 +404,8 @@ results_of(const std::vector<StudyResult> &results, const std::string &fidelity,
   std::vector<StudyResult> found;
   for (const StudyResult &result : results)
     if (has(result, "Model/Fidelity=" + fidelity) &&
-        has(result, "Contact/Enforcement=exact") == exact)
+        has(result, "Contact/Enforcement=exact") == exact &&
+        has(result, "Effects/Oval rollers=on") == oval)
       found.push_back(result);
   return found;
 }
@@ -413,24 +441,38 @@ void print_answers(std::ostream                   &out,
 {
   const Studies                  studies = shipped_studies();
   const std::vector<std::string> here    = drive_in_words(facts);
+  std::map<std::string, double>  groups;
+  for (const drive::Group &group : drive::groups_of(facts))
+    groups[group.name] = group.value;
   for (const std::string &text : command_line.accuracy)
     {
       const auto [output, wanted] =
           read_wanted(text, calibrated.empty() ? studies.results : calibrated);
       std::ostringstream line;
       line << "Accuracy: " << output << " within " << to_text(100. * wanted) << " %: ";
-      std::vector<StudyResult> results = calibrated;
-      if (calibrated.empty())
-        std::copy_if(studies.results.begin(),
-                     studies.results.end(),
-                     std::back_inserter(results),
-                     [&](const StudyResult &result) {
-                       return difference(studies.drives.at(result.study), here).empty();
-                     });
+      std::vector<StudyResult> results;
+      for (const StudyResult &result : calibrated.empty() ? studies.results : calibrated)
+        if (result.output == output &&
+            (!calibrated.empty() || difference(studies.drives.at(result.study), here).empty()))
+          results.push_back(result);
+      const double      numerics = of_numerics(studies, output);
+      const std::string outside  = results.empty() ? beyond(studies, groups) : "";
+      if (results.empty() && outside.empty())
+        results = predicted(studies, output, groups);
+      for (StudyResult &result : results)
+        result = with_numerics(result, numerics);
       const auto [found, best] = answer(results, output, wanted);
-      if (results.empty())
+      if (!outside.empty() || results.empty())
         line << "no answer for this drive." << on_others(studies.results, output, wanted)
+             << (outside.empty() ? "" : " Not measured on a drive like this: " + outside + ".")
              << " This finds one: " << calibration_call(command_line) << '\n';
+      else if (found.empty() && best->study == prediction)
+        {
+          line << "no answer for this drive." << on_others(studies.results, output, wanted);
+          for (const StudyResult &result : results)
+            line << ' ' << in_words(result) << '.';
+          line << " This finds one: " << calibration_call(command_line) << '\n';
+        }
       else if (found.empty())
         line << "no model; the best is " << in_words(*best) << "; " << entries_text(*best) << '\n';
       for (std::size_t i = 0; i < found.size(); ++i)
@@ -443,6 +485,14 @@ void print_answers(std::ostream                   &out,
                                   cost)
                << "; " << entries_text(result) << '\n';
         }
+      if (!found.empty() && found.front().study == prediction)
+        line << "  of 90 % of the drives; measured for this one: " << calibration_call(command_line)
+             << '\n';
+      if (numerics > 0. && !results.empty())
+        line << "  Intervals include " << to_text(100. * numerics, 2)
+             << " % for meshes, modes and step of the reference, as found on the drive of "
+                "prm/paper; "
+                "a run's own window and phase scatter besides: see Output/Until.\n";
       out << line.str();
     }
 }

@@ -36,13 +36,33 @@ bool has_course(const parameters::Input &input)
   return input.fixed.find("Loads/Torque step time in ms = auto\n") == std::string::npos;
 }
 
+/// Whether rollers may become ovals in the layered model of this drive.
+bool may_be_oval(const Parameters &parameters)
+{
+  Parameters layered           = parameters;
+  layered.model.fidelity       = "layered";
+  layered.effects.oval_rollers = parameters::Switch::on;
+  return model::decide_effects(layered).is_on(model::Effect::oval_rollers);
+}
+
+/// "path={{a|b|c}}", where @p rigid is of each model but the reference, which comes last: simple,
+/// layered and, if @p oval, this with oval rollers.
+std::string of_models(const std::string &path,
+                      const std::string &rigid,
+                      const std::string &of_reference,
+                      const bool         oval)
+{
+  return path + "={{" + rigid + "|" + rigid + "|" + (oval ? rigid + "|" : "") + of_reference + "}}";
+}
+
 /// Of the rigid models what the file says of @p path, of the reference auto: it has the parts' own.
-std::string of_rigid_models(const parameters::Input &input, const std::string &path)
+std::string
+of_rigid_models(const parameters::Input &input, const std::string &path, const bool oval)
 {
   const std::string name  = path + " = ";
   const std::size_t begin = input.fixed.find(name) + name.size();
   const std::string value = input.fixed.substr(begin, input.fixed.find('\n', begin) - begin);
-  return path + "={{" + value + "|" + value + "|auto}}";
+  return of_models(path, value, "auto", oval);
 }
 
 std::string in_ms(const double time) { return to_text(1e3 * time, 6); }
@@ -51,26 +71,28 @@ std::string in_ms(const double time) { return to_text(1e3 * time, 6); }
 std::vector<std::string> entries_of(const parameters::Input &input, const drive::Facts &facts)
 {
   const double             pitch_time = facts.pitch_time;
+  const bool               oval       = may_be_oval(input.parameters);
   const unsigned int       window     = std::max(shortest, drive::pitches_per_resonance(facts));
   std::vector<std::string> entries    = {
          "Study/Title=Calibration of " + facts.chain + ", " + std::to_string(facts.links) + " links",
          "Study/Text=How wrong are the models for this drive? The reference, exact, has reduced "
             "bodies "
             "without penalty.",
-         "Study/Names=simple, layered, exact",
+         std::string("Study/Names=simple, layered, ") + (oval ? "oval, " : "") + "exact",
          "Study/Reference=exact",
          "Study/Outputs=" + join(calibrated_outputs()),
          "Study/Phases=" + std::to_string(n_phases),
-         "Model/Fidelity={simple|layered|reduced}",
+         std::string("Model/Fidelity={simple|layered") + (oval ? "|layered" : "") + "|reduced}",
          "Model/Symmetry model=auto",
          "Model/Elastic links=all",
-         "Contact/Enforcement={{auto|auto|exact}}",
-         of_rigid_models(input, "Model/Mass per pitch in g"),
-         of_rigid_models(input, "Model/Stiffness per pitch in N/m"),
-         of_rigid_models(input, "Contact/Roller-tooth stiffness in N/m"),
-         of_rigid_models(input, "Contact/Roller-bush stiffness in N/m"),
+         of_models("Contact/Enforcement", "auto", "exact", oval),
+      oval ? "Effects/Oval rollers={{off|off|on|off}}" : "Effects/Oval rollers=off",
+         of_rigid_models(input, "Model/Mass per pitch in g", oval),
+         of_rigid_models(input, "Model/Stiffness per pitch in N/m", oval),
+         of_rigid_models(input, "Contact/Roller-tooth stiffness in N/m", oval),
+         of_rigid_models(input, "Contact/Roller-bush stiffness in N/m", oval),
          // as many columns around pins and bushes as in prm/paper/reduced.prm
-         "Mesh/Refinement={{0|0|1}}",
+         of_models("Mesh/Refinement", "0", "1", oval),
          "Time/Time step in us=auto",
          "Output/Quantities=all",
          "Output/History interval in us=" + to_text(1e6 * std::min(20e-6, 2e-3 * pitch_time), 3),
@@ -127,7 +149,7 @@ std::vector<std::string> calibrate_command(const CommandLine &command_line, cons
     }
   catch (const InputError &error)
     {
-      throw InputError("This drive cannot be calibrated, which takes all three models: " +
+      throw InputError("This drive cannot be calibrated, which takes all models: " +
                        std::string(error.what()));
     }
 }

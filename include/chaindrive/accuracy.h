@@ -30,6 +30,19 @@ struct StudyResult
   double share() const;
 };
 
+/// An error of a model as those of many drives let expect it, by scripts/study/accuracy_fit.py:
+/// ln(1
+/// + error) = centre + slope (ln group - x_mean), and of a new drive within factor sqrt(1 + 1/n +
+/// (ln group - x_mean)^2 / x_square) of that in 90 % of the cases.
+struct Fit
+{
+  std::string  variant, output;
+  std::string  group; ///< drive::Group::name, or "-": of no group, without slope
+  unsigned int n_drives;
+  double       centre, slope, x_mean, x_square, factor;
+  double       coverage; ///< share of drives that lay within when they were left out, 1
+};
+
 /// What the program was built with.
 struct Studies
 {
@@ -38,6 +51,11 @@ struct Studies
   std::vector<StudyResult> results;
   /// By study: the drive that it ran, as drive_in_words().
   std::map<std::string, std::vector<std::string>> drives;
+  /// By study: the groups of the drive, by name.
+  std::map<std::string, std::map<std::string, double>> groups;
+  std::vector<Fit>                                     fits;
+  /// What all studies found, those of a mesh, a step or modes included.
+  std::vector<StudyResult> all;
 };
 
 /// source/accuracy.tsv, which scripts/study/accuracy.py writes from studies.
@@ -58,9 +76,12 @@ std::string calibration_file(const std::string &fixed);
 /// of which @p note then says so.
 std::vector<StudyResult> find_calibration(const std::string &fixed, std::string &note);
 
-/// What @p results say of a model of this fidelity, without penalty or with it; empty: nothing.
-std::vector<StudyResult>
-results_of(const std::vector<StudyResult> &results, const std::string &fidelity, bool exact);
+/// What @p results say of a model of this fidelity, without penalty or with it, with rollers that
+/// become ovals or not; empty: nothing.
+std::vector<StudyResult> results_of(const std::vector<StudyResult> &results,
+                                    const std::string              &fidelity,
+                                    bool                            exact,
+                                    bool                            oval);
 
 /// These in a sentence, and as member `accuracy` of summary.json.
 std::string accuracy_sentence(const std::vector<StudyResult> &results);
@@ -104,6 +125,25 @@ struct Spread
 /// drive that no study ran may expect, and no more than that.
 std::vector<Spread>
 spread_of(const std::vector<StudyResult> &results, const std::string &output, double wanted);
+
+/// What is expected of the models of @p studies.fits on a drive with the groups @p here, by @p
+/// output: error with the interval that holds for 90 of 100 drives, the cheapest model first. Empty
+/// where a fit needs a group that the drive does not have.
+std::vector<StudyResult> predicted(const Studies                       &studies,
+                                   const std::string                   &output,
+                                   const std::map<std::string, double> &here);
+
+/// In what groups a drive lies beyond all drives of @p studies, in words; empty: in none.
+std::string beyond(const Studies &studies, const std::map<std::string, double> &here);
+
+/// By how much the reference of calibrations may itself be wrong in @p output for what its mesh,
+/// modes and step are: the root of the sum of the squares of the errors that were found, on the
+/// paper's drive; those whose interval contains zero were not. 1
+double of_numerics(const Studies &studies, const std::string &output);
+
+/// @p result with @p numerics [1] in its interval: errors that know nothing of each other add by
+/// squares.
+StudyResult with_numerics(StudyResult result, double numerics);
 
 /// Says for each `--accuracy` of @p command_line what @p calibrated answers, or, if that is empty,
 /// what the studies answer if they ran the drive of @p facts; and what the cheapest variant costs

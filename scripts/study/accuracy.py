@@ -26,7 +26,10 @@ import chaindrive
 HEAD = """# SPDX-License-Identifier: LGPL-2.1-or-later
 # What studies found, by scripts/study/accuracy.py: separated by tabs,
 # study, variant, reference, output, error, low, high (percent), CPU time, that of the reference (s), entries of the variant;
-# "drive", study, what its errors hold for"""
+# "drive", study, what its errors hold for
+# "groups", study, numbers by which drives are alike
+# "fit", model, output, group or -, drives, centre, slope, mean and sum of squares of the group's logarithm, factor, coverage:
+# of scripts/study/accuracy_fit.py --write"""
 
 END = "# complete"  # last line of a calibration
 
@@ -55,7 +58,9 @@ def rows_of(directory, name=""):
         sys.exit(f"{directory}: a study that is quick or has not ended is no ground for an answer")
     study, reference = pathlib.Path(about["file"]).stem, table[about["reference"]]
     study = name or study
-    yield ["drive", study, *drive_of(directory / about["variants"][-1]["runs"][0]["folder"])]
+    folder = directory / about["variants"][-1]["runs"][0]["folder"]
+    yield ["drive", study, *drive_of(folder)]
+    yield ["groups", study, *(f"{group}={value:.4g}" for group, value in chaindrive.open(folder).drive.get("groups", {}).items())]
     for variant in about["variants"]:
         row = table[variant["name"]]
         entries = {"Model/Fidelity": fidelity(directory / variant["runs"][0]["folder"]), "Time/Time step in us": "auto",
@@ -87,7 +92,7 @@ def keep(directory):
     part.replace(file)
     print(f"Errors of the models on this drive, with 95 % intervals, and CPU time of a run; kept in {file}")
     found = {}
-    for _, variant, reference, output, error, low, high, cpu, *_ in rows[1:]:
+    for _, variant, reference, output, error, low, high, cpu, *_ in rows[2:]:
         if variant != reference:
             found.setdefault((variant, cpu), []).append(f"  {output:26}{percent(error):>8} %  ({percent(low)} ... {percent(high)})")
     for (variant, cpu), lines in found.items():
@@ -135,7 +140,7 @@ def errors_of(directory):
     facts = chaindrive.open(next((directory / "exact").glob("phase-*"))).drive
     errors, cpu = {}, {}
     for variant in ("layered", "simple", "exact"):
-        found = {row[3]: row for row in rows[1:] if row[1] == variant}
+        found = {row[3]: row for row in rows[2:] if row[1] == variant}
         errors[variant] = [float(found[name][4]) if name in found else math.nan for name in SHOWN]
         cpu[variant] = float(next(iter(found.values()))[7]) if found else math.nan
     return errors, rows[0][1], facts["tooth_frequency"] / facts["driven_frequency"], cpu

@@ -31,7 +31,7 @@ bool stays_in_plane(const scene::Body &body)
 } // namespace
 
 PlanarBodies::PlanarBodies(const scene::Scene &scene, const World &world)
-    : kernels_(*planar_kernels(simd_width())), slot_of_(world.n_bodies(), none)
+    : kernels_(*planar_kernels(simd_width())), slot_of_(world.n_bodies(), none), oval_(scene.oval)
 {
   const bool two_rows =
       std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const scene::Body &body) {
@@ -51,7 +51,7 @@ PlanarBodies::PlanarBodies(const scene::Scene &scene, const World &world)
     slot_of_[bodies_[i]] = i;
   // a run of pairs is read to a multiple of n_lanes, wherever it begins
   n_slots_ = n_computed_of(bodies_.size()) + n_lanes;
-  state_.resize(n_planar_entries * n_slots_, 0.);
+  state_.resize((oval_ ? n_planar_entries_of_ovals : n_planar_entries) * n_slots_, 0.);
 
   for (const unsigned int b : bodies_)
     {
@@ -67,6 +67,14 @@ PlanarBodies::PlanarBodies(const scene::Scene &scene, const World &world)
       of(planar_inverse_mass)[i] = world.inverse_mass[b];
       of(planar_mass)[i]         = world.mass[b];
     }
+  if (oval_)
+    for (const unsigned int b : bodies_)
+      if (scene.bodies[b].kind == scene::Kind::roller)
+        {
+          of(planar_ring_inverse_mass)[slot_of_[b]] = 1. / oval_->mass;
+          of(planar_ring_mass)[slot_of_[b]]         = oval_->mass;
+          of(planar_ring_stiffness)[slot_of_[b]]    = oval_->stiffness;
+        }
   const auto turns = [this](const unsigned int body, const double inertia, const double spin) {
     const unsigned int i          = slot_of_[body];
     of(planar_inertia)[i]         = inertia;
@@ -82,12 +90,19 @@ PlanarBodies::PlanarBodies(const scene::Scene &scene, const World &world)
     turns(spin.body, spin.inertia, spin.speed);
 }
 
-void PlanarBodies::kick(World & /*world*/, const double h) { kernels_.kick(slots(), h); }
+void PlanarBodies::kick(World & /*world*/, const double h)
+{
+  kernels_.kick(slots(), h);
+  if (oval_)
+    kernels_.kick_ovals(slots(), h);
+}
 
 void PlanarBodies::drift(World & /*world*/, const Step &step)
 {
   fastest_square_ = kernels_.drift(slots(), step.dt);
   travelled_ += step.dt * std::sqrt(fastest_square_);
+  if (oval_)
+    kernels_.drift_ovals(slots(), step.dt);
 }
 
 void PlanarBodies::finish(World & /*world*/, const Step & /*step*/) { is_behind_ = true; }
@@ -135,10 +150,23 @@ void PlanarBodies::publish(World &world) const
 
 double PlanarBodies::kinetic_energy(const World & /*world*/) const
 {
-  return kernels_.kinetic_energy(slots());
+  return kernels_.kinetic_energy(slots()) +
+         (oval_ ? kernels_.kinetic_energy_of_ovals(slots()) : 0.);
 }
 
-void PlanarBodies::clear_forces() { std::fill_n(of(planar_force), 3 * n_slots_, 0.); }
+void PlanarBodies::clear_forces()
+{
+  std::fill_n(of(planar_force), 3 * n_slots_, 0.);
+  if (oval_)
+    std::fill_n(of(planar_ring_force), 2 * n_slots_, 0.);
+}
+
+void PlanarBodies::bend_ovals(World &world) { world.ledger.strain += kernels_.bend_ovals(slots()); }
+
+dealii::ArrayView<double> PlanarBodies::forces_on_ovals()
+{
+  return {of(oval_ ? planar_ring_force : planar_force), oval_ ? 2 * n_slots_ : 0};
+}
 
 void PlanarBodies::complete_forces(World &world)
 {

@@ -231,6 +231,8 @@ void World::sum_over_ranks(const std::initializer_list<Summands> others)
       numbers(rim.momentum.begin_raw(), 3, whole);
     for (Vector *vector : {&force, &moment})
       numbers(vector->begin(), vector->locally_owned_size(), whole);
+    if (planar != nullptr && planar->oval())
+      numbers(planar->forces_on_ovals().data(), planar->forces_on_ovals().size(), 1.);
     for (ModalGroup *group : groups.modal())
       for (const dealii::ArrayView<double> &forces : group->shared_forces(*this))
         numbers(forces.data(), forces.size(), 1.);

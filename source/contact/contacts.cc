@@ -22,6 +22,20 @@
 
 namespace chaindrive::contact
 {
+namespace
+{
+/// Rollers that become ovals meet others by PlanarContact alone.
+void refuse_oval(const scene::Scene    &scene,
+                 const scene::Interface interface,
+                 const std::string     &name)
+{
+  if (scene.oval &&
+      (interface == scene::Interface::roller_teeth || interface == scene::Interface::roller_bush))
+    throw InputError("Effects/Oval rollers = on is not possible: the contacts " + name +
+                     " are not all alike in the plane; choose auto or off.");
+}
+} // namespace
+
 Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_every_step)
     : every_step_(search_every_step)
 {
@@ -67,7 +81,10 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
         }
       const scene::SurfaceFamily family = on_flanks(teeth, world);
       if (world.planar == nullptr || !add_planar(PlanarFlanks::make(teeth, family, world)))
-        add_family(family);
+        {
+          refuse_oval(scene, family.interface.interface, teeth.name);
+          add_family(family);
+        }
     }
   for (const scene::SurfaceFamily &family : scene.surfaces)
     add_family(family);
@@ -88,7 +105,10 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
         families_.push_back(std::move(made));
       }
     else if (world.planar == nullptr || !add_planar(PlanarBores::make(bores, world)))
-      families_.push_back(std::make_unique<PointContact>(bores));
+      {
+        refuse_oval(scene, bores.interface, bores.name);
+        families_.push_back(std::make_unique<PointContact>(bores));
+      }
   for (const scene::SideFamily &sides : scene.sides)
     families_.push_back(std::make_unique<PointContact>(sides));
   for (const scene::ToothSideFamily &sides : scene.tooth_sides)

@@ -62,12 +62,26 @@ unsigned int multiplicity_of(const scene::BoreFamily &family)
                same_in_plane(a.slave, b.slave);
       });
 }
+
+double share_of_oval(const scene::SurfaceFamily &family, const World &world)
+{
+  return world.planar->oval() && family.interface.interface == scene::Interface::roller_teeth ? 1. :
+                                                                                                0.;
+}
+
+double share_of_oval(const scene::BoreFamily &family, const World &world)
+{
+  return world.planar->oval() && family.interface == scene::Interface::roller_bush ?
+             world.planar->oval()->bore :
+             0.;
+}
 } // namespace
 
 template <typename SceneFamily>
-PlanarContact::PlanarContact(const SceneFamily &family)
+PlanarContact::PlanarContact(const SceneFamily &family, const World &world)
     : PointContact(family)
     , kernels_(*planar_contact_kernels(simd_width()))
+    , oval_(share_of_oval(family, world))
     , multiplicity_(multiplicity_of(family))
 {
 }
@@ -221,7 +235,7 @@ const std::vector<SurfaceContact::Press> &PlanarContact::presses() const
 
 PlanarContacts PlanarContact::arguments(const double radius, const double dt)
 {
-  return {touch_.begin(), n_places(), law_.times(multiplicity_), radius, dt};
+  return {touch_.begin(), n_places(), law_.times(multiplicity_), radius, dt, oval_};
 }
 
 void PlanarContact::book(const PlanarEnergies &energies, World &world)
@@ -243,7 +257,7 @@ std::unique_ptr<PlanarBores> PlanarBores::make(const scene::BoreFamily &family, 
 }
 
 PlanarBores::PlanarBores(const scene::BoreFamily &family, const World &world)
-    : PlanarContact(family)
+    : PlanarContact(family, world)
 {
   if (multiplicity() == 0)
     return;
@@ -332,7 +346,7 @@ std::unique_ptr<PlanarFlanks> PlanarFlanks::make(const scene::ToothFamily   &tee
 PlanarFlanks::PlanarFlanks(const scene::ToothFamily   &teeth,
                            const scene::SurfaceFamily &on_flanks,
                            const World                &world)
-    : PlanarContact(on_flanks), bodies_(*world.planar)
+    : PlanarContact(on_flanks, world), bodies_(*world.planar)
 {
   using drive::Segment;
   const drive::ToothForm &form = *teeth.form;

@@ -266,8 +266,32 @@ void PointContact::add_closed(const World                &world,
     if (s > 0.)
       springs.push_back({master, slave, axes[d], centre, centre, factor * kt, factor * ct, true});
   };
+  // an oval u of the roller adds to d n, and (d n + u)^2 <= (1 + s) (d n)^2 + (1 + 1/s) u^2: this s
+  // makes both equally fast
+  double     oval = 0.;
+  const bool bore = interface_.interface == scene::Interface::roller_bush;
+  if (world.planar != nullptr && world.planar->oval() &&
+      (bore || interface_.interface == scene::Interface::roller_teeth))
+    {
+      const drive::RollerRing &ring = *world.planar->oval();
+      const auto moving = mobility.of_point(master, centre) + mobility.of_point(slave, centre);
+      oval =
+          1. / (ring.mass * std::max(axes[0] * (moving * axes[0]), axes[1] * (moving * axes[1])));
+      const double factor = world.symmetry.whole(1. + 1. / oval);
+      springs.push_back({bore ? master : slave,
+                         Spring::ground,
+                         axes[0],
+                         centre,
+                         centre,
+                         factor * law_.stiffness,
+                         factor * law_.damping,
+                         false,
+                         true});
+    }
   for (const unsigned int d : {0, 1})
-    add(d, std::max(law_.stiffness, (1. + spin) * kt), std::max(law_.damping, (1. + spin) * ct));
+    add(d,
+        std::max((1. + oval) * law_.stiffness, (1. + spin) * kt),
+        std::max((1. + oval) * law_.damping, (1. + spin) * ct));
   add(2, (1. + tilt) * kt, (1. + tilt) * ct);
   add_rotation(0, tilt);
   add_rotation(1, tilt);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/facts.h>
+#include <chaindrive/drive/groups.h>
 #include <chaindrive/utilities/text.h>
 
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 #include <utility>
@@ -122,6 +124,9 @@ files::Json to_json(const Facts &facts)
   json["driven_resonance"]    = facts.driven_resonance;
   json["rated_power"]         = facts.rated_power;
   json["highest_speed"]       = facts.highest_speed;
+  for (const Group &group : groups_of(facts))
+    if (std::isfinite(group.value))
+      json["groups"][group.name] = group.value;
   return json;
 }
 
@@ -200,7 +205,17 @@ std::vector<files::Described> described_facts()
       {"drive/driven_frequency", "Hz", "frequency of that on the tight span"},
       {"drive/driven_resonance", "rad/s", "driver speed at which the teeth meet this frequency"},
       {"drive/rated_power", "W", "usual limit for this size, teeth and speed"},
-      {"drive/highest_speed", "rad/s", "usual limit of the driver's speed"}};
+      {"drive/highest_speed", "rad/s", "usual limit of the driver's speed"},
+      {"drive/groups/resonance",
+       "1",
+       "tooth frequency over driven_frequency; this and the next: by which drives are alike"},
+      {"drive/groups/centrifugal", "1", "centrifugal over effective tension"},
+      {"drive/groups/impact",
+       "1",
+       "mass per length times square of the driver's seating velocity over effective tension"},
+      {"drive/groups/pressure", "1", "joint pressure over that at which chains break"},
+      {"drive/groups/polygon_effect", "1", "polygon effect of the driver"},
+      {"drive/groups/sag", "1", "sag of the slack span over the pitch"}};
 }
 
 namespace

@@ -122,6 +122,8 @@ void System::evaluate(const Step &step)
     world.planar->publish(world);
   if (world.is_first_rank())
     loads.add_forces(world, step.dt);
+  if (world.is_first_rank() && world.planar != nullptr && world.planar->oval())
+    world.planar->bend_ovals(world);
   if (world.is_first_rank() && (bars.size() > 0 || !forces.empty()))
     {
       const PhaseTimer::Scope scope(timer, internal_force_);

@@ -4,6 +4,7 @@
 #include <chaindrive/model/decide.h>
 #include <chaindrive/model/needs.h>
 #include <chaindrive/model/out_of_line.h>
+#include <chaindrive/model/planar.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/utilities/errors.h>
 
@@ -392,10 +393,6 @@ void check_enforcement(const Parameters &p, const Effects &effects, Findings &fi
 /// What is switched on or off in an elastic model must fit together.
 void check_elasticity(const Parameters &p, const Effects &effects, Findings &findings)
 {
-  if (const Decision &planar = effects.of(Effect::planar_motion); !planar.on)
-    findings.contradiction(p.effects.planar_motion == Switch::on,
-                           "Effects/Planar motion = on is not possible: " + planar.reason +
-                               "; choose auto or off.");
   const parameters::Effects &entries    = p.effects;
   const std::string          chosen     = chosen_fidelity(p);
   const bool                 elastic    = p.model.capabilities().is_elastic;
@@ -587,7 +584,9 @@ std::vector<std::string> cross_check(const Parameters &parameters, const Effects
   check_mesh(parameters.mesh, findings);
 
   for (const auto &more :
-       {against_misalignment(parameters, effects), against_bush_chain(parameters)})
+       {against_planar_motion(parameters, effects),
+        against_misalignment(parameters, effects),
+        against_bush_chain(parameters)})
     findings.contradictions.insert(findings.contradictions.end(), more.begin(), more.end());
 
   std::string message;

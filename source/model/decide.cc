@@ -357,6 +357,26 @@ Decision planar_motion(const Parameters &p)
   return {effect, what.empty(), what.empty() ? "nothing leaves the plane of the chain" : what};
 }
 
+Decision oval_rollers(const Parameters &p, const Decision &planar)
+{
+  constexpr Effect effect = Effect::oval_rollers;
+  if (is_elastic(p))
+    return {effect, false, "elastic rollers deform, rigid ones beside them stay round"};
+  if (!p.model.capabilities().has_clearances)
+    return {
+        effect, false, "fidelity " + p.model.fidelity + ": a roller is one lump with its links"};
+  if (!has_rollers(p))
+    return {effect, false, no_rollers};
+  if (p.effects.oval_rollers != Switch::on)
+    return {effect,
+            false,
+            p.effects.oval_rollers == Switch::off ? switched(Switch::off, "Effects") :
+                                                    "auto: rigid rollers stay round"};
+  return {effect,
+          planar.on,
+          planar.on ? switched(Switch::on, "Effects") : "not planar: " + planar.reason};
+}
+
 Decision yielding_shafts(const Parameters &p)
 {
   std::string which;
@@ -493,8 +513,8 @@ Effects decide_effects(const Parameters &p)
   const Decision faces = plate_faces(p, links.on), pictures = fields(p),
                  joints      = exact_joints(p, links.on, rollers.on),
                  teeth       = exact_teeth(p, joints, faces.on);
-  const Decision out_of_line = misalignment(p);
-  const double   friction    = largest_friction(p, faces.on || out_of_line.on);
+  const Decision out_of_line = misalignment(p), planar = planar_motion(p);
+  const double   friction = largest_friction(p, faces.on || out_of_line.on);
 
   std::vector<Decision> all{
       clearance(Effect::roller_bush_clearance, p, p.effects.roller_bush_clearance),
@@ -528,7 +548,8 @@ Effects decide_effects(const Parameters &p)
               out_of_line,
               separate_strands(p),
               symmetry_model(p, links.on, rollers.on, faces.on, pictures.on),
-              planar_motion(p),
+              planar,
+              oval_rollers(p, planar),
               yielding_shafts(p),
               pictures,
               stress_recovery(p, links.on, rollers.on, pictures.on),

@@ -86,6 +86,13 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
       "its own, on pins that all strands share; layered fidelity only. auto: on where wheels are "
       "out of line, which then pull strands unevenly. on: also where all wheels are in line. "
       "off: strands share the load equally, and one is computed with its share.");
+  effect(
+      "Oval rollers",
+      oval_rollers,
+      "Rigid rollers of layered fidelity become ovals where tooth and bush do not press them from "
+      "both sides of their wall at the same place: a mass and a spring for each of the two modes "
+      "of the ring with two waves, as large as dimensions make them. It needs planar motion. "
+      "auto: off. on: what doc/accuracy-and-cost.md says of it.");
 }
 
 namespace

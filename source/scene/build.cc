@@ -101,19 +101,26 @@ ContactLaw in_series(const ContactLaw &law, const double modulus)
           law.tangential_damping * std::sqrt(softer)};
 }
 
+double felt_mass_of_roller(const Scene &scene, const double mass)
+{
+  return scene.oval ? mass * scene.oval->mass / (mass + scene.oval->mass) : mass;
+}
+
 Scene build_scene(const model::Model             &model,
                   const drive::Drive             &drive,
                   const std::vector<std::string> &folders,
                   const BasisOf                  &basis_of)
 {
   Scene scene;
-  scene.start_time  = model.time.start;
-  scene.material    = model.material;
-  scene.elements    = model.elements;
-  scene.effects     = model.effects;
-  scene.loads       = model.loads;
-  scene.half        = model.effects.is_on(Effect::symmetry_model);
-  scene.planar      = model.effects.is_on(Effect::planar_motion);
+  scene.start_time = model.time.start;
+  scene.material   = model.material;
+  scene.elements   = model.elements;
+  scene.effects    = model.effects;
+  scene.loads      = model.loads;
+  scene.half       = model.effects.is_on(Effect::symmetry_model);
+  scene.planar     = model.effects.is_on(Effect::planar_motion);
+  if (model.effects.is_on(Effect::oval_rollers))
+    scene.oval = drive::roller_ring(drive.chain, model.material);
   scene.plates_bend = model.effects.is_on(Effect::plate_bending);
   scene.at_speed    = !model.effects.is_on(Effect::start_up);
   if (drive.strands > 1 && !model.effects.is_on(Effect::separate_strands))

@@ -42,8 +42,8 @@ void add_rigid_joints(const model::Model &model, const drive::Drive &drive, Scen
   const DriveView              &view       = scene.drive;
   const double                  inner_mass = scene.bodies[view.links[0]].mass,
                outer_mass                  = scene.bodies[view.links[1]].mass,
-               roller_mass                 = scene.bodies[view.rollers[0]].mass;
-  const double bush_stiffness              = model.roller_bush_stiffness.value;
+               roller_mass    = felt_mass_of_roller(scene, scene.bodies[view.rollers[0]].mass);
+  const double bush_stiffness = model.roller_bush_stiffness.value;
   // One bush-pin joint per pitch lies in the path of the tension; with rigid links it alone gives
   // the chain its stiffness, so plates and joint contact in series are put there.
   const double pin_stiffness = model.stiffness_per_pitch;

@@ -299,7 +299,7 @@ ToothFamily with_rigid_rollers(const model::Model &model,
           std::vector<double>{0.} :
           axial_positions(std::min(drive.chain.roller_length, 2. * flanks.half_width), scene.half);
   ToothFamily teeth = flanks;
-  teeth.law         = make_law(model.contact, stiffness, roller.mass, friction)
+  teeth.law = make_law(model.contact, stiffness, felt_mass_of_roller(scene, roller.mass), friction)
                   .shared_by(roller.motion == Motion::lumped ? 1 : 2);
   for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
     for (const double z : positions)

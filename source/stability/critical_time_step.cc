@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 
 namespace chaindrive::stability
 {
@@ -79,8 +81,42 @@ double largest_of(const World               &world,
 }
 } // namespace
 
-double critical_time_step(const World &world, const std::vector<Spring> &springs)
+namespace
 {
+/// That of the ovals of rollers, whose springs couple with no others.
+double critical_time_step_of_ovals(const World &world, const std::vector<Spring> &springs)
+{
+  struct Sum
+  {
+    double stiffness, damping;
+  };
+  std::map<unsigned int, Sum> of_body;
+  double                      limit = std::numeric_limits<double>::infinity();
+  if (world.planar == nullptr || !world.planar->oval())
+    return limit;
+  const drive::RollerRing &ring = *world.planar->oval();
+  for (const Spring &spring : springs)
+    if (spring.is_of_oval)
+      {
+        Sum &sum = of_body.try_emplace(spring.first, Sum{ring.stiffness, 0.}).first->second;
+        sum.stiffness += spring.stiffness;
+        sum.damping += spring.damping;
+      }
+  for (const auto &[body, sum] : of_body)
+    limit =
+        std::min(limit, critical_time_step_of(sum.stiffness / ring.mass, sum.damping / ring.mass));
+  return limit;
+}
+} // namespace
+
+double critical_time_step(const World &world, const std::vector<Spring> &all)
+{
+  std::vector<Spring> springs;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(springs), [](const Spring &spring) {
+    return !spring.is_of_oval;
+  });
+  if (springs.size() < all.size())
+    return std::min(critical_time_step(world, springs), critical_time_step_of_ovals(world, all));
   if (springs.empty())
     return std::numeric_limits<double>::infinity();
 

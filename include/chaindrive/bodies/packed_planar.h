@@ -180,6 +180,63 @@ void stretch_planar(PlanarSlots bodies, PlanarBars &bars)
 }
 
 template <int width>
+void kick_ovals(PlanarSlots bodies, const double h)
+{
+  using P = Pack<double, width>;
+  for (unsigned int i = 0; i < bodies.n_slots; i += width)
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        double *at = bodies.of(planar_ring_rate + d) + i;
+        (P::load(at) + P(h) * P::load(bodies.of(planar_ring_inverse_mass) + i) *
+                           P::load(bodies.of(planar_ring_force + d) + i))
+            .store(at);
+      }
+}
+
+template <int width>
+void drift_ovals(PlanarSlots bodies, const double dt)
+{
+  using P = Pack<double, width>;
+  for (unsigned int i = 0; i < bodies.n_slots; i += width)
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        double *at = bodies.of(planar_ring + d) + i;
+        (P::load(at) + P(dt) * P::load(bodies.of(planar_ring_rate + d) + i)).store(at);
+      }
+}
+
+template <int width>
+double kinetic_energy_of_ovals(PlanarSlots bodies)
+{
+  using P = Pack<double, width>;
+  P energy(0.);
+  for (unsigned int i = 0; i < bodies.n_slots; i += width)
+    {
+      const P a = P::load(bodies.of(planar_ring_rate) + i),
+              b = P::load(bodies.of(planar_ring_rate + 1) + i);
+      energy += P::load(bodies.of(planar_ring_mass) + i) * (a * a + b * b);
+    }
+  return 0.5 * sum_of(energy);
+}
+
+template <int width>
+double bend_ovals(PlanarSlots bodies)
+{
+  using P = Pack<double, width>;
+  P energy(0.);
+  for (unsigned int i = 0; i < bodies.n_slots; i += width)
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        const P a     = P::load(bodies.of(planar_ring + d) + i);
+        const P force = P::load(bodies.of(planar_ring_stiffness) + i) * a;
+        double *at    = bodies.of(planar_ring_force + d) + i;
+        (P::load(at) - force).store(at);
+        energy += force * a;
+      }
+  return 0.5 * sum_of(energy);
+}
+
+template <int width>
 constexpr PlanarKernels make_planar_kernels()
 {
   return {width,
@@ -187,6 +244,10 @@ constexpr PlanarKernels make_planar_kernels()
           &drift_planar<width>,
           &load_planar<width>,
           &kinetic_energy_of_planar<width>,
-          &stretch_planar<width>};
+          &stretch_planar<width>,
+          &kick_ovals<width>,
+          &drift_ovals<width>,
+          &kinetic_energy_of_ovals<width>,
+          &bend_ovals<width>};
 }
 } // namespace chaindrive::packed

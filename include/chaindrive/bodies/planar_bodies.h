@@ -3,10 +3,13 @@
 
 #include <chaindrive/bodies/body_group.h>
 #include <chaindrive/bodies/planar_kernels.h>
+#include <chaindrive/drive/roller_ring.h>
 
 #include <deal.II/base/aligned_vector.h>
+#include <deal.II/base/array_view.h>
 #include <deal.II/base/tensor.h>
 
+#include <optional>
 #include <vector>
 
 namespace chaindrive::scene
@@ -68,6 +71,18 @@ public:
   /// Takes the forces of @p world, which are those of all ranks.
   void take_forces(const World &world);
 
+  /// How rollers become ovals, if they do.
+  const std::optional<drive::RollerRing> &oval() const { return oval_; }
+
+  /// Adds the elastic forces on ovals, and their energy to the ledger of @p world.
+  void bend_ovals(World &world);
+
+  /// The forces on ovals, to be summed over ranks; empty without ovals.
+  dealii::ArrayView<double> forces_on_ovals();
+
+  /// The oval of the body in @p slot, a and b of drive::RollerRing, m.
+  dealii::Tensor<1, 2> oval_of(const unsigned int slot) const { return two_of(planar_ring, slot); }
+
   /// Frames of @p world take positions, rotations and velocities.
   void publish(World &world) const;
 
@@ -104,13 +119,14 @@ private:
     return both;
   }
 
-  const PlanarKernels          &kernels_;
-  unsigned int                  n_slots_;
-  std::vector<unsigned int>     slot_of_; ///< by body
-  std::vector<unsigned int>     bodies_;  ///< by slot
-  dealii::AlignedVector<double> state_;   ///< [PlanarEntry][slot]
-  double                        fastest_square_ = 0., travelled_ = 0.;
-  bool                          others_act_ = true;
-  bool                          is_behind_  = false; ///< World, since the last update()
+  const PlanarKernels             &kernels_;
+  unsigned int                     n_slots_;
+  std::vector<unsigned int>        slot_of_; ///< by body
+  std::vector<unsigned int>        bodies_;  ///< by slot
+  dealii::AlignedVector<double>    state_;   ///< [PlanarEntry][slot]
+  double                           fastest_square_ = 0., travelled_ = 0.;
+  bool                             others_act_ = true;
+  bool                             is_behind_  = false; ///< World, since the last update()
+  std::optional<drive::RollerRing> oval_;
 };
 } // namespace chaindrive

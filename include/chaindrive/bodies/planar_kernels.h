@@ -22,7 +22,17 @@ enum PlanarEntry : unsigned int
   planar_mass             = 16, ///< kg
   planar_inertia          = 17, ///< kg m2
   planar_follows_rotation = 18, ///< 1: it has an angle; 0: a ring, which looks the same at any
-  n_planar_entries        = 19
+  n_planar_entries        = 19,
+
+  // where rollers become ovals (drive::RollerRing); those of other bodies are zero
+  planar_ring = 19, ///< a and b: the outside moves outwards by a cos 2 angle + b sin 2
+                    ///< angle, of angles in the world, m
+  planar_ring_rate          = 21, ///< m/s
+  planar_ring_force         = 23, ///< on a and b, N
+  planar_ring_inverse_mass  = 25, ///< 1/kg
+  planar_ring_mass          = 26, ///< kg
+  planar_ring_stiffness     = 27, ///< N/m
+  n_planar_entries_of_ovals = 28
 };
 
 /// Bodies in slots; their number is a multiple of n_lanes, and the array aligned to 64 bytes. Slots
@@ -68,6 +78,11 @@ struct PlanarKernels
   void (*load)(PlanarSlots, PlanarLoads &);
   double (*kinetic_energy)(PlanarSlots); ///< J
   void (*stretch)(PlanarSlots, PlanarBars &);
+  /// The same three of ovals, and their elastic forces, which are added; returns their energy, J.
+  void (*kick_ovals)(PlanarSlots, double h);
+  void (*drift_ovals)(PlanarSlots, double dt);
+  double (*kinetic_energy_of_ovals)(PlanarSlots);
+  double (*bend_ovals)(PlanarSlots);
 };
 
 /// Kernels of @p width 1, 2, 4 or 8 numbers; null where this machine has none, as with

@@ -17,5 +17,7 @@ struct Spring
   double               stiffness; ///< N/m
   double               damping;   ///< N s/m
   bool is_rotational = false;     ///< it resists rotation about its direction: N m, N m s per rad
+  bool is_of_oval    = false;     ///< it resists the two modes of the oval that the first body may
+                                  ///< become, alike, and has neither direction nor second body
 };
 } // namespace chaindrive

@@ -59,7 +59,8 @@ struct PlanarLaw
   }
 
   /// Evaluates the pairs from @p place on, whose gaps are @p gap, the normals @p normal and the
-  /// slaves' axes @p centre. Returns false if none touches and none did; else @p force is that on
+  /// slaves' axes @p centre; @p own_rate is what gaps change by beside the motion of the bodies.
+  /// Returns false if none touches and none did; else @p force is that on
   /// the slaves at @p point.
   CHAINDRIVE_ALWAYS_INLINE bool press(const unsigned int place,
                                       const P           &gap,
@@ -68,7 +69,8 @@ struct PlanarLaw
                                       const PlanarBody<P> &slave,
                                       const PlanarBody<P> &master,
                                       P (&point)[2],
-                                      P (&force)[2])
+                                      P (&force)[2],
+                                      const P *own_rate = nullptr)
   {
     const P zero(0.);
     gap.store(of(planar_touch_gap, place));
@@ -87,9 +89,12 @@ struct PlanarLaw
     master.velocity_at(point, earlier, of_master);
     for (int d = 0; d < 2; ++d)
       relative[d] = of_slave[d] - of_master[d];
+    P speed = relative[0] * normal[0] + relative[1] * normal[1];
+    if (own_rate != nullptr)
+      speed += *own_rate;
     // those that have just separated give back what their springs held: see separate()
     const auto touching = [&](const P &a) { return if_less(gap, zero, a, zero); };
-    const P    rate     = touching(relative[0] * normal[0] + relative[1] * normal[1]);
+    const P    rate     = touching(speed);
     const P    slip[1]  = {touching(relative[1] * normal[0] - relative[0] * normal[1])};
     update_touch(
         law, PointApproach<P>{least(gap, zero), rate}, slip, dt, friction, state, energies);
@@ -158,11 +163,40 @@ CHAINDRIVE_ALWAYS_INLINE void add_to(double *to, const Pack<double, width> &what
   (Pack<double, width>::load_unaligned(to) + what).store_unaligned(to);
 }
 
+/// The oval of a roller at an angle, and what a contact there does to it.
 template <int width>
-void press_bores(PlanarSlots           bodies,
-                 const PlanarContacts &contacts,
-                 const PlanarRun      &run,
-                 PlanarEnergies       &energies)
+struct OvalAt
+{
+  using P = Pack<double, width>;
+
+  /// Where the normal, unit, is @p n; the oval is @p a, its rate @p rate.
+  CHAINDRIVE_ALWAYS_INLINE OvalAt(const P (&n)[2], const P (&a)[2], const P (&rate)[2])
+      : cosine(n[0] * n[0] - n[1] * n[1])
+      , sine(P(2.) * n[0] * n[1])
+      , outwards(a[0] * cosine + a[1] * sine)
+      , outwards_rate(rate[0] * cosine + rate[1] * sine)
+      , slope(P(2.) * (a[1] * cosine - a[0] * sine))
+  {
+  }
+
+  P cosine, sine;                   ///< of twice the angle
+  P outwards, outwards_rate, slope; ///< m, m/s, and how it grows with the angle, m
+};
+
+/// The share of the normal force by which it pushes a roller along the tangent when the normal
+/// turns by @p turn [1/m] along it: what is not round has a contact that moves towards where there
+/// is room. As the force of a potential it keeps the energy.
+template <typename P>
+CHAINDRIVE_ALWAYS_INLINE P sideways(const P &slope, const P &turn)
+{
+  return greatest(P(-1.), least(P(1.), slope * turn));
+}
+
+template <int width, bool ovals>
+void press_bores_of(PlanarSlots           bodies,
+                    const PlanarContacts &contacts,
+                    const PlanarRun      &run,
+                    PlanarEnergies       &energies)
 {
   using P = Pack<double, width>;
   PlanarLaw<width> law(contacts);
@@ -175,11 +209,33 @@ void press_bores(PlanarSlots           bodies,
       const P            offset[2] = {centre[0] - axis[0], centre[1] - axis[1]};
       const P            distance  = square_root(offset[0] * offset[0] + offset[1] * offset[1]);
       const unsigned int place     = run.first_place + i;
-      const P            gap       = P::load(law.of(planar_touch_room, place)) - distance;
+      P                  gap       = P::load(law.of(planar_touch_room, place)) - distance;
       const P            inverse   = P(-1.) / greatest(distance, P(1e-300));
       const P            normal[2] = {offset[0] * inverse, offset[1] * inverse};
-      P                  point[2], force[2];
-      if (!law.press(place, gap, normal, centre, slave, master, point, force))
+      P                  point[2], force[2], aside[2] = {P(0.), P(0.)};
+      if (ovals)
+        {
+          const auto two = [&](const unsigned int entry, P(&to)[2]) {
+            for (unsigned int d = 0; d < 2; ++d)
+              to[d] = P::load_unaligned(bodies.of(entry + d) + run.master + i);
+          };
+          P oval[2], rate[2];
+          two(planar_ring, oval);
+          two(planar_ring_rate, rate);
+          const OvalAt<width> at(normal, oval, rate);
+          const P             share(contacts.oval), wider = share * at.outwards_rate;
+          gap += share * at.outwards;
+          if (!law.press(place, gap, normal, centre, slave, master, point, force, &wider))
+            continue;
+          const P pressed = share * (force[0] * normal[0] + force[1] * normal[1]);
+          add_to<width>(bodies.of(planar_ring_force) + run.master + i, pressed * at.cosine);
+          add_to<width>(bodies.of(planar_ring_force + 1) + run.master + i, pressed * at.sine);
+          // the normal turns by 1 / distance backwards along the tangent (-n_y, n_x)
+          const P along = pressed * sideways(at.slope, inverse);
+          aside[0]      = P(0.) - along * normal[1];
+          aside[1]      = along * normal[0];
+        }
+      else if (!law.press(place, gap, normal, centre, slave, master, point, force))
         continue;
       const P opposite[2] = {P(0.) - force[0], P(0.) - force[1]};
       for (unsigned int d = 0; d < 2; ++d)
@@ -189,8 +245,29 @@ void press_bores(PlanarSlots           bodies,
         }
       add_to<width>(bodies.of(planar_moment) + run.master + i, master.moment_of(point, opposite));
       add_to<width>(bodies.of(planar_moment) + run.slave + i, slave.moment_of(point, force));
+      if (ovals) // from centre to centre
+        {
+          for (unsigned int d = 0; d < 2; ++d)
+            {
+              add_to<width>(bodies.of(planar_force + d) + run.master + i, P(0.) - aside[d]);
+              add_to<width>(bodies.of(planar_force + d) + run.slave + i, aside[d]);
+            }
+          add_to<width>(bodies.of(planar_moment) + run.slave + i, slave.moment_of(centre, aside));
+        }
     }
   law.book(energies);
+}
+
+template <int width>
+void press_bores(PlanarSlots           bodies,
+                 const PlanarContacts &contacts,
+                 const PlanarRun      &run,
+                 PlanarEnergies       &energies)
+{
+  if (contacts.oval != 0.)
+    press_bores_of<width, true>(bodies, contacts, run, energies);
+  else
+    press_bores_of<width, false>(bodies, contacts, run, energies);
 }
 
 /// The numbers of an array at the places stride * @p slots + @p first.
@@ -213,6 +290,7 @@ struct NearestOnProfile
   P distance;                   ///< not signed, m
   P signed_distance, normal[2]; ///< where it is between the ends of a segment
   P which; ///< 0: between the ends of a segment; 2 i + 1 or 2 i + 2: the begin or end of segment i
+  P turn;  ///< how the normal turns along the tangent, 1/m
 };
 
 template <int width>
@@ -224,6 +302,7 @@ nearest_on_profile(const PlanarTeeth &teeth, const Pack<double, width> (&p)[2])
   const P                 zero(0.);
   best.distance        = P(1e300);
   best.signed_distance = best.normal[0] = best.normal[1] = best.which = zero;
+  P curved(0.);           // 1: an arc
   P length(1.), sign(1.); // what normals are still to be divided by and multiplied with
   for (unsigned int i = 0; i < teeth.n_segments; ++i)
     {
@@ -266,9 +345,11 @@ nearest_on_profile(const PlanarTeeth &teeth, const Pack<double, width> (&p)[2])
       keep_nearer(best.which, which);
       keep_nearer(length, norm);
       keep_nearer(sign, P(s.kind == 0 ? 1. : double(s.kind)));
+      keep_nearer(curved, P(s.kind == 0 ? 0. : 1.));
       best.distance = least(distance, best.distance);
     }
   const P outward = sign / greatest(length, P(1e-300));
+  best.turn       = if_less(P(0.), curved, outward, P(0.));
   for (P &component : best.normal)
     component = component * outward;
   return best;
@@ -335,11 +416,11 @@ CHAINDRIVE_ALWAYS_INLINE void fold(const PlanarTeeth &teeth,
   folded[1] = side * y;
 }
 
-template <int width>
-void press_teeth(PlanarSlots           bodies,
-                 const PlanarContacts &contacts,
-                 PlanarTeeth          &teeth,
-                 PlanarEnergies       &energies)
+template <int width, bool ovals>
+void press_teeth_of(PlanarSlots           bodies,
+                    const PlanarContacts &contacts,
+                    PlanarTeeth          &teeth,
+                    PlanarEnergies       &energies)
 {
   using P = Pack<double, width>;
   PlanarLaw<width> law(contacts);
@@ -376,8 +457,15 @@ void press_teeth(PlanarSlots           bodies,
                        end_of_profile(teeth, which, at, nearest.distance[i], normal));
               set_lane(nearest.normal[0], i, normal[0]);
               set_lane(nearest.normal[1], i, normal[1]);
+              if (ovals) // about a corner the normal turns with the roller
+                set_lane(nearest.turn,
+                         i,
+                         teeth.segments[(which - 1) / 2].corner[(which - 1) % 2] == 0 ||
+                                 nearest.signed_distance[i] == 0. ?
+                             0. :
+                             1. / nearest.signed_distance[i]);
             }
-      const P gap = nearest.signed_distance - P::load(law.of(planar_touch_room, place));
+      P gap = nearest.signed_distance - P::load(law.of(planar_touch_room, place));
       // back from the sector to the sprocket's frame, and from there to the world
       const P y              = side * nearest.normal[1];
       const P in_sprocket[2] = {turn[0] * nearest.normal[0] - turn[1] * y,
@@ -388,7 +476,38 @@ void press_teeth(PlanarSlots           bodies,
         roller.velocity[d] = gather_slots<width>(bodies.of(planar_velocity + d), slots);
       roller.spin = gather_slots<width>(bodies.of(planar_spin), slots);
       P point[2], force[2];
-      if (!law.press(place, gap, normal, roller.position, roller, sprocket, point, force))
+      if (ovals)
+        {
+          P oval[2], rate[2];
+          for (unsigned int d = 0; d < 2; ++d)
+            {
+              oval[d] = gather_slots<width>(bodies.of(planar_ring + d), slots);
+              rate[d] = gather_slots<width>(bodies.of(planar_ring_rate + d), slots);
+            }
+          const OvalAt<width> at(normal, oval, rate);
+          const P             closer = P(0.) - at.outwards_rate;
+          gap                        = gap - at.outwards;
+          if (!law.press(
+                  place, gap, normal, roller.position, roller, sprocket, point, force, &closer))
+            continue;
+          const P pressed = force[0] * normal[0] + force[1] * normal[1];
+          const P along   = pressed * sideways(at.slope, nearest.turn);
+          P       aside[2];
+          aside[0] = along * normal[1];
+          aside[1] = P(0.) - along * normal[0];
+          for (int i = 0; i < width; ++i)
+            {
+              bodies.of(planar_ring_force)[slots[i]] -= pressed[i] * at.cosine[i];
+              bodies.of(planar_ring_force + 1)[slots[i]] -= pressed[i] * at.sine[i];
+              bodies.of(planar_force)[slots[i]] += aside[0][i];
+              bodies.of(planar_force + 1)[slots[i]] += aside[1][i];
+            }
+          on_sprocket[0] -= aside[0];
+          on_sprocket[1] -= aside[1];
+          // the normal turns with the sprocket, too
+          moment -= sprocket.moment_of(roller.position, aside) + pressed * at.slope;
+        }
+      else if (!law.press(place, gap, normal, roller.position, roller, sprocket, point, force))
         continue;
       const P on_roller = roller.moment_of(point, force);
       for (int i = 0; i < width; ++i)
@@ -409,6 +528,18 @@ void press_teeth(PlanarSlots           bodies,
       teeth.force[1] += on_sprocket[1][i];
       teeth.moment += moment[i];
     }
+}
+
+template <int width>
+void press_teeth(PlanarSlots           bodies,
+                 const PlanarContacts &contacts,
+                 PlanarTeeth          &teeth,
+                 PlanarEnergies       &energies)
+{
+  if (contacts.oval != 0.)
+    press_teeth_of<width, true>(bodies, contacts, teeth, energies);
+  else
+    press_teeth_of<width, false>(bodies, contacts, teeth, energies);
 }
 
 template <int width>

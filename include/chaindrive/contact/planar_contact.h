@@ -29,7 +29,7 @@ public:
 protected:
   /// @p family is a scene::SurfaceFamily or a scene::BoreFamily.
   template <typename SceneFamily>
-  explicit PlanarContact(const SceneFamily &family);
+  PlanarContact(const SceneFamily &family, const World &world);
 
   /// Makes places for contacts, of which each begins with pair @p first, and has the next ones up
   /// to multiplicity() as well; none: a place without a contact. They take over what the pairs
@@ -63,6 +63,7 @@ protected:
   static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
   const PlanarContactKernels &kernels_;
+  const double                oval_;       ///< see PlanarContacts
   std::vector<unsigned int>   first_pair_; ///< of each place, or none
 
 private:

@@ -41,6 +41,8 @@ struct PlanarContacts
   scene::ContactLaw law;    ///< of all points of a pair together
   double            radius; ///< of the slaves, m
   double            dt;     ///< since the last evaluation, s
+  double            oval; ///< how much of the oval of a roller (drive::RollerRing) the touched side
+                          ///< of it has: 1 outside, RollerRing::bore in the bore; 0: none
 };
 
 /// A run of cylinders in bores: the pair at place first_place + i is the bore of the body in slot

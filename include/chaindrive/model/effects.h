@@ -34,6 +34,7 @@ enum class Effect
   separate_strands, ///< each strand of several has bodies of its own
   symmetry_model,
   planar_motion,
+  oval_rollers,
   yielding_shafts,
   fields,
   stress_recovery,
@@ -67,6 +68,7 @@ inline constexpr Texts<model::Effect, 26> texts_of<model::Effect>{
      {model::Effect::separate_strands, "separate strands"},
      {model::Effect::symmetry_model, "symmetry model"},
      {model::Effect::planar_motion, "planar motion"},
+     {model::Effect::oval_rollers, "oval rollers"},
      {model::Effect::yielding_shafts, "yielding shafts"},
      {model::Effect::fields, "fields"},
      {model::Effect::stress_recovery, "stress recovery"},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/drive/programs.h>
+#include <chaindrive/drive/roller_ring.h>
 #include <chaindrive/drive/tensioner.h>
 #include <chaindrive/model/effects.h>
 #include <chaindrive/parameters/parameters.h>
@@ -215,8 +216,9 @@ struct Scene
   double start_overlap          = 0.; ///< m, of bodies that were laid in line and are not any more
   bool   half                   = false; ///< elastic bodies are halves, see mesh::Part::half
   bool   planar                 = false; ///< free bodies do not leave the plane z = const
-  bool   plates_bend            = true;  ///< of elastic links, out of their planes
-  bool   at_speed               = false; ///< the drive starts at full speed
+  std::optional<drive::RollerRing> oval; ///< what rigid rollers become, if they do
+  bool                             plates_bend = true;  ///< of elastic links, out of their planes
+  bool                             at_speed    = false; ///< the drive starts at full speed
   std::map<PartOf, std::shared_ptr<const mesh::Part>>       parts;   ///< those that somebody needs
   std::map<PartOf, std::shared_ptr<const mesh::Sector>>     sectors; ///< of elastic sprockets
   std::map<PartOf, std::shared_ptr<const reduction::Basis>> bases;   ///< of reduced bodies

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/model/planar.h>
+
+#include <tuple>
+
+namespace chaindrive::model
+{
+std::vector<std::string> against_planar_motion(const Parameters &p, const Effects &effects)
+{
+  std::vector<std::string> sentences;
+  for (const auto &[effect, choice, entry] :
+       {std::tuple{Effect::planar_motion, p.effects.planar_motion, "Planar motion"},
+        {Effect::oval_rollers, p.effects.oval_rollers, "Oval rollers"}})
+    if (const Decision &decision = effects.of(effect);
+        choice == parameters::Switch::on && !decision.on)
+      sentences.push_back(std::string("Effects/") + entry +
+                          " = on is not possible: " + decision.reason + "; choose auto or off.");
+  return sentences;
+}
+} // namespace chaindrive::model

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""oval_rollers.py PROGRAM: runs whose rollers become ovals. Restart is bit by bit, two ranks agree to round-off, energy balances, the
+step is shorter, results differ from those of round rollers; simple, elastic, spatial models and bush chains refuse them. In an empty
+folder."""
+import re
+import subprocess
+import sys
+
+from out_of_line_run import difference, run
+from program import REPOSITORY, check
+from small_drives import RIGID
+
+PROGRAM = sys.argv[1]
+DRIVE = {**RIGID, "Model/Fidelity": "layered", "Model/Stiffness from": "dimensions", "Loads/Driver speed in rad/s": 240, "Loads/Ramp time in ms": 0.2,
+         "Time/End time in ms": 2, "Output/Field interval in ms": 0, "Output/History interval in us": 10, "Output/Checkpoint interval in ms": 0.7}
+OVAL = {"Effects/Oval rollers": "on"}
+
+
+def refused(changes, said):
+    words = [word for entry in {**DRIVE, **OVAL, **changes}.items() for word in ("--set", "=".join(map(str, entry)))]
+    done = subprocess.run([PROGRAM, "plan", str(REPOSITORY / "prm/verification/hard.prm"), *words], text=True, capture_output=True)
+    check(done.returncode == 2 and "Effects/Oval rollers = on is not possible" in done.stderr and said in done.stderr, f"{changes}: {done.stderr}")
+
+
+def main():
+    round_ones, before = run(DRIVE, PROGRAM, "round", {})
+    ovals, whole = run(DRIVE, PROGRAM, "oval", OVAL)
+    steps = [re.search(r"all coupled ([\d.]+)", open(f"{name}/log.txt", encoding="utf-8").read())[1] for name in ("round", "oval")]
+    check(0.6 < float(steps[1]) / float(steps[0]) < 0.99, f"critical steps {steps}")
+    lost = [summary["energy_imbalance_max"] for summary in (before, whole)]
+    check(lost[1] < 1.5 * lost[0], f"energy imbalance {lost}")
+    check(difference(ovals, round_ones, ["spans/tight_tension"]) > 1e-4, "ovals change nothing")
+
+    run({**DRIVE, "Time/End time in ms": 1.1}, PROGRAM, "again", OVAL)
+    resumed, _ = run(DRIVE, PROGRAM, "again", {**OVAL, "Output/Resume": "auto"})
+    check(all(resumed[name].tobytes() == ovals[name].tobytes() for name in ovals), "a restart goes another way")
+    two, _ = run({**DRIVE, "Time/End time in ms": 0.3}, PROGRAM, "two", OVAL, ranks=2)
+    one, _ = run({**DRIVE, "Time/End time in ms": 0.3}, PROGRAM, "one", OVAL)
+    worst = difference(two, one, ["spans/tight_tension", "hubs/driven_speed"])
+    check(worst < 1e-9, f"two ranks differ by {worst}")
+
+    refused({"Model/Fidelity": "simple"}, "one lump")
+    refused({"Model/Fidelity": "full"}, "elastic")
+    refused({"Effects/Planar motion": "off"}, "not planar")
+    refused({"Drive/Chain/Rollers": "off"}, "no rollers")
+
+
+if __name__ == "__main__":
+    main()
