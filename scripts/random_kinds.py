@@ -200,4 +200,6 @@ def add(rng, fidelity, pitch, radii, entries):
             entries["Drive/Layout/Slack in mm"] = f"{rng.uniform(0, 0.3) * pitch:.2f}"
         if len(added) == 1 + int(3 * rng.random() ** 1.5):
             break
+    if fidelity not in ("simple", "layered") and {"misalignment", "strands"} <= set(added):
+        entries["Effects/Separate strands"] = "off"  # else refused
     return added

@@ -134,7 +134,7 @@ std::vector<files::Described> described_facts()
 {
   return {
       {"drive/chain", "", "designation of the chain"},
-      {"drive/strands", "1", "number of strands, which share equally"},
+      {"drive/strands", "1", "number of strands, which share equally but for `strands`"},
       {"drive/links", "1", "number of links"},
       {"drive/pitch", "m", "nominal pitch"},
       {"drive/loaded_pitch", "m", "mean distance of rollers under load"},

@@ -47,6 +47,14 @@ std::string text_beside(const Point<2>     &p,
   return text(Point<2>(middle[0], middle[1] - high), size, words);
 }
 
+/// Whether any wheel is out of line, which pulls strands unevenly.
+bool is_out_of_line(const Drive &drive)
+{
+  return std::any_of(drive.sprockets.begin(), drive.sprockets.end(), [](const Sprocket &sprocket) {
+    return sprocket.axial_offset != 0. || sprocket.tilt != 0.;
+  });
+}
+
 /// An arrow along @p by, whose head is at @p tip.
 std::string arrow(const Point<2> &tip, const Tensor<1, 2> &by, const double head, const char *what)
 {
@@ -240,7 +248,9 @@ void draw(std::ostream &out, const Drive &drive, const Facts &facts)
                          0.5 * drive.chain.roller_diameter + 0.4 * letter,
                          0.8 * letter,
                          to_text(facts.spans[i].tension, 4) +
-                             (facts.strands == 1 ? " N" : " N in each strand"));
+                             (facts.strands == 1    ? " N" :
+                              is_out_of_line(drive) ? " N in a strand in the mean" :
+                                                      " N in each strand"));
     }
   for (std::size_t i = 0; i < facts.sprockets.size(); ++i)
     {

@@ -53,7 +53,8 @@ std::vector<Row> rows_of_others(const files::Json &statistics)
 {
   std::vector<Row> others;
   for (const auto &[member, found] : statistics.items())
-    for (const Row &kind : {Row{" speed", "_speed", "rad/s"},
+    for (const Row &kind : {Row{": tension", "_tension", "N"},
+                            Row{" speed", "_speed", "rad/s"},
                             Row{" shaft load", "_load", "N"},
                             Row{": its direction", "_load_direction", "deg", degrees}})
       if (const std::size_t end = member.rfind(kind.member);

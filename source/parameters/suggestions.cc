@@ -162,9 +162,12 @@ const std::vector<NotModelled> &not_modelled()
        "that are out of line, by their entries Axial offset in mm and Tilt in degrees in "
        "Drive/Wheels"},
       {{"uneven strand", "load sharing", "multiplex", "duplex", "triplex"},
-       "strands are alike and share the load equally, see Drive/Chain/Strands; what tells them "
-       "apart "
-       "is only in ratings and life"},
+       "strands, see Drive/Chain/Strands, are alike and share the load equally unless wheels are "
+       "out "
+       "of line; what tells them apart besides is only in ratings and life"},
+      {{"pin bending", "pin stiffness", "intermediate plate"},
+       "pins of separate strands are rigid between these, and intermediate plates are two outer "
+       "ones; see Effects/Separate strands"},
       {{"flank error", "wobble"},
        "all teeth have the same flanks and do not wobble; a sprocket of any shape can be imported, "
        "Drive/Sprockets/Driver mesh"},

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Every value of the chain tables: pitch, roller, inner width, pin, plate heights inner and outer,
-// plate thicknesses inner and outer (mm), strength of one to three strands (kN), mass (kg/m); 0:
-// not listed. Then what the standards say of them: names count the pitch, and the width of
-// motorcycle chains, in parts of an inch; ANSI B29.1 asks for 12500 lbf at a pitch of an inch and
-// more with its square; a heavy chain differs by a 32nd of an inch and more in its plates; the same
-// chain of two standards differs by roundings; all chains are of one steel, so that each breaks of
-// its own weight at about the same length; of several strands each breaks at no more than a single
-// one; and the solids that follow from a row have about the mass that makers list.
+// plate thicknesses inner and outer (mm), strength of one to three strands (kN), mass (kg/m),
+// transverse pitch (mm); 0: not listed. Then what the standards say of them: names count the pitch,
+// and the width of motorcycle chains, in parts of an inch; ANSI B29.1 asks for 12500 lbf at a pitch
+// of an inch and more with its square; a heavy chain differs by a 32nd of an inch and more in its
+// plates; the same chain of two standards differs by roundings; all chains are of one steel, so
+// that each breaks of its own weight at about the same length; of several strands each breaks at no
+// more than a single one; and the solids that follow from a row have about the mass that makers
+// list.
 
 #include <chaindrive/drive/catalogue.h>
 
@@ -140,6 +141,14 @@ void judge()
             return c.mass_per_metre == 0. || c.designation == "41" || c.designation == "085" ||
                    c.designation == "80H" || (length > 2e3 && length < 3.2e3);
           });
+      all("  strands apart by an inner link and 0.92 to 1.2 times two outer plates, but for 05B",
+          *table,
+          [](const auto &c) {
+            const double apart = transverse_pitch_of(c.designation),
+                         room  = apart - c.inner_width - 2. * c.inner_plate_thickness;
+            return apart == 0. || c.designation == "05B" ||
+                   (room > 1.84 * c.outer_plate_thickness && room < 2.4 * c.outer_plate_thickness);
+          });
       // the outer plates of 085 are the estimate from its pitch
       all("  pin in its roller, plates in the pitch", *table, [&](const auto &c) {
         return c.pin_diameter < 0.76 * c.roller_diameter && c.roller_diameter < 0.7 * c.pitch &&
@@ -175,7 +184,8 @@ int main()
                                       c.outer_plate_thickness})
             std::cout << ' ' << length * 1e3;
           std::cout << ' ' << c.tensile_strength * 1e-3 << ' ' << c.strength_of(2) * 1e-3 << ' '
-                    << c.strength_of(3) * 1e-3 << ' ' << c.mass_per_metre
+                    << c.strength_of(3) * 1e-3 << ' ' << c.mass_per_metre << ' '
+                    << transverse_pitch_of(c.designation) * 1e3
                     << (c.has_rollers ? "" : " rollerless") << '\n';
         }
     }

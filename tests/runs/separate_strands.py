@@ -2,17 +2,17 @@
 """separate_strands.py CASE PROGRAM: strands of a chain of several that are bodies of their own.
 
   line      In line two and three separate strands are, to round-off, one strand with its share
-  leaning   At rest a wheel that leans by theta along the line of centres pulls two strands that are p_t apart by the difference D. In
-            each link the moment of strands balances the tension T on what it is askew by: B phi'' = T phi with B = k p sum(z^2 + l^2 /
-            12) on a span of the length L, whose ends lean by 0 and theta; so the middle w = 0.3 L, over which tensions are means, is
-            bent by theta s / L with s = L sinh(w / 2 lambda) / (w sinh(L / 2 lambda)), lambda^2 = B / T, and D = k p p_t theta s / L,
-            less what the seats on the wheels give: theta p_t / D = L / (k p s) + c. Between spans of other lengths c is gone. Strands
+  leaning   At rest a wheel that leans by theta along the line of centres pulls two strands that are p_t apart by the difference D. The
+            moment of strands balances the tension T on links that are askew by phi: B phi'' = T phi, with B = k p sum(z^2 + l^2 / 12 +
+            kappa r^2) on a span of the length L. The middle w = 0.3 L, over which tensions are means, is then bent by theta / w sinh(w
+            / 2 lambda) / sinh(L / 2 lambda) in the mean, lambda^2 = B / T, and D is k p p_t times that. Seats on wheels give too: the
+            length that D tells is greater, by the same for spans of other lengths, and does not matter to the difference of two. Strands
             together carry the torque; a lean across pulls none
   beam      At rest the side force on wheels that are offset is that of a beam that strands on common pins are, of the bending
             stiffness k p sum(z^2 + l^2 / 12) under the tension of them all: see out_of_line.py
   mirrored  A lean against the other one: strands change places
   resume    Goes on bit by bit, and is the same on two ranks
-  hard      Two to six strands, three other chains, the largest lean that is accepted, tensioner, guide, coupling and bearing: energy and
+  hard      Two to six strands, three other chains, the largest lean that is accepted, a bush chain, coupling and bearing: energy and
             momentum balance, no guard trips
   words     What plan, log and refusals say
 """
@@ -64,6 +64,7 @@ AT_REST = {
     "Output/Window start in ms": 75,
 }
 BUSH_LENGTH = 9.94e-3  # of the 525 chain: distance of the mid-surfaces of its plates, m
+PIN_RADIUS, TANGENTIAL = 2.62e-3, 0.8  # m; Contact/Tangential ratio
 TIGHT = "spans/driven_to_driver_strand_tension"
 
 run = functools.partial(out_of_line_run.run, DRIVE, PROGRAM)
@@ -88,66 +89,85 @@ def line():
             near(f"{name} of all strands over that of one strand's run", of_several[name] / of_one[name], 1, 1e-6)
 
 
-def lean(links, stiffness, direction=0):
-    """Mean tension of each strand and the summary with a lean of 1 degree."""
-    _, summary = run("lean", {**AT_REST, TILT: 1, DIRECTION: direction, LINKS: links, STIFFNESS: stiffness})
+def lean(links, direction=0, changes=()):
+    """Tension of each strand and the summary with a lean of 1 degree."""
+    entries = {TILT: 1, DIRECTION: direction, LINKS: links, STIFFNESS: 1e7, "Loads/Resisting torque in N m": 40, "Loads/Drag in 1/s": 400,
+               "Time/End time in ms": 45, "Output/Window start in ms": 42, "Output/Quantities": "speeds, tensions", **dict(changes)}
+    _, summary = run("lean", {**AT_REST, **entries})
     tensions = [summary["statistics"][f"strand_{strand}_tension"]["mean"] for strand in (1, 2)]
-    print(f"{links} links, {stiffness:g} N/m: {tensions} N on {summary['drive']['spans'][-1]['links']} links")
+    print(f"{links} links: {tensions} N")
     return tensions, summary
 
 
-def pitches_of(summary, stiffness):
-    """L / (p s): how many pitches the span has, more where its ends bend it rather than its middle."""
-    span, pitch = summary["drive"]["spans"][-1], summary["drive"]["pitch"]
-    bending = stiffness * pitch * sum(z**2 + BUSH_LENGTH**2 / 12 for z in summary["strands"]["z"])
-    tension = sum(summary["statistics"][f"strand_{strand}_tension"]["mean"] for strand in (1, 2))
-    decay, length = math.sqrt(bending / tension), span["length"]
-    print(f"lambda {1e3 * decay:.4g} mm of {1e3 * length:.4g}, {length / pitch:.4g} pitches")
-    return 0.3 * length / pitch * math.sinh(0.5 * length / decay) / math.sinh(0.15 * length / decay)
+def decay_of(stiffness, pitch, tension, places):
+    """lambda, m. Bushes hold an inner link in its strand by their own length alone, so that it is askew by 1 / (1 + q) of the mean of
+    its neighbours; and pins slide along their bushes by the springs of friction that sticks: both lessen what the tension bends by."""
+    own = BUSH_LENGTH**2 / 12 + TANGENTIAL * PIN_RADIUS**2
+    q = tension * pitch / (2 * len(places) * stiffness * own)
+    sliding = tension / (len(places) * TANGENTIAL * stiffness * pitch)
+    return math.sqrt(stiffness * pitch * sum(z**2 + own for z in places) / (0.5 * (1 + 1 / (1 + q)) * (1 - sliding) * tension))
+
+
+def length_of(tensions, summary):
+    """The length that the span has by the difference of its strands, m: by bisection."""
+    stiffness, tension = 1e7, sum(tensions)
+    span, pitch, places = summary["drive"]["spans"][-1], summary["drive"]["pitch"], summary["strands"]["z"]
+    decay = decay_of(stiffness, pitch, tension, places)
+    middle = 0.3 * span["length"]
+    bent = abs(tensions[1] - tensions[0]) / (stiffness * pitch * (places[1] - places[0]))
+    low, high = 0, 4 * span["length"]
+    for _ in range(60):
+        length = 0.5 * (low + high)
+        is_longer = math.radians(1) / middle * math.sinh(0.5 * middle / decay) / math.sinh(0.5 * length / decay) > bent
+        low, high = (length, high) if is_longer else (low, length)
+    return low
 
 
 def leaning():
-    for stiffness in (4e6, 3e7):
-        inverse, pitches = [], []
-        for links in (60, 90):
-            tensions, summary = lean(links, stiffness)
-            z = summary["strands"]["z"]
-            pitches.append(pitches_of(summary, stiffness))
-            inverse.append(stiffness * math.sin(math.radians(1)) * (z[1] - z[0]) / (tensions[1] - tensions[0]))
-            check(summary["strands"]["shown"] == (2 if tensions[1] > tensions[0] else 1), "another strand is shown than that which pulls most")
-            near("uneven", summary["strands"]["uneven"], 2 * max(tensions) / sum(tensions), 1e-9)
-        print(f"pitches that give: {inverse}, of spans {pitches}")
-        check(inverse[0] > pitches[0], "the seats are stiffer than rigid")
-        near("pitches more that give", (inverse[1] - inverse[0]) / (pitches[1] - pitches[0]), 1, 0.02)
-    (first, second), _ = lean(60, 3e7, 90)
+    lengths, spans = [], []
+    for links in (40, 60):
+        tensions, summary = lean(links)
+        lengths.append(length_of(tensions, summary))
+        spans.append(summary["drive"]["spans"][-1]["length"])
+        check(tensions[1] > tensions[0], "the strand of the longer way pulls less")
+        check(summary["strands"]["shown"] == 2, "another strand is shown than that which pulls most")
+        near("uneven", summary["strands"]["uneven"], 2 * max(tensions) / sum(tensions), 1e-9)
+        driven = summary["drive"]["sprockets"][1]
+        pull = sum(tensions) - 2 * summary["spans"]["driver_to_driven"]["tension_mean"]
+        near("torque of all strands, N m", pull * 0.5 * driven["pitch_diameter"], 40, 2)
+    pitch = summary["drive"]["pitch"]
+    more = [(length - span) / pitch for length, span in zip(lengths, spans)]
+    check(all(0 < pitches < 3 for pitches in more), f"spans act as longer by {more} pitches")
+    near("length of the longer span less that of the shorter one, by their strands", (lengths[1] - lengths[0]) / (spans[1] - spans[0]), 1, 0.04)
+    (first, second), _ = lean(40, 90, {"Drive/Driver teeth": 20})  # the span is along the line of centres
     below("strands off each other with a lean across, of their tension", abs(second - first) / first, 0.01)
 
 
 def beam():
-    for strands, stiffness in ((2, 4e6), (3, 4e6)):
-        histories, summary = run("beam", {
-            **AT_REST, STRANDS: strands, OFFSET: 3, STIFFNESS: stiffness, "Loads/Resisting torque in N m": 40 * strands})
-        n = DRIVE[LINKS]
-        places = summary["strands"]["z"]
-        links = summary["drive"]["spans"][-1]["links"]
-        tension = sum(summary["statistics"][f"strand_{strand + 1}_tension"]["mean"] for strand in range(strands))
-        side = {wheel: summary["statistics"][f"{wheel}_side_force"]["mean"] for wheel in ("driver", "driven")}
-        x, y = (histories[f"rollers/position_{axis}"][-1] for axis in "xy")
-        z = histories["links/position_z"][-1].copy()
-        z[::2] -= places[summary["strands"]["shown"] - 1]  # inner links, those of one strand
-        span = list(range(n - links, n))
-        length = math.hypot(x[0] - x[n - links], y[0] - y[n - links])
-        at = length * (np.arange(links) + 0.5) / links - 0.5 * length
-        bending = stiffness * length / links * sum(place**2 + BUSH_LENGTH**2 / 12 for place in places)
-        decay = math.sqrt(bending / tension)
-        inside = slice(2, -2)
-        basis = np.stack([np.ones(links), at, np.cosh(at / decay), np.sinh(at / decay)], axis=1)
-        rate = np.linalg.lstsq(basis[inside], z[span][inside], rcond=None)[0]
-        fit = basis @ rate
-        print(f"{strands} strands: tension {tension:.5g} N, side forces {side}, lambda {1e3 * decay:.4g} mm of {1e3 * length:.4g}")
-        below("deflection off that of a beam, of its range", np.abs(fit - z[span])[inside].max() / np.ptp(z[span]), 0.02)
-        near("side force over that of the beam", side["driver"] / abs(tension * rate[1]), 1, 0.03)
-        near("side force of the driven sprocket over that of the driver", side["driven"] / side["driver"], -1, 0.01)
+    strands, stiffness = 2, 4e6
+    histories, summary = run("beam", {
+        **AT_REST, STRANDS: strands, OFFSET: 3, STIFFNESS: stiffness, "Loads/Resisting torque in N m": 40 * strands,
+        "Time/End time in ms": 60, "Output/Window start in ms": 56, "Output/Quantities": "speeds, tensions, tooth forces, roller motion"})
+    n = DRIVE[LINKS]
+    places = summary["strands"]["z"]
+    links = summary["drive"]["spans"][-1]["links"]
+    tension = sum(summary["statistics"][f"strand_{strand + 1}_tension"]["mean"] for strand in range(strands))
+    side = {wheel: summary["statistics"][f"{wheel}_side_force"]["mean"] for wheel in ("driver", "driven")}
+    x, y = (histories[f"rollers/position_{axis}"][-1] for axis in "xy")
+    z = histories["links/position_z"][-1].copy()
+    z[::2] -= places[summary["strands"]["shown"] - 1]  # inner links, those of one strand
+    span = list(range(n - links, n))
+    length = math.hypot(x[0] - x[n - links], y[0] - y[n - links])
+    at = length * (np.arange(links) + 0.5) / links - 0.5 * length
+    decay = decay_of(stiffness, length / links, tension, places)
+    inside = slice(2, -2)
+    basis = np.stack([np.ones(links), at, np.cosh(at / decay), np.sinh(at / decay)], axis=1)
+    rate = np.linalg.lstsq(basis[inside], z[span][inside], rcond=None)[0]
+    fit = basis @ rate
+    print(f"{strands} strands: tension {tension:.5g} N, side forces {side}, lambda {1e3 * decay:.4g} mm of {1e3 * length:.4g}")
+    below("deflection off that of a beam, of its range", np.abs(fit - z[span])[inside].max() / np.ptp(z[span]), 0.02)
+    near("side force over that of the beam", side["driver"] / abs(tension * rate[1]), 1, 0.03)
+    near("side force of the driven sprocket over that of the driver", side["driven"] / side["driver"], -1, 0.01)
 
 
 def mirrored():

@@ -156,6 +156,17 @@ def strands_in_words(drive: dict[str, Any]) -> str:
         "power, losses and energies are those of all: "
 
 
+def separate_strands(summary: dict[str, Any]) -> list[tuple[str, str]]:
+    """A row on what each strand pulls where strands are bodies of their own; none elsewhere."""
+    if "strands" not in summary:
+        return []
+    pulls = [summary["statistics"][f"strand_{number + 1}_tension"]["mean"] for number in range(len(summary["strands"]["z"]))]
+    uneven = summary["strands"]["uneven"]
+    return [("separate strands", "tight span pulled with " + ", ".join(quantity(pull, "N") for pull in pulls)
+             + (f", at most {number(uneven, 4)} times the mean" if uneven else "")
+             + f"; number {summary['strands']['shown']} is shown in joints, links, rollers and teeth")]
+
+
 def drive_tables(run: Run) -> str:
     """The drive's block. RunError when the summary has none."""
     drive = run.drive
@@ -167,6 +178,7 @@ def drive_tables(run: Run) -> str:
     chain = [
         ("chain", f"{strands_in_words(drive)}{escape(drive['chain'])}, {drive['links']} links, pitch {q(drive['pitch'], 'm', 6)} ({q(drive['loaded_pitch'], 'm', 6)} under load), "
          f"{q(drive['mass_per_metre'], 'kg/m', 3)}"),
+        *separate_strands(run.summary),
         ("centre distance, ratio", f"{q(drive['centre_distance'], 'm', 6)}, {pitches} pitches; {number(drive['ratio'], 4)}"),
         ("power, chain speed", f"{q(drive['power'], 'W')}, {q(drive['chain_speed'], 'm/s')}"),
         ("tooth frequency, pitch time", f"{q(drive['tooth_frequency'], 'Hz', 5)}, {q(drive['pitch_time'], 's')}"),
