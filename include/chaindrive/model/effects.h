@@ -20,6 +20,7 @@ enum class Effect
   chain_damping,
   gravity,
   drag,
+  oil_film,
   elastic_links,
   elastic_rollers,
   elastic_sprocket, ///< decided for each sprocket
@@ -43,7 +44,7 @@ enum class Effect
 namespace chaindrive::parameters
 {
 template <>
-inline constexpr Texts<model::Effect, 25> texts_of<model::Effect>{
+inline constexpr Texts<model::Effect, 26> texts_of<model::Effect>{
     {{model::Effect::roller_bush_clearance, "roller-bush clearance"},
      {model::Effect::bush_pin_clearance, "bush-pin clearance"},
      {model::Effect::chain_bars, "chain bars"},
@@ -52,6 +53,7 @@ inline constexpr Texts<model::Effect, 25> texts_of<model::Effect>{
      {model::Effect::chain_damping, "chain damping"},
      {model::Effect::gravity, "gravity"},
      {model::Effect::drag, "drag"},
+     {model::Effect::oil_film, "oil film"},
      {model::Effect::elastic_links, "elastic links"},
      {model::Effect::elastic_rollers, "elastic rollers"},
      {model::Effect::elastic_sprocket, "elastic"},
