@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/model/bush_chain.h>
 #include <chaindrive/model/cross_checks.h>
 #include <chaindrive/model/decide.h>
 #include <chaindrive/model/needs.h>
+#include <chaindrive/model/needs_rollers.h>
 #include <chaindrive/model/out_of_line.h>
 #include <chaindrive/model/planar.h>
 #include <chaindrive/parameters/entries.h>
@@ -583,12 +583,11 @@ std::vector<std::string> cross_check(const Parameters &parameters, const Effects
   check_noise(parameters, findings);
   check_mesh(parameters.mesh, findings);
 
-  for (const auto &more :
-       {against_planar_motion(parameters, effects),
-        against_misalignment(parameters, effects),
-        against_bush_chain(parameters)})
+  for (const auto &more : {against_planar_motion(parameters, effects),
+                           against_misalignment(parameters, effects),
+                           against_bush_chain(parameters),
+                           against_oil_film(parameters, effects)})
     findings.contradictions.insert(findings.contradictions.end(), more.begin(), more.end());
-
   std::string message;
   for (const std::string &sentence : findings.contradictions)
     message += (message.empty() ? "" : "\n") + sentence;

@@ -534,6 +534,10 @@ Effects decide_effects(const Parameters &p)
              p.effects.drag,
              p.loads.drag,
              "coefficient " + to_text(p.loads.drag) + " 1/s"),
+      decide(Effect::oil_film,
+             p.effects.oil_film,
+             p.contact.oil_viscosity,
+             "viscosity " + to_text(1e3 * p.contact.oil_viscosity) + " mPa s"),
       links,
       rollers};
   all.insert(all.end(), rims.begin(), rims.end());

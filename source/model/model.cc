@@ -40,6 +40,8 @@ Contact contact_of(const parameters::Contact &contact, const Effects &effects)
       result.bush_pin_friction     = contact.bush_pin_friction.value_or(common);
       result.plate_friction        = common;
     }
+  if (effects.is_on(Effect::oil_film))
+    result.oil_viscosity = contact.oil_viscosity;
   result.tangential_ratio  = contact.tangential_ratio;
   result.penalty_factor    = contact.penalty_factor;
   result.search_every_step = contact.search == parameters::Search::every_step;

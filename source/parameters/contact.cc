@@ -111,6 +111,15 @@ void Contact::declare(Declarations &declarations)
       "from Penalty factor. Side forces follow from balance and hardly depend on it. auto: an "
       "inner plate that is clamped at its bushes and pressed in the middle.");
   add(declarations,
+      "Oil viscosity in mPa s",
+      oil_viscosity,
+      unit::milli,
+      between(0., 1e5),
+      "Of the oil that fills the gaps between rollers and bushes and between rollers and teeth; "
+      "layered fidelity only. It is squeezed out where they come together, which softens impacts, "
+      "and does not pull where they part. 0: dry. Chain oils have 30 to 200 at the temperature of "
+      "a running chain.");
+  add(declarations,
       "Search",
       search,
       "When the contact search is repeated. displacement: after anything has moved far enough to "

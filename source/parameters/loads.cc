@@ -33,6 +33,11 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
          drag,
          "Resistance of air or oil to the chain. auto: on when Loads/Drag in 1/s is not zero." +
              common);
+  effect("Oil film",
+         oil_film,
+         "Squeeze film between rollers, bushes and teeth. auto: on when Contact/Oil viscosity in "
+         "mPa s is not zero; layered fidelity only." +
+             common);
   const std::string without_clearance =
       " auto: on. off: the bore has the diameter of what turns in it, whatever "
       "Drive/Chain says; layered and full fidelity only.";

@@ -182,7 +182,8 @@ const std::vector<NotModelled> &not_modelled()
        "the "
        "guide of the slack span, may be a tensioner, see its entry Held by and its section Guide"},
       {{"lubric", "oil", "grease", "viscos"},
-       "friction follows Coulomb's law; set Contact/Friction coefficient for the lubrication"},
+       "friction follows Coulomb's law; set Contact/Friction coefficient for the lubrication, and "
+       "Contact/Oil viscosity in mPa s for the oil between rollers, bushes and teeth"},
       {{"temperature", "thermal", "heat"}, "temperatures are constant"},
       {{"wear rate", "life", "fatigue", "yield", "plastic", "strength"},
        "the material is linear elastic and neither wears nor fails during a run; the elongation "

@@ -136,6 +136,8 @@ Scene build_scene(const model::Model             &model,
   add_swings(drive, scene);
   add_shafts(drive, scene);
   add_guides(model, drive, scene);
+  if (model.effects.is_on(Effect::oil_film))
+    add_oil_films(model, drive, scene);
   if (model.effects.is_on(Effect::misalignment))
     add_sides(model, drive, scene);
   if (model.effects.is_on(Effect::separate_strands))

@@ -20,6 +20,7 @@ enum class Effect
   chain_damping,
   gravity,
   drag,
+  oil_film,
   elastic_links,
   elastic_rollers,
   elastic_sprocket, ///< decided for each sprocket
@@ -54,6 +55,7 @@ inline constexpr Texts<model::Effect, 26> texts_of<model::Effect>{
      {model::Effect::chain_damping, "chain damping"},
      {model::Effect::gravity, "gravity"},
      {model::Effect::drag, "drag"},
+     {model::Effect::oil_film, "oil film"},
      {model::Effect::elastic_links, "elastic links"},
      {model::Effect::elastic_rollers, "elastic rollers"},
      {model::Effect::elastic_sprocket, "elastic"},

@@ -28,6 +28,7 @@ struct Contact
          plate_friction    = 0.;
   double tangential_ratio  = 0.;    ///< sticking over normal stiffness
   double penalty_factor    = 0.;    ///< of elastic bodies
+  double oil_viscosity     = 0.;    ///< Pa s; 0: dry
   bool   search_every_step = false; ///< else after anything has moved far enough
 };
 

@@ -49,8 +49,9 @@ struct Contact
   Enforcement           enforcement      = Enforcement::automatic;
   double                penalty_factor   = 0.5; ///< of elastic bodies
   Switch                plate_faces      = Switch::automatic;
-  std::optional<double> side_stiffness; ///< N/m, of rigid plates across their planes
-  Search                search = Search::displacement;
+  std::optional<double> side_stiffness;     ///< N/m, of rigid plates across their planes
+  double                oil_viscosity = 0.; ///< Pa s, of the film between rollers, bushes and teeth
+  Search                search        = Search::displacement;
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.

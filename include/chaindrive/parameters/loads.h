@@ -46,9 +46,10 @@ struct Effects
   Switch friction = Switch::automatic; ///< automatic: on when a friction coefficient is not zero
   Switch contact_damping = Switch::automatic; ///< automatic: on when the damping ratio is not zero
   Switch chain_damping =
-      Switch::automatic;              ///< automatic: on when the chain damping ratio is not zero
-  Switch gravity = Switch::automatic; ///< automatic: on when the acceleration is not zero
-  Switch drag    = Switch::automatic; ///< automatic: on when the coefficient is not zero
+      Switch::automatic;               ///< automatic: on when the chain damping ratio is not zero
+  Switch gravity  = Switch::automatic; ///< automatic: on when the acceleration is not zero
+  Switch drag     = Switch::automatic; ///< automatic: on when the coefficient is not zero
+  Switch oil_film = Switch::automatic; ///< automatic: on when the viscosity is not zero
   Switch roller_bush_clearance = Switch::automatic; ///< automatic: on in models that have joints
   Switch bush_pin_clearance    = Switch::automatic;
   Switch elastic_links    = Switch::automatic; ///< of these automatic: on where what is asked for

@@ -64,6 +64,10 @@ void add_chain_bodies(const model::Model      &model,
 /// where there are none.
 void add_rigid_joints(const model::Model &model, const drive::Drive &drive, Scene &scene);
 
+/// The oil between rigid rollers, the bushes in them and the teeth of all sprockets, which must be
+/// there.
+void add_oil_films(const model::Model &model, const drive::Drive &drive, Scene &scene);
+
 /// A family of @p interface without law and pairs.
 BoreFamily bores_of(Interface interface);
 

@@ -199,7 +199,7 @@ def drive_tables(run: Run) -> str:
     sprockets.append(("polygon effect", [number(100 * s["polygon_effect"], 3) + "\u00a0%" for s in drive["sprockets"]]))
     if not alike:
         sprockets.append(("load of the shaft", [q(load, "N") for load in shaft_loads(drive)]))
-    spans = [(title, [q(s[name], unit, digits) if unit else number(s[name]) for s in drive["spans"]])
+    spans = [(title, [q(0. if unit == "m" and abs(s[name]) < 1e-9 else s[name], unit, digits) if unit else number(s[name]) for s in drive["spans"]])
              for name, title, unit, digits in (("links", "links", "", 3), ("length", "length", "m", 6), ("slack", "slack", "m", 3), ("sag", "sag", "m", 3),
                                                ("tension", "tension", "N", 4), ("frequency", "lowest frequency", "Hz", 3),
                                                ("resonance", "met by the teeth at a driver speed of", "rad/s", 4))]

@@ -54,7 +54,7 @@ def quantity(value: float | None, unit: str, digits: int = 4) -> str:
     if value is None or not math.isfinite(value):
         return "–"
     name, factor = scale_of(unit, value)
-    return number(value * factor, digits) + ("" if not name else ("" if name == "°" else "\u00a0") + name)
+    return number(value * factor, digits) + ("" if not name else ("" if name == "°" else "\u00a0") + name.replace(" ", "\u00a0"))
 
 
 def percent(value: float | None, digits: int = 2) -> str:
