@@ -583,10 +583,9 @@ std::vector<std::string> cross_check(const Parameters &parameters, const Effects
   check_noise(parameters, findings);
   check_mesh(parameters.mesh, findings);
 
-  for (const auto &more :
-       {against_planar_motion(parameters, effects),
-        against_misalignment(parameters, effects),
-        against_bush_chain(parameters)})
+  for (const auto &more : {against_planar_motion(parameters, effects),
+                           against_misalignment(parameters, effects),
+                           against_bush_chain(parameters)})
     findings.contradictions.insert(findings.contradictions.end(), more.begin(), more.end());
 
   std::string message;
