@@ -373,7 +373,9 @@ std::vector<StudyResult> find_calibration(const std::string &fixed, std::string 
     return {};
   try
     {
-      const std::string        text = files::read_text(file), end = "\n# complete\n";
+      const std::string text = files::read_text(file),
+                        end  = "\n# complete, of " + std::filesystem::path(file).stem().string() +
+                              "\n";
       std::vector<StudyResult> results;
       if (text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0)
         results = read_studies(text).results;
@@ -388,7 +390,7 @@ std::vector<StudyResult> find_calibration(const std::string &fixed, std::string 
     {
     }
   note = "The calibration of this drive, '" + file +
-         "', is damaged and not used. Start chaindrive calibrate again.";
+         "', is damaged or of another drive, and not used. Start chaindrive calibrate again.";
   return {};
 }
 
@@ -486,8 +488,8 @@ void print_answers(std::ostream                   &out,
                << "; " << entries_text(result) << '\n';
         }
       if (!found.empty() && found.front().study == prediction)
-        line << "  of 90 % of the drives; measured for this one: " << calibration_call(command_line)
-             << '\n';
+        line << "  Such intervals hold 90 of 100 drives. This measures yours: "
+             << calibration_call(command_line) << '\n';
       if (numerics > 0. && !results.empty())
         line << "  Intervals include " << to_text(100. * numerics, 2)
              << " % for meshes, modes and step of the reference, as found on the drive of "

@@ -369,6 +369,7 @@ void end_files(Prepared &prepared)
     summary.values["plugins"] = plugins_as_json();
   std::string note;
   const auto  errors = results_here(prepared, find_calibration(prepared.fixed, note));
+  warn(log, note);
   if (!errors.empty())
     summary.values["accuracy"] = to_json(errors);
   files::write_json(prepared.directory.path() + "/summary.json", summary.values);

@@ -31,7 +31,7 @@ HEAD = """# SPDX-License-Identifier: LGPL-2.1-or-later
 # "fit", model, output, group or -, drives, centre, slope, mean and sum of squares of the group's logarithm, factor, coverage:
 # of scripts/study/accuracy_fit.py --write"""
 
-END = "# complete"  # last line of a calibration
+END = "# complete, of "  # last line of a calibration, with the name of its file
 
 
 def fidelity(folder):
@@ -88,7 +88,7 @@ def keep(directory):
     file.parent.mkdir(parents=True, exist_ok=True)
     rows = list(rows_of(directory, "calibration"))
     part = file.with_suffix(f".part{os.getpid()}")
-    part.write_text("\n".join([HEAD, *("\t".join(row) for row in rows), END]) + "\n")
+    part.write_text("\n".join([HEAD, *("\t".join(row) for row in rows), END + file.stem]) + "\n")
     part.replace(file)
     print(f"Errors of the models on this drive, with 95 % intervals, and CPU time of a run; kept in {file}")
     found = {}

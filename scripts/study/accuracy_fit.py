@@ -3,6 +3,7 @@
 
     python3 scripts/study/accuracy_fit.py --write source/accuracy.tsv    the rows "fit", which `chaindrive plan --accuracy` reads, anew
     python3 scripts/study/accuracy_fit.py source/accuracy.tsv            a table in Markdown, for doc/accuracy-and-cost.md
+    python3 scripts/study/accuracy_fit.py --model oval source/accuracy.tsv    the errors of one model on all drives, the same
 
 Of each model and output of the calibrated drives y = ln(1 + error) is a constant, or a line over the logarithm of one of the groups
 of the drives (row "groups", drive::groups_of()), if that predicts drives that are left out better by a fifth at least: of so many
@@ -96,11 +97,30 @@ def fits(path):
         yield model, output, name, Line(groups.get(name), y), 100 * inside / len(y), min(found.values()), max(found.values())
 
 
+#: Of these the table of one model speaks.
+SHOWN = ("tight_tension_mean", "slack_tension_mean", "tight_tension_ripple", "driver_peak_mean", "driver_impulse_mean", "driven_peak_mean",
+         "roller_velocity_rms", "losses")
+
+
+def print_model(path, model):
+    errors, _ = read(path)
+    drives = list(errors[model, SHOWN[0]])
+    print(f"| {model} on | " + " | ".join(name.removesuffix("_mean").replace("_", " ") for name in SHOWN) + " |")
+    print("|" + " --- |" * (len(SHOWN) + 1))
+    for drive in drives:
+        cells = [errors[model, name].get(drive) for name in SHOWN]
+        print(f"| {drive} | " + " | ".join("-" if cell is None else f"{percent(cell)} %" for cell in cells) + " |")
+    known = [[error for error in errors[model, name].values()] for name in SHOWN]
+    print("| within 10 % | " + " | ".join(f"{sum(abs(e) <= 0.1 for e in column)} of {len(column)}" for column in known) + " |")
+
+
 def percent(value):
     return f"{100 * value:+.2g}" if abs(value) < 0.995 else f"{100 * value:+.0f}"
 
 
 def main():
+    if len(sys.argv) == 4 and sys.argv[1] == "--model":
+        return print_model(sys.argv[3], sys.argv[2])
     write = sys.argv[1:2] == ["--write"]
     if len(sys.argv) != (3 if write else 2):
         sys.exit(__doc__)

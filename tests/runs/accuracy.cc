@@ -55,6 +55,59 @@ void ask(const std::string &text)
     }
 }
 
+/// What is expected of drives that nobody ran, from a table with closed forms, and from the
+/// program's.
+void predict(const Studies &shipped)
+{
+  // twice the group, twice 1 + error; no drive lies at 2, at 8 the mean of all does
+  const Studies lines = read_studies("groups\tone\tspeed=4\tload=1\n"
+                                     "groups\ttwo\tspeed=16\tload=3\n"
+                                     "fit\tlayered\tpeak\tspeed\t17\t0.6931471805599453\t1\t"
+                                     "2.0794415416798357\t4\t0.5\t88\n"
+                                     "fit\toval\tpeak\t-\t15\t0\t0\t0\t1\t0.5\t93\n");
+  const double  far   = std::log(2.);
+  for (const double speed : {8., 16.})
+    for (const StudyResult &result : predicted(lines, "peak", {{"speed", speed}, {"load", 2.}}))
+      {
+        const bool   on       = result.variant == "layered";
+        const double half     = 0.5 * std::sqrt(1. + 1. / (on ? 17. : 15.) +
+                                            (on && speed > 8. ? far * far / 4. : 0.)),
+                     expected = on ? speed / 4. : 1.;
+        std::cout << "expected of " << result.variant << " at " << speed << ": "
+                  << result.error + 1. << " times, low and high as they should be: "
+                  << (std::abs((1. + result.low) * std::exp(half) / expected - 1.) < 1e-12 &&
+                      std::abs((1. + result.high) * std::exp(-half) / expected - 1.) < 1e-12)
+                  << std::endl;
+      }
+  std::cout << "without the group: " << predicted(lines, "peak", {}).size()
+            << ", of another output: " << predicted(lines, "stress", {{"speed", 8.}}).size()
+            << std::endl;
+  std::cout << "inside: '" << beyond(lines, {{"speed", 8.}, {"load", 3.}}) << "', outside: '"
+            << beyond(lines, {{"speed", 32.}, {"load", 2.}}) << "'" << std::endl;
+  StudyResult result;
+  result.error = 0.1, result.low = 0.07, result.high = 0.14;
+  result = with_numerics(result, 0.04);
+  std::cout << "with 4 % of the reference, 10 (7 ... 14) is " << 100. * result.error << " ("
+            << 100. * result.low << " ... " << 100. * result.high << ")" << std::endl;
+
+  // of the drives that a fit is of about 90 % lie in its interval
+  unsigned int n = 0, inside = 0;
+  for (const StudyResult &known : shipped.results)
+    if (const auto groups = shipped.groups.find(known.study);
+        groups != shipped.groups.end() && known.variant != known.reference)
+      for (const StudyResult &expected : predicted(shipped, known.output, groups->second))
+        if (expected.variant == known.variant)
+          {
+            ++n;
+            inside += known.error >= expected.low && known.error <= expected.high ? 1 : 0;
+          }
+  std::cout << "known errors in the intervals of the program's own fits: "
+            << (n > 400 && inside > 0.88 * n && inside < 0.97 * n ?
+                    "about 90 %" :
+                    std::to_string(inside) + " of " + std::to_string(n))
+            << std::endl;
+}
+
 int main()
 {
   for (const char *text : {"tension=10",
@@ -92,4 +145,5 @@ int main()
   for (const auto &[entries, names] : variants)
     wrong += names.size() - 1;
   std::cout << "rows of the program's own table that are wrong: " << wrong << std::endl;
+  predict(shipped);
 }

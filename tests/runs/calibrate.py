@@ -67,16 +67,18 @@ def main():
     files = list((CACHE / "drives").glob("*"))
     check(len(files) == 1 and str(files[0]) in done.stdout, f"{files}")
     rows = {(row[1], row[3]): row for row in (line.split("\t") for line in files[0].read_text().splitlines()) if len(row) > 9}
-    for variant in ("simple", "layered"):
+    for variant in ("simple", "layered", "oval"):
         error, expected = float(rows[variant, "driver_peak_mean"][4]), 100 * (mean_peak(variant) / mean_peak("exact") - 1)
         check(abs(error - expected) < 1e-3 * abs(expected) + 1e-3, f"{variant}: {error} instead of {expected}")
 
     # the same drive: another model, another start; nothing is computed again
-    simple, layered = (rows[variant, "driver_peak_mean"] for variant in ("simple", "layered"))
-    for changes in ({}, {"Model/Fidelity": "layered"}, {"Drive/Layout/Start": "settled", "Drive/Layout/Start phase": 0.3}):
+    simple, layered, oval = (rows[variant, "driver_peak_mean"] for variant in ("simple", "layered", "oval"))
+    check(oval[4] != layered[4] and "Effects/Oval rollers=on" in oval, f"{oval}")
+    for changes in ({}, {"Model/Fidelity": "layered"}, {"Model/Fidelity": "layered", "Effects/Oval rollers": "on"},
+                    {"Drive/Layout/Start": "settled", "Drive/Layout/Start phase": 0.3}):
         line, done = first_line(changes)
         check("calibrated on this drive" in line and "Model/Fidelity=" in line, line)
-        row = layered if changes.get("Model/Fidelity") else simple
+        row = oval if "Effects/Oval rollers" in changes else layered if "Model/Fidelity" in changes else simple
         said = next(text for text in done.stdout.splitlines() if text.startswith("How wrong this model is"))
         check(f"driver_peak_mean {float(row[4]):+.2g} %" in said, f"{changes}: {said}")
     line, _ = first_line(wanted="driver_peak_mean=0.0001")
@@ -98,10 +100,13 @@ def main():
     again = start("calibrate", "--cores", "2", "--output", str(FOLDER), quiet=False)
     check(again.returncode == 0 and "rule run" not in again.stdout, "runs were repeated")
     whole = files[0].read_text()
-    for damaged in (whole[:len(whole) // 2], whole.replace("\t" + layered[4] + "\t", "\tmany\t"), "", "calibration\tx\n"):
+    for damaged in (whole.replace(files[0].stem, "0123456789abcdef"), whole[:len(whole) // 2], whole.replace("\t" + layered[4] + "\t", "\tmany\t"), "", "calibration\tx\n"):
         files[0].write_text(damaged)
         line, done = first_line()
-        check("is damaged and not used" in done.stdout + done.stderr and "no answer for this drive" in line, f"{damaged[:40]!r}: {line} {done.stderr}")
+        check("is damaged or of another drive, and not used" in done.stdout + done.stderr and "no answer for this drive" in line, f"{damaged[:40]!r}: {line} {done.stderr}")
+    done = start("run", "--output", "unknown", changes={"Model/Fidelity": "layered"})
+    check(done.returncode == 0 and "is damaged or of another drive" in done.stderr, f"a run says nothing of a damaged calibration: {done.stderr}")
+    check("accuracy" not in json.loads(pathlib.Path("unknown/summary.json").read_text()), "a damaged calibration is used")
     # nor may a cache that cannot be looked into keep a run from its end
     done = subprocess.run([PROGRAM, str(HARD), "--set", "Time/End time in ms=0.2", "--set", "Output/Window start in ms=0", "--output", "odd", "--quiet"],
                           text=True, capture_output=True, env={**os.environ, "CHAINDRIVE_CACHE": os.path.abspath(300 * "x")})
